@@ -1,0 +1,59 @@
+"""tmodes models, simulates and controls robots that bend: elastic gears, flexible links, a tip that touches the world.
+
+    Robot -splits-> Mechanism + Parameters -derive-> equations -compile-> Model -simulate-> Result --> plot, report
+    (WHAT)                                 (LAW)                 (RUN)             (SEE)
+
+The names below are loaded when they are first used, so that ``import tmodes`` itself is light.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from tmodes.errors import TmodesError
+    from tmodes.mechanism import Drive, Mechanism, Parameters, Reading
+    from tmodes.model import Model
+    from tmodes.result import Result
+    from tmodes.robot import NominalRealPair, Robot
+    from tmodes.robots import load_robot
+    from tmodes.simulate import run
+
+__version__ = "0.1.0"
+
+__all__ = [
+    "Drive",
+    "Mechanism",
+    "Model",
+    "NominalRealPair",
+    "Parameters",
+    "Reading",
+    "Result",
+    "Robot",
+    "TmodesError",
+    "load_robot",
+    "run",
+]
+
+_HOMES = {
+    "Drive": "tmodes.mechanism",
+    "Mechanism": "tmodes.mechanism",
+    "Model": "tmodes.model",
+    "NominalRealPair": "tmodes.robot",
+    "Parameters": "tmodes.mechanism",
+    "Reading": "tmodes.mechanism",
+    "Result": "tmodes.result",
+    "Robot": "tmodes.robot",
+    "TmodesError": "tmodes.errors",
+    "load_robot": "tmodes.robots",
+    "run": "tmodes.simulate",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'tmodes' has no attribute {name!r}")
+    return getattr(import_module(_HOMES[name]), name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

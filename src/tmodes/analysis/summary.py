@@ -1,0 +1,127 @@
+"""The numbers a reader asks first, from the dataset of a result."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import InputError
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+__all__ = ["summarise"]
+
+Array = NDArray[np.float64]
+
+
+def summarise(data: Dataset, band: float = 0.05) -> dict[str, Any]:
+    """A plain dictionary of floats and words, ready for JSON; the unit is in the key. What is missing is None.
+
+    ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1.
+    """
+    if not 0 < band < 1:
+        raise InputError("band", str(band), "a number between 0 and 1", "0.05 is the usual one")
+    time = np.asarray(data["time"].values, dtype=float)
+    return {
+        "status": data.attrs["status"],
+        "first_frequency_Hz": _first_frequencies(data),
+        "deviation": _deviation(data, time),
+        "settling": _settling(data, time, band),
+        "deformations": _deformations(data, time),
+        "largest_bending_moment": _largest_moment(data, time),
+        "gear_torque": _largest_torque(data, time),
+        "contact_force_radial": _contact(data, time),
+        "energy": _energy(data),
+    }
+
+
+def _first_frequencies(data: Dataset) -> dict[str, float | None]:
+    """The lowest frequency with the motor locked and under control [Hz]."""
+    told = json.loads(data.attrs["frequencies"])
+    return {
+        case: min((line["frequency_Hz"] for line in told.get(case, [])), default=None)
+        for case in ("locked", "controlled")
+    }
+
+
+def _deviation(data: Dataset, time: Array) -> dict[str, float]:
+    deviation = data["deviation"].values
+    worst = int(np.argmax(deviation))
+    return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}
+
+
+def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any]:
+    """Time from the end of the reference move to the last sample at which the deviation is out of the band [s]."""
+    deviation = data["deviation"].values
+    limit = band * float(deviation.max())
+    move_end = float(json.loads(data.attrs["robot"])["reference"]["duration"])
+    told: dict[str, Any] = {"time_s": None, "band": band, "limit_m": limit, "reason": ""}
+    outside = time[(deviation > limit) & (time > move_end)]
+    if time[-1] <= move_end * (1 + 1e-9):
+        told["reason"] = f"the run ends at {time[-1]:g} s, the move at {move_end:g} s: simulate longer to see it settle"
+    elif outside.size and outside[-1] == time[-1]:
+        told["reason"] = f"the deviation is still {deviation[-1]:.3g} m when the run ends at {time[-1]:g} s"
+    else:
+        told["time_s"] = float(outside[-1] - move_end) if outside.size else 0.0
+    return told
+
+
+def _deformations(data: Dataset, time: Array) -> dict[str, dict[str, float | None]]:
+    """Per deformation: largest size, of the real robot and of the reference, and rms deviation over rms reference."""
+    real, reference = data["deformation"].values, data["deformation_reference"].values
+    names = [str(name) for name in data["deformation_kind"].values]
+    told: dict[str, dict[str, float | None]] = {}
+    for name, is_, should in zip(names, real.T, reference.T, strict=True):
+        size = np.sqrt(_mean(time, should**2))
+        told[name] = {
+            "max_rad": float(np.abs(is_).max()),
+            "max_reference_rad": float(np.abs(should).max()),
+            "rms_deviation_over_rms_reference": float(np.sqrt(_mean(time, (is_ - should) ** 2)) / size)
+            if size
+            else None,
+        }
+    return told
+
+
+def _largest_moment(data: Dataset, time: Array) -> dict[str, Any]:
+    """The bending moment of the largest size: its value with its sign, when and where."""
+    moment = data["bending_moment"].values
+    k, mode, plane, s = np.unravel_index(np.argmax(np.abs(moment)), moment.shape)
+    return {
+        "value_Nm": float(moment[k, mode, plane, s]),
+        "time_s": float(time[k]),
+        "mode": str(data["mode"].values[mode]),
+        "plane": str(data["plane"].values[plane]),
+        "s": float(data["s"].values[s]),
+    }
+
+
+def _largest_torque(data: Dataset, time: Array) -> dict[str, float]:
+    torque = data["gear_torque"].values
+    worst = int(np.argmax(np.abs(torque)))
+    return {"max_Nm": float(abs(torque[worst])), "time_s": float(time[worst])}
+
+
+def _contact(data: Dataset, time: Array) -> dict[str, float] | None:
+    """Least, largest and mean radial force [N]; None in free space."""
+    if "contact_force_radial" not in data:
+        return None
+    force = data["contact_force_radial"].values
+    return {"min_N": float(force.min()), "max_N": float(force.max()), "mean_N": _mean(time, force)}
+
+
+def _energy(data: Dataset) -> dict[str, float | None]:
+    """Energy moved: the widest swing of any one energy or work; and the worst residual of the balance over it."""
+    flows = np.concatenate([data["energy"].values, data["work"].values], axis=1)
+    moved = float(np.ptp(flows, axis=0).max())
+    worst = float(np.abs(data["energy_balance"].values).max())
+    return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}
+
+
+def _mean(time: Array, values: Array) -> float:
+    """Mean over time; the last sample may follow a shorter step."""
+    return float(np.trapezoid(values, time) / (time[-1] - time[0])) if len(time) > 1 else float(values[0])

@@ -1,0 +1,78 @@
+"""Groups of native functions, each made at its first use and kept on disk: a second start reads them in milliseconds."""
+
+from __future__ import annotations
+
+from collections import OrderedDict
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from tmodes.compile import cache
+from tmodes.compile.native import Library, host, to_object
+
+__all__ = ["sample_functions", "time_loops"]
+
+
+_loaded: OrderedDict[str, Library] = OrderedDict()
+_KEPT = 64
+
+
+def _library(name: str, key: str, write: Callable[[], Any], functions: dict[str, int]) -> Library:
+    """The functions of one module: as loaded before, from the cache, or written, optimised and kept."""
+    key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
+    if key not in _loaded:
+        _loaded[key] = Library(name, _binary(key, write), functions)
+        while len(_loaded) > _KEPT:
+            _loaded.popitem(last=False)
+    _loaded.move_to_end(key)
+    return _loaded[key]
+
+
+def _binary(key: str, write: Callable[[], Any]) -> bytes:
+    binary = cache.load(key)
+    if binary is None:
+        binary = to_object(write())
+        cache.save(key, binary)
+    return binary
+
+
+def sample_functions(name: str, key: str, make: Callable[[], Mapping[str, Any]], inputs: Mapping[str, int]) -> Library:
+    """Functions over many samples; ``make`` gives a CasADi function for each name, parameters last.
+
+    ``inputs`` holds the number of inputs of each, parameters not counted.
+    """
+
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.lower import lower
+        from tmodes.compile.program import straight_line
+        from tmodes.compile.sample_loop import write_sample_loop
+
+        module = ir.Module(name)
+        for label, function in make().items():
+            program = straight_line(function, invariant=inputs[label])
+            write_sample_loop(module, label, lower(module, program))
+        return module
+
+    return _library(name, key, write, {label: count + 3 for label, count in inputs.items()})
+
+
+def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Library:
+    """The native time loops around one right-hand side of (time, state, row, parameters)."""
+    from tmodes.compile.time_loop import ARGUMENTS
+
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
+        from tmodes.compile.lower import lower
+        from tmodes.compile.program import straight_line
+        from tmodes.compile.rk4_loop import write_rk4_loop
+
+        module = ir.Module(name)
+        lowered = lower(module, straight_line(make(), invariant=3))
+        write_rk4_loop(module, "rk4", lowered, guarded)
+        write_dormand_prince_loop(module, "dormand_prince", lowered, guarded)
+        return module
+
+    return _library(name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince")})

@@ -1,0 +1,128 @@
+"""A straight-line program as two native functions: what is computed once per run, and what every call computes."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from llvmlite import ir
+
+from tmodes.compile.emit import F64, POINTER, VOID, declare, load, number, store
+from tmodes.compile.program import Instruction, Program
+from tmodes.compile.trigonometry import sine_and_cosine
+
+__all__ = ["Lowered", "lower"]
+
+_FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
+
+
+@dataclass(frozen=True)
+class Lowered:
+    """``prepare(p, held)`` and ``call(args…, held, out)``, private functions of a module; sizes in doubles."""
+
+    program: Program
+    prepare: Any
+    call: Any
+    held_size: int
+
+
+def lower(module: Any, program: Program) -> Lowered:
+    """Write both functions into the module. An argument of one number is passed by value, a longer one by pointer."""
+    held = program.held
+    prepare = _function(module, f"{program.name}_prepare", [("parameters", POINTER), ("held", POINTER)])
+    _Writer(module, program, {program.invariant: prepare.args[0]}, prepare).write_held(prepare.args[1], held)
+    changing = [k for k in range(len(program.sizes)) if k != program.invariant]
+    kinds = [(f"a{k}", F64 if program.sizes[k] == 1 else POINTER) for k in changing]
+    call = _function(module, f"{program.name}_call", [*kinds, ("held", POINTER), ("out", POINTER)])
+    writer = _Writer(module, program, dict(zip(changing, call.args, strict=False)), call)
+    writer.take_held(call.args[-2], held)
+    writer.write_outputs(call.args[-1])
+    return Lowered(program, prepare, call, len(held))
+
+
+def _function(module: Any, name: str, arguments: list[tuple[str, Any]]) -> Any:
+    return declare(module, name, VOID, arguments, private=True)
+
+
+class _Writer:
+    """Writes values on demand, each once, in program order."""
+
+    def __init__(self, module: Any, program: Program, arguments: dict[int, Any], function: Any) -> None:
+        self.module, self.program, self.arguments = module, program, arguments
+        self.builder = ir.IRBuilder(function.append_basic_block("entry"))
+        self.known: dict[int, Any] = {}
+        self.turned: dict[int, Any] = {}
+
+    def write_held(self, into: Any, held: list[int]) -> None:
+        self._write_all(fixed=True)
+        for slot, index in enumerate(held):
+            store(self.builder, self.known[index], into, slot)
+        self.builder.ret_void()
+
+    def take_held(self, source: Any, held: list[int]) -> None:
+        for slot, index in enumerate(held):
+            self.known[index] = load(self.builder, source, slot)
+
+    def write_outputs(self, into: Any) -> None:
+        self._write_all(fixed=False)
+        given = {position for position, _ in self.program.outputs}
+        for position, index in self.program.outputs:
+            store(self.builder, self.known[index], into, position)
+        for position in set(range(self.program.output_size)) - given:
+            store(self.builder, number(0.0), into, position)
+        self.builder.ret_void()
+
+    def _write_all(self, *, fixed: bool) -> None:
+        for index, value in enumerate(self.program.values):
+            if value.kind == "constant":
+                self.known[index] = number(value.value)
+            elif self.program.fixed[index] == fixed:
+                self.known[index] = self._value(value)
+
+    def _value(self, value: Instruction) -> Any:
+        if value.kind == "input":
+            argument, element = value.source
+            holder = self.arguments[argument]
+            return load(self.builder, holder, element) if isinstance(holder.type, ir.PointerType) else holder
+        if value.kind in ("sin", "cos"):
+            return self._turn(value)
+        return self._operation(value.kind, *(self.known[arg] for arg in value.args))
+
+    def _turn(self, value: Instruction) -> Any:
+        """sin and cos of one angle share one call."""
+        angle = value.args[0]
+        if angle not in self.turned:
+            self.turned[angle] = self.builder.call(sine_and_cosine(self.module), [self.known[angle]])
+        return self.builder.extract_value(self.turned[angle], 0 if value.kind == "sin" else 1)
+
+    def _operation(self, kind: str, a: Any, c: Any = None) -> Any:
+        b = self.builder
+        match kind:
+            case "add":
+                return b.fadd(a, c, flags=_FUSE)
+            case "sub":
+                return b.fsub(a, c, flags=_FUSE)
+            case "mul":
+                return b.fmul(a, c, flags=_FUSE)
+            case "sq":
+                return b.fmul(a, a, flags=_FUSE)
+            case "twice":
+                return b.fmul(a, number(2.0), flags=_FUSE)
+            case "div":
+                return b.fdiv(a, c)
+            case "inv":
+                return b.fdiv(number(1.0), a)
+            case "neg":
+                return b.fneg(a)
+            case "copy":
+                return a
+            case "sqrt" | "fabs":
+                return b.call(self.module.declare_intrinsic(f"llvm.{kind}", [F64]), [a])
+            case "lt" | "le":
+                return b.uitofp(b.fcmp_ordered("<" if kind == "lt" else "<=", a, c), F64)
+            case "not":
+                return b.uitofp(b.fcmp_ordered("==", a, number(0.0)), F64)
+            case "if_else_zero":
+                return b.select(b.fcmp_unordered("!=", a, number(0.0)), c, number(0.0))
+            case _:
+                raise AssertionError(kind)

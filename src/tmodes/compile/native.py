@@ -1,0 +1,97 @@
+"""LLVM IR to native code in this process, and back from an object file of the cache."""
+
+from __future__ import annotations
+
+import ctypes
+import ctypes.util
+import itertools
+import sys
+from functools import cache
+from typing import Any
+
+import llvmlite.binding as llvm
+
+from tmodes.compile.trigonometry import FAR_COSINE, FAR_SINE
+from tmodes.errors import CompileError
+
+__all__ = ["POWER", "Library", "host", "to_object"]
+
+POWER = "tmodes_pow"
+"""Symbol bound to the C library's pow."""
+
+_SYMBOLS = {FAR_SINE: "sin", FAR_COSINE: "cos", POWER: "pow"}
+
+
+@cache
+def _machine(level: int) -> Any:
+    llvm.initialize_native_target()
+    llvm.initialize_native_asmprinter()
+    target = llvm.Target.from_triple(llvm.get_process_triple())
+    features = llvm.get_host_cpu_features().flatten()
+    return target.create_target_machine(
+        cpu=llvm.get_host_cpu_name(), features=features, opt=level, reloc="pic", codemodel="jitdefault", jit=True
+    )
+
+
+@cache
+def host() -> str:
+    """What the code is made for: compiler version, platform, processor and its features."""
+    import llvmlite
+
+    features = llvm.get_host_cpu_features().flatten()
+    return f"{llvmlite.__version__} {llvm.get_process_triple()} {llvm.get_host_cpu_name()} {features}"
+
+
+def to_object(module: Any, level: int = 3) -> bytes:
+    """Optimise a module of IR and return its object file; raises :class:`CompileError` when LLVM refuses it."""
+    machine = _machine(level)
+    module.triple, module.data_layout = llvm.get_process_triple(), str(machine.target_data)
+    try:
+        parsed = llvm.parse_assembly(str(module))
+        parsed.verify()
+    except RuntimeError as problem:
+        raise CompileError(f"{module.name}: LLVM refuses the code: {problem}") from problem
+    options = llvm.create_pipeline_tuning_options(speed_level=level)
+    builder = llvm.create_pass_builder(machine, options)
+    builder.getModulePassManager().run(parsed, builder)
+    return machine.emit_object(parsed)
+
+
+_serial = itertools.count()
+"""The linker wants a new name for each library, also for one that was freed."""
+
+
+@cache
+def _linker() -> Any:
+    return llvm.create_lljit_compiler(_machine(3))
+
+
+def _address_in_c(name: str) -> int:
+    library = ctypes.cdll.msvcrt if sys.platform == "win32" else ctypes.CDLL(ctypes.util.find_library("m"))
+    address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
+    if address is None:
+        raise CompileError(f"the C library has no function {name}")
+    return address
+
+
+class Library:
+    """Native functions loaded from one object file; they are freed with this object."""
+
+    def __init__(self, name: str, binary: bytes, functions: dict[str, int]) -> None:
+        """``functions`` maps each exported name to its number of arguments; all are int64 or pointers."""
+        builder = llvm.JITLibraryBuilder().add_object_img(binary)
+        for symbol, in_c in _SYMBOLS.items():
+            builder.import_symbol(symbol, _address_in_c(in_c))
+        for symbol in functions:
+            builder.export_symbol(symbol)
+        try:
+            self._tracker = builder.link(_linker(), f"{name}.{next(_serial)}")
+        except RuntimeError as problem:
+            raise CompileError(f"{name}: the object file cannot be linked: {problem}") from problem
+        self._functions = {
+            symbol: ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self._tracker[symbol])
+            for symbol, count in functions.items()
+        }
+
+    def __getitem__(self, name: str) -> Any:
+        return self._functions[name]

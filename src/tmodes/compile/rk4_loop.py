@@ -1,0 +1,102 @@
+"""The classical Runge-Kutta method of order 4 at fixed step, as a native loop."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tmodes.compile.emit import F64, counted, load, number, store
+from tmodes.compile.lower import Lowered
+from tmodes.compile.time_loop import Status, TimeLoop
+
+__all__ = ["write_rk4_loop"]
+
+
+def write_rk4_loop(module: Any, name: str, lowered: Lowered, guarded: int) -> None:
+    """Write the loop: each segment is parted into equal steps not longer than the option ``step``.
+
+    Samples between steps come from the cubic Hermite polynomial, whose error is of the method's own order.
+    """
+    loop = TimeLoop(module, name, lowered, ("k2", "k3", "k4", "probe", "new"), guarded)
+    b = loop.builder
+    loop.stop_if(loop.finished(), Status.FINISHED)
+    loop.stop_if(b.fcmp_ordered(">=", loop.get("done"), loop.option("chunk")), Status.RUNNING)
+    start, end = loop.knot(0), loop.knot(1)
+    length = b.fsub(end, start)
+    ratio = b.fdiv(length, loop.option("step"))
+    count = loop.intrinsic("maxnum", loop.intrinsic("ceil", b.fmul(ratio, number(1 - 1e-12))), number(1.0))
+    h = b.fdiv(length, count)
+    time = loop.get("t")
+    after = b.fadd(loop.get("index"), number(1.0))
+    last = b.fcmp_ordered(">=", after, count)
+    time_after = b.select(last, end, b.fadd(start, b.fmul(after, h)))
+    loop.put("h", h)
+    _step(loop, time, h)
+    loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
+    _write_samples(loop, time, h, time_after)
+    loop.copy("y", "new")
+    loop.put("t", time_after)
+    loop.add("steps", 1.0)
+    loop.add("done", 1.0)
+    loop.put("index", b.select(last, number(0.0), after))
+    loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(last, F64)))
+    b.branch(loop.again)
+
+
+def _step(loop: TimeLoop, time: Any, h: Any) -> None:
+    b = loop.builder
+    half, sixth, third = (b.fmul(h, number(share)) for share in (1 / 2, 1 / 6, 1 / 3))
+    middle = b.fadd(time, half)
+    loop.evaluate(time, "y", "k1")
+    loop.combine("probe", {"k1": half})
+    loop.evaluate(middle, "probe", "k2")
+    loop.combine("probe", {"k2": half})
+    loop.evaluate(middle, "probe", "k3")
+    loop.combine("probe", {"k3": h})
+    loop.evaluate(b.fadd(time, h), "probe", "k4")
+    loop.combine("new", {"k1": sixth, "k2": third, "k3": third, "k4": sixth})
+
+
+def _write_samples(loop: TimeLoop, time: Any, h: Any, time_after: Any) -> None:
+    b = loop.builder
+    check, write, done = loop.block("sample_check"), loop.block("sample_write"), loop.block("sample_done")
+    b.branch(check)
+    b.position_at_end(check)
+    b.cbranch(loop.sample_due(b.fadd(time_after, b.fmul(h, number(1e-9)))), write, done)
+    b.position_at_end(write)
+    share = b.fdiv(b.fsub(loop.sample_time(), time), h)
+    inside = b.fcmp_ordered("<", share, number(1 - 1e-9))
+    exact, between, written = loop.block("sample_exact"), loop.block("sample_between"), loop.block("sample_written")
+    b.cbranch(inside, between, exact)
+    b.position_at_end(exact)
+    _write_row(loop, {"new": number(1.0)})
+    b.branch(written)
+    b.position_at_end(between)
+    loop.evaluate(time_after, "new", "k4")
+    _write_row(loop, _hermite(b, share, h))
+    b.branch(written)
+    b.position_at_end(written)
+    loop.add("sample", 1.0)
+    b.branch(check)
+    b.position_at_end(done)
+
+
+def _hermite(b: Any, s: Any, h: Any) -> dict[str, Any]:
+    """Weights of both ends and their slopes at the share s of a step."""
+    rest = b.fsub(number(1.0), s)
+    s2, rest2 = b.fmul(s, s), b.fmul(rest, rest)
+    return {
+        "y": b.fmul(rest2, b.fadd(number(1.0), b.fmul(number(2.0), s))),
+        "new": b.fmul(s2, b.fadd(number(1.0), b.fmul(number(2.0), rest))),
+        "k1": b.fmul(b.fmul(h, s), rest2),
+        "k4": b.fneg(b.fmul(b.fmul(h, rest), s2)),
+    }
+
+
+def _write_row(loop: TimeLoop, weights: dict[str, Any]) -> None:
+    b = loop.builder
+    target = loop.sample_row()
+    with counted(b, loop.size) as i:
+        total: Any = number(0.0)
+        for label, weight in weights.items():
+            total = b.fadd(total, b.fmul(weight, load(b, loop.array[label], i)))
+        store(b, total, target, i)

@@ -1,0 +1,166 @@
+"""What every native time loop shares: its arguments, its memory between calls, and its written samples.
+
+A loop runs until all samples are written, the run fails, or ``CHUNK`` steps are done; called again it goes on from its
+memory as if it had never stopped, so progress, interruption and checkpoints change no bit of the result.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from enum import IntEnum
+from typing import Any
+
+from llvmlite import ir
+
+from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, scratch, store, whole
+from tmodes.compile.lower import Lowered
+
+__all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "Status", "TimeLoop"]
+
+CELLS = ("t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status")
+"""Memory of a loop between calls, one double each."""
+
+OPTIONS = ("step", "rtol", "atol", "chunk", "bound")
+"""Settings of a loop; ``bound``: the largest coordinate or rate that still counts as motion."""
+
+ARGUMENTS = ("memory", "y", "k1", "p", "knots", "rows", "times", "out", "options", "segments", "samples")
+"""Arguments of a loop, in order; the last two are int64, the others point to doubles."""
+
+
+class Status(IntEnum):
+    """How a call of a loop ended."""
+
+    RUNNING = 0
+    FINISHED = 1
+    DIVERGED = 2
+    STEP_TOO_SMALL = 3
+
+
+class TimeLoop:
+    """The frame of a time loop: arguments, mutable cells, scratch arrays, and the blocks ``again`` and ``leave``."""
+
+    def __init__(self, module: Any, name: str, lowered: Lowered, scratch_arrays: Sequence[str], guarded: int) -> None:
+        """``guarded``: how many of the first components of the state are watched for divergence."""
+        self.module, self.lowered, self.guarded = module, lowered, guarded
+        self.size = lowered.program.output_size
+        kinds = [(label, I64 if label in ("segments", "samples") else POINTER) for label in ARGUMENTS]
+        self.function = declare(module, name, VOID, kinds)
+        self.argument = dict(zip(ARGUMENTS, self.function.args, strict=True))
+        self.builder = ir.IRBuilder(self.function.append_basic_block("entry"))
+        self.cell = {label: self.builder.alloca(F64, name=label) for label in (*CELLS, "done")}
+        self.array = {label: scratch(self.builder, self.size, label) for label in scratch_arrays}
+        self.array |= {"y": self.argument["y"], "k1": self.argument["k1"]}
+        self.held = scratch(self.builder, lowered.held_size, "held")
+        self.builder.call(lowered.prepare, [self.argument["p"], self.held])
+        for slot, label in enumerate(CELLS):
+            self.put(label, load(self.builder, self.argument["memory"], slot))
+        self.put("done", number(0.0))
+        self.again, self.leave = self.block("again"), self.block("leave")
+        self.builder.branch(self.again)
+        self._write_leave()
+        self.builder.position_at_end(self.again)
+
+    def block(self, name: str) -> Any:
+        """A new basic block."""
+        return self.function.append_basic_block(name)
+
+    def get(self, label: str) -> Any:
+        """Value of a cell."""
+        return self.builder.load(self.cell[label], typ=F64)
+
+    def put(self, label: str, value: Any) -> None:
+        """Set a cell."""
+        self.builder.store(value, self.cell[label])
+
+    def add(self, label: str, amount: float) -> None:
+        """Add to a cell."""
+        self.put(label, self.builder.fadd(self.get(label), number(amount)))
+
+    def option(self, label: str) -> Any:
+        """Value of an option."""
+        return load(self.builder, self.argument["options"], OPTIONS.index(label))
+
+    def integer(self, label: str) -> Any:
+        """A cell as an int64."""
+        return self.builder.fptosi(self.get(label), I64)
+
+    def finished(self) -> Any:
+        """Whether the last segment is behind."""
+        return self.builder.icmp_signed(">=", self.integer("segment"), self.argument["segments"])
+
+    def intrinsic(self, name: str, *values: Any) -> Any:
+        """Call of an LLVM intrinsic on doubles."""
+        kind = ir.FunctionType(F64, [F64] * len(values))
+        return self.builder.call(self.module.declare_intrinsic(f"llvm.{name}", [F64], kind), list(values))
+
+    def stop_if(self, condition: Any, status: Status) -> None:
+        """Leave the loop with a status where the condition holds."""
+        stop, on = self.block(f"stop_{status.name.lower()}"), self.block("on")
+        self.builder.cbranch(condition, stop, on)
+        self.builder.position_at_end(stop)
+        self.put("status", number(float(status)))
+        self.builder.branch(self.leave)
+        self.builder.position_at_end(on)
+
+    def row(self) -> Any:
+        """Address of the reference's row of the current segment."""
+        length = self.lowered.program.sizes[2]
+        return at(self.builder, self.argument["rows"], self.builder.mul(self.integer("segment"), whole(length)))
+
+    def knot(self, ahead: int) -> Any:
+        """Time of the current segment's start (0) or end (1)."""
+        index = self.builder.add(self.integer("segment"), whole(ahead))
+        return load(self.builder, self.argument["knots"], index)
+
+    def evaluate(self, time: Any, state: str, into: str) -> None:
+        """Right-hand side at a state array, into an array."""
+        row = self.row()
+        self.builder.call(self.lowered.call, [time, self.array[state], row, self.held, self.array[into]])
+        self.add("evaluations", 1.0)
+
+    def combine(self, into: str, weights: dict[str, Any], base: str = "y") -> None:
+        """``into = base + sum weights[a] a`` for whole arrays."""
+        b = self.builder
+        with counted(b, self.size) as i:
+            total = load(b, self.array[base], i)
+            for label, weight in weights.items():
+                term = b.fmul(weight, load(b, self.array[label], i), flags=("contract",))
+                total = b.fadd(total, term, flags=("contract",))
+            store(b, total, self.array[into], i)
+
+    def copy(self, into: str, source: str) -> None:
+        """``into = source`` for whole arrays."""
+        with counted(self.builder, self.size) as i:
+            store(self.builder, load(self.builder, self.array[source], i), self.array[into], i)
+
+    def within_bounds(self, label: str) -> Any:
+        """Whether every guarded component is finite and below the bound (not-a-number is not)."""
+        b = self.builder
+        good: Any = ir.Constant(ir.IntType(1), 1)
+        bound = self.option("bound")
+        for i in range(self.guarded):
+            magnitude = self.intrinsic("fabs", load(b, self.array[label], i))
+            good = b.and_(good, b.fcmp_ordered("<", magnitude, bound))
+        return good
+
+    def sample_due(self, until: Any) -> Any:
+        """Whether a sample is left and its time is not after ``until``; the time is read only where one is left."""
+        b = self.builder
+        left = b.icmp_signed("<", self.integer("sample"), self.argument["samples"])
+        index = b.select(left, self.integer("sample"), whole(0))
+        return b.and_(left, b.fcmp_ordered("<=", load(b, self.argument["times"], index), until))
+
+    def sample_time(self) -> Any:
+        """Time of the next sample."""
+        return load(self.builder, self.argument["times"], self.integer("sample"))
+
+    def sample_row(self) -> Any:
+        """Where the next sample is written."""
+        index = self.builder.mul(self.integer("sample"), whole(self.size))
+        return at(self.builder, self.argument["out"], index)
+
+    def _write_leave(self) -> None:
+        self.builder.position_at_end(self.leave)
+        for slot, label in enumerate(CELLS):
+            store(self.builder, self.get(label), self.argument["memory"], slot)
+        self.builder.ret_void()

@@ -1,0 +1,105 @@
+"""Physical quantities as fields: a number that knows its unit, its symbol in the paper and its range.
+
+The field itself is the single source of the schema, of the error messages, of the parameter table and of the
+units in result files. No physical quantity has a default (gravity is the one exception, and it is printed).
+"""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Sequence
+from typing import Any, NamedTuple
+
+from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
+from pydantic_core import PydanticCustomError
+
+__all__ = ["LARGEST", "SMALLEST", "DataSheet", "Misfit", "any_sign", "not_negative", "positive", "quantity", "refuse"]
+
+LARGEST = 1e12
+"""The largest finite magnitude a quantity may have [its unit]: beyond it products of quantities overflow a double."""
+
+SMALLEST = 1e-12
+"""The smallest value of a quantity that must be greater than zero [its unit]: below it quotients overflow a double."""
+
+
+class Misfit(NamedTuple):
+    """A value that is right by itself and wrong beside the others of its group."""
+
+    field: str
+    got: str
+    expected: str
+    mend: str
+
+
+def refuse(misfits: Sequence[Misfit]) -> None:
+    """Raise what a data sheet's validator must raise when values do not fit together; nothing when all fit."""
+    if misfits:
+        raise PydanticCustomError("misfits", "values that do not fit together", {"misfits": list(misfits)})
+
+
+class DataSheet(BaseModel):
+    """A frozen group of quantities; unknown keys are refused, text and booleans are not numbers."""
+
+    model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False, ser_json_inf_nan="strings")
+
+    @field_validator("*", mode="after")
+    @classmethod
+    def _in_range_of_arithmetic(cls, value: Any, info: ValidationInfo) -> Any:
+        extra = cls.model_fields[info.field_name or ""].json_schema_extra
+        if isinstance(value, float) and isinstance(extra, dict) and not math.isinf(value):
+            smallest = float(str(extra["smallest"]))
+            if not smallest <= abs(value) <= LARGEST:
+                bounds = {"smallest": smallest, "largest": LARGEST}
+                raise PydanticCustomError("arithmetic", "from {smallest} to {largest}", bounds)
+        return value
+
+
+def quantity(
+    unit: str,
+    symbol: str,
+    meaning: str,
+    *,
+    default: Any = ...,
+    above: float | None = None,
+    at_least: float | None = None,
+    at_most: float | None = None,
+    smallest: float = 0.0,
+    rigid: bool = False,
+    plausible: tuple[float, float] | None = None,
+) -> Any:
+    """A numeric field.
+
+    ``above``/``at_least``/``at_most`` bound it by physics; its magnitude must also lie between ``smallest`` and
+    :data:`LARGEST`, by arithmetic; ``rigid`` lets it be infinite, which then means "rigid, by wish"; ``plausible`` is
+    the range outside of which a wrong unit is likely (a warning, never an error).
+    """
+    return Field(
+        default,
+        gt=above,
+        ge=at_least,
+        le=at_most,
+        allow_inf_nan=True if rigid else None,
+        description=f"{meaning} [{unit}]",
+        json_schema_extra={
+            "unit": unit,
+            "symbol": symbol,
+            "rigid_when_infinite": rigid,
+            "plausible": list(plausible) if plausible else None,
+            "smallest": smallest,
+        },
+    )
+
+
+def positive(unit: str, symbol: str, meaning: str, *, smallest: float = SMALLEST, **more: Any) -> Any:
+    """A quantity that must be greater than zero (a length, a mass, a stiffness)."""
+    return quantity(unit, symbol, meaning, above=0.0, smallest=smallest, **more)
+
+
+def not_negative(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
+    """A quantity for which zero is a right physical limit (a damping, a payload, a friction)."""
+    return quantity(unit, symbol, meaning, at_least=0.0, **more)
+
+
+def any_sign(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
+    """A quantity of either sign (an angle, a preload)."""
+    return quantity(unit, symbol, meaning, **more)

@@ -1,0 +1,114 @@
+"""Forward dynamics: Eq. (40) solved for the accelerations, with the environment's mass and rigid elements inside."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+
+from tmodes.contact.environment import FrictionLaw
+from tmodes.equations.contact import ContactTerms, contact_terms
+from tmodes.equations.coordinates import basis, deformations, free_columns
+from tmodes.equations.energy import Energies, energies
+from tmodes.equations.lagrange import EquationTerms, equation_terms
+from tmodes.mechanism import Drive, Mechanism
+from tmodes.robot import Robot
+
+__all__ = ["Motion", "motion"]
+
+
+@dataclass(frozen=True)
+class Motion:
+    """Everything that is known of the robot at one state and one drive."""
+
+    energy: Energies
+    terms: EquationTerms
+    acceleration: Any
+    motor_torque: Any
+    contact: ContactTerms | None
+    radial_force: Any
+    tip_force: Any
+    contact_rows: Any
+
+    def gear_torque(self, robot: Robot, mechanism: Mechanism, phi: Any, phid: Any) -> Any:
+        """Gear torque sigma [N*m]; of a rigid gear it is what the link's side asks of it."""
+        if "gear" not in mechanism.rigid:
+            return robot.gear.torque(deformations(phi).xi, deformations(phid).xi)
+        rows = self.terms.mass_matrix @ self.acceleration + self.terms.internal + self.contact_rows
+        return -(rows[0] + rows[2])
+
+
+def motion(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) -> Motion:
+    """Accelerations and forces.
+
+    ``drive`` is the motor's voltage [V], or its acceleration theta'' [rad/s^2] where the motor is prescribed.
+
+    Eq. (39) [corrected]: CM i = I theta'' + Bm theta' - sigma with u = R i + CE theta' put in; in the print this row
+    is in volts where the others are in N*m. {test_motor_row_is_in_newton_metres}
+    Eq. (40) [derived]: H phi'' + h + f_elastic + f_damping + J^T F = Q. {test_samples}
+    Slip (40): the motor's row is in volts, the others in N*m {test_motor_row_is_in_newton_metres}
+    """
+    energy = energies(robot, mechanism, phi, phid)
+    terms = equation_terms(energy, phi, phid)
+    prescribed = mechanism.drive is Drive.PRESCRIBED
+    known = ca.DM(basis()[:, 0]) * drive if prescribed else ca.SX.zeros(6)
+    torque = 0 if prescribed else robot.motor.torque(drive, phid[5])
+    load = ca.vertcat(ca.SX.zeros(5), torque - robot.motor.friction * phid[5]) - terms.internal
+    directions = ca.DM(free_columns(mechanism.rigid, prescribed))
+    contact = contact_terms(robot, mechanism, phi, phid) if mechanism.contact else None
+    solved = _accelerations(terms.mass_matrix, load, directions, known, contact, mechanism.contact)
+    acceleration, radial_force, tip_force, rows = solved
+    if prescribed:
+        torque = _torque_of_prescribed_motor(terms, acceleration, rows, robot, phid)
+    return Motion(energy, terms, acceleration, torque, contact, radial_force, tip_force, rows)
+
+
+def _torque_of_prescribed_motor(
+    terms: EquationTerms, acceleration: Any, contact_rows: Any, robot: Robot, phid: Any
+) -> Any:
+    """Torque that the motor needs to follow its prescribed motion: the rows that move with it, balanced."""
+    rows = terms.mass_matrix @ acceleration + terms.internal + contact_rows
+    return ca.dot(ca.DM(basis()[:, 0]), rows) + robot.motor.friction * phid[5]
+
+
+def _accelerations(
+    mass: Any, load: Any, directions: Any, known: Any, contact: ContactTerms | None, law: FrictionLaw | None
+) -> tuple[Any, Any, Any, Any]:
+    """Solve for phi'' in the free directions; the contact's mass is a rank-one change of H (Sherman-Morrison)."""
+    reduced = directions.T @ mass @ directions
+    right = directions.T @ (load - mass @ known)
+    if contact is None:
+        acceleration = directions @ _solve_ldl(reduced, right) + known
+        return acceleration, ca.SX(0), ca.SX.zeros(3), ca.SX.zeros(6)
+    row = directions.T @ contact.row
+    at_rest = contact.at_rest + contact.mass * ca.dot(contact.row, known)
+    # Without the contact's own push, Fc has this sign; the push only scales it (its denominator is positive).
+    pull = at_rest + contact.mass * ca.dot(row, _solve_ldl(reduced, right))
+    sign = ca.if_else(pull >= 0, 1, -1) if law is FrictionLaw.MAGNITUDE else 1
+    direction = contact.direction(sign)
+    push = contact.to_rows @ direction
+    answer = _solve_ldl(reduced, ca.horzcat(right, directions.T @ push))
+    freely, pushed = answer[:, 0], answer[:, 1]
+    radial = pull / (1 + contact.mass * ca.dot(row, pushed))
+    acceleration = directions @ (freely - pushed * radial) + known
+    return acceleration, radial, radial * direction, push * radial
+
+
+def _solve_ldl(matrix: Any, right: Any) -> Any:
+    """Solve a symmetric positive definite system by LDL^T, unrolled; zeros of the matrix cost nothing."""
+    size = matrix.shape[0]
+    lower = [[ca.SX(0)] * size for _ in range(size)]
+    diagonal: list[Any] = []
+    for j in range(size):
+        diagonal.append(matrix[j, j] - sum(lower[j][k] ** 2 * diagonal[k] for k in range(j)))
+        for i in range(j + 1, size):
+            rest = sum(lower[i][k] * lower[j][k] * diagonal[k] for k in range(j))
+            lower[i][j] = (matrix[i, j] - rest) / diagonal[j]
+    rows: list[Any] = []
+    for i in range(size):
+        rows.append(right[i, :] - sum(lower[i][k] * rows[k] for k in range(i)))
+    rows = [row / d for row, d in zip(rows, diagonal, strict=True)]
+    for i in reversed(range(size)):
+        rows[i] = rows[i] - sum(lower[k][i] * rows[k] for k in range(i + 1, size))
+    return ca.vertcat(*rows)

@@ -1,0 +1,41 @@
+"""All terms of the equations at a given state and voltage: the door for a comparison with another program."""
+
+from __future__ import annotations
+
+import casadi as ca
+
+from tmodes.equations.layout import EVALUATED
+from tmodes.equations.dynamics import motion
+from tmodes.equations.kinematics import tip, tip_jacobian
+from tmodes.equations.symbols import symbolic_robot
+from tmodes.mechanism import Mechanism
+
+__all__ = ["evaluation_function"]
+
+
+def evaluation_function(mechanism: Mechanism) -> ca.Function:
+    """The vector of :data:`tmodes.equations.layout.EVALUATED` of (phi, phid, u, parameters)."""
+    robot, _, parameters = symbolic_robot()
+    phi, phid, voltage = ca.SX.sym("phi", 6), ca.SX.sym("phid", 6), ca.SX.sym("u")
+    moved = motion(robot, mechanism, phi, phid, voltage)
+    energy, terms = moved.energy, moved.terms
+    elastic = energy.elastic_gear + energy.elastic_link
+    input_row = robot.motor.torque(voltage, phid[5]) - robot.motor.friction * phid[5]
+    seen = {
+        "phidd": moved.acceleration,
+        "H": ca.vec(terms.mass_matrix.T),
+        "h": terms.bias,
+        "f_el": terms.elastic,
+        "f_di": terms.damping,
+        "Q": ca.vertcat(ca.SX.zeros(5), input_row),
+        "tip": tip(phi, robot.link),
+        "J": ca.vec(tip_jacobian(phi, robot.link).T),
+        "kinetic": energy.kinetic,
+        "potential_gravity": energy.gravity,
+        "potential_elastic": elastic,
+        "rayleigh": energy.rayleigh_gear + energy.rayleigh_link,
+        "energy": energy.kinetic + energy.gravity + elastic,
+        "F_tip_on_environment": moved.tip_force,
+    }
+    output = ca.vertcat(*(ca.SX(seen[name]) for name in EVALUATED))
+    return ca.Function("evaluation", [phi, phid, voltage, parameters], [ca.densify(output)], {"cse": True})

@@ -1,0 +1,79 @@
+"""How a run is integrated: settings, each with a sound default (numerics may have defaults, physics never)."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from enum import StrEnum
+from typing import Self
+
+from pydantic import Field, model_validator
+
+from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
+
+__all__ = ["BYTES_PER_SAMPLE", "MOST_SAMPLES", "Integration", "Method"]
+
+BYTES_PER_SAMPLE = 4500
+"""Size of one sample of a result [bytes], with its elastic lines."""
+
+MOST_SAMPLES = 400_000
+"""Samples of the longest result: 1.8 GB of memory and of disk."""
+
+
+class Method(StrEnum):
+    """The integrators that files and the command line can name."""
+
+    DORMAND_PRINCE = "dormand_prince"
+    RK4 = "rk4"
+
+
+class Integration(DataSheet):
+    """Which integrator, how exact, how long, how often the result is sampled."""
+
+    method: Method = Field(default=Method.DORMAND_PRINCE, strict=False, description="which integrator")
+    duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6)
+    output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3)
+    relative_tolerance: float = positive(
+        "-", "rtol", "error allowed per step, relative (dormand_prince)", default=1e-9, at_most=1e-2, at_least=1e-13
+    )
+    absolute_tolerance: float = positive(
+        "rad",
+        "atol",
+        "error allowed per step, absolute (dormand_prince)",
+        default=1e-12,
+        at_most=1e-2,
+        smallest=1e-18,
+    )
+    step: float = positive("s", "dt", "fixed step (rk4)", default=2 / 37500)
+    max_steps: int = positive("-", "steps", "steps after which a run gives up", default=200_000_000, at_most=10**12)
+    max_wall_time: float = positive("s", "wall", "seconds of computing after which a run gives up", default=3600.0)
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        refuse([*self._sampling_misfits(), *self._stepping_misfits()])
+        return self
+
+    def _sampling_misfits(self) -> Iterator[Misfit]:
+        samples, least = self.duration / self.output_step, self.duration / MOST_SAMPLES
+        if self.output_step > self.duration:
+            most = f"at most integration.duration, {self.duration!r} [s]"
+            yield Misfit("output_step", repr(self.output_step), most, "lengthen the duration or sample more often")
+        elif samples > MOST_SAMPLES:
+            got = f"{self.output_step!r}, that is {_size(samples)}"
+            mend = f"write at least {least:.3g} s, or a shorter duration"
+            yield Misfit("output_step", got, f"at most {_size(MOST_SAMPLES)}", mend)
+
+    def _stepping_misfits(self) -> Iterator[Misfit]:
+        if self.method is not Method.RK4:
+            return
+        steps = self.duration / self.step
+        if self.step > self.duration:
+            most = f"at most integration.duration, {self.duration!r} [s]"
+            yield Misfit("step", repr(self.step), most, "write a shorter step")
+        elif steps > self.max_steps:
+            got, most = f"{self.step!r}, that is {steps:.3g} steps", f"at most max_steps, {self.max_steps} steps"
+            mend = f"write at least {self.duration / self.max_steps:.3g} s, or raise max_steps"
+            yield Misfit("step", got, most, mend)
+
+
+def _size(samples: float) -> str:
+    return f"{samples:.3g} samples, about {samples * BYTES_PER_SAMPLE / 1e9:.3g} GB"

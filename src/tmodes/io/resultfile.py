@@ -1,0 +1,192 @@
+"""The result file: NetCDF-4, followed by a seal that tells its length and its checksum.
+
+HDF5 readers (xarray, h5py, netCDF4) pass over what follows the end of their data, so they all read the file; tmodes
+reads the seal first and believes nothing that does not match it. The seal has 64 bytes in every version, little-endian:
+
+    magic (8) | format version (4) | size of the seal (4) | length of the body (8) | SHA-256 of the body (32)
+    | reserved (4) | CRC-32 of the 60 bytes before (4)
+"""
+
+from __future__ import annotations
+
+import hashlib
+import io
+import math
+import os
+import stat
+import struct
+import zlib
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from tmodes.errors import ResultFileError
+from tmodes.io.atomic import atomic_write, check_writable, file_error
+
+if TYPE_CHECKING:
+    from xarray import Dataset, Variable
+
+__all__ = ["FORMAT_VERSION", "MAX_BYTES", "SEAL_BYTES", "read_sealed", "write_sealed"]
+
+FORMAT_VERSION = 1
+MAX_BYTES = 8 * 2**30
+"""Largest file, and largest content in memory, that is read unless the caller allows more [bytes]."""
+
+MAGIC = b"\x93TMODES\n"
+HDF5_MAGIC = b"\x89HDF\r\n\x1a\n"
+AGAIN = "use a whole copy of the file, or run the robot again"
+SEAL = struct.Struct("<8sIIQ32s4x")
+CHECK = struct.Struct("<I")
+SEAL_BYTES = SEAL.size + CHECK.size
+CHUNK_BYTES = 2**20
+
+
+def write_sealed(dataset: Dataset, path: str | os.PathLike[str], *, overwrite: bool = True) -> None:
+    """Write a dataset as a sealed file, atomically; the same dataset gives the same bytes.
+
+    Numbers and text only: no Python objects. Raises :class:`ResultFileError` when the dataset holds anything else,
+    or when the file cannot be written; an old file of that name is then untouched.
+    """
+    _check_storable(dataset)
+    body = _body(dataset)
+    check_writable(Path(os.path.realpath(path)).parent, len(body) + SEAL_BYTES)
+    with atomic_write(path, overwrite=overwrite) as temporary, temporary.open("wb") as file:
+        file.write(body)
+        file.write(_seal(body))
+
+
+def read_sealed(path: str | os.PathLike[str], *, max_bytes: int = MAX_BYTES) -> Dataset:
+    """Read a sealed file whole into memory, and close it.
+
+    Raises :class:`ResultFileError` with the reason when the file is not a result, is damaged in a single bit, cut
+    short or lengthened, newer than this program, or larger than ``max_bytes``.
+    """
+    body = _believed(Path(path), max_bytes)
+    try:
+        _check_plain(path, body, max_bytes)
+        return _dataset(body)
+    except ResultFileError:
+        raise
+    except Exception as error:  # the libraries raise many kinds; the seal matched, so the content is at fault
+        got = f"content that cannot be decoded ({type(error).__name__}: {error})"
+        raise file_error(path, got, "a result of tmodes", "run the robot again") from error
+
+
+def _seal(body: memoryview) -> bytes:
+    start = SEAL.pack(MAGIC, FORMAT_VERSION, SEAL_BYTES, len(body), hashlib.sha256(body).digest())
+    return start + CHECK.pack(zlib.crc32(start))
+
+
+def _believed(path: Path, max_bytes: int) -> memoryview:
+    """The body of a file whose seal matches it."""
+    content = _content(path, max_bytes)
+    body, seal = content[:-SEAL_BYTES], content[-SEAL_BYTES:]
+    if len(content) <= SEAL_BYTES or seal[: len(MAGIC)] != MAGIC:
+        kind = "a file without the seal of tmodes at its end"
+        found = f"{kind}: cut short, lengthened, or foreign" if content[:8] == HDF5_MAGIC else f"{kind}: foreign"
+        raise file_error(path, found, "a result file", AGAIN)
+    if zlib.crc32(seal[: SEAL.size]) != CHECK.unpack(seal[SEAL.size :])[0]:
+        raise file_error(path, "a damaged seal", "a seal that matches its own checksum", AGAIN)
+    _, version, _, length, digest = SEAL.unpack(seal[: SEAL.size])
+    if version != FORMAT_VERSION:
+        expected = f"version {FORMAT_VERSION}"
+        raise file_error(path, f"format version {version}", expected, "read it with the tmodes that wrote it, or newer")
+    if length != len(body):
+        raise file_error(path, f"{len(body):,} bytes before the seal", f"{length:,}, as the seal says", AGAIN)
+    if hashlib.sha256(body).digest() != digest:
+        raise file_error(path, "damaged content", "content that matches its SHA-256", AGAIN)
+    return body
+
+
+def _content(path: Path, max_bytes: int) -> memoryview:
+    """All bytes of a file; what and how large it is are checked before it is opened or read."""
+    try:
+        if not stat.S_ISREG(path.stat().st_mode):
+            raise file_error(path, "something that is not a file", "a result file", "name the result file itself")
+        with path.open("rb") as file:
+            size = os.fstat(file.fileno()).st_size
+            if size == 0:
+                raise file_error(path, "an empty file", "a result file", AGAIN)
+            if size > max_bytes:
+                raise file_error(path, f"{size:,} bytes", f"at most {max_bytes:,}", "allow more with max_bytes")
+            return memoryview(file.read(size))
+    except (OSError, ValueError, MemoryError) as error:
+        reason = getattr(error, "strerror", None) or str(error)
+        raise file_error(
+            path, f"“{reason}”", "a file that can be read", "check the name and the permissions"
+        ) from error
+
+
+def _check_storable(dataset: Dataset) -> None:
+    """Refuse what would need pickle, or would come back as something else."""
+    mend = "store numbers and text; anything else as JSON text in an attribute"
+    for name, variable in dataset.variables.items():
+        if variable.dtype.kind not in "fiuU" or variable.size == 0:
+            got = f"{variable.dtype} of shape {variable.shape}"
+            raise file_error(f"variable {name}", got, "numbers or text, at least one", mend)
+    places: dict[str, dict[Any, Any]] = {"the result": dataset.attrs}
+    places |= {f"variable {name}": variable.attrs for name, variable in dataset.variables.items()}
+    for place, attributes in places.items():
+        for name, value in attributes.items():
+            if type(value) not in (str, int, float) or (type(value) is str and not _is_plain_text(value)):
+                got = f"{value!r:.60}"
+                raise file_error(f"attribute {name} of {place}", got, "text without NUL, an int or a float", mend)
+
+
+def _is_plain_text(text: str) -> bool:
+    """Text that UTF-8 can hold and that HDF5, which ends text at a NUL, does not cut."""
+    return "\0" not in text and not any("\ud800" <= letter <= "\udfff" for letter in text)
+
+
+def _body(dataset: Dataset) -> memoryview:
+    """The NetCDF-4 file in memory: nothing in it depends on time, place, or what the dataset was read from."""
+    encoding = {str(name): _encoding(variable) for name, variable in dataset.variables.items()}
+    buffer = io.BytesIO()
+    dataset.drop_encoding().to_netcdf(buffer, engine="h5netcdf", encoding=encoding)
+    return buffer.getbuffer()
+
+
+def _encoding(variable: Variable) -> dict[str, Any]:
+    """Text as UTF-8 of fixed width; numbers compressed, in chunks of about a megabyte along the first axis."""
+    if variable.dtype.kind == "U":
+        return {"dtype": "S1"}
+    if not variable.ndim:
+        return {"_FillValue": None}
+    row = variable.dtype.itemsize * math.prod(variable.shape[1:])
+    chunks = (max(1, min(variable.shape[0], CHUNK_BYTES // row)), *variable.shape[1:])
+    return {"zlib": True, "shuffle": True, "complevel": 4, "chunksizes": chunks, "_FillValue": None}
+
+
+def _check_plain(path: object, body: memoryview, max_bytes: int) -> None:
+    """Refuse what a result never holds: links out of the file, Python objects, more numbers than the limit.
+
+    A checksum tells damage, not intent: a made-up file may declare any size and name any other file.
+    """
+    import h5py
+
+    size = 0
+    with h5py.File(io.BytesIO(body), "r") as file:
+        for name in file:
+            data = file[name] if isinstance(file.get(name, getlink=True), h5py.HardLink) else None
+            if not isinstance(data, h5py.Dataset) or data.external or data.is_virtual or data.dtype.kind not in "fiuSV":
+                raise file_error(path, f"{name!r}, which is no plain variable", "numbers and text", "do not trust it")
+            size += data.nbytes
+    if size > max_bytes:
+        raise file_error(path, f"{size:,} bytes when unpacked", f"at most {max_bytes:,}", "allow more with max_bytes")
+
+
+def _dataset(body: memoryview) -> Dataset:
+    import xarray as xr
+
+    with xr.open_dataset(io.BytesIO(body), engine="h5netcdf", decode_times=False, mask_and_scale=False) as lazy:
+        dataset = lazy.load().drop_encoding()
+    for name, variable in dataset.variables.items():
+        if variable.dtype.kind == "O":
+            dataset[name] = dataset[name].astype(str)
+        dataset[name].attrs = _plain(variable.attrs)
+    dataset.attrs = _plain(dataset.attrs)
+    return dataset
+
+
+def _plain(attributes: dict[Any, Any]) -> dict[Any, Any]:
+    """Attributes as text and Python numbers, as they were written."""
+    return {name: getattr(value, "item", lambda value=value: value)() for name, value in attributes.items()}

@@ -1,0 +1,157 @@
+"""Read states at which the equations are to be evaluated: JSON records of angles, speeds and a voltage."""
+
+from __future__ import annotations
+
+import json
+import math
+import os
+from collections.abc import Iterator, Mapping
+from typing import Any
+
+from tmodes.elements.quantity import LARGEST
+from tmodes.errors import InputError
+from tmodes.io.words import nearest, shown, shown_path
+from tmodes.io.files import read_bytes
+
+__all__ = ["read_states"]
+
+MOST_BYTES = 50_000_000
+MOST_RECORDS = 1_000_000
+MOST_BRACKETS = 4_000_000
+
+GIVEN = ("phi", "phid", "u")
+"""What a record must hold: angles [rad], angular velocities [rad/s], motor voltage [V]."""
+
+ANSWERS = (
+    *("H", "h", "f_el", "f_di", "Q", "tip", "J", "phidd", "F_tip_on_environment"),
+    *("kinetic", "potential_gravity", "potential_elastic", "rayleigh", "energy"),
+)
+"""What a record may hold beside it, and what is not read: another program's answers at that state."""
+
+
+class _Repeated(dict[str, Any]):
+    """An object of JSON in which a key stands twice."""
+
+    key = ""
+
+
+def read_states(path: str | os.PathLike[str], coordinates: int = 6) -> list[dict[str, Any]]:
+    """Records ``{phi, phid, u}`` of a JSON file: a list of them, or ``{"states": [...]}``.
+
+    ``phi`` [rad] and ``phid`` [rad/s] are lists of ``coordinates`` floats, ``u`` [V] is a float. Raises
+    :class:`tmodes.errors.InputError` that names the record and the field of the first wrong value.
+    """
+    source = shown_path(path)
+    records = _records(_parsed(read_bytes(path, MOST_BYTES), source), source)
+    return [_Record(record, index, source).read(coordinates) for index, record in enumerate(records)]
+
+
+def _parsed(content: bytes, source: str) -> Any:
+    if content.count(b"[") + content.count(b"{") > MOST_BRACKETS:
+        most = f"at most {MOST_BRACKETS} lists and objects"
+        raise InputError("the file", "a flood of brackets", most, "check that this is the file you mean", source)
+    mend = "look there for a missing quote, bracket or comma"
+    try:
+        return json.loads(content.decode("utf-8-sig"), object_pairs_hook=_object)
+    except json.JSONDecodeError as error:
+        where = f"{source}:{error.lineno}"
+        raise InputError("the file", f"broken JSON ({error.msg})", "JSON", mend, where) from None
+    except UnicodeDecodeError:
+        got, mend = "bytes that are not UTF-8", "save the file as UTF-8 text"
+        raise InputError("the file", got, "text in UTF-8", mend, source) from None
+    except RecursionError:
+        got, mend = "lists or objects nested too deep", "remove brackets"
+        raise InputError("the file", got, "a list of flat records", mend, source) from None
+    except ValueError:  # an integer of more digits than Python converts
+        got, mend = "a number of thousands of digits", "write sensible numbers"
+        raise InputError("the file", got, "numbers that a double can hold", mend, source) from None
+
+
+def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
+    record = dict(pairs)
+    if len(record) == len(pairs):
+        return record
+    repeated, seen = _Repeated(record), set[str]()
+    repeated.key = next(key for key, _ in pairs if key in seen or seen.add(key))
+    return repeated
+
+
+def _records(data: Any, source: str) -> list[Any]:
+    if isinstance(data, Mapping):
+        _check_keys(data, ("states",), (), "the file", source)
+        data = data["states"]
+    if not isinstance(data, list) or not data:
+        got = "an empty list" if data == [] else shown(data)
+        mend = 'write [{"phi": [...], "phid": [...], "u": 0.0}]'
+        raise InputError("the file", got, "a list of records", mend, source)
+    if len(data) > MOST_RECORDS:
+        raise InputError("the file", f"{len(data)} records", f"at most {MOST_RECORDS}", "split the file", source)
+    return data
+
+
+Names = tuple[str, ...]
+
+
+def _check_keys(record: Mapping[str, Any], must: Names, may: Names, which: str, source: str) -> None:
+    if isinstance(record, _Repeated):
+        name = shown(record.key)
+        raise InputError(f"{which}: {name}", "a key that stands twice", "each key once", "remove one", source)
+    for key in record:
+        if key not in (*must, *may):
+            close = nearest(key, (*must, *may))
+            mend = f"did you mean `{close}`?" if close else "remove it"
+            expected = f"one of {', '.join((*must, *may))}"
+            raise InputError(f"{which}: {shown(key)}", "an unknown key", expected, mend, source)
+    for key in must:
+        if key not in record:
+            raise InputError(f"{which}: {key}", "nothing", f"the key `{key}`", f"add `{key}`", source)
+
+
+class _Record:
+    """One record and its place in the file."""
+
+    def __init__(self, data: Any, index: int, source: str) -> None:
+        self.data, self.source = data, source
+        self.which = f"record {index}"
+
+    def read(self, coordinates: int) -> dict[str, Any]:
+        """The numbers that are needed, as floats."""
+        if not isinstance(self.data, Mapping):
+            mend = 'write {"phi": [...], "phid": [...], "u": 0.0}'
+            raise InputError(self.which, shown(self.data), "a record with the keys phi, phid, u", mend, self.source)
+        _check_keys(self.data, GIVEN, ANSWERS, self.which, self.source)
+        self._check_answers()
+        return {
+            "phi": self._list("phi", coordinates),
+            "phid": self._list("phid", coordinates),
+            "u": self._number("u", self.data["u"]),
+        }
+
+    def _list(self, key: str, length: int) -> list[float]:
+        values = self.data[key]
+        if not isinstance(values, list) or len(values) != length:
+            mend = "give one number per coordinate"
+            raise InputError(f"{self.which}: {key}", shown(values), f"a list of {length} numbers", mend, self.source)
+        return [self._number(f"{key}[{index}]", value) for index, value in enumerate(values)]
+
+    def _number(self, field: str, value: Any) -> float:
+        if isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= LARGEST:
+            return float(value)
+        expected, mend = f"a number of magnitude at most {LARGEST:g}", "write a finite number"
+        raise InputError(f"{self.which}: {field}", shown(value), expected, mend, self.source)
+
+    def _check_answers(self) -> None:
+        """Answers are not read, but a file that holds NaN or infinity is no JSON."""
+        for key in self.data.keys() - GIVEN:
+            for value in _leaves(self.data[key]):
+                if isinstance(value, float) and not math.isfinite(value):
+                    mend = "write finite numbers, or leave the field out"
+                    raise InputError(f"{self.which}: {key}", shown(value), "finite numbers", mend, self.source)
+
+
+def _leaves(value: Any) -> Iterator[Any]:
+    if isinstance(value, list):
+        for item in value:
+            yield from _leaves(item)
+    else:
+        yield value

@@ -1,0 +1,121 @@
+"""Numbers at the border of a file: plain, as text, or with their unit (``"600 mm"``, ``"82 N*m/deg"``).
+
+Text is held against a closed grammar before the unit library sees it: a number and a few unit words, with ``*``, ``/``,
+one-digit powers and one level of parentheses. Inside tmodes every number is a plain float in SI units.
+"""
+
+from __future__ import annotations
+
+import math
+import re
+from dataclasses import dataclass
+from functools import cache
+from numbers import Real
+from typing import Any
+
+from tmodes.io.scalars import finite_float
+from tmodes.io.words import shown
+
+__all__ = ["NotANumber", "number"]
+
+NUMBER = r"[-+]?(?:\.[0-9]+|[0-9]+(?:\.[0-9]*)?)(?:[eE][-+]?[0-9]+)?"
+WORD = r"[A-Za-zµμΩ°]{1,20}(?:(?:\^|\*\*)-?[1-9])?[²³]?"
+TIMES = r"(?: ?[*·/] ?| )"
+WORDS = rf"{WORD}(?:{TIMES}{WORD}){{0,5}}"
+UNIT = rf"(?:1 ?/ ?)?(?:{WORDS}|\({WORDS}\))(?:{TIMES}(?:{WORD}|\({WORDS}\))){{0,2}}"
+QUANTITY = re.compile(rf"({NUMBER}) ?({UNIT})?")
+COMMA = re.compile(r"([-+]?[0-9]+),([0-9]+)(.*)")
+INFINITE = re.compile(r"[-+]?\.?(inf|Inf|INF|infinity|Infinity)")
+LONGEST = 80
+
+
+@dataclass
+class NotANumber(ValueError):
+    """What is wrong with a value where a number belongs, and how to mend it."""
+
+    got: str
+    mend: str
+
+
+def number(value: Any, unit: str) -> float:
+    """The number in SI units that a value from a file stands for; ``unit`` is the place's own, ``-`` for none.
+
+    Infinite values pass (whether they may, the place decides); raises :class:`NotANumber`.
+    """
+    if isinstance(value, str):
+        return _from_text(" ".join(value.split()), unit)
+    if isinstance(value, bool) or not isinstance(value, Real):
+        raise NotANumber(shown(value), _mend_kind(value, unit))
+    try:
+        result = float(value)
+    except OverflowError:
+        raise NotANumber(shown(value), "write a smaller number") from None
+    if math.isnan(result):
+        raise NotANumber(".nan (not a number)", "write a finite number")
+    return result
+
+
+def _mend_kind(value: Any, unit: str) -> str:
+    if isinstance(value, bool):
+        return "write a number; true and false are not numbers"
+    if value is None:
+        return f"write the number{_in(unit)} after the colon"
+    return f"write one number{_in(unit)}"
+
+
+def _from_text(text: str, unit: str) -> float:
+    if INFINITE.fullmatch(text):
+        return float(text.replace(".", ""))
+    match = QUANTITY.fullmatch(text) if len(text) <= LONGEST else None
+    if match is None:
+        raise NotANumber(f"the text {shown(text)}", _mend_text(text, unit))
+    value = finite_float(match[1])
+    if value is None:
+        raise NotANumber(f"{shown(match[1])}, which no double can hold", "write a number of sensible size")
+    return value if match[2] is None else _converted(value, match[2], unit)
+
+
+def _mend_text(text: str, unit: str) -> str:
+    if comma := COMMA.fullmatch(text):
+        return f"write a decimal point instead of the comma: {comma[1]}.{comma[2]}{comma[3]}"
+    example = "" if unit == "-" else f', or a number with its unit, such as "1.5 {unit}"'
+    return f"write a number{_in(unit)}{example}"
+
+
+def _converted(value: float, unit_text: str, unit: str) -> float:
+    """The value in our unit. Divides where the factor is one over a whole number: 700 mm is 0.7 m to the last digit."""
+    factor = _factor(unit_text, unit)
+    whole = round(1 / factor) if 1e-15 < factor < 1 else 0
+    result = value / whole if whole and whole * factor == 1.0 else value * factor
+    if not math.isfinite(result):
+        raise NotANumber(f"{value!r} {unit_text}, which no double can hold", "write a number of sensible size")
+    return result
+
+
+def _factor(unit_text: str, unit: str) -> float:
+    ours = "dimensionless" if unit == "-" else unit
+    try:
+        one, two = (float(_registry().Quantity(count, unit_text).to(ours).magnitude) for count in (1.0, 2.0))
+    except Exception as error:  # the library raises errors of many families; each means: not this unit
+        reason = "of another dimension" if type(error).__name__ == "DimensionalityError" else "unknown"
+        raise _wrong_unit(unit_text, reason, unit) from None
+    if not math.isclose(two, 2 * one):  # decibels and the like are no factors
+        raise _wrong_unit(unit_text, "not a plain factor", unit)
+    return one
+
+
+def _wrong_unit(unit_text: str, reason: str, unit: str) -> NotANumber:
+    mend = f"write the number{_in(unit)}, or with a unit that converts to it"
+    return NotANumber(f"the unit {shown(unit_text)}, which is {reason}", mend if unit != "-" else "leave the unit out")
+
+
+@cache
+def _registry() -> Any:
+    """The unit registry: built once, when the first unit is met (it takes a second)."""
+    import pint
+
+    return pint.UnitRegistry()
+
+
+def _in(unit: str) -> str:
+    return "" if unit == "-" else f" in {unit}"

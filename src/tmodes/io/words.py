@@ -1,0 +1,49 @@
+"""Words of error messages: how a value is shown, and which name was probably meant."""
+
+from __future__ import annotations
+
+import difflib
+import os
+from collections.abc import Iterable, Mapping, Sequence
+from typing import Any
+
+__all__ = ["nearest", "shown", "shown_path"]
+
+LONGEST = 60
+
+
+def shown(value: Any) -> str:
+    """A value as a person finds it in the file: short, on one line."""
+    match value:
+        case None | bool():
+            text = {None: "nothing", True: "true", False: "false"}[value]
+        case int() if value.bit_length() > 200:
+            text = f"a whole number of about {round(value.bit_length() * 0.30103)} digits"
+        case float():
+            text = repr(float(value)).replace("inf", ".inf").replace("nan", ".nan")
+        case str():
+            text = repr(value if len(value) <= LONGEST else value[:LONGEST] + "...")
+        case Mapping():
+            text = f"a group of {len(value)} keys"
+        case Sequence():
+            text = f"a list of {len(value)}"
+        case _:
+            text = repr(value)[:LONGEST]
+    return text
+
+
+def shown_path(path: str | os.PathLike[str]) -> str:
+    """A file's path as text that every terminal can print."""
+    text = os.fspath(path).encode("utf-8", "backslashreplace").decode()
+    return text if text.isprintable() else repr(text)
+
+
+def nearest(word: str, names: Iterable[str]) -> str | None:
+    """The name that was probably meant, or None. Case, spaces and hyphens do not count."""
+    plain = {_plain(name): name for name in names}
+    close = difflib.get_close_matches(_plain(word[:LONGEST]), plain, n=1, cutoff=0.6)
+    return plain[close[0]] if close else None
+
+
+def _plain(word: str) -> str:
+    return word.strip().lower().replace("-", "_").replace(" ", "_")

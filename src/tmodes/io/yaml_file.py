@@ -1,0 +1,192 @@
+"""Read a YAML file into plain data, with the line of every key.
+
+A data sheet needs maps, lists and scalars. Everything else that YAML can do (anchors, aliases, tags, many documents)
+is refused, so a hostile file costs a bounded time and memory: the data is built here, from the parser's events.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Iterator
+from itertools import islice
+from typing import Any
+
+from tmodes.errors import InputError
+from tmodes.io.files import read_bytes
+from tmodes.io.scalars import scalar
+from tmodes.io.words import shown, shown_path
+
+__all__ = ["Positions", "parse_yaml", "read_yaml"]
+
+Positions = dict[str, int]
+"""Line of every key and list item, by its dotted path; the path of the whole file is empty."""
+
+MOST_BYTES = 256 * 1024
+MOST_EVENTS = 5_000
+MOST_DEPTH = 40
+LONGEST_LINE = 10_000
+LONGEST_SCALAR = 5_000
+
+
+def read_yaml(path: str | os.PathLike[str]) -> tuple[dict[str, Any], Positions]:
+    """Plain data of a YAML file (maps, lists, scalars of YAML 1.2) and the line of each of its keys.
+
+    Raises :class:`tmodes.errors.InputError` with ``file:line`` for everything that is not such a file.
+    """
+    source = shown_path(path)
+    return parse_yaml(_decoded(read_bytes(path, MOST_BYTES), source), source)
+
+
+def parse_yaml(text: str, source: str) -> tuple[dict[str, Any], Positions]:
+    """Plain data and positions of a YAML text; ``source`` is its name in messages."""
+    _refuse_long_lines(text, source)
+    builder = _Builder(source)
+    data = builder.document(_events(text, source))
+    if not isinstance(data, dict):
+        raise builder.error(1, "the file", shown(data), "keys and values, such as `gravity: 9.81`", "see the examples")
+    return data, builder.positions
+
+
+def _decoded(content: bytes, source: str) -> str:
+    if not content.strip():
+        raise InputError("the file", "an empty file", "a data sheet", "start from a published robot", source)
+    try:
+        return content.decode("utf-8-sig")
+    except UnicodeDecodeError as error:
+        line = content.count(b"\n", 0, error.start) + 1
+        got = f"the byte 0x{content[error.start]:02x}, which is not UTF-8"
+        mend = "save the file as UTF-8 text"
+        raise InputError("the file", got, "text in UTF-8", mend, f"{source}:{line}") from None
+
+
+def _refuse_long_lines(text: str, source: str) -> None:
+    """The YAML scanner needs time of the square of a line's length; no data sheet has such lines."""
+    for number, line in enumerate(text.splitlines(), 1):
+        if len(line) > LONGEST_LINE:
+            got, most = f"a line of {len(line)} characters", f"at most {LONGEST_LINE} characters"
+            raise InputError("the file", got, most, "break the line", f"{source}:{number}")
+
+
+def _events(text: str, source: str) -> Iterator[Any]:
+    """Events of the YAML parser; each of its errors becomes ours."""
+    from ruamel.yaml import YAML
+    from ruamel.yaml.error import MarkedYAMLError
+    from ruamel.yaml.reader import ReaderError
+
+    mend = "look there for a missing quote, bracket or colon, a tab, or wrong indentation"
+    try:
+        yield from YAML(typ="safe", pure=True).parse(text)
+    except ReaderError as error:
+        line = text.count("\n", 0, error.position) + 1
+        got = f"the character {shown(text[error.position : error.position + 1])}"
+        raise InputError("the file", got, "printable text", "remove it", f"{source}:{line}") from None
+    except MarkedYAMLError as error:
+        mark = error.problem_mark or error.context_mark
+        place = f"{source}:{mark.line + 1}" if mark else source
+        problem = " ".join(str(error.problem or error.context or "something else").split())
+        raise InputError("the file", f"broken YAML ({problem})", "YAML 1.2", mend, place) from None
+    except InputError:
+        raise
+    except Exception as error:  # the parser lets raw IndexError, AssertionError... through on some junk
+        raise InputError("the file", f"junk ({type(error).__name__})", "YAML 1.2", mend, source) from None
+
+
+class _Builder:
+    """Builds plain data from events and keeps the lines."""
+
+    def __init__(self, source: str) -> None:
+        self.source = source
+        self.positions: Positions = {"": 1}
+
+    def error(self, line: int, which: str, got: str, expected: str, mend: str) -> InputError:
+        return InputError(which, got, expected, mend, f"{self.source}:{line}")
+
+    def document(self, events: Iterator[Any]) -> Any:
+        """The data of the one document of a file."""
+        events = self._counted(events)
+        for event in events:
+            match type(event).__name__:
+                case "StreamStartEvent":
+                    pass
+                case "DocumentStartEvent":
+                    self._check_directives(event)
+                    break
+                case _:
+                    raise self.error(1, "the file", "no data", "a data sheet", "start from a published robot")
+        data = self._node(next(events), events, "", 0)
+        for event in events:
+            if type(event).__name__ == "DocumentStartEvent":
+                got, mend = "a second document (`---`)", "keep one robot in a file"
+                raise self.error(_line(event), "the file", got, "one document", mend)
+        return data
+
+    def _counted(self, events: Iterator[Any]) -> Iterator[Any]:
+        yield from islice(events, MOST_EVENTS)
+        for event in events:
+            got, most = f"more than {MOST_EVENTS} items", f"at most {MOST_EVENTS}"
+            raise self.error(_line(event), "the file", got, most, "check that this is a data sheet")
+
+    def _check_directives(self, event: Any) -> None:
+        if event.tags or event.version not in (None, (1, 2)):
+            got, mend = "a %YAML or %TAG directive", "remove the line that starts with %"
+            raise self.error(_line(event), "the file", got, "YAML 1.2 without directives", mend)
+
+    def _node(self, event: Any, events: Iterator[Any], path: str, depth: int) -> Any:
+        self._check_plain(event, path, depth)
+        match type(event).__name__:
+            case "ScalarEvent":
+                return scalar(event.value) if event.style in (None, "") else event.value
+            case "SequenceStartEvent":
+                return self._list(events, path, depth)
+            case _:
+                return self._map(events, path, depth)
+
+    def _check_plain(self, event: Any, path: str, depth: int) -> None:
+        which, line = path or "the file", _line(event)
+        if type(event).__name__ == "AliasEvent" or event.anchor is not None:
+            mend = "write the value out, or put text with & or * in quotes"
+            raise self.error(line, which, "an anchor (&) or an alias (*)", "a plain value", mend)
+        if getattr(event, "tag", None) is not None:
+            mend = "remove it, or put text with ! in quotes"
+            raise self.error(line, which, f"the tag {shown(str(event.tag))}", "a plain value", mend)
+        if depth > MOST_DEPTH:
+            raise self.error(line, which, f"more than {MOST_DEPTH} levels", "a shallow file", "remove brackets")
+        if type(event).__name__ == "ScalarEvent" and len(event.value) > LONGEST_SCALAR:
+            got, most = f"{len(event.value)} characters", f"at most {LONGEST_SCALAR}"
+            raise self.error(line, which, got, most, "shorten it, or look for a missing quote")
+
+    def _list(self, events: Iterator[Any], path: str, depth: int) -> list[Any]:
+        items: list[Any] = []
+        for event in events:
+            if type(event).__name__ == "SequenceEndEvent":
+                break
+            here = _join(path, str(len(items)))
+            self.positions[here] = _line(event)
+            items.append(self._node(event, events, here, depth + 1))
+        return items
+
+    def _map(self, events: Iterator[Any], path: str, depth: int) -> dict[str, Any]:
+        pairs: dict[str, Any] = {}
+        for event in events:
+            if type(event).__name__ == "MappingEndEvent":
+                break
+            self._check_plain(event, path, depth)
+            if type(event).__name__ != "ScalarEvent":
+                got, mend = "a list or group as a key", "write `name: value`"
+                raise self.error(_line(event), path or "the file", got, "a word as a key", mend)
+            here = _join(path, event.value)
+            if event.value in pairs:
+                first = self.positions[here]
+                mend = "keep one of the two lines"
+                raise self.error(_line(event), here, f"a second time (first in line {first})", "each key once", mend)
+            self.positions[here] = _line(event)
+            pairs[event.value] = self._node(next(events), events, here, depth + 1)
+        return pairs
+
+
+def _join(path: str, name: str) -> str:
+    return f"{path}.{name}" if path else name
+
+
+def _line(event: Any) -> int:
+    return event.start_mark.line + 1

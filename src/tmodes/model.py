@@ -1,0 +1,203 @@
+"""Model: the boundary type. A handful of functions of numbers, native underneath; equations above, runs below."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.compile import kernels
+from tmodes.equations.coordinates import deformation_basis, free_columns, free_deformations
+from tmodes.equations.layout import COORDINATES, EVALUATED, LINE, OBSERVED, STATE_SIZE
+from tmodes.errors import SimulationError
+from tmodes.mechanism import Drive, Mechanism, Parameters
+
+__all__ = ["Model"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class Model:
+    """The native code of one mechanism; each group of functions is made (or read from the cache) at its first use.
+
+    One model serves every set of parameters. Arrays are C-ordered doubles; n is a number of samples.
+    """
+
+    mechanism: Mechanism
+
+    def evaluate(self, phi: ArrayLike, phid: ArrayLike, voltage: ArrayLike, parameters: Parameters) -> dict[str, Array]:
+        """All terms of the equations at n states: phi, phid (n, 6), voltage (n,) [V].
+
+        Returns arrays of shape (n, …) by the names of :data:`tmodes.equations.layout.EVALUATED`.
+        """
+        inputs = [_rows(phi, 6), _rows(phid, 6), _rows(voltage, 1)]
+        out = _sampled(self._evaluation["evaluation"], parameters, inputs, _total(EVALUATED))
+        return _split(out, {name: int(np.prod(shape)) for name, shape in EVALUATED.items()}, dict(EVALUATED))
+
+    def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> Array:
+        """d state/d time at n instants: time (n,), state (n, 17), row of the reference (n, degree + 2)."""
+        return _sampled(self._observation["rate"], parameters, self._instants(time, state, row), STATE_SIZE)
+
+    def observe(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> dict[str, Array]:
+        """What a result shows at n instants, by the names of :data:`tmodes.equations.layout.OBSERVED`."""
+        size = sum(OBSERVED.values())
+        out = _sampled(self._observation["observe"], parameters, self._instants(time, state, row), size)
+        return _split(out, OBSERVED)
+
+    def line(self, motion: ArrayLike, stations: ArrayLike, parameters: Parameters) -> dict[str, Array]:
+        """The elastic line of both modes at given stations s in 0..1.
+
+        ``motion`` (n, 21): coordinates, rates, accelerations, tip force. Returns (n, modes, stations, …) arrays by the
+        names of :data:`tmodes.equations.layout.LINE`.
+        """
+        motion, stations = _rows(motion, 21), np.asarray(stations, dtype=float)
+        count, points = len(motion), len(stations)
+        inputs = [np.tile(stations, count), np.repeat(motion, points, axis=0)]
+        size = sum(LINE.values())
+        modes = [_sampled(self._line[f"line{mode}"], parameters, inputs, size) for mode in (1, 2)]
+        return _split(np.stack([mode.reshape(count, points, size) for mode in modes], axis=1), LINE)
+
+    def quasistatic(self, gross: ArrayLike, parameters: Parameters) -> Array:
+        """Deformations that the current forces would hold statically, shape (n, 5) [rad], by Newton's method.
+
+        ``gross`` (n, 6): theta, theta', theta'', tip force. Raises :class:`SimulationError` where there is no root.
+        """
+        gross = _rows(gross, 6)
+        free = free_deformations(self.mechanism.rigid)
+        angles = np.zeros((len(gross), 5))
+        if not free:
+            return angles
+        for _ in range(30):
+            out = _sampled(self._statics["quasistatic"], parameters, [angles, gross], 30)
+            matrix = out[:, 5:].reshape(-1, 5, 5).transpose(0, 2, 1)[:, free][:, :, free]
+            step = np.linalg.solve(matrix, out[:, :5][:, free, None])[..., 0]
+            angles[:, free] -= step
+            if np.abs(step).max() <= 1e-14 + 1e-12 * np.abs(angles).max():
+                return angles
+        raise SimulationError(
+            "gravity sag: no equilibrium found within 30 Newton steps; expected a link that carries its own load. "
+            "Mend: raise gear.stiffness or the bending_stiffness of the modes, or lower payload.mass or gravity"
+        )
+
+    def rest(self, theta: float, parameters: Parameters) -> Array:
+        """State of rest in the robot's own gravity equilibrium at a motor angle, shape (17,)."""
+        angles = self.quasistatic([[theta, 0, 0, 0, 0, 0]], parameters)[0]
+        state = np.zeros(STATE_SIZE)
+        state[:6] = theta * np.array([1, 0, 1, 0, 0, 1]) + deformation_basis() @ angles
+        return state
+
+    def check_mass_matrix(self, state: ArrayLike, parameters: Parameters) -> None:
+        """Raise :class:`SimulationError`, naming the coordinate, where the mass matrix is singular at a state."""
+        state = np.asarray(state, dtype=float)
+        mass = self.evaluate(state[:6], state[6:12], [0.0], parameters)["H"][0]
+        directions = free_columns(self.mechanism.rigid, self.mechanism.drive is Drive.PRESCRIBED)
+        reduced = directions.T @ mass @ directions
+        scale = np.sqrt(np.abs(np.diagonal(reduced)))
+        scale[scale == 0] = 1.0
+        values, vectors = np.linalg.eigh(reduced / np.outer(scale, scale))
+        if values[0] > 1e-13 * values[-1]:
+            return
+        name = COORDINATES[int(np.argmax(np.abs(directions @ (vectors[:, 0] / scale))))]
+        raise SimulationError(
+            f"mass matrix: singular in coordinate {name} (condition number above 1e13); expected a positive definite "
+            "matrix. Mend: give the parts that move with it a mass (mass_per_length, payload.mass, payload.inertia)"
+        )
+
+    def linearised(self, phi: ArrayLike, parameters: Parameters) -> tuple[Array, Array, Array]:
+        """M, D, K, each (6, 6), about rest at phi, without current in the motor and without control."""
+        out = _sampled(self._linear["linear"], parameters, [_rows(phi, 6)], 108)
+        mass, damping, stiffness = out.reshape(3, 6, 6)
+        return mass, damping, stiffness
+
+    def _instants(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> list[Array]:
+        return [_rows(time, 1), _rows(state, STATE_SIZE), _rows(row, self.mechanism.reference_degree + 2)]
+
+    @cached_property
+    def loops(self) -> Any:
+        """The native time loops."""
+
+        def make() -> Any:
+            from tmodes.equations.closed_loop import closed_loop, rate_function
+
+            return rate_function(closed_loop(self.mechanism))
+
+        return kernels.time_loops("loops", self.mechanism.key, make, guarded=12)
+
+    @cached_property
+    def _observation(self) -> Any:
+        def make() -> dict[str, Any]:
+            from tmodes.equations.closed_loop import closed_loop, observe_function, rate_function
+
+            loop = closed_loop(self.mechanism)
+            return {"observe": observe_function(loop), "rate": rate_function(loop)}
+
+        return kernels.sample_functions("observation", self.mechanism.key, make, {"observe": 3, "rate": 3})
+
+    @cached_property
+    def _line(self) -> Any:
+        def make() -> dict[str, Any]:
+            from tmodes.equations.beam import line_function
+
+            return {f"line{mode}": line_function(mode) for mode in (1, 2)}
+
+        return kernels.sample_functions("line", "", make, {"line1": 2, "line2": 2})
+
+    @cached_property
+    def _statics(self) -> Any:
+        def make() -> dict[str, Any]:
+            from tmodes.equations.statics import quasistatic_function
+
+            return {"quasistatic": quasistatic_function(self.mechanism)}
+
+        return kernels.sample_functions("statics", self.mechanism.arm_key, make, {"quasistatic": 2})
+
+    @cached_property
+    def _evaluation(self) -> Any:
+        def make() -> dict[str, Any]:
+            from tmodes.equations.evaluation import evaluation_function
+
+            return {"evaluation": evaluation_function(replace(self.mechanism, drive=Drive.VOLTAGE))}
+
+        return kernels.sample_functions("evaluation", self.mechanism.arm_key, make, {"evaluation": 3})
+
+    @cached_property
+    def _linear(self) -> Any:
+        def make() -> dict[str, Any]:
+            from tmodes.equations.linear import linear_function
+
+            return {"linear": linear_function(self.mechanism)}
+
+        return kernels.sample_functions("linear", self.mechanism.arm_key, make, {"linear": 1})
+
+
+def _rows(values: ArrayLike, width: int) -> Array:
+    """Values as C-ordered doubles of shape (n, width)."""
+    return np.ascontiguousarray(values, dtype=float).reshape(-1, width)
+
+
+def _total(shapes: dict[str, tuple[int, ...]]) -> int:
+    return sum(int(np.prod(shape)) for shape in shapes.values())
+
+
+def _sampled(function: Any, parameters: Parameters, inputs: list[Array], width: int) -> Array:
+    """Call a native function over samples; all arrays are C-ordered doubles, the output is (n, width)."""
+    count = len(inputs[0])
+    out = np.empty((count, width))
+    function(count, parameters.values.ctypes.data, *(array.ctypes.data for array in inputs), out.ctypes.data)
+    return out
+
+
+def _split(out: Array, sizes: dict[str, int], shapes: dict[str, tuple[int, ...]] | None = None) -> dict[str, Array]:
+    """Parts of the last axis by name; single numbers lose that axis."""
+    parts: dict[str, Array] = {}
+    start = 0
+    for name, size in sizes.items():
+        part = out[..., start : start + size]
+        start += size
+        shape = shapes[name] if shapes else (size,) if size > 1 else ()
+        parts[name] = part.reshape(*out.shape[:-1], *shape)
+    return parts

@@ -1,0 +1,69 @@
+"""Figures of a result: ``tmodes.plot.tip_tracking(result)`` returns matplotlib axes, ``save_figures`` writes them all.
+
+Every figure takes ``(result, ax=None)`` and returns its axes; ``all_figures`` is the table of those that a result can
+fill, ``left_out`` tells why the others are not in it.
+"""
+
+from importlib import import_module
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from tmodes.plot.angles import deformations
+    from tmodes.plot.contact import contact_force
+    from tmodes.plot.energy import energies
+    from tmodes.plot.figures import FIGURES, all_figures, drawings, left_out, save_figures
+    from tmodes.plot.load import bending_load
+    from tmodes.plot.motor import drive
+    from tmodes.plot.shape import elastic_line, mode_deflection
+    from tmodes.plot.split import stationary_oscillatory
+    from tmodes.plot.style import house_style
+    from tmodes.plot.tip import tip_tracking
+    from tmodes.plot.vibration import spectrum
+
+__all__ = [
+    "FIGURES",
+    "all_figures",
+    "bending_load",
+    "contact_force",
+    "deformations",
+    "drawings",
+    "drive",
+    "elastic_line",
+    "energies",
+    "house_style",
+    "left_out",
+    "mode_deflection",
+    "save_figures",
+    "spectrum",
+    "stationary_oscillatory",
+    "tip_tracking",
+]
+
+_HOMES = {
+    "FIGURES": "figures",
+    "all_figures": "figures",
+    "bending_load": "load",
+    "contact_force": "contact",
+    "deformations": "angles",
+    "drawings": "figures",
+    "drive": "motor",
+    "elastic_line": "shape",
+    "energies": "energy",
+    "house_style": "style",
+    "left_out": "figures",
+    "mode_deflection": "shape",
+    "save_figures": "figures",
+    "spectrum": "vibration",
+    "stationary_oscillatory": "split",
+    "tip_tracking": "tip",
+}
+
+
+def __getattr__(name: str) -> Any:
+    if name not in _HOMES:
+        raise AttributeError(f"module 'tmodes.plot' has no attribute {name!r}")
+    return getattr(import_module(f"tmodes.plot.{_HOMES[name]}"), name)
+
+
+def __dir__() -> list[str]:
+    return sorted([*globals(), *__all__])

@@ -1,0 +1,67 @@
+"""Panels: the axes of a figure, new in the house style or the user's own, and what all of them share."""
+
+from __future__ import annotations
+
+from collections.abc import Iterable, Sequence
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmodes.errors import InputError
+from tmodes.plot.style import INK, QUIET, new_figure
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["AxesLike", "letter", "panels", "shared_legend", "side_legend", "time_axis"]
+
+AxesLike = Any
+"""One Axes, or a sequence or array of them; None draws a new figure."""
+
+
+def panels(ax: AxesLike, layout: Sequence[Sequence[str]], height: float, **more: Any) -> list[Axes]:
+    """The axes of ``layout`` (a mosaic of names) in the order of reading: those given, or those of a new figure.
+
+    ``height`` of a new figure [in]. Raises :class:`tmodes.errors.InputError` when too few or too many are given.
+    """
+    names = list(dict.fromkeys(name for row in layout for name in row))
+    if ax is None:
+        axes = new_figure(height).subplot_mosaic([list(row) for row in layout], **more)
+        chosen = [axes[name] for name in names]
+        for panel in chosen:
+            panel.tick_params(labelsize=7.5, labelcolor=INK, color=QUIET, width=0.6)
+        return chosen
+    given = list(np.atleast_1d(np.asarray(ax, dtype=object)).ravel())
+    if len(given) != len(names):
+        raise InputError("ax", f"{len(given)} axes", f"{len(names)} axes", "pass so many, or None for a new figure")
+    return given
+
+
+def letter(axes: Iterable[Axes], titles: Iterable[str], pad: float | None = None) -> None:
+    """Titles with a), b), ... before them, so that a caption can name a panel; ``pad`` above the axes [points]."""
+    for index, (panel, title) in enumerate(zip(axes, titles, strict=True)):
+        panel.set_title(f"{chr(ord('a') + index)}) {title}", loc="left", pad=pad)
+
+
+def time_axis(panel: Axes, times: Any, label: bool = True) -> None:
+    """Time along x over the whole run [s], also for a run of a single sample."""
+    from matplotlib.ticker import MaxNLocator
+
+    first, last = float(times[0]), float(times[-1])
+    panel.set_xlim(first, last if last > first else first + 1e-3)
+    panel.xaxis.set_major_locator(MaxNLocator(nbins=5, steps=[1, 2, 5, 10]))
+    if label:
+        panel.set_xlabel("time $t$ [s]")
+
+
+def side_legend(panel: Axes) -> None:
+    """A legend of the panel's curves to the right of it, outside the data."""
+    panel.legend(loc="upper left", bbox_to_anchor=(1.01, 1.0))
+
+
+def shared_legend(*panels_: Axes, place: str = "upper left") -> None:
+    """One legend for the curves of all ``panels_``, at the edge of the figure, outside the data."""
+    entries = [entry for panel in panels_ for entry in zip(*panel.get_legend_handles_labels(), strict=True)]
+    handles, labels = zip(*entries, strict=True)
+    where: Any = f"outside {place}"
+    panels_[0].figure.legend(handles, labels, loc=where, ncols=len(labels))

@@ -1,0 +1,118 @@
+"""The house style of the figures: readable in print at 16 cm width, colour-blind-safe, headless, reproducible bytes.
+
+Figures are built without pyplot, so no window system and no global state is needed, and every setting lives inside
+:func:`house_style`: the user's own matplotlib settings are neither used nor changed.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from contextlib import contextmanager
+from typing import TYPE_CHECKING, Any
+
+if TYPE_CHECKING:
+    from matplotlib.figure import Figure
+
+__all__ = ["COMPONENTS", "GRID", "INK", "INSTANTS", "PAPER", "QUIET", "REAL", "REFERENCE", "house_style", "new_figure"]
+
+WIDTH = 6.3
+"""Width of every figure [in], 16 cm."""
+
+INK, QUIET, GRID, PAPER = "#1d2329", "#5d6873", "#d9dee3", "#ffffff"
+"""Text and axes; what stands back; the grid; the background."""
+
+BLUE, RED, GREEN, VIOLET, OCHRE = "#0072b2", "#d55e00", "#00875f", "#a2488f", "#8c6a00"
+"""Okabe and Ito's colours, three of them darkened to keep a contrast of 3 on white."""
+
+REAL: dict[str, Any] = {"color": BLUE, "linestyle": "-", "linewidth": 1.3}
+REFERENCE: dict[str, Any] = {"color": RED, "linestyle": (0, (4, 2)), "linewidth": 1.1}
+COMPONENTS: tuple[dict[str, Any], ...] = (
+    {"color": BLUE, "linestyle": "-", "linewidth": 1.1},
+    {"color": RED, "linestyle": (0, (5, 1.5)), "linewidth": 1.1},
+    {"color": GREEN, "linestyle": (0, (5, 1.2, 1.2, 1.2)), "linewidth": 1.1},
+    {"color": VIOLET, "linestyle": (0, (1.5, 1.2)), "linewidth": 1.2},
+    {"color": OCHRE, "linestyle": (0, (7, 1, 1, 1, 1, 1)), "linewidth": 1.1},
+)
+"""Curves that stand side by side, told apart by colour and by line."""
+BAND = "#bcd9ea"
+"""The inside of a range, a tint of blue."""
+
+INSTANTS: tuple[dict[str, Any], ...] = tuple(
+    {"color": color, "linestyle": style, "linewidth": 1.3}
+    for color, style in (
+        ("#123f70", "-"),
+        ("#1f74a8", (0, (6, 1.5))),
+        ("#168477", (0, (5, 1.2, 1.2, 1.2))),
+        ("#a06800", (0, (3, 1.2))),
+        ("#c1272d", (0, (1.5, 1))),
+    )
+)
+"""Curves in the order of time, early to late."""
+
+SETTINGS: dict[str, Any] = {
+    "figure.dpi": 100,
+    "savefig.dpi": 200,
+    "figure.facecolor": PAPER,
+    "savefig.facecolor": "auto",
+    "font.family": "DejaVu Sans",
+    "font.size": 8,
+    "mathtext.fontset": "dejavusans",
+    "axes.titlesize": 8.5,
+    "axes.titleweight": "bold",
+    "axes.titlelocation": "left",
+    "axes.titlepad": 5,
+    "axes.labelsize": 8,
+    "xtick.labelsize": 7.5,
+    "ytick.labelsize": 7.5,
+    "legend.fontsize": 7.5,
+    "legend.frameon": False,
+    "legend.handlelength": 2.6,
+    "legend.borderaxespad": 0.2,
+    "text.color": INK,
+    "axes.labelcolor": INK,
+    "axes.edgecolor": QUIET,
+    "xtick.color": QUIET,
+    "ytick.color": QUIET,
+    "xtick.labelcolor": INK,
+    "ytick.labelcolor": INK,
+    "axes.facecolor": "none",
+    "axes.spines.top": False,
+    "axes.spines.right": False,
+    "axes.linewidth": 0.6,
+    "xtick.major.width": 0.6,
+    "ytick.major.width": 0.6,
+    "axes.grid": True,
+    "axes.axisbelow": True,
+    "grid.color": GRID,
+    "grid.linewidth": 0.5,
+    "axes.xmargin": 0.0,
+    "axes.ymargin": 0.07,
+    "axes.formatter.useoffset": False,
+    "axes.formatter.limits": (-4, 5),
+    "lines.linewidth": 1.1,
+    "lines.solid_capstyle": "round",
+    "path.simplify": True,
+    "path.simplify_threshold": 0.15,
+    "svg.fonttype": "path",
+    "svg.hashsalt": "tmodes",
+    "pdf.fonttype": 42,
+}
+
+
+@contextmanager
+def house_style() -> Iterator[None]:
+    """Draw and save inside this; whatever the user had set is as before afterwards."""
+    from matplotlib import style
+
+    with style.context(["default", SETTINGS]):
+        yield
+
+
+def new_figure(height: float) -> Figure:
+    """An empty figure of the house width, ``height`` [in], with room kept for labels and outside legends."""
+    from matplotlib.backends.backend_agg import FigureCanvasAgg
+    from matplotlib.figure import Figure
+
+    figure = Figure(figsize=(WIDTH, height), layout="constrained")
+    FigureCanvasAgg(figure)
+    return figure

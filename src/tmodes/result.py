@@ -1,0 +1,131 @@
+"""Result: the frozen, self-describing record of one run.
+
+Every series is a labelled variable with its unit; the attributes tell the robot, the settings and how the run ended.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from tmodes.io.atomic import file_error
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+    from tmodes.robot import Robot
+
+__all__ = ["RESULT_FORMAT", "STATUSES", "Result"]
+
+RESULT_FORMAT = 1
+"""Version of the names and meanings in a result (of the file's bytes: ``io.resultfile.FORMAT_VERSION``)."""
+
+STATUSES = ("finished", "diverged", "stopped", "interrupted")
+
+
+@dataclass(frozen=True, eq=False)
+class Result:
+    """What a run gave, as an xarray Dataset: ``result.data["tip"].sel(axis="z")``."""
+
+    data: Dataset
+
+    @property
+    def status(self) -> str:
+        """How the run ended: one of :data:`STATUSES`."""
+        return self._attribute("status")
+
+    @property
+    def success(self) -> bool:
+        """True when the run reached its end."""
+        return self.status == "finished"
+
+    @property
+    def message(self) -> str:
+        """How the run ended, in a sentence."""
+        return self._attribute("message")
+
+    @property
+    def robot(self) -> Robot:
+        """The robot that ran, rebuilt from its data sheet and checked again."""
+        from tmodes.io.check import robot_from_data
+
+        return robot_from_data(self._json("robot"))
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What the run has to say about itself, as sentences."""
+        return tuple(self._json("warnings"))
+
+    @property
+    def frequencies(self) -> dict[str, list[dict[str, Any]]]:
+        """Natural frequencies [Hz] and damping ratios [-] with the motor ``locked``, ``free`` and ``controlled``."""
+        return self._json("frequencies")
+
+    @property
+    def statistics(self) -> dict[str, Any]:
+        """What the integration took: steps, rejected steps, evaluations, dt times the highest frequency."""
+        return self._json("statistics")
+
+    def summary(self, band: float = 0.05) -> dict[str, Any]:
+        """The numbers a reader asks first; see :func:`tmodes.analysis.summary.summarise`."""
+        from tmodes.analysis.summary import summarise
+
+        return summarise(self.data, band)
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.
+
+        Whatever happens meanwhile, the path holds the old file or the new one, whole.
+        Raises :class:`tmodes.errors.ResultFileError` when the file exists, cannot be written, or a number is not
+        finite.
+        """
+        from tmodes.io.resultfile import write_sealed
+
+        path = Path(path)
+        if os.path.lexists(path) and not overwrite:
+            raise file_error(path, "a file that exists", "a new name", "choose another name, or overwrite=True")
+        self._check_finite()
+        write_sealed(self.data, path, overwrite=overwrite)
+        return path
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Result:
+        """Read a result back, whole and checked.
+
+        Raises :class:`tmodes.errors.ResultFileError` when the file is damaged, foreign or of another version.
+        """
+        from tmodes.io.resultfile import read_sealed
+
+        data = read_sealed(path)
+        version, status = data.attrs.get("tmodes_format"), data.attrs.get("status")
+        if version != RESULT_FORMAT:
+            mend = "read it with the tmodes that wrote it, or run the robot again"
+            raise file_error(f"{path}, tmodes_format", repr(version), str(RESULT_FORMAT), mend)
+        if status not in STATUSES:
+            raise file_error(f"{path}, status", repr(status), f"one of {STATUSES}", "run the robot again")
+        return cls(data)
+
+    def _repr_html_(self) -> str:
+        return self.data._repr_html_()
+
+    def _attribute(self, name: str) -> str:
+        if name not in self.data.attrs:
+            raise file_error(f"result, attribute {name}", "nothing", "text", "run the robot again")
+        return str(self.data.attrs[name])
+
+    def _json(self, name: str) -> Any:
+        try:
+            return json.loads(self._attribute(name))
+        except (ValueError, RecursionError) as error:
+            raise file_error(f"result, attribute {name}", "no JSON text", "JSON text", "run the robot again") from error
+
+    def _check_finite(self) -> None:
+        import numpy as np
+
+        for name, variable in self.data.variables.items():
+            if variable.dtype.kind == "f" and not np.isfinite(variable.values).all():
+                mend = "keep only what is before it: result.data.isel(time=slice(None, n))"
+                raise file_error(f"variable {name}", "a number that is not finite", "finite numbers", mend)

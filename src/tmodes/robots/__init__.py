@@ -1,0 +1,70 @@
+"""Published robots as data sheets, one file per paper, and the way from a name or a file to a checked robot."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Mapping
+from importlib import resources
+from typing import TYPE_CHECKING, Any
+
+from tmodes.errors import InputError
+
+if TYPE_CHECKING:
+    from tmodes.robot import Robot
+
+__all__ = ["load_robot", "names", "text"]
+
+
+def names() -> list[str]:
+    """Names of the published robots, sorted."""
+    files = (entry.name for entry in resources.files(__name__).iterdir())
+    return sorted(name.removesuffix(".yaml") for name in files if name.endswith(".yaml"))
+
+
+def text(name: str) -> str:
+    """The data sheet of a published robot, as it stands in its file; an InputError for an unknown name."""
+    if name not in names():
+        raise _unknown(name)
+    return (resources.files(__name__) / f"{name}.yaml").read_text(encoding="utf-8")
+
+
+def load_robot(name_or_path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None) -> Robot:
+    """A checked robot from the name of a published one, or from a file (a name wins; write ``./name`` for a file).
+
+    ``changes`` are values by dotted path, as in :meth:`tmodes.robot.Robot.with_`. Raises
+    :class:`tmodes.errors.InputError` when there is no such robot or the file is no YAML, and
+    :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
+    """
+    from tmodes.io.check import robot_from_data
+    from tmodes.io.paths import set_paths
+    from tmodes.io.words import shown_path
+    from tmodes.io.yaml_file import parse_yaml, read_yaml
+
+    if name_or_path in names():
+        source = f"{name_or_path}.yaml"
+        data, positions = parse_yaml(text(str(name_or_path)), source)
+    elif _is_a_name(name_or_path):
+        raise _unknown(os.fspath(name_or_path))
+    else:
+        source = shown_path(name_or_path)
+        data, positions = read_yaml(name_or_path)
+    changes = changes or {}
+    lines = {path: line for path, line in positions.items() if not _is_changed(path, changes)}
+    return robot_from_data(set_paths(data, changes), lines, source)
+
+
+def _is_a_name(name_or_path: str | os.PathLike[str]) -> bool:
+    """A word without a suffix or a folder that is no file either."""
+    return isinstance(name_or_path, str) and name_or_path.isidentifier() and not os.path.lexists(name_or_path)
+
+
+def _is_changed(path: str, changes: Mapping[str, Any]) -> bool:
+    return any(path == changed or path.startswith(f"{changed}.") for changed in changes)
+
+
+def _unknown(name: str) -> InputError:
+    from tmodes.io.words import nearest, shown
+
+    close = nearest(name, names())
+    mend = f"did you mean `{close}`?" if close else "give the path of a data sheet, such as ./my.yaml"
+    return InputError("robot", shown(name), f"one of {', '.join(names())}, or the path of a file", mend)

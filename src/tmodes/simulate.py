@@ -1,0 +1,81 @@
+"""RUN: the robot as it is known plans the motion, the robot as it really is runs under control.
+
+    pair -> reference regime (nominal robot, motor follows theta_o exactly) -> controlled run (real robot) -> Result
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.modes import all_modes, closed_loop_eigenvalues
+from tmodes.analysis.stability import step_size_verdict
+from tmodes.integrate.trajectory import Journal, Trajectory, integrate
+from tmodes.mechanism import Drive, Parameters
+from tmodes.model import Model
+from tmodes.robot import NominalRealPair, Robot
+
+if TYPE_CHECKING:
+    from tmodes.result import Result
+
+__all__ = ["Regime", "simulate"]
+
+Progress = Callable[[str, float], None]
+
+
+@dataclass(frozen=True)
+class Regime:
+    """One robot in motion: its model, its numbers, and the trajectory that it took."""
+
+    robot: Robot
+    model: Model
+    parameters: Parameters
+    rows: NDArray[np.float64]
+    trajectory: Trajectory
+
+
+def simulate(
+    robot: Robot | NominalRealPair,
+    *,
+    progress: Progress = lambda stage, share: None,
+    journals: Callable[[str], Journal | None] = lambda stage: None,
+) -> Result:
+    """Plan with the known robot, run with the real one, and gather everything into a Result.
+
+    Give a :class:`Robot` (its ``real`` factors make the real one) or a pair of your own. A run that cannot go on keeps
+    what it had: look at ``result.status`` and ``result.message``. Raises :class:`tmodes.errors.SimulationError` when it
+    cannot start (no gravity equilibrium, singular mass matrix).
+    """
+    from tmodes.assemble import assemble
+
+    pair = robot if isinstance(robot, NominalRealPair) else robot.pair()
+    reference = run_regime(pair.nominal, Drive.PRESCRIBED, lambda share: progress("reference", share), journals)
+    real = run_regime(pair.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals)
+    verdict = step_size_verdict(pair.real.integration, closed_loop_eigenvalues(pair.real, drive=Drive.CONTROLLED))
+    progress("gathering", 0.0)
+    result = assemble(pair, reference, real, all_modes(pair.real, contact=False), verdict)
+    progress("gathering", 1.0)
+    return result
+
+
+def run_regime(
+    robot: Robot,
+    drive: Drive,
+    progress: Callable[[float], None] = lambda share: None,
+    journals: Callable[[str], Journal | None] = lambda stage: None,
+) -> Regime:
+    """Run one robot from rest in its own gravity equilibrium, its motor controlled or following theta_o exactly."""
+    mechanism, parameters = robot.split(drive)
+    model = Model(mechanism)
+    schedule = robot.reference.schedule()
+    start = model.rest(robot.reference.start, parameters)
+    model.check_mass_matrix(start, parameters)
+    trajectory = integrate(
+        model, parameters, schedule, start, robot.integration, progress, journals(drive.value)
+    )
+    rows = schedule.until(robot.integration.duration).rows_at(trajectory.times)
+    return Regime(robot, model, parameters, rows, trajectory)

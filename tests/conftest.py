@@ -1,0 +1,32 @@
+"""What all tests share: no display, a cache of compiled code of their own, a browser when there is one."""
+
+from __future__ import annotations
+
+import os
+import shutil
+
+import pytest
+from hypothesis import settings
+
+os.environ["MPLBACKEND"] = "Agg"
+
+settings.register_profile("tmodes", deadline=None, derandomize=True, print_blob=True)
+settings.load_profile("tmodes")
+
+
+@pytest.fixture(scope="session", autouse=True)
+def private_cache(tmp_path_factory: pytest.TempPathFactory) -> None:
+    """Compiled code goes to a folder of this session, also from programs that tests start."""
+    os.environ["TMODES_CACHE"] = str(tmp_path_factory.mktemp("compiled"))
+
+
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+
+
+@pytest.fixture(scope="session")
+def chromium() -> str:
+    """Path of a browser; the test is skipped where there is none."""
+    found = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if found is None:
+        pytest.skip(f"needs a browser to look at the page: none of {', '.join(BROWSERS)} is installed")
+    return found

@@ -1,0 +1,1 @@
+"""An independent numeric oracle of the seed's robot, in plain numpy."""

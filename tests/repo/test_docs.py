@@ -1,0 +1,44 @@
+"""The pages that tools write are up to date, and every link leads somewhere."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from links import broken_links, pages
+from notation_doc import quantities
+from tmodes.robot import Robot
+
+ROOT = Path(__file__).resolve().parents[2]
+
+
+@pytest.mark.parametrize("tool", ["notation_doc", "robot_schema"])
+def test_written_page_is_up_to_date(tool: str) -> None:
+    done = subprocess.run(
+        [sys.executable, f"tools/{tool}.py", "--check"], cwd=ROOT, capture_output=True, text=True, check=False
+    )
+    assert done.returncode == 0, done.stderr
+
+
+def test_every_number_of_the_data_sheet_is_in_the_notation() -> None:
+    paths = {path.replace("modes.N", "modes.0") for path, *_ in quantities(Robot)}
+    robot_yaml = ROOT / "src" / "tmodes" / "robots" / "filipovic2010.yaml"
+    assert len(paths) >= 30
+    assert {"gear.stiffness", "link.modes.0.length", "gravity", "integration.step"} <= paths
+    assert all(path.split(".")[-1] in robot_yaml.read_text(encoding="utf-8") or "max_" in path for path in paths)
+
+
+@pytest.mark.parametrize("page", pages(ROOT), ids=lambda page: page.name)
+def test_links_lead_to_files(page: Path) -> None:
+    assert list(broken_links(page)) == []
+
+
+def test_broken_link_is_found(tmp_path: Path) -> None:
+    page = tmp_path / "page.md"
+    page.write_text(
+        "[here](page.md#part) [gone](gone.md) ![no](no.png) [far](https://example.org/x)\n```\n[x](y)\n```\n"
+    )
+    assert list(broken_links(page)) == ["gone.md", "no.png"]

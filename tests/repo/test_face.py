@@ -1,0 +1,54 @@
+"""``import tmodes`` is light, and its face shows what it says."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+from typing import Any
+
+import pytest
+
+import tmodes
+
+HEAVY = ("casadi", "h5netcdf", "h5py", "llvmlite", "matplotlib", "numpy", "pint", "pydantic", "rich", "scipy", "xarray")
+
+
+def in_fresh_python(code: str) -> str:
+    return subprocess.run([sys.executable, "-c", code], check=True, capture_output=True, text=True).stdout
+
+
+def test_import_loads_nothing_heavy() -> None:
+    loaded = in_fresh_python(f"import sys, tmodes; print([name for name in {HEAVY} if name in sys.modules])")
+    assert loaded.strip() == "[]"
+
+
+def test_robots_are_loaded_without_plotting_and_compiler() -> None:
+    heavy = ("casadi", "llvmlite", "matplotlib", "xarray")
+    loaded = in_fresh_python(
+        f"import sys, tmodes; tmodes.load_robot('filipovic2010'); print([n for n in {heavy} if n in sys.modules])"
+    )
+    assert loaded.strip() == "[]"
+
+
+def test_names_are_sorted_and_shown() -> None:
+    assert list(tmodes.__all__) == sorted(tmodes.__all__)
+    assert set(tmodes.__all__) <= set(dir(tmodes))
+
+
+@pytest.mark.parametrize("name", tmodes.__all__)
+def test_name_is_what_its_home_has_even_after_submodules_are_loaded(name: str) -> None:
+    """A submodule of the same name would hide a function of the face once it is imported."""
+    code = f"import tmodes, types; tmodes.{name}; assert not isinstance(tmodes.{name}, types.ModuleType); "
+    assert in_fresh_python(f"{code} print(tmodes.{name}.__name__)").strip() == name
+
+
+def test_unknown_name_is_refused() -> None:
+    with pytest.raises(AttributeError, match="no attribute 'robot_of_mine'"):
+        tmodes.robot_of_mine  # noqa: B018
+
+
+def test_import_time(benchmark: Any) -> None:
+    """A fresh Python that imports tmodes: `python tools/check.py bench` shows how long; only an absurd time fails."""
+    benchmark.pedantic(in_fresh_python, args=("import tmodes",), rounds=3, warmup_rounds=1)
+    if benchmark.enabled:
+        assert benchmark.stats.stats.min < 3.0

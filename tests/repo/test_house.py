@@ -1,0 +1,75 @@
+"""The house keeps its rules: it speaks only of itself, and its files are short."""
+
+from __future__ import annotations
+
+import subprocess
+from pathlib import Path
+
+import pytest
+
+ROOT = Path(__file__).resolve().parents[2]
+LONGEST = 250
+"""Lines of a source file."""
+
+# Written in two halves, so that this file does not hold them itself.
+FORBIDDEN = tuple(
+    a + b
+    for a, b in [
+        ("pypi", ".org"),
+        ("files.python", "hosted"),
+        ("extra-index", "-url"),
+        ("/wor", "k/"),
+        ("/tm", "p/w"),
+        ("/home", "/"),
+        ("/roo", "t/"),
+        ("--find", "-links"),
+    ]
+)
+
+
+def texts() -> list[Path]:
+    """Text files that are, or would be, part of the repository."""
+    listed = ["git", "ls-files", "--cached", "--others", "--exclude-standard", "-z"]
+    done = subprocess.run(listed, cwd=ROOT, capture_output=True, text=True, check=False)
+    if done.returncode != 0:
+        pytest.skip("not a git checkout")
+    files = (ROOT / name for name in done.stdout.split("\0") if name)
+    return [file for file in files if file.is_file() and b"\0" not in file.read_bytes()[:8000]]
+
+
+def test_it_speaks_only_of_itself() -> None:
+    files = texts()
+    assert len(files) > 30
+    found = [
+        f"{file.relative_to(ROOT)}: {word}"
+        for file in files
+        for word in FORBIDDEN
+        if word in file.read_text(encoding="utf-8")
+    ]
+    assert found == []
+
+
+def test_constraints_hold_versions_only() -> None:
+    lines = (ROOT / "constraints.txt").read_text(encoding="utf-8").splitlines()
+    assert len(lines) > 20
+    assert [line for line in lines if "==" not in line or "/" in line or "@" in line] == []
+
+
+def test_no_lock_file_that_records_addresses() -> None:
+    assert [name for name in ("uv.lock", "pylock.toml", "poetry.lock") if (ROOT / name).exists()] == []
+
+
+def test_source_files_are_short() -> None:
+    lengths = {file: len(file.read_text(encoding="utf-8").splitlines()) for file in (ROOT / "src").rglob("*.py")}
+    assert len(lengths) > 20
+    long = {str(file.relative_to(ROOT)): lines for file, lines in lengths.items() if lines > LONGEST}
+    assert long == {}
+
+
+def test_every_source_file_tells_what_it_is() -> None:
+    silent = [
+        str(file.relative_to(ROOT))
+        for file in (ROOT / "src").rglob("*.py")
+        if (text := file.read_text(encoding="utf-8")).strip() and not text.startswith('"""')
+    ]
+    assert silent == []

@@ -1,0 +1,40 @@
+"""The README keeps its promises: two commands, and examples that run."""
+
+from __future__ import annotations
+
+import re
+import subprocess
+import sys
+from pathlib import Path
+
+import pytest
+
+from quick_start import quick_start
+
+ROOT = Path(__file__).resolve().parents[2]
+README = (ROOT / "README.md").read_text(encoding="utf-8")
+EXAMPLES = re.findall(r"^```python\n(.*?)^```$", README, re.MULTILINE | re.DOTALL)
+
+
+def test_quick_start_has_exactly_two_lines() -> None:
+    run, test = quick_start(README)
+    assert run.endswith(".venv/bin/tmodes run filipovic2010 --out results/filipovic2010")
+    assert test.endswith(".venv/bin/pytest --quiet")
+    assert all("--constraint constraints.txt" in line for line in (run, test))
+
+
+def test_pipeline_is_the_same_everywhere() -> None:
+    line = next(line for line in README.splitlines() if line.startswith("    Robot ─splits→"))
+    assert line in (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").splitlines()
+
+
+def test_there_is_an_example() -> None:
+    assert EXAMPLES
+
+
+@pytest.mark.parametrize("example", EXAMPLES)
+def test_example_runs(example: str, tmp_path: Path) -> None:
+    command = [sys.executable, "-W", "error", "-c", example]
+    done = subprocess.run(command, cwd=tmp_path, capture_output=True, text=True, timeout=120, check=False)
+    assert done.returncode == 0, done.stderr
+    assert re.fullmatch(r"finished \d+\.\d\d mm\n", done.stdout)

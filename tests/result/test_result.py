@@ -1,0 +1,167 @@
+"""The Result: what it tells, what it saves, what it gives back."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from result.synthetic import ROBOT, synthetic_result
+from tmodes.errors import InputError, ResultFileError
+from tmodes.io.resultfile import write_sealed
+from tmodes.result import Result
+
+
+@pytest.fixture(scope="module")
+def result() -> Result:
+    return synthetic_result()
+
+
+def test_it_tells_how_the_run_went(result: Result) -> None:
+    assert result.success
+    assert result.status == "finished"
+    assert result.message
+    assert result.warnings == ()
+    assert result.frequencies["locked"][0]["frequency_Hz"] == 4.9957
+    assert result.statistics["steps"] == 4321
+    assert "xarray" in result._repr_html_()
+    assert not Result(result.data.assign_attrs(status="diverged")).success
+
+
+def test_its_robot_is_the_one_that_ran(result: Result) -> None:
+    pytest.importorskip("tmodes.io.check")
+    assert json.loads(json.dumps(result.robot.model_dump(mode="json"))) == ROBOT
+
+
+@pytest.mark.parametrize("contact", [True, False])
+def test_it_comes_back_whole(contact: bool, tmp_path: Path) -> None:
+    result = synthetic_result(contact, samples=101)
+    back = Result.load(result.save(tmp_path / "run.nc"))
+    assert back.data.identical(result.data)
+    assert ("contact_force" in back.data) == contact
+    assert back.summary() == result.summary()
+
+
+def test_an_existing_file_is_kept_unless_told(tmp_path: Path) -> None:
+    path = tmp_path / "run.nc"
+    path.write_text("old")
+    with pytest.raises(ResultFileError, match="overwrite=True"):
+        synthetic_result(samples=11).save(path)
+    assert path.read_text() == "old"
+    synthetic_result(samples=11).save(path, overwrite=True)
+    assert Result.load(path).data.sizes["time"] == 11
+
+
+def test_a_number_that_is_not_finite_is_never_saved(tmp_path: Path) -> None:
+    for value in (np.nan, np.inf):
+        result = synthetic_result(samples=11)
+        result.data["tip"][3, 1] = value
+        with pytest.raises(ResultFileError, match="variable tip"):
+            result.save(tmp_path / "run.nc")
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.parametrize(
+    ("attribute", "value"), [("tmodes_format", 2), ("tmodes_format", 0), ("tmodes_format", "1"), ("status", "fine")]
+)
+def test_another_version_or_status_is_refused(attribute: str, value: int | str, tmp_path: Path) -> None:
+    write_sealed(synthetic_result(samples=11).data.assign_attrs({attribute: value}), tmp_path / "run.nc")
+    with pytest.raises(ResultFileError, match=attribute):
+        Result.load(tmp_path / "run.nc")
+
+
+def test_attributes_that_are_missing_or_rubbish_are_named(result: Result) -> None:
+    for value in ("{", "[" * 100_000):
+        with pytest.raises(ResultFileError, match="frequencies"):
+            _ = Result(result.data.assign_attrs(frequencies=value)).frequencies
+    bare = result.data.copy()
+    del bare.attrs["warnings"]
+    with pytest.raises(ResultFileError, match="attribute warnings"):
+        _ = Result(bare).warnings
+
+
+def test_the_summary_is_plain_json(result: Result) -> None:
+    summary = result.summary()
+    assert json.loads(json.dumps(summary, allow_nan=False)) == summary
+
+
+def test_the_summary_finds_what_was_put_in() -> None:
+    """Known numbers planted in the dataset come out."""
+    result = synthetic_result(samples=201)
+    data = result.data
+    data["deviation"][:] = 1e-3
+    data["deviation"][150] = 4e-3
+    data["bending_moment"][40, 1, 0, 5] = -99.0
+    data["gear_torque"][:] = np.linspace(-3.0, 2.0, 201)
+    data["contact_force_radial"][:] = np.linspace(4.0, 6.0, 201)
+    data["deformation_reference"][:] = 2e-3
+    data["deformation"][:] = 2e-3
+    data["deformation"][:, 4] = -4e-3
+    data["energy"][:] = 0.0
+    data["work"][:] = 0.0
+    data["work"][:, 0] = np.linspace(0.0, 8.0, 201)
+    data["energy_balance"][:] = 0.0
+    data["energy_balance"][77] = -4e-6
+    summary = result.summary()
+    assert summary["status"] == "finished"
+    assert summary["first_frequency_Hz"] == {"locked": 4.9957, "controlled": 4.938}
+    assert summary["deviation"] == {"max_m": 4e-3, "time_of_max_s": 1.5, "end_m": 1e-3}
+    moment = {"value_Nm": -99.0, "time_s": 0.4, "mode": "mode2", "plane": "horizontal", "s": 0.25}
+    assert summary["largest_bending_moment"] == pytest.approx(moment)
+    assert summary["gear_torque"] == {"max_Nm": 3.0, "time_s": 0.0}
+    assert summary["contact_force_radial"] == pytest.approx({"min_N": 4.0, "max_N": 6.0, "mean_N": 5.0})
+    assert summary["deformations"]["th12e"]["rms_deviation_over_rms_reference"] == 0.0
+    xi = {"max_rad": 4e-3, "max_reference_rad": 2e-3, "rms_deviation_over_rms_reference": 3.0}
+    assert summary["deformations"]["xi"] == pytest.approx(xi)
+    energy = {"moved_J": 8.0, "worst_residual_J": 4e-6, "worst_residual_over_moved": 5e-7}
+    assert summary["energy"] == pytest.approx(energy)
+
+
+def settling(deviation_after: list[float], duration: float = 4.0, band: float = 0.05) -> dict[str, float | str | None]:
+    """Settling of a run of 401 samples whose deviation after the move (2 s) is as given, largest 1 m at 1 s."""
+    result = synthetic_result(duration=duration, samples=401)
+    result.data["deviation"][:] = 0.0
+    result.data["deviation"][100] = 1.0
+    for place, value in zip((250, 300, 400), deviation_after, strict=False):
+        result.data["deviation"][place] = value
+    return result.summary(band)["settling"]
+
+
+def test_settling_is_the_last_time_out_of_the_band() -> None:
+    assert settling([0.06, 0.04, 0.0])["time_s"] == pytest.approx(0.5)
+    assert settling([0.06, 0.051, 0.0])["time_s"] == pytest.approx(1.0)
+    assert settling([0.06, 0.04, 0.0], band=0.02)["time_s"] == pytest.approx(1.0)
+    assert settling([0.0, 0.0, 0.0])["time_s"] == 0.0
+
+
+def test_settling_that_cannot_be_told_has_a_reason() -> None:
+    still = settling([0.0, 0.0, 0.06])
+    assert still["time_s"] is None
+    assert "still 0.06 m" in str(still["reason"])
+    cut = settling([0.0], duration=2.0)
+    assert cut["time_s"] is None
+    assert "the run ends at 2 s, the move at 2 s" in str(cut["reason"])
+    with pytest.raises(InputError, match="band"):
+        settling([0.0], band=1.5)
+
+
+def test_the_summary_of_a_run_that_stopped_at_once() -> None:
+    summary = Result(synthetic_result(False).data.isel(time=slice(0, 1))).summary()
+    assert summary["settling"]["time_s"] is None
+    assert summary["contact_force_radial"] is None
+    assert json.dumps(summary, allow_nan=False)
+
+
+def test_mean_force_counts_time_not_samples() -> None:
+    """The last sample may follow a shorter step."""
+    data = synthetic_result(samples=11).data.isel(time=[0, 5, 10]).assign_coords(time=[0.0, 1.0, 1.5])
+    data["contact_force_radial"][:] = [0.0, 0.0, 3.0]
+    assert Result(data).summary()["contact_force_radial"]["mean_N"] == pytest.approx(0.5)
+
+
+def test_no_reference_motion_no_ratio() -> None:
+    result = synthetic_result(samples=11)
+    result.data["deformation_reference"][:] = 0.0
+    assert result.summary()["deformations"]["xi"]["rms_deviation_over_rms_reference"] is None

@@ -1,0 +1,84 @@
+"""Writes docs/notation.md, symbol - word - unit, from the data sheet's own fields: ``notation_doc.py [--check]``."""
+
+from __future__ import annotations
+
+import sys
+from collections.abc import Iterable, Iterator
+from typing import Any, get_args
+
+import generated
+from notation_words import COORDINATES, DERIVED, RESULTS, Row
+from tmodes.elements.quantity import DataSheet
+from tmodes.robot import Robot
+
+__all__ = ["page", "quantities"]
+
+
+def quantities(sheet: type[DataSheet], path: str = "") -> Iterator[Row]:
+    """Path, symbol, unit and meaning of every physical quantity of a data sheet; ``N`` is a place in a list."""
+    for name, field in sheet.model_fields.items():
+        extra = field.json_schema_extra
+        if isinstance(extra, dict) and "unit" in extra:
+            yield path + name, str(extra["symbol"]), str(extra["unit"]), _meaning(field.description or "", extra)
+        for inner, index in _sheets(field.annotation):
+            yield from quantities(inner, f"{path}{name}{index}.")
+
+
+def _sheets(annotation: Any) -> Iterator[tuple[type[DataSheet], str]]:
+    if isinstance(annotation, type) and issubclass(annotation, DataSheet):
+        yield annotation, ""
+    for item in dict.fromkeys(get_args(annotation)):
+        yield from ((sheet, ".N") for sheet, _ in _sheets(item))
+
+
+def _meaning(description: str, extra: dict[str, Any]) -> str:
+    words = description.removesuffix(f" [{extra['unit']}]")
+    return f"{words}; `.inf` makes it rigid" if extra.get("rigid_when_infinite") else words
+
+
+def page() -> str:
+    """The page as Markdown."""
+    return "\n".join(
+        [
+            "# Notation",
+            "",
+            "Words outside, letters inside: files, functions and results use the words, formulas the symbols of",
+            "Filipovic & Djuric (2010). SI units and radians throughout; a name that ends in `_deg` is in degrees.",
+            "A prime is a time derivative; superscript o (suffix `_o`) marks a characteristic as known.",
+            "",
+            "This page is written by `python tools/notation_doc.py`.",
+            "",
+            "## The data sheet",
+            "",
+            "The key is also the path that `--set` and `Robot.with_` take; N is 0 for the mode at the root.",
+            "",
+            *_table(("key", "symbol", "unit", "meaning"), quantities(Robot)),
+            "",
+            "## Coordinates and elastic angles",
+            "",
+            *_table(("name", "symbol", "unit", "meaning"), COORDINATES),
+            "",
+            "## What follows from them",
+            "",
+            *_table(("name", "symbol", "unit", "meaning"), DERIVED),
+            "",
+            "## The result",
+            "",
+            "Each variable carries its unit and its meaning in the file itself (`units`, `long_name`).",
+            "",
+            *_table(("variable", "dimensions", "unit", "meaning"), RESULTS),
+            "",
+        ]
+    )
+
+
+def _table(head: Row, rows: Iterable[Row]) -> Iterator[str]:
+    yield f"| {' | '.join(head)} |"
+    yield "|---" * len(head) + "|"
+    for name, *cells in rows:
+        names = ", ".join(f"`{part}`" for part in name.split(", "))
+        yield f"| {names} | {' | '.join(cell.replace('*', '·') for cell in cells)} |"
+
+
+if __name__ == "__main__":
+    sys.exit(generated.main(generated.ROOT / "docs" / "notation.md", page(), "notation_doc"))
