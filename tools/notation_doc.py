@@ -1,4 +1,7 @@
-"""Writes docs/notation.md, symbol - word - unit, from the data sheet's own fields: ``notation_doc.py [--check]``."""
+"""Writes docs/notation.md, symbol - word - unit: ``python tools/notation_doc.py [--check]``.
+
+The data sheet's own fields and the variables of a (very short) run tell of themselves; the rest is in notation_words.
+"""
 
 from __future__ import annotations
 
@@ -7,11 +10,12 @@ from collections.abc import Iterable, Iterator
 from typing import Any, get_args
 
 import generated
-from notation_words import COORDINATES, DERIVED, RESULTS, Row
+import tmodes
+from notation_words import COORDINATES, DERIVED, Row
 from tmodes.elements.quantity import DataSheet
 from tmodes.robot import Robot
 
-__all__ = ["page", "quantities"]
+__all__ = ["page", "quantities", "variables"]
 
 
 def quantities(sheet: type[DataSheet], path: str = "") -> Iterator[Row]:
@@ -34,6 +38,13 @@ def _sheets(annotation: Any) -> Iterator[tuple[type[DataSheet], str]]:
 def _meaning(description: str, extra: dict[str, Any]) -> str:
     words = description.removesuffix(f" [{extra['unit']}]")
     return f"{words}; `.inf` makes it rigid" if extra.get("rigid_when_infinite") else words
+
+
+def variables() -> Iterator[Row]:
+    """Name, dimensions, unit and meaning of every variable of a result."""
+    robot = tmodes.load_robot("filipovic2010", {"integration.duration": 0.01})
+    for name, variable in tmodes.run(robot).data.data_vars.items():
+        yield str(name), ", ".join(map(str, variable.dims)), variable.attrs["units"], variable.attrs["long_name"]
 
 
 def page() -> str:
@@ -66,7 +77,7 @@ def page() -> str:
             "",
             "Each variable carries its unit and its meaning in the file itself (`units`, `long_name`).",
             "",
-            *_table(("variable", "dimensions", "unit", "meaning"), RESULTS),
+            *_table(("variable", "dimensions", "unit", "meaning"), variables()),
             "",
         ]
     )

@@ -1,8 +1,8 @@
-"""Symbols that are no field of the data sheet: coordinates, angles, what follows from them, and what a result holds."""
+"""Symbols that are no field of the data sheet: coordinates, elastic angles, and what follows from them."""
 
 from __future__ import annotations
 
-__all__ = ["COORDINATES", "DERIVED", "RESULTS", "Row"]
+__all__ = ["COORDINATES", "DERIVED", "Row"]
 
 Row = tuple[str, str, str, str]
 """Name in the code, symbol in the paper, unit, meaning."""
@@ -50,35 +50,4 @@ DERIVED: tuple[Row, ...] = (
     ("stationary", "T_st", "rad", "bending angle that the forces of the instant would hold statically"),
     ("oscillatory", "T_to", "rad", "the rest of the bending angle"),
     ("nominal", "superscript o", "", "with the characteristics as known; the reference is planned with them"),
-)
-
-RESULTS: tuple[Row, ...] = (
-    ("q, v", "time, coordinate", "rad, rad/s", "coordinates and rates of the real robot"),
-    ("q_reference, v_reference", "time, coordinate", "rad, rad/s", "the same of the reference"),
-    ("theta_wanted", "time", "rad", "wanted motor angle"),
-    ("voltage, current", "time", "V, A", "of the motor"),
-    ("tip, tip_reference", "time, axis", "m", "position of the tip"),
-    ("deviation", "time", "m", "distance of the two tips at the same time"),
-    ("contact_force", "time, axis", "N", "force of the tip on the environment; absent in free space"),
-    (
-        "contact_force_radial, contact_force_radial_reference",
-        "time",
-        "N",
-        "its part along the radius",
-    ),
-    ("deformation, deformation_reference", "time, deformation", "rad", "th11q, th12d, th11m, th12e, xi"),
-    (
-        "deformation_stationary, deformation_oscillatory",
-        "time, deformation",
-        "rad",
-        "T_st and T_to",
-    ),
-    ("gear_torque, gear_torque_reference", "time", "N*m", "torque in the gear"),
-    ("energy", "time, energy_kind", "J", "kinetic, gravity, elastic_gear, elastic_link"),
-    ("work", "time, work_kind", "J", "since the start: brought in by the motor, taken out by the others"),
-    ("energy_balance", "time", "J", "what the balance of energies and works leaves over"),
-    ("deflection, slope", "time, mode, plane, s", "m, rad", "of the elastic line against its root"),
-    ("bending_moment, flexibility_moment", "time, mode, plane, s", "N*m", "along each mode"),
-    ("shear_force", "time, mode, plane, s", "N", "along each mode"),
-    ("line", "time, mode, s, axis", "m", "position of the elastic line in space"),
 )

@@ -16,7 +16,7 @@ if TYPE_CHECKING:
     from tmodes.result import Result
     from tmodes.robot import NominalRealPair, Robot
     from tmodes.robots import load_robot
-    from tmodes.simulate import run
+    from tmodes.simulate import simulate as run
 
 __version__ = "0.1.0"
 
@@ -35,24 +35,25 @@ __all__ = [
 ]
 
 _HOMES = {
-    "Drive": "tmodes.mechanism",
-    "Mechanism": "tmodes.mechanism",
-    "Model": "tmodes.model",
-    "NominalRealPair": "tmodes.robot",
-    "Parameters": "tmodes.mechanism",
-    "Reading": "tmodes.mechanism",
-    "Result": "tmodes.result",
-    "Robot": "tmodes.robot",
-    "TmodesError": "tmodes.errors",
-    "load_robot": "tmodes.robots",
-    "run": "tmodes.simulate",
+    "Drive": "tmodes.mechanism.Drive",
+    "Mechanism": "tmodes.mechanism.Mechanism",
+    "Model": "tmodes.model.Model",
+    "NominalRealPair": "tmodes.robot.NominalRealPair",
+    "Parameters": "tmodes.mechanism.Parameters",
+    "Reading": "tmodes.mechanism.Reading",
+    "Result": "tmodes.result.Result",
+    "Robot": "tmodes.robot.Robot",
+    "TmodesError": "tmodes.errors.TmodesError",
+    "load_robot": "tmodes.robots.load_robot",
+    "run": "tmodes.simulate.simulate",  # tmodes.simulate is the module, so its function has the command line's name
 }
 
 
 def __getattr__(name: str) -> Any:
     if name not in _HOMES:
         raise AttributeError(f"module 'tmodes' has no attribute {name!r}")
-    return getattr(import_module(_HOMES[name]), name)
+    module, _, attribute = _HOMES[name].rpartition(".")
+    return getattr(import_module(module), attribute)
 
 
 def __dir__() -> list[str]:

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.energy import balance, largest_flow
+from tmodes.analysis.energy import balance
 from tmodes.analysis.stability import StepVerdict
 from tmodes.equations.coordinates import deformations
 from tmodes.equations.layout import COORDINATES, DEFORMATIONS, LINE, WORKS
@@ -58,7 +58,10 @@ def assemble(
     count = min(len(reference.trajectory.times), len(real.trajectory.times))
     variables = _tracking(real, reference, count) | _line(real, count)
     data = xr.Dataset(
-        {name: (dims, values, {"units": unit, "long_name": text}) for name, (dims, values, unit, text) in variables.items()},
+        {
+            name: (dims, values, {"units": unit, "long_name": text})
+            for name, (dims, values, unit, text) in variables.items()
+        },
         coords={
             "time": ("time", real.trajectory.times[:count], {"units": "s", "long_name": "time"}),
             "s": ("s", STATIONS, {"units": "1", "long_name": "place along the mode, 0 root, 1 tip"}),

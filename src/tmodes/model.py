@@ -39,7 +39,7 @@ class Model:
         return _split(out, {name: int(np.prod(shape)) for name, shape in EVALUATED.items()}, dict(EVALUATED))
 
     def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> Array:
-        """d state/d time at n instants: time (n,), state (n, 17), row of the reference (n, degree + 2)."""
+        """D state/d time at n instants: time (n,), state (n, 17), row of the reference (n, degree + 2)."""
         return _sampled(self._observation["rate"], parameters, self._instants(time, state, row), STATE_SIZE)
 
     def observe(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> dict[str, Array]:

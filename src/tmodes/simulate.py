@@ -1,6 +1,6 @@
 """RUN: the robot as it is known plans the motion, the robot as it really is runs under control.
 
-    pair -> reference regime (nominal robot, motor follows theta_o exactly) -> controlled run (real robot) -> Result
+pair -> reference regime (nominal robot, motor follows theta_o exactly) -> controlled run (real robot) -> Result
 """
 
 from __future__ import annotations
@@ -74,8 +74,6 @@ def run_regime(
     schedule = robot.reference.schedule()
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
-    trajectory = integrate(
-        model, parameters, schedule, start, robot.integration, progress, journals(drive.value)
-    )
+    trajectory = integrate(model, parameters, schedule, start, robot.integration, progress, journals(drive.value))
     rows = schedule.until(robot.integration.duration).rows_at(trajectory.times)
     return Regime(robot, model, parameters, rows, trajectory)

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.coordinates import basis, deformations, free_columns
+from tmodes.equations.coordinates import deformations, free_columns
 from tmodes.equations.layout import DEFORMATIONS
 from tmodes.mechanism import Drive, Mechanism, Parameters
 from tmodes.model import Model
@@ -41,12 +41,12 @@ class MotorState(StrEnum):
 class VibrationMode:
     """One mode of vibration.
 
-    ``undamped_Hz``: from mass and stiffness alone; ``damped_Hz``: as it rings, None when it does not (over-damped);
+    ``frequency_Hz``: from mass and stiffness alone; ``damped_frequency_Hz``: as it rings, None when it does not (over-damped);
     ``damping_ratio``: -Re/|lambda|, 1 when over-damped; ``element``: where most of its elastic energy is, ``share`` of it.
     """
 
-    undamped_Hz: float
-    damped_Hz: float | None
+    frequency_Hz: float
+    damped_frequency_Hz: float | None
     damping_ratio: float
     element: str
     share: float

@@ -13,7 +13,7 @@ from tmodes.compile.lower import Lowered
 from tmodes.compile.native import POWER
 from tmodes.compile.time_loop import Status, TimeLoop
 
-__all__ = ["A", "B_ERROR", "C", "DENSE", "write_dormand_prince_loop"]
+__all__ = ["B_ERROR", "DENSE", "A", "C", "write_dormand_prince_loop"]
 
 C = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
 A = (
@@ -94,7 +94,7 @@ def _stages(loop: TimeLoop, time: Any, h: Any) -> None:
 
 
 def _scale(loop: TimeLoop, i: Any, *states: str) -> Any:
-    """atol + rtol times the larger of the states, for component i."""
+    """Atol + rtol times the larger of the states, for component i."""
     b = loop.builder
     largest: Any = number(0.0)
     for state in states:

@@ -89,7 +89,7 @@ class _Writer:
         return self._operation(value.kind, *(self.known[arg] for arg in value.args))
 
     def _turn(self, value: Instruction) -> Any:
-        """sin and cos of one angle share one call."""
+        """Sin and cos of one angle share one call."""
         angle = value.args[0]
         if angle not in self.turned:
             self.turned[angle] = self.builder.call(sine_and_cosine(self.module), [self.known[angle]])

@@ -48,9 +48,7 @@ def _shape(robot: Robot, mode: int, s: Any, phi: Any, phid: Any) -> dict[str, An
     }
 
 
-def _section_loads(
-    robot: Robot, mode: int, s: Any, phi: Any, phid: Any, phidd: Any, force: Any
-) -> tuple[Any, Any]:
+def _section_loads(robot: Robot, mode: int, s: Any, phi: Any, phid: Any, phidd: Any, force: Any) -> tuple[Any, Any]:
     """Bending moment [N*m] and shear [N] at the section s, each (horizontal, vertical), by d'Alembert.
 
     All that lies outboard loads the section: weight and inertia of the masses, the rotary inertia of the line's ends,

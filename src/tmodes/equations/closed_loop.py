@@ -7,14 +7,15 @@ from typing import Any
 
 import casadi as ca
 
-from tmodes.equations.layout import OBSERVED, STATE_SIZE, WORKS
 from tmodes.equations.dynamics import Motion, motion
 from tmodes.equations.kinematics import tip, tip_jacobian
+from tmodes.equations.layout import OBSERVED, STATE_SIZE, WORKS
 from tmodes.equations.symbols import symbolic_robot
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.robot import Robot
 
 __all__ = ["ClosedLoop", "closed_loop", "observe_function", "rate_function"]
+
 
 @dataclass(frozen=True)
 class ClosedLoop:
@@ -75,7 +76,7 @@ def _polynomial(row: Any, time: Any) -> tuple[Any, Any, Any]:
 
 
 def rate_function(loop: ClosedLoop) -> ca.Function:
-    """d state/d time of (time, state, row, parameters)."""
+    """D state/d time of (time, state, row, parameters)."""
     powers = _powers(loop)
     rates = ca.vertcat(loop.phid, loop.motion.acceleration, *(powers[name] for name in WORKS))
     return _function("rate", loop, rates)

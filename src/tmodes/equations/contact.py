@@ -73,9 +73,7 @@ def _planar_map(robot: Robot, phi: Any) -> Any:
         ca.DM([[0, 0, 1]]),
     )
     empty = ca.SX.zeros(1, 3)
-    return ca.vertcat(
-        ca.horzcat(horizontal.T, ca.SX.zeros(2, 1)), empty, vertical.T @ to_radial, empty
-    )
+    return ca.vertcat(ca.horzcat(horizontal.T, ca.SX.zeros(2, 1)), empty, vertical.T @ to_radial, empty)
 
 
 def _planar_jacobian(a: Any, b: Any, angle: Any, bend: Any) -> Any:

@@ -67,9 +67,7 @@ def _printed_kinetic(robot: Robot, phi: Any, phid: Any) -> Any:
     lm, le = projected_lengths(phi, robot.link)
     horizontal = _planar_squares(lm, le, phi[0], phi[1], phid[0], phid[1])
     vertical = _planar_squares(first.length, second.length, phi[3], phi[4], phid[3], phid[4])
-    return sum(
-        mass * (h + v) / 2 for mass, h, v in zip(_masses(robot), horizontal, vertical, strict=True)
-    )
+    return sum(mass * (h + v) / 2 for mass, h, v in zip(_masses(robot), horizontal, vertical, strict=True))
 
 
 def _planar_squares(a: Any, b: Any, angle: Any, bend: Any, rate: Any, bend_rate: Any) -> tuple[Any, Any]:

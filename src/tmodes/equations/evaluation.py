@@ -4,9 +4,9 @@ from __future__ import annotations
 
 import casadi as ca
 
-from tmodes.equations.layout import EVALUATED
 from tmodes.equations.dynamics import motion
 from tmodes.equations.kinematics import tip, tip_jacobian
+from tmodes.equations.layout import EVALUATED
 from tmodes.equations.symbols import symbolic_robot
 from tmodes.mechanism import Mechanism
 

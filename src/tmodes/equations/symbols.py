@@ -33,8 +33,7 @@ def _stand_in(annotation: Any, path: str, leaf: Callable[[str], Any]) -> Any:
         return leaf(path)
     if isinstance(annotation, type) and issubclass(annotation, DataSheet):
         values = {
-            name: _stand_in(field.annotation, f"{path}.{name}", leaf)
-            for name, field in annotation.model_fields.items()
+            name: _stand_in(field.annotation, f"{path}.{name}", leaf) for name, field in annotation.model_fields.items()
         }
         return annotation.model_construct(**values)
     if getattr(annotation, "__origin__", None) is tuple:

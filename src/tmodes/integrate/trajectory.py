@@ -99,7 +99,12 @@ class _Run:
     """The arrays that a native loop works on."""
 
     def __init__(
-        self, model: Model, parameters: Parameters, schedule: Schedule, state: NDArray[np.float64], settings: Integration
+        self,
+        model: Model,
+        parameters: Parameters,
+        schedule: Schedule,
+        state: NDArray[np.float64],
+        settings: Integration,
     ) -> None:
         self.settings, self.parameters, self.model = settings, parameters, model
         self.times = sample_times(settings)

@@ -25,8 +25,7 @@ from tmodes.io.words import shown_path
 __all__ = ["FolderLock", "atomic_write", "check_writable", "file_error"]
 
 LOCK_NAME = ".tmodes.lock"
-YOUNG = 10.0
-"""Age [s] below which a lock file without content is believed to be one that is just being written."""
+YOUNG = 10.0  # age [s] below which a lock without content is believed to be one that is just being written
 
 
 def file_error(which: object, got: str, expected: str, mend: str) -> ResultFileError:
@@ -46,54 +45,62 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
     """
     try:
         target = Path(os.path.realpath(path))
-        temporary = target.parent / f".tmodes-{_place()}-{os.getpid()}-{secrets.token_hex(4)}.tmp"
-        os.close(os.open(temporary, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
-    except (OSError, ValueError) as error:
-        raise _cannot_write(path, error) from error
-    try:
-        yield temporary
-        _flush(temporary)
-        _rename(temporary, target, overwrite)
+        with _temporary(target.parent) as temporary:
+            yield temporary
+            _flush(temporary, os.O_RDWR)
+            if overwrite:
+                temporary.replace(target)
+            else:
+                _claim(temporary, target)
     except FileExistsError as error:
         raise file_error(path, "a file that exists", "a new name", "choose another name, or overwrite=True") from error
-    except OSError as error:
+    except (OSError, ValueError) as error:
         raise _cannot_write(path, error) from error
+    if sys.platform != "win32":  # Windows knows no such call, and some file systems refuse it
+        with suppress(OSError):
+            _flush(target.parent, os.O_RDONLY)
+
+
+@contextmanager
+def _temporary(folder: Path) -> Iterator[Path]:
+    """A new empty file, gone at the end; named after the process that writes it, so that orphans can be told."""
+    path = folder / f".tmodes-{_place()}-{os.getpid()}-{secrets.token_hex(4)}.tmp"
+    _create(path)
+    try:
+        yield path
     finally:
         with suppress(OSError):
-            temporary.unlink(missing_ok=True)
-    _flush_folder(target.parent)
+            path.unlink(missing_ok=True)
+
+
+def _create(path: Path) -> None:
+    """Make an empty file with the usual permissions; fails when the name is taken."""
+    os.close(os.open(path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o666))
+
+
+def _flush(path: Path, flags: int) -> None:
+    handle = os.open(path, flags)
+    try:
+        os.fsync(handle)
+    finally:
+        os.close(handle)
+
+
+def _claim(temporary: Path, target: Path) -> None:
+    """Give a whole file its name, unless the name is taken: of two that try, one wins."""
+    try:
+        target.hardlink_to(temporary)
+    except FileExistsError:
+        raise
+    except OSError:  # a file system without hard links
+        _create(target)
+        temporary.replace(target)
 
 
 def _cannot_write(path: object, error: Exception) -> ResultFileError:
-    reason = getattr(error, "strerror", None) or str(error)
     mend = "free some space, or choose another folder or name; what was there before is untouched"
+    reason = getattr(error, "strerror", None) or str(error)
     return file_error(path, f"“{reason}” when writing", "a place that can be written", mend)
-
-
-def _flush(path: Path) -> None:
-    with path.open("rb+") as file:
-        os.fsync(file.fileno())
-
-
-def _flush_folder(folder: Path) -> None:
-    """Make the new name itself durable; Windows knows no such call, some file systems refuse it."""
-    if sys.platform == "win32":
-        return
-    with suppress(OSError):
-        handle = os.open(folder, os.O_RDONLY)
-        try:
-            os.fsync(handle)
-        finally:
-            os.close(handle)
-
-
-def _rename(temporary: Path, target: Path, overwrite: bool) -> None:
-    if overwrite:
-        temporary.replace(target)
-    elif sys.platform == "win32":
-        temporary.rename(target)  # on Windows this fails when the target exists
-    else:
-        target.hardlink_to(temporary)  # fails when the target exists, so of two writers only one wins
 
 
 @dataclass(frozen=True)
@@ -109,19 +116,17 @@ class _Holder:
 
     @classmethod
     def here(cls) -> Self:
-        now = time.strftime("%Y-%m-%d %H:%M:%S %z")
-        return cls(os.getpid(), _start_of(os.getpid()), socket.gethostname(), _boot(), _pid_space(), now)
+        path = Path("/proc/sys/kernel/random/boot_id")
+        boot, now = path.read_text().strip() if path.exists() else "", time.strftime("%Y-%m-%d %H:%M:%S %z")
+        return cls(os.getpid(), _process(os.getpid())[1], socket.gethostname(), boot, _pid_space(), now)
 
     def gone(self) -> bool:
         """True only when it is sure that the holder no longer runs; on another computer it never is."""
         me = self.here()
-        if self.host != me.host:
+        if self.host != me.host or (self.boot == me.boot and self.pid_space != me.pid_space):
             return False
-        if self.boot != me.boot:
-            return True
-        if self.pid_space != me.pid_space:
-            return False
-        return not _runs(self.pid) or self.started != _start_of(self.pid)
+        runs, started = _process(self.pid)
+        return self.boot != me.boot or not runs or self.started != started
 
 
 class FolderLock:
@@ -137,74 +142,69 @@ class FolderLock:
 
     def __enter__(self) -> Self:
         content = json.dumps(asdict(_Holder.here()), indent=1).encode()
-        for _ in range(3):
-            try:
-                self._take(content)
-            except FileExistsError:
+        try:
+            if os.path.lexists(self.path):
                 self._bury_the_dead()
-            except OSError as error:
-                raise _cannot_write(self.path, error) from error
-            else:
-                self._content = content
-                _remove_orphans(self.folder)
-                return self
-        raise self._refusal("another writer that took it first")
+            with _temporary(self.folder) as temporary:
+                temporary.write_bytes(content)
+                _claim(temporary, self.path)
+        except FileExistsError as error:
+            raise self._refusal("a lock that another just took", self.path) from error
+        except (OSError, ValueError) as error:
+            raise _cannot_write(self.path, error) from error
+        self._content = content
+        _remove_orphans(self.folder)
+        return self
 
     def __exit__(self, *_: object) -> None:
         with suppress(OSError):
             if self.path.read_bytes() == self._content:
                 self.path.unlink()
 
-    def _take(self, content: bytes) -> None:
-        handle = os.open(self.path, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o644)
-        with os.fdopen(handle, "wb") as file:
-            file.write(content)
-            file.flush()
-            os.fsync(file.fileno())
-
     def _bury_the_dead(self) -> None:
         """Remove the lock of a holder that is gone; refuse when it lives.
 
-        The lock is renamed before it is removed and looked at again: of two that found it stale only one may take it
-        away, and one that took away a fresh lock by mistake puts it back.
+        One at a time, and looked at again once its holder is known to be dead, for only then nobody can change it:
+        the holder may have released it and ended while it was judged, and another have taken it.
         """
+        undertaker = self.path.with_suffix(".bury")
         try:
-            content = self.path.read_bytes()
-            age = time.time() - self.path.stat().st_mtime
+            _create(undertaker)
+        except FileExistsError as error:
+            raise self._refusal("a stale lock that another is just taking over", undertaker) from error
+        try:
+            stale = self._refuse_if_held()
+            if self.path.read_bytes() == stale:
+                self.path.unlink()
         except FileNotFoundError:
-            return
-        except OSError as error:
-            raise self._refusal(f"a lock that cannot be read ({error.strerror})") from error
-        holder = _holder_of(content)
-        if holder is None and age < YOUNG:
-            raise self._refusal("a lock that is just being taken")
-        if holder is not None and not holder.gone():
-            raise self._refusal(f"held by process {holder.pid} on {holder.host} since {holder.since}")
-        grave = self.folder / f".tmodes-{_place()}-{os.getpid()}-{secrets.token_hex(4)}.tmp"
-        with suppress(OSError):
-            self.path.rename(grave)
-            if grave.read_bytes() != content:
-                self.path.hardlink_to(grave)
-            grave.unlink()
+            pass  # released meanwhile
+        finally:
+            undertaker.unlink()
 
-    def _refusal(self, got: str) -> ResultFileError:
-        mend = f"wait for that run to end, or use another folder; if nothing runs there, delete {self.path}"
+    def _refuse_if_held(self) -> bytes:
+        """The content of a lock that nobody holds."""
+        content, age = self.path.read_bytes(), time.time() - self.path.stat().st_mtime
+        try:
+            holder = _Holder(**json.loads(content))
+        except (ValueError, TypeError) as error:
+            if age < YOUNG:
+                raise self._refusal("a lock that is just being taken", self.path) from error
+            return content
+        if not holder.gone():
+            raise self._refusal(f"held by process {holder.pid} on {holder.host} since {holder.since}", self.path)
+        return content
+
+    def _refusal(self, got: str, path: Path) -> ResultFileError:
+        mend = f"wait for that run to end, or use another folder; if nothing runs there, delete {path}"
         return file_error(f"folder {self.folder}", got, "a folder in which nothing else writes", mend)
-
-
-def _holder_of(content: bytes) -> _Holder | None:
-    try:
-        return _Holder(**json.loads(content))
-    except (ValueError, TypeError):
-        return None
 
 
 def _remove_orphans(folder: Path) -> None:
     """Remove temporary files of writers of this computer that were killed."""
     for path in folder.glob(f".tmodes-{_place()}-*-*.tmp"):
         pid = path.name.split("-")[2]
-        if pid.isdigit() and not _runs(int(pid)):
-            with suppress(OSError):
+        with suppress(OSError, ValueError):
+            if not _process(int(pid))[0]:
                 path.unlink()
 
 
@@ -213,48 +213,33 @@ def _place() -> str:
     return hashlib.sha256(f"{socket.gethostname()} {_pid_space()}".encode()).hexdigest()[:8]
 
 
-def _boot() -> str:
-    with suppress(OSError):
-        return Path("/proc/sys/kernel/random/boot_id").read_text().strip()
-    return ""
-
-
 def _pid_space() -> str:
     with suppress(OSError, NotImplementedError):
         return str(Path("/proc/self/ns/pid").readlink())
     return ""
 
 
-def _start_of(pid: int) -> str:
-    """When a process started, in clock ticks; empty where the system does not tell (then it is never compared)."""
+def _process(pid: int) -> tuple[bool, str]:
+    """Whether a process of this computer runs, and when it started; empty where the system does not tell."""
     with suppress(OSError, IndexError):
-        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[19]
-    return ""
-
-
-def _runs(pid: int) -> bool:
-    """Whether a process of this computer runs; a zombie does not."""
+        told = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+        return told[0] not in "ZX", told[19]  # zombies and the dead do not run
     if sys.platform == "win32":
-        return _runs_on_windows(pid)
+        return _runs_on_windows(pid), ""
     try:
-        os.kill(pid, 0)
-    except (ProcessLookupError, OverflowError):
-        return False
-    except OSError:
-        return True
-    with suppress(OSError, IndexError):
-        return Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()[0] not in "ZX"
-    return True
+        with suppress(PermissionError):  # then it runs, under another user
+            os.kill(pid, 0)
+    except (OSError, OverflowError):
+        return False, ""
+    return True, ""
 
 
 def _runs_on_windows(pid: int) -> bool:
+    """Never os.kill here: on Windows that ends the process."""
     import ctypes
 
     kernel = ctypes.windll.kernel32  # pyright: ignore[reportAttributeAccessIssue]
-    handle = kernel.OpenProcess(0x1000, False, pid)  # 0x1000: may ask whether it still runs
-    if not handle:
-        return False
-    code = ctypes.c_ulong()
+    handle, code = kernel.OpenProcess(0x1000, False, pid), ctypes.c_ulong()  # 0x1000: may ask whether it runs
     kernel.GetExitCodeProcess(handle, ctypes.byref(code))
     kernel.CloseHandle(handle)
     return code.value == 259  # 259: still active
@@ -263,8 +248,7 @@ def _runs_on_windows(pid: int) -> bool:
 def check_writable(folder: str | os.PathLike[str], bytes_needed: int) -> None:
     """Make sure, before a run, that its result can be stored: make the folder, write a probe, compare the space.
 
-    Raises :class:`ResultFileError` for a read-only folder, missing permission, a file in the way, a name too long,
-    a disk too small (with the bytes needed and the bytes free).
+    Raises :class:`ResultFileError`; for a disk too small with the bytes needed and the bytes free.
     """
     path = Path(folder)
     try:
@@ -274,12 +258,10 @@ def check_writable(folder: str | os.PathLike[str], bytes_needed: int) -> None:
             raise file_error(f"folder {path}", got, "a folder", "choose another folder, or move that file away")
         free = shutil.disk_usage(standing).free
         if free < bytes_needed:
-            got = f"a disk with {free:,} bytes free"
-            expected = f"at least {bytes_needed:,} bytes"
+            got, expected = f"a disk with {free:,} bytes free", f"at least {bytes_needed:,} bytes"
             raise file_error(f"folder {path}", got, expected, "free some space, or choose another disk, or sample less")
         path.mkdir(parents=True, exist_ok=True)
-        probe = path / f".tmodes-{_place()}-{os.getpid()}-{secrets.token_hex(4)}.tmp"
-        os.close(os.open(probe, os.O_CREAT | os.O_EXCL | os.O_WRONLY, 0o600))
-        probe.unlink()
+        with _temporary(path):
+            pass
     except (OSError, ValueError) as error:
         raise _cannot_write(f"folder {path}", error) from error

@@ -27,7 +27,7 @@ SLIPS = {
 """Factor from a unit that people write by mistake to the unit of the sheet."""
 
 FIRST_FREQUENCY = (0.05, 5e3)
-"""Range of the first bending frequency of a mode that carries everything beyond it [Hz]."""
+"""Range of the bending frequency of a mode that carries everything beyond it [Hz]."""
 
 DENSITY_OVER_MODULUS = (3e-8, 3.0)
 """Range of rho^2/E of a round rod [kg^2/(N*m^4)]: steel 3e-4, nylon 5e-4, rubber 0.3; as if round: carbon tube 1e-6."""
@@ -38,8 +38,13 @@ SAG = 1.0
 
 def implausible(robot: Robot) -> list[str]:
     """Sentences on numbers that look like a wrong unit, each with the likely factor; empty when all look right."""
-    checks = (_ranges, _motor, _sections, _carried, _inertia)
-    return [sentence for check in checks for sentence in check(robot)]
+    sentences = [*_ranges(robot), *_motor(robot), *_inertia(robot)]
+    for index, (mode, mass) in enumerate(_carried(robot)):
+        name = f"link.modes.{index}"
+        if not any(sentence.startswith(name) for sentence in sentences):
+            found = (*_section(name, mode), *_sag(name, mode, mass, robot.gravity), *_frequency(name, mode, mass))
+            sentences.extend(found[:1])
+    return sentences
 
 
 def _ranges(robot: Robot) -> Iterator[str]:
@@ -67,42 +72,42 @@ def _motor(robot: Robot) -> Iterator[str]:
         )
 
 
-def _sections(robot: Robot) -> Iterator[str]:
+def _carried(robot: Robot) -> Iterator[tuple[FlexibleMode, float]]:
+    """Each mode that bends, and the mass at its tip and beyond [kg]."""
+    first, second = robot.link.modes
+    beyond = second.tip_mass + robot.payload.mass
+    yield first, first.tip_mass + beyond
+    yield second, beyond
+
+
+def _section(name: str, mode: FlexibleMode) -> Iterator[str]:
     """A round rod has w^2/(4 pi EI) = rho^2/E whatever its thickness; tubes and strips are not far from it."""
+    if math.isinf(mode.bending_stiffness):
+        return
     low, high = DENSITY_OVER_MODULUS
-    for index, mode in enumerate(robot.link.modes):
-        ratio = mode.mass_per_length**2 / (4 * math.pi * mode.bending_stiffness)
-        if ratio > high:
-            likely = "mass_per_length in g/m (factor 0.001), or E in MPa or GPa (factor 1e+06 or 1e+09)"
-        elif 0 < ratio < low:
-            likely = "bending_stiffness in N*mm^2 (factor 1e-06), or mass_per_length in kg/mm (factor 1000)"
-        else:
-            continue
+    ratio = mode.mass_per_length**2 / (4 * math.pi * mode.bending_stiffness)
+    heavy = "mass_per_length in g/m (factor 0.001), or E in MPa or GPa (factor 1e+06 or 1e+09)"
+    stiff = "bending_stiffness in N*mm^2 (factor 1e-06), or mass_per_length in kg/mm (factor 1000)"
+    if not low <= ratio <= high:
         yield (
-            f"link.modes.{index}: a rod with bending_stiffness = {mode.bending_stiffness:g} N*m^2 and mass_per_length "
-            f"= {mode.mass_per_length:g} kg/m is of no known material; was {likely} meant?"
+            f"{name}: a rod with bending_stiffness = {mode.bending_stiffness:g} N*m^2 and mass_per_length "
+            f"= {mode.mass_per_length:g} kg/m is of no known material; was {heavy if ratio > high else stiff} meant?"
         )
 
 
-def _carried(robot: Robot) -> Iterator[str]:
-    """A mode bends under what it carries, but not by a radian at rest, and neither minutes long nor in ultrasound."""
-    first, second = robot.link.modes
-    loads = (first.tip_mass + second.tip_mass + robot.payload.mass, second.tip_mass + robot.payload.mass)
-    for index, (mode, mass) in enumerate(zip(robot.link.modes, loads, strict=True)):
-        if not math.isinf(mode.bending_stiffness):
-            yield from _bending(f"link.modes.{index}", mode, mass, robot.gravity)
-
-
-def _bending(name: str, mode: FlexibleMode, mass: float, gravity: float) -> Iterator[str]:
-    low, high = FIRST_FREQUENCY
-    frequency = math.sqrt(mode.tip_stiffness / mass) / (2 * math.pi)
+def _sag(name: str, mode: FlexibleMode, mass: float, gravity: float) -> Iterator[str]:
     sag = mass * gravity / (mode.tip_stiffness * mode.length)
-    if not low <= frequency <= high:
-        usual = f"outside the usual {low:g} to {high:g} Hz"
-        yield f"{name} bends at {frequency:.3g} Hz, {usual}; are length, EI and masses in SI units?"
     if sag > SAG:
         likely = "masses in g (factor 0.001), lengths in mm (factor 0.001), or E in MPa or GPa (factor 1e+06 or 1e+09)"
-        yield f"{name} sags by {sag:.3g} rad under the weight of {mass:.3g} kg; was {likely} meant?"
+        yield f"{name} sags by {sag:.3g} rad under the weight of {mass:.3g} kg; were {likely} meant?"
+
+
+def _frequency(name: str, mode: FlexibleMode, mass: float) -> Iterator[str]:
+    low, high = FIRST_FREQUENCY
+    frequency = math.sqrt(mode.tip_stiffness / mass) / (2 * math.pi)
+    if not low <= frequency <= high and not math.isinf(frequency):
+        usual = f"outside the usual {low:g} to {high:g} Hz"
+        yield f"{name} bends at {frequency:.3g} Hz, {usual}; are its length, EI and masses in SI units?"
 
 
 def _inertia(robot: Robot) -> Iterator[str]:

@@ -9,7 +9,6 @@ from tmodes.robot import Robot
 __all__ = ["json_schema"]
 
 WITH_UNIT = {"type": "string", "description": 'a number with its unit in quotes, such as "600 mm"'}
-INFINITE = {"const": ".inf", "description": "infinite: rigid, by wish"}
 
 
 def json_schema() -> dict[str, Any]:

@@ -10,8 +10,8 @@ from typing import Any
 
 from tmodes.elements.quantity import LARGEST
 from tmodes.errors import InputError
-from tmodes.io.words import nearest, shown, shown_path
 from tmodes.io.files import read_bytes
+from tmodes.io.words import nearest, shown, shown_path
 
 __all__ = ["read_states"]
 
@@ -21,6 +21,7 @@ MOST_BRACKETS = 4_000_000
 
 GIVEN = ("phi", "phid", "u")
 """What a record must hold: angles [rad], angular velocities [rad/s], motor voltage [V]."""
+NEEDED = set(GIVEN)
 
 ANSWERS = (
     *("H", "h", "f_el", "f_di", "Q", "tip", "J", "phidd", "F_tip_on_environment"),
@@ -111,42 +112,48 @@ class _Record:
     """One record and its place in the file."""
 
     def __init__(self, data: Any, index: int, source: str) -> None:
-        self.data, self.source = data, source
-        self.which = f"record {index}"
+        self.data, self.index, self.source = data, index, source
+
+    def error(self, field: str, got: str, expected: str, mend: str) -> InputError:
+        """An error of ours about a field of this record."""
+        which = f"record {self.index}"
+        return InputError(f"{which}: {field}" if field else which, got, expected, mend, self.source)
 
     def read(self, coordinates: int) -> dict[str, Any]:
         """The numbers that are needed, as floats."""
         if not isinstance(self.data, Mapping):
-            mend = 'write {"phi": [...], "phid": [...], "u": 0.0}'
-            raise InputError(self.which, shown(self.data), "a record with the keys phi, phid, u", mend, self.source)
-        _check_keys(self.data, GIVEN, ANSWERS, self.which, self.source)
-        self._check_answers()
-        return {
-            "phi": self._list("phi", coordinates),
-            "phid": self._list("phid", coordinates),
-            "u": self._number("u", self.data["u"]),
-        }
+            expected, mend = "a record with the keys phi, phid, u", 'write {"phi": [...], "phid": [...], "u": 0.0}'
+            raise self.error("", shown(self.data), expected, mend)
+        if isinstance(self.data, _Repeated) or self.data.keys() != NEEDED:
+            _check_keys(self.data, GIVEN, ANSWERS, f"record {self.index}", self.source)
+            self._check_answers()
+        phi, phid = self._list("phi", coordinates), self._list("phid", coordinates)
+        if not _is_number(self.data["u"]):
+            raise self._no_number("u", self.data["u"])
+        return {"phi": phi, "phid": phid, "u": float(self.data["u"])}
 
     def _list(self, key: str, length: int) -> list[float]:
         values = self.data[key]
         if not isinstance(values, list) or len(values) != length:
-            mend = "give one number per coordinate"
-            raise InputError(f"{self.which}: {key}", shown(values), f"a list of {length} numbers", mend, self.source)
-        return [self._number(f"{key}[{index}]", value) for index, value in enumerate(values)]
+            raise self.error(key, shown(values), f"a list of {length} numbers", "give one number per coordinate")
+        for index, value in enumerate(values):
+            if not _is_number(value):
+                raise self._no_number(f"{key}[{index}]", value)
+        return [*map(float, values)]
 
-    def _number(self, field: str, value: Any) -> float:
-        if isinstance(value, (int, float)) and not isinstance(value, bool) and abs(value) <= LARGEST:
-            return float(value)
-        expected, mend = f"a number of magnitude at most {LARGEST:g}", "write a finite number"
-        raise InputError(f"{self.which}: {field}", shown(value), expected, mend, self.source)
+    def _no_number(self, field: str, value: Any) -> InputError:
+        return self.error(field, shown(value), f"a number of magnitude at most {LARGEST:g}", "write a finite number")
 
     def _check_answers(self) -> None:
         """Answers are not read, but a file that holds NaN or infinity is no JSON."""
-        for key in self.data.keys() - GIVEN:
+        for key in self.data.keys() - NEEDED:
             for value in _leaves(self.data[key]):
                 if isinstance(value, float) and not math.isfinite(value):
-                    mend = "write finite numbers, or leave the field out"
-                    raise InputError(f"{self.which}: {key}", shown(value), "finite numbers", mend, self.source)
+                    raise self.error(key, shown(value), "finite numbers", "write finite ones, or leave the field out")
+
+
+def _is_number(value: Any) -> bool:
+    return type(value) in (float, int) and -LARGEST <= value <= LARGEST
 
 
 def _leaves(value: Any) -> Iterator[Any]:

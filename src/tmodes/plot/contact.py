@@ -45,7 +45,7 @@ def contact_force(result: Result, ax: AxesLike = None) -> list[Axes]:
         panel.set_ylabel(f"radial force [{unit.name}]")
         time_axis(panel, data["time"].values)
     _from_zero(axes[0])
-    axes[0].text(0.03, 0.06, _told(unit.of(real), unit.name), transform=axes[0].transAxes, fontsize=7.5)
+    axes[0].text(0.03, 0.5, _told_constant(unit.of(real), unit.name), transform=axes[0].transAxes, fontsize=7.5)
     _components(axes[2], data)
     shared_legend(axes[0])
     letter(axes, ("Radial force, from zero", "Radial force, close-up", "Components, by the tip on the environment"))
@@ -58,15 +58,15 @@ def _from_zero(panel: Axes) -> None:
     panel.set_ylim(low - room if low < 0 else 0.0, high + room)
 
 
-def _told(force: Any, unit: str) -> str:
-    """The range in words; a force that hardly varies is told to be nearly constant."""
+def _told_constant(force: Any, unit: str) -> str:
+    """The true range in words when the force hardly varies, so that no one takes the close-up for a large change."""
     low, high = float(np.min(force)), float(np.max(force))
     largest = max(abs(low), abs(high))
+    if high - low >= NEARLY_CONSTANT * largest:
+        return ""
     digits = int(np.clip(2 - np.floor(np.log10(max(high - low, 1e-9))), 2, 6))
-    words = f"real: {low:.{digits}f} to {high:.{digits}f} {unit}"
-    if 0 < high - low < NEARLY_CONSTANT * largest:
-        words += f",\nnearly constant: within {100 * (high - low) / largest:.2g} %"
-    return words
+    share = f"within {100 * (high - low) / largest:.2g} %"
+    return f"nearly constant, {share}:\n{low:.{digits}f} to {high:.{digits}f} {unit}"
 
 
 def _components(panel: Axes, data: Any) -> None:

@@ -62,25 +62,25 @@ FIGURES: dict[str, FigureEntry] = {
         FigureEntry(
             tip_tracking,
             "Tip and deviation from the reference",
-            "Where the curves of (a–c) part, the tip leaves its reference; (d) shows by how much, when and in which direction.",
+            "Where the curves of (a–c) part, the tip leaves its reference; (d) shows by how much, when and which way.",
         ),
         FigureEntry(
             contact_force,
             "Contact force",
-            "The radial force from zero (a) and in close-up (b): judge the size of its changes by (a), their course by (b).",
+            "The radial force from zero (a) and in close-up (b): (a) tells how large its changes are, (b) their way.",
             no_contact_force,
         ),
         FigureEntry(
             deformations,
             "Elastic deformations",
-            "Compare mode 1 with mode 2 (note the scales), the vertical angles with their sag at the start, and the gear "
-            "(e) with its reference.",
+            "Compare mode 1 with mode 2 (note the scales), the vertical angles with their sag at the start, and the "
+            "gear (e) with its reference.",
         ),
         FigureEntry(
             spectrum,
             "Vibration within vibration",
-            "Peaks stand on the frequencies of the controlled robot (dotted); the slow ones rule the angles (a), the fast "
-            "ones show better in the acceleration (b).",
+            "Peaks stand on the frequencies of the controlled robot (dotted); the slow ones rule the angles (a), the "
+            "fast ones show better in the acceleration (b).",
             no_spectrum,
         ),
         FigureEntry(
@@ -92,7 +92,7 @@ FIGURES: dict[str, FigureEntry] = {
         FigureEntry(
             mode_deflection,
             "Deflection of each mode",
-            "How far each mode bends from its root's tangent; curves that lie together mean a shape that hardly changes.",
+            "How far each mode bends from its root's tangent; where curves lie together the shape hardly changes.",
         ),
         FigureEntry(
             stationary_oscillatory,

@@ -9,6 +9,7 @@ import numpy as np
 
 from tmodes.errors import InputError
 from tmodes.plot.style import INK, QUIET, new_figure
+from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -44,14 +45,16 @@ def letter(axes: Iterable[Axes], titles: Iterable[str], pad: float | None = None
 
 
 def time_axis(panel: Axes, times: Any, label: bool = True) -> None:
-    """Time along x over the whole run [s], also for a run of a single sample."""
-    from matplotlib.ticker import MaxNLocator
+    """Time along x over the whole run, in a unit that reads well; also for a run of a single sample."""
+    from matplotlib.ticker import FuncFormatter, MaxNLocator
 
     first, last = float(times[0]), float(times[-1])
+    unit = readable("s", last)
     panel.set_xlim(first, last if last > first else first + 1e-3)
     panel.xaxis.set_major_locator(MaxNLocator(nbins=5, steps=[1, 2, 5, 10]))
+    panel.xaxis.set_major_formatter(FuncFormatter(lambda time, _: f"{time * unit.factor:.6g}"))
     if label:
-        panel.set_xlabel("time $t$ [s]")
+        panel.set_xlabel(f"time $t$ [{unit.name}]")
 
 
 def side_legend(panel: Axes) -> None:

@@ -76,7 +76,7 @@ def spectrum(
     _lines(axes[1], {r"$\ddot q$": acceleration}, step, highest, "rad/s^2")
     span = f"{float(part['time'][0]):g} to {float(part['time'][-1]):g} s"
     axes[1].set_xlabel("frequency [Hz]")
-    modes = json.loads(result.data.attrs["frequencies"])["controlled"]
+    modes = json.loads(result.data.attrs["frequencies"]).get("controlled", [])
     for panel in axes:
         mark_frequencies(panel, modes, highest)
     letter(axes, (f"Horizontal bending angles, {span}", f"Acceleration of mode 1's azimuth, {span}"), pad=38)

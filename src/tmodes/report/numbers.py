@@ -76,7 +76,8 @@ def _angle(told: dict[str, dict[str, float | None]]) -> tuple[str, str, str]:
 
 
 def _moment(told: dict[str, Any]) -> tuple[str, str, str]:
-    where = f"{told['plane']} plane, mode {str(told['mode'])[-1]}, x/l = {told['s']:.2g}, at {told['time_s']:.3g} s"
+    place = "at the root" if told["s"] == 0 else f"at {100 * told['s']:.3g}\u00a0% of its length"
+    where = f"mode {str(told['mode'])[-1]}, {place}, {told['plane']} plane, at {told['time_s']:.3g}\u00a0s"
     return "Largest bending moment", written(abs(told["value_Nm"]), "N m"), where
 
 
@@ -93,7 +94,9 @@ def _contact(told: dict[str, float] | None) -> tuple[str, str, str]:
 
 def _energy(told: dict[str, Any]) -> tuple[str, str, str]:
     share = told["worst_residual_over_moved"]
-    note = f"worst residual, {power_of_ten(told['worst_residual_J'])} J, over {written(told['moved_J'], 'J')} moved"
+    note = (
+        f"worst residual, {power_of_ten(told['worst_residual_J'])}\u00a0J, over {written(told['moved_J'], 'J')} moved"
+    )
     return "Energy balance", "nothing moved" if share is None else power_of_ten(share), note
 
 
@@ -102,7 +105,7 @@ def power_of_ten(value: float) -> str:
     if value == 0.0:
         return "0"
     digits, _, power = f"{value:.1e}".partition("e")
-    return f"{digits} × 10{str(int(power)).translate(SUPERSCRIPT)}"
+    return f"{digits}\u00a0×\u00a010{str(int(power)).translate(SUPERSCRIPT)}"
 
 
 def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:

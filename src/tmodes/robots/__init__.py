@@ -5,6 +5,7 @@ from __future__ import annotations
 import os
 from collections.abc import Mapping
 from importlib import resources
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError
@@ -43,19 +44,14 @@ def load_robot(name_or_path: str | os.PathLike[str], changes: Mapping[str, Any] 
     if name_or_path in names():
         source = f"{name_or_path}.yaml"
         data, positions = parse_yaml(text(str(name_or_path)), source)
-    elif _is_a_name(name_or_path):
-        raise _unknown(os.fspath(name_or_path))
-    else:
+    elif os.path.lexists(name_or_path):
         source = shown_path(name_or_path)
         data, positions = read_yaml(name_or_path)
+    else:
+        raise _unknown(shown_path(name_or_path))
     changes = changes or {}
     lines = {path: line for path, line in positions.items() if not _is_changed(path, changes)}
-    return robot_from_data(set_paths(data, changes), lines, source)
-
-
-def _is_a_name(name_or_path: str | os.PathLike[str]) -> bool:
-    """A word without a suffix or a folder that is no file either."""
-    return isinstance(name_or_path, str) and name_or_path.isidentifier() and not os.path.lexists(name_or_path)
+    return robot_from_data(set_paths(data, changes), lines | dict.fromkeys(changes, 0), source)
 
 
 def _is_changed(path: str, changes: Mapping[str, Any]) -> bool:
@@ -65,6 +61,6 @@ def _is_changed(path: str, changes: Mapping[str, Any]) -> bool:
 def _unknown(name: str) -> InputError:
     from tmodes.io.words import nearest, shown
 
-    close = nearest(name, names())
-    mend = f"did you mean `{close}`?" if close else "give the path of a data sheet, such as ./my.yaml"
-    return InputError("robot", shown(name), f"one of {', '.join(names())}, or the path of a file", mend)
+    close = nearest(Path(name).stem, names())
+    mend = f"did you mean `{close}`?" if close else "check the path and its spelling"
+    return InputError("robot", shown(name), f"one of {', '.join(names())}, or the path of a file that exists", mend)

@@ -1,0 +1,51 @@
+"""All terms of the equations at many states, as plain records."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+
+from tmodes.equations.layout import EVALUATED
+from tmodes.errors import SimulationError
+from tmodes.mechanism import Drive
+from tmodes.model import Model
+from tmodes.robot import Robot
+
+__all__ = ["evaluate_states"]
+
+
+def evaluate_states(robot: Robot, records: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+    """Each record (phi (6,), phid (6,), u [V]) with the terms of :data:`tmodes.equations.layout.EVALUATED`.
+
+    The tip force is left out in free space. Raises :class:`SimulationError` naming the state where a term is not
+    finite (the tip over the base, say).
+    """
+    if not records:
+        return []
+    mechanism, parameters = robot.split(Drive.VOLTAGE)
+    phi, phid, voltage = ([record[key] for record in records] for key in ("phi", "phid", "u"))
+    terms = Model(mechanism).evaluate(phi, phid, voltage, parameters)
+    names = [name for name in EVALUATED if mechanism.contact or name != "F_tip_on_environment"]
+    for name in names:
+        _check_finite(name, terms[name])
+    return [
+        {
+            **{key: record[key] for key in ("phi", "phid", "u")},
+            "reading": mechanism.reading.value,
+            **{name: terms[name][index].tolist() for name in names},
+        }
+        for index, record in enumerate(records)
+    ]
+
+
+def _check_finite(name: str, values: Any) -> None:
+    finite = np.isfinite(values).reshape(len(values), -1).all(axis=1)
+    if finite.all():
+        return
+    index = int(np.argmin(finite))
+    raise SimulationError(
+        f"states[{index}]: {name} is not finite there; expected a state at which the equations hold. Mend: keep the tip "
+        "away from the vertical through the base and from the base itself, and the rates below 1e100"
+    )

@@ -1,0 +1,83 @@
+"""The command ``tmodes``: parses the line, runs one command, and turns every error into a sentence and an exit code."""
+
+from __future__ import annotations
+
+import os
+import sys
+from typing import Annotated
+
+import typer
+
+from tmodes.cli.check import check
+from tmodes.cli.evaluate import evaluate
+from tmodes.cli.modes import modes
+from tmodes.cli.robots import robots
+from tmodes.cli.run import run
+from tmodes.cli.schema import schema
+from tmodes.errors import TmodesError
+
+__all__ = ["app", "main"]
+
+INTERRUPTED = 130
+
+app = typer.Typer(
+    name="tmodes",
+    no_args_is_help=True,
+    add_completion=False,
+    pretty_exceptions_enable=False,
+    help="Model, simulate and control robots that bend: elastic gears, flexible links, a tip that touches the world.",
+    epilog="Start with:  tmodes run filipovic2010      Your own robot:  tmodes robots filipovic2010 > my.yaml   "
+    "then  tmodes check my.yaml  and  tmodes run my.yaml      Exit codes: 0 done, 2 wrong input, 3 the run failed, "
+    "4 a file cannot be read or written, 5 compiler trouble, 130 interrupted.",
+)
+for command, name in (
+    (run, "run"), (robots, "robots"), (check, "check"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
+):  # fmt: skip
+    app.command(name)(command)
+
+
+def _version(wanted: bool) -> None:
+    if wanted:
+        from tmodes import __version__
+
+        typer.echo(f"tmodes {__version__}")
+        raise typer.Exit
+
+
+@app.callback()
+def _options(
+    version: Annotated[bool, typer.Option("--version", callback=_version, is_eager=True, help="Show it.")] = False,
+) -> None:
+    del version
+
+
+def main() -> None:
+    """Run the command line; ends the process with its exit code, never with a traceback for what a user can mend."""
+    try:
+        code = app(standalone_mode=False)
+        sys.stdout.flush()
+    except TmodesError as error:
+        _say(f"tmodes: {error}")
+        code = error.exit_code
+    except typer.TyperException as error:
+        error.show()
+        code = error.exit_code
+    except (KeyboardInterrupt, typer.Abort):
+        _say("tmodes: interrupted")
+        code = INTERRUPTED
+    except BrokenPipeError:
+        # The reader of our output went away (| head): nothing to say, and nowhere to say it.
+        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
+        code = 0
+    except MemoryError:
+        _say("tmodes: the memory is used up. Mend: raise integration.output_step or shorten integration.duration")
+        code = 3
+    sys.exit(code or 0)
+
+
+def _say(text: str) -> None:
+    print(text, file=sys.stderr)
+
+
+if __name__ == "__main__":
+    main()

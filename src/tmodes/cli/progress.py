@@ -1,0 +1,54 @@
+"""Progress of work that takes longer than two seconds: a bar on a terminal, now and then a line elsewhere."""
+
+from __future__ import annotations
+
+import sys
+import time as clock
+from types import TracebackType
+from typing import Any, Self
+
+__all__ = ["Stages"]
+
+PATIENCE = 1.5
+"""Seconds of silence before progress is shown."""
+
+LINE_EVERY = 10.0
+"""Seconds between lines where there is no terminal."""
+
+
+class Stages:
+    """``with Stages() as tell: tell("reference", 0.3)``; nothing is shown for short work."""
+
+    def __init__(self, quiet: bool = False) -> None:
+        self._quiet = quiet
+        self._started = self._last_line = clock.monotonic()
+        self._bar: Any = None
+        self._tasks: dict[str, Any] = {}
+
+    def __enter__(self) -> Self:
+        return self
+
+    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None) -> None:
+        if self._bar:
+            self._bar.stop()
+
+    def __call__(self, stage: str, share: float) -> None:
+        now = clock.monotonic()
+        if self._quiet or now - self._started < PATIENCE:
+            return
+        if sys.stderr.isatty():
+            self._draw(stage, share)
+        elif now - self._last_line >= LINE_EVERY:
+            self._last_line = now
+            print(f"{stage}: {share:.0%} after {now - self._started:.0f} s", file=sys.stderr, flush=True)
+
+    def _draw(self, stage: str, share: float) -> None:
+        if self._bar is None:
+            from rich.console import Console
+            from rich.progress import Progress
+
+            self._bar = Progress(console=Console(stderr=True), transient=True)
+            self._bar.start()
+        if stage not in self._tasks:
+            self._tasks[stage] = self._bar.add_task(stage, total=1.0)
+        self._bar.update(self._tasks[stage], completed=share)

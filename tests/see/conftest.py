@@ -1,0 +1,53 @@
+"""Results to look at: as they should be, and as they come on a bad day."""
+
+from __future__ import annotations
+
+import json
+
+import pytest
+
+from result.synthetic import synthetic_result
+from tmodes.result import Result
+
+NASTY = """<script>alert("1")</script> & 'x' <img src=x onerror=alert(2)> ]]> --> &amp; {braces} %s"""
+"""A text that breaks pages that do not escape."""
+
+
+def failed_result(name: str = NASTY) -> Result:
+    """A run in free space that diverged after three samples, with every text nasty."""
+    data = synthetic_result(contact=False).data.isel(time=slice(0, 3)).copy()
+    robot = json.loads(data.attrs["robot"]) | {"name": name, "title": name, "citation": name}
+    data.attrs |= {
+        "robot": json.dumps(robot),
+        "status": "diverged",
+        "message": f"theta is not finite at t = 0.003 s. {name}",
+        "warnings": json.dumps([f"Energy grew. {name}"]),
+        "versions": json.dumps({name: name}),
+    }
+    return Result(data)
+
+
+RESULTS = {
+    "contact": synthetic_result,
+    "free": lambda: synthetic_result(contact=False),
+    "one second": lambda: synthetic_result(duration=1.0, samples=1001),
+    "three samples": failed_result,
+}
+
+
+@pytest.fixture(scope="session", params=RESULTS)
+def result(request: pytest.FixtureRequest) -> Result:
+    """Each of the results in turn."""
+    return RESULTS[request.param]()
+
+
+@pytest.fixture(scope="session")
+def good() -> Result:
+    """A finished run in contact."""
+    return synthetic_result()
+
+
+@pytest.fixture(scope="session")
+def failed() -> Result:
+    """A run that diverged after three samples, with every text nasty."""
+    return failed_result()
