@@ -14,9 +14,9 @@ from tmodes.analysis.energy import balance
 from tmodes.analysis.stability import StepVerdict
 from tmodes.equations.coordinates import deformations
 from tmodes.equations.layout import COORDINATES, DEFORMATIONS, LINE, WORKS
+from tmodes.regime import Regime
 from tmodes.result import RESULT_FORMAT, Result
 from tmodes.robot import NominalRealPair
-from tmodes.simulate import Regime
 
 __all__ = ["assemble"]
 

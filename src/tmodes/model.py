@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.compile import kernels
-from tmodes.equations.coordinates import deformation_basis, free_columns, free_deformations
+from tmodes.equations.coordinates import basis, deformation_basis, free_columns, free_deformations
 from tmodes.equations.layout import COORDINATES, EVALUATED, LINE, OBSERVED, STATE_SIZE
 from tmodes.errors import SimulationError
 from tmodes.mechanism import Drive, Mechanism, Parameters
@@ -18,6 +18,8 @@ from tmodes.mechanism import Drive, Mechanism, Parameters
 __all__ = ["Model"]
 
 Array = NDArray[np.float64]
+
+_NEWTON_STEPS = 30
 
 
 @dataclass(frozen=True)
@@ -66,36 +68,41 @@ class Model:
 
         ``gross`` (n, 6): theta, theta', theta'', tip force. Raises :class:`SimulationError` where there is no root.
         """
-        gross = _rows(gross, 6)
+        return self._static_root("quasistatic", _rows(gross, 6), parameters)
+
+    def rest(self, theta: float, parameters: Parameters) -> Array:
+        """State of rest at a motor angle, shape (17,): gravity and the touched environment in balance with the arm."""
+        angles = self._static_root("rest", _rows(theta, 1), parameters)[0]
+        state = np.zeros(STATE_SIZE)
+        state[:6] = theta * basis()[:, 0] + deformation_basis() @ angles
+        return state
+
+    def _static_root(self, name: str, loads: Array, parameters: Parameters) -> Array:
         free = free_deformations(self.mechanism.rigid)
-        angles = np.zeros((len(gross), 5))
+        angles = np.zeros((len(loads), 5))
         if not free:
             return angles
-        for _ in range(30):
-            out = _sampled(self._statics["quasistatic"], parameters, [angles, gross], 30)
+        for _ in range(_NEWTON_STEPS):
+            out = _sampled(self._statics[name], parameters, [angles, loads], 30)
             matrix = out[:, 5:].reshape(-1, 5, 5).transpose(0, 2, 1)[:, free][:, :, free]
-            step = np.linalg.solve(matrix, out[:, :5][:, free, None])[..., 0]
+            try:
+                step = np.linalg.solve(matrix, out[:, :5][:, free, None])[..., 0]
+            except np.linalg.LinAlgError:
+                break
             angles[:, free] -= step
             if np.abs(step).max() <= 1e-14 + 1e-12 * np.abs(angles).max():
                 return angles
         raise SimulationError(
-            "gravity sag: no equilibrium found within 30 Newton steps; expected a link that carries its own load. "
-            "Mend: raise gear.stiffness or the bending_stiffness of the modes, or lower payload.mass or gravity"
+            f"static deflection: got no equilibrium within {_NEWTON_STEPS} Newton steps; expected a link that carries "
+            "its own load. Mend: raise gear.stiffness or the bending_stiffness of the modes, or lower payload.mass, "
+            "gravity or environment.preload"
         )
-
-    def rest(self, theta: float, parameters: Parameters) -> Array:
-        """State of rest in the robot's own gravity equilibrium at a motor angle, shape (17,)."""
-        angles = self.quasistatic([[theta, 0, 0, 0, 0, 0]], parameters)[0]
-        state = np.zeros(STATE_SIZE)
-        state[:6] = theta * np.array([1, 0, 1, 0, 0, 1]) + deformation_basis() @ angles
-        return state
 
     def check_mass_matrix(self, state: ArrayLike, parameters: Parameters) -> None:
         """Raise :class:`SimulationError`, naming the coordinate, where the mass matrix is singular at a state."""
-        state = np.asarray(state, dtype=float)
-        mass = self.evaluate(state[:6], state[6:12], [0.0], parameters)["H"][0]
+        mass = self.linearised(np.asarray(state)[:6], parameters)[0]
         directions = free_columns(self.mechanism.rigid, self.mechanism.drive is Drive.PRESCRIBED)
-        reduced = directions.T @ mass @ directions
+        reduced = directions.T @ (mass + mass.T) / 2 @ directions
         scale = np.sqrt(np.abs(np.diagonal(reduced)))
         scale[scale == 0] = 1.0
         values, vectors = np.linalg.eigh(reduced / np.outer(scale, scale))
@@ -149,11 +156,11 @@ class Model:
     @cached_property
     def _statics(self) -> Any:
         def make() -> dict[str, Any]:
-            from tmodes.equations.statics import quasistatic_function
+            from tmodes.equations.statics import quasistatic_function, rest_function
 
-            return {"quasistatic": quasistatic_function(self.mechanism)}
+            return {"quasistatic": quasistatic_function(self.mechanism), "rest": rest_function(self.mechanism)}
 
-        return kernels.sample_functions("statics", self.mechanism.arm_key, make, {"quasistatic": 2})
+        return kernels.sample_functions("statics", self.mechanism.arm_key, make, {"quasistatic": 2, "rest": 2})
 
     @cached_property
     def _evaluation(self) -> Any:

@@ -33,7 +33,7 @@ FORMAT = 1
 PLANT = ("gravity", "motor", "gear", "link", "payload", "environment", "controller")
 """The groups whose numbers are inputs of the equations."""
 
-FACTOR = not_negative("-", "-", "factor of the real robot on the known value")
+FACTOR = not_negative("-", "-", "factor of the real robot on the known value", at_most=1e6)
 """An entry of ``real``: zero takes a damping or a payload away."""
 
 

@@ -9,7 +9,7 @@ from typing import Any, Self
 
 from tmodes.compile.cache import source_digest
 from tmodes.errors import ResultFileError
-from tmodes.integrate.trajectory import sample_times
+from tmodes.trajectory import sample_times
 from tmodes.io.atomic import FolderLock, check_writable
 from tmodes.io.checkpoint import run_identity
 from tmodes.io.journal import RunJournal

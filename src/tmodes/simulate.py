@@ -6,36 +6,21 @@ pair -> reference regime (nominal robot, motor follows theta_o exactly) -> contr
 from __future__ import annotations
 
 from collections.abc import Callable
-from dataclasses import dataclass
 from typing import TYPE_CHECKING
-
-import numpy as np
-from numpy.typing import NDArray
 
 from tmodes.analysis.modes import all_modes, closed_loop_eigenvalues
 from tmodes.analysis.stability import step_size_verdict
-from tmodes.integrate.trajectory import Journal, Trajectory, integrate
-from tmodes.mechanism import Drive, Parameters
-from tmodes.model import Model
+from tmodes.mechanism import Drive
+from tmodes.regime import run_regime
 from tmodes.robot import NominalRealPair, Robot
+from tmodes.trajectory import Journal
 
 if TYPE_CHECKING:
     from tmodes.result import Result
 
-__all__ = ["Regime", "simulate"]
+__all__ = ["simulate"]
 
 Progress = Callable[[str, float], None]
-
-
-@dataclass(frozen=True)
-class Regime:
-    """One robot in motion: its model, its numbers, and the trajectory that it took."""
-
-    robot: Robot
-    model: Model
-    parameters: Parameters
-    rows: NDArray[np.float64]
-    trajectory: Trajectory
 
 
 def simulate(
@@ -60,20 +45,3 @@ def simulate(
     result = assemble(pair, reference, real, all_modes(pair.real, contact=False), verdict)
     progress("gathering", 1.0)
     return result
-
-
-def run_regime(
-    robot: Robot,
-    drive: Drive,
-    progress: Callable[[float], None] = lambda share: None,
-    journals: Callable[[str], Journal | None] = lambda stage: None,
-) -> Regime:
-    """Run one robot from rest in its own gravity equilibrium, its motor controlled or following theta_o exactly."""
-    mechanism, parameters = robot.split(drive)
-    model = Model(mechanism)
-    schedule = robot.reference.schedule()
-    start = model.rest(robot.reference.start, parameters)
-    model.check_mass_matrix(start, parameters)
-    trajectory = integrate(model, parameters, schedule, start, robot.integration, progress, journals(drive.value))
-    rows = schedule.until(robot.integration.duration).rows_at(trajectory.times)
-    return Regime(robot, model, parameters, rows, trajectory)

@@ -28,6 +28,13 @@ def test_pipeline_is_the_same_everywhere() -> None:
     assert line in (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").splitlines()
 
 
+def test_every_command_is_in_the_table() -> None:
+    from tmodes.cli.main import app
+
+    told = set(re.findall(r"^\| `tmodes (\w+)", README, re.MULTILINE))
+    assert told == {command.name for command in app.registered_commands}
+
+
 def test_there_is_an_example() -> None:
     assert EXAMPLES
 

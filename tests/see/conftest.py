@@ -3,10 +3,14 @@
 from __future__ import annotations
 
 import json
+from pathlib import Path
 
 import pytest
 
 from result.synthetic import synthetic_result
+from tmodes.plot import drawings
+from tmodes.plot.save import Drawing
+from tmodes.report import write_report
 from tmodes.result import Result
 
 NASTY = """<script>alert("1")</script> & 'x' <img src=x onerror=alert(2)> ]]> --> &amp; {braces} %s"""
@@ -45,6 +49,24 @@ def result(request: pytest.FixtureRequest) -> Result:
 def good() -> Result:
     """A finished run in contact."""
     return synthetic_result()
+
+
+@pytest.fixture(scope="session")
+def drawn_figures(good: Result) -> dict[str, Drawing]:
+    """The figures of the good run, each rendered once for all tests."""
+    return drawings(good)
+
+
+@pytest.fixture(scope="session")
+def reports(
+    tmp_path_factory: pytest.TempPathFactory, good: Result, failed: Result, drawn_figures: dict[str, Drawing]
+) -> dict[str, Path]:
+    """The report of a finished and of a failed run, in a folder whose name needs escaping."""
+    folder = tmp_path_factory.mktemp("a report & more – ü")
+    return {
+        "good": write_report(good, folder / "good.html", drawn_figures),
+        "failed": write_report(failed, folder / "failed.html"),
+    }
 
 
 @pytest.fixture(scope="session")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import re
+from typing import Any
 
 import matplotlib as mpl
 import numpy as np
@@ -20,6 +21,11 @@ from tmodes.plot.shape import elastic_line, instants, round_factor
 from tmodes.result import Result
 
 UNIT = re.compile(r"\[(n|µ|m|k)?(m|rad|rad/s²|N|N·m|J|V|A|s|Hz)\]$")
+
+
+def heights(line: Any) -> np.ndarray:
+    """The y values of a curve."""
+    return np.asarray(line.get_ydata(), dtype=float)
 
 
 def drawn(axes: list) -> None:
@@ -76,12 +82,12 @@ def test_the_users_settings_are_neither_used_nor_changed(good: Result) -> None:
 def test_values_are_those_of_the_result_in_the_unit_that_is_written(good: Result) -> None:
     panel = plot.tip_tracking(good)[3]
     assert panel.get_ylabel() == "deviation [mm]"
-    np.testing.assert_allclose(panel.lines[0].get_ydata(), good.data["deviation"] * 1e3)
+    np.testing.assert_allclose(heights(panel.lines[0]), good.data["deviation"] * 1e3)
     east = good.data["tip"].sel(axis="x") - good.data["tip_reference"].sel(axis="x")
-    np.testing.assert_allclose(panel.lines[1].get_ydata(), east * 1e3)
+    np.testing.assert_allclose(heights(panel.lines[1]), east * 1e3)
     gear = plot.deformations(good)[4]
     assert gear.get_ylabel() == r"$\xi$ [mrad]"
-    np.testing.assert_allclose(gear.lines[0].get_ydata(), good.data["deformation"][:, 4] * 1e3)
+    np.testing.assert_allclose(heights(gear.lines[0]), good.data["deformation"][:, 4] * 1e3)
 
 
 def test_real_and_reference_differ_in_more_than_colour(good: Result) -> None:
@@ -115,7 +121,7 @@ def test_the_exaggeration_is_what_the_title_tells(good: Result) -> None:
 
     x, y, _ = good.data["line"].isel(time=0, mode=1, s=-1).values
     scaled, natural = elastic_line(good), elastic_line(good, exaggerate=1)
-    factor = int(re.fullmatch(r"a\) From above, deviation × (\d+)", scaled[0].get_title(loc="left"))[1])
+    factor = int(scaled[0].get_title(loc="left").removeprefix("a) From above, deviation × "))
     assert factor in {10, 20, 50}
     assert natural[0].get_title(loc="left") == "a) From above, to scale"
     np.testing.assert_allclose(tip_of_first(natural), (x, y))
@@ -144,7 +150,7 @@ def test_the_load_holds_its_worst_instant(good: Result) -> None:
     assert place == 0.0
     for panel in bending_load(good):
         low, high = panel.dataLim.intervaly
-        worst = panel.lines[0].get_ydata()
+        worst = heights(panel.lines[0])
         assert low - 1e-9 <= worst.min() <= worst.max() <= high + 1e-9
         assert panel.get_xlim() == (0.0, pytest.approx(0.9))
 

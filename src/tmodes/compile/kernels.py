@@ -16,21 +16,21 @@ _loaded: OrderedDict[str, Library] = OrderedDict()
 _KEPT = 64
 
 
-def _library(name: str, key: str, write: Callable[[], Any], functions: dict[str, int]) -> Library:
+def _library(name: str, key: str, write: Callable[[], Any], functions: dict[str, int], level: int) -> Library:
     """The functions of one module: as loaded before, from the cache, or written, optimised and kept."""
     key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
     if key not in _loaded:
-        _loaded[key] = Library(name, _binary(key, write), functions)
+        _loaded[key] = Library(name, _binary(key, write, level), functions)
         while len(_loaded) > _KEPT:
             _loaded.popitem(last=False)
     _loaded.move_to_end(key)
     return _loaded[key]
 
 
-def _binary(key: str, write: Callable[[], Any]) -> bytes:
+def _binary(key: str, write: Callable[[], Any], level: int) -> bytes:
     binary = cache.load(key)
     if binary is None:
-        binary = to_object(write())
+        binary = to_object(write(), level)
         cache.save(key, binary)
     return binary
 
@@ -54,7 +54,8 @@ def sample_functions(name: str, key: str, make: Callable[[], Mapping[str, Any]],
             write_sample_loop(module, label, lower(module, program))
         return module
 
-    return _library(name, key, write, {label: count + 3 for label, count in inputs.items()})
+    # Called for some thousand samples: ten times quicker to compile is worth more here than quicker to run.
+    return _library(name, key, write, {label: count + 3 for label, count in inputs.items()}, level=0)
 
 
 def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Library:
@@ -75,4 +76,4 @@ def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Li
         write_dormand_prince_loop(module, "dormand_prince", lowered, guarded)
         return module
 
-    return _library(name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince")})
+    return _library(name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince")}, level=3)

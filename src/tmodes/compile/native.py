@@ -42,7 +42,7 @@ def host() -> str:
     return f"{llvmlite.__version__} {llvm.get_process_triple()} {llvm.get_host_cpu_name()} {features}"
 
 
-def to_object(module: Any, level: int = 3) -> bytes:
+def to_object(module: Any, level: int) -> bytes:
     """Optimise a module of IR and return its object file; raises :class:`CompileError` when LLVM refuses it."""
     machine = _machine(level)
     module.triple, module.data_layout = llvm.get_process_triple(), str(machine.target_data)

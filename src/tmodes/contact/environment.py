@@ -42,15 +42,15 @@ class DynamicEnvironment(DataSheet):
     def radial_force(self, deviation: Any, rate: Any, acceleration: Any) -> Any:
         """Radial force Fc by the tip on the environment [N], from kappa - (l1 + l2) and its derivatives.
 
-        The paper writes Fc = me kappa'' + be kappa' + Fc_o + ka1 (Delta kappa) with Delta kappa = (l1 + l2) - kappa,
-        which is a negative stiffness; the deviation here is kappa - (l1 + l2). {test_slip_contact_stiffness_sign}
+        Slip (p. 61): Fc = me kappa'' + be kappa' + Fc_o + ka1 Delta_kappa with Delta_kappa = (l1 + l2) - kappa is a
+        negative stiffness; the deviation here is kappa - (l1 + l2) {test_slip_contact_stiffness_sign}
         """
         return self.mass * acceleration + self.damping * rate + self.preload + self.stiffness * deviation
 
     def slip_ratio(self, speed_squared: Any, square_root: Any) -> Any:
         """mu/sqrt(v.v + veps^2) [s/m]: friction force per normal force and tip velocity, smooth at rest.
 
-        The paper's friction -mu kappa'/|kappa'| Fc, put as it stands into (40), injects power; the force by the tip
-        on the environment points along the tip's velocity. {test_slip_friction_sign}
+        Slip (40): the friction -mu kappa'/|kappa'| Fc, put as it stands into (40), injects power; the force by the
+        tip on the environment points along the tip's velocity {test_slip_friction_sign}
         """
         return self.friction / square_root(speed_squared + self.friction_velocity**2)

@@ -62,8 +62,9 @@ class FlexibleMode(DataSheet):
     def tip_mass(self) -> Any:
         """Equivalent mass at the tip [kg].
 
-        Eq. (13) [stated]: mel = 33/140 w l, Jel = mel (l/2)^2. The 33/140 already holds the rotation of the static
-        shape, and for gravity 3/8 w l would be the tip equivalent: kept as printed, and told. {test_slip_13_mass}
+        Eq. (13) [stated]: mel = 33/140 w l, Jel = mel (l/2)^2, kept as printed. {test_slip_13_mass}
+        Slip (13): 33/140 already holds the rotation of the static shape, so Jel counts it twice; and gravity's
+        equivalent mass would be 3/8 w l {test_slip_13_mass}
         """
         return 33 / 140 * self.mass_per_length * self.length
 

@@ -35,7 +35,11 @@ class ContactTerms:
 
 
 def contact_terms(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any) -> ContactTerms:
-    """The contact at a state, linear in the accelerations: Fc adds to H and is never differentiated numerically."""
+    """The contact at a state, linear in the accelerations: Fc adds to H and is never differentiated numerically.
+
+    Slip (34)-(38): a force at the tip reaches each row by its own column of Je, where the print writes the planes'
+    rows {test_every_row_needs_its_column_of_the_jacobian}
+    """
     position, jacobian = tip(phi, robot.link), tip_jacobian(phi, robot.link)
     velocity = jacobian @ phid
     drift = ca.jtimes(velocity, phi, phid)  # J' phi'

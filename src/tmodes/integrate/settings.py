@@ -27,7 +27,11 @@ class Method(StrEnum):
 
 
 class Integration(DataSheet):
-    """Which integrator, how exact, how long, how often the result is sampled."""
+    """Which integrator, how exact, how long, how often the result is sampled.
+
+    Slip (p. 70): T/dt with dt = 0.000053335 s is 37 498.8, no integer; the step here is 2/37500 s
+    {test_slip_step_divides_the_move}
+    """
 
     method: Method = Field(default=Method.DORMAND_PRINCE, strict=False, description="which integrator")
     duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6)

@@ -1,7 +1,4 @@
-"""Files that are whole or absent: atomic replacement, one writer per folder, and trouble told before a run.
-
-A reader sees the old file or the new one, never a piece, whatever kills the writer in between.
-"""
+"""Files that are whole or absent, whatever kills the writer; one writer per folder; trouble told before a run."""
 
 from __future__ import annotations
 
@@ -15,14 +12,13 @@ import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
-from dataclasses import asdict, dataclass
 from pathlib import Path
-from typing import Self
+from typing import NamedTuple, Self
 
 from tmodes.errors import ResultFileError
 from tmodes.io.words import shown_path
 
-__all__ = ["FolderLock", "atomic_write", "check_writable", "file_error"]
+__all__ = ["FolderLock", "atomic_write", "check_writable", "file_error", "real_path"]
 
 LOCK_NAME = ".tmodes.lock"
 YOUNG = 10.0  # age [s] below which a lock without content is believed to be one that is just being written
@@ -40,25 +36,29 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
     The content is on the disk before the name changes. When the block fails, or the process dies, the old file is
     untouched. A symbolic link is followed: the file it names is replaced, not the link.
 
-    Raises :class:`ResultFileError` when the folder cannot be written, the disk is full, or the file exists and
-    ``overwrite`` is False (then also when another process made it meanwhile).
+    Raises :class:`ResultFileError` when it cannot be written, or exists (even since just now) and ``overwrite`` is
+    False.
     """
+    target = real_path(path)
     try:
-        target = Path(os.path.realpath(path))
         with _temporary(target.parent) as temporary:
             yield temporary
             _flush(temporary, os.O_RDWR)
-            if overwrite:
-                temporary.replace(target)
-            else:
-                _claim(temporary, target)
+            (Path.replace if overwrite else _claim)(temporary, target)
     except FileExistsError as error:
         raise file_error(path, "a file that exists", "a new name", "choose another name, or overwrite=True") from error
+    except OSError as error:
+        raise _cannot_write(path, error) from error
+    with suppress(OSError):  # Windows and some file systems know no such call for a folder
+        _flush(target.parent, os.O_RDONLY)
+
+
+def real_path(path: str | os.PathLike[str]) -> Path:
+    """The absolute path of a file, links followed."""
+    try:
+        return Path(os.path.realpath(path))
     except (OSError, ValueError) as error:
         raise _cannot_write(path, error) from error
-    if sys.platform != "win32":  # Windows knows no such call, and some file systems refuse it
-        with suppress(OSError):
-            _flush(target.parent, os.O_RDONLY)
 
 
 @contextmanager
@@ -69,8 +69,7 @@ def _temporary(folder: Path) -> Iterator[Path]:
     try:
         yield path
     finally:
-        with suppress(OSError):
-            path.unlink(missing_ok=True)
+        path.unlink(missing_ok=True)
 
 
 def _create(path: Path) -> None:
@@ -99,34 +98,29 @@ def _claim(temporary: Path, target: Path) -> None:
 
 def _cannot_write(path: object, error: Exception) -> ResultFileError:
     mend = "free some space, or choose another folder or name; what was there before is untouched"
-    reason = getattr(error, "strerror", None) or str(error)
-    return file_error(path, f"“{reason}” when writing", "a place that can be written", mend)
+    got = f"“{getattr(error, 'strerror', None) or error}” when writing"
+    return file_error(path, got, "a place that can be written", mend)
 
 
-@dataclass(frozen=True)
-class _Holder:
+class _Holder(NamedTuple):
     """Who holds a lock, told so that another process can judge whether it still lives."""
 
     pid: int
     started: str
     host: str
-    boot: str
-    pid_space: str
+    place: str
     since: str
 
     @classmethod
     def here(cls) -> Self:
-        path = Path("/proc/sys/kernel/random/boot_id")
-        boot, now = path.read_text().strip() if path.exists() else "", time.strftime("%Y-%m-%d %H:%M:%S %z")
-        return cls(os.getpid(), _process(os.getpid())[1], socket.gethostname(), boot, _pid_space(), now)
+        now = time.strftime("%Y-%m-%d %H:%M:%S %z")
+        return cls(os.getpid(), _process(os.getpid())[1], socket.gethostname(), _place(), now)
 
     def gone(self) -> bool:
         """True only when it is sure that the holder no longer runs; on another computer it never is."""
-        me = self.here()
-        if self.host != me.host or (self.boot == me.boot and self.pid_space != me.pid_space):
-            return False
         runs, started = _process(self.pid)
-        return self.boot != me.boot or not runs or self.started != started
+        reused = bool(self.started and started) and self.started != started
+        return self.place == _place() and (not runs or reused)
 
 
 class FolderLock:
@@ -138,21 +132,20 @@ class FolderLock:
     def __init__(self, folder: str | os.PathLike[str]) -> None:
         self.folder = Path(folder)
         self.path = self.folder / LOCK_NAME
-        self._content = b""
+        self._content = json.dumps(_Holder.here()._asdict(), indent=1).encode()
 
     def __enter__(self) -> Self:
-        content = json.dumps(asdict(_Holder.here()), indent=1).encode()
         try:
             if os.path.lexists(self.path):
-                self._bury_the_dead()
+                with suppress(FileNotFoundError):  # released meanwhile
+                    self._bury_the_dead()
             with _temporary(self.folder) as temporary:
-                temporary.write_bytes(content)
+                temporary.write_bytes(self._content)
                 _claim(temporary, self.path)
         except FileExistsError as error:
-            raise self._refusal("a lock that another just took", self.path) from error
+            raise self._refusal("a lock that another is just taking") from error
         except (OSError, ValueError) as error:
             raise _cannot_write(self.path, error) from error
-        self._content = content
         _remove_orphans(self.folder)
         return self
 
@@ -164,20 +157,14 @@ class FolderLock:
     def _bury_the_dead(self) -> None:
         """Remove the lock of a holder that is gone; refuse when it lives.
 
-        One at a time, and looked at again once its holder is known to be dead, for only then nobody can change it:
-        the holder may have released it and ended while it was judged, and another have taken it.
+        One at a time, and read again once its holder is known to be dead: it may have been released and taken anew.
         """
-        undertaker = self.path.with_suffix(".bury")
-        try:
-            _create(undertaker)
-        except FileExistsError as error:
-            raise self._refusal("a stale lock that another is just taking over", undertaker) from error
+        undertaker = self.folder / f"{LOCK_NAME}.bury"
+        _create(undertaker)
         try:
             stale = self._refuse_if_held()
             if self.path.read_bytes() == stale:
                 self.path.unlink()
-        except FileNotFoundError:
-            pass  # released meanwhile
         finally:
             undertaker.unlink()
 
@@ -186,37 +173,34 @@ class FolderLock:
         content, age = self.path.read_bytes(), time.time() - self.path.stat().st_mtime
         try:
             holder = _Holder(**json.loads(content))
-        except (ValueError, TypeError) as error:
+        except TypeError as error:
+            raise self._refusal("a lock of another version of tmodes") from error
+        except ValueError as error:
             if age < YOUNG:
-                raise self._refusal("a lock that is just being taken", self.path) from error
+                raise self._refusal("a lock that is just being taken") from error
             return content
         if not holder.gone():
-            raise self._refusal(f"held by process {holder.pid} on {holder.host} since {holder.since}", self.path)
+            raise self._refusal(f"held by process {holder.pid} on {holder.host} since {holder.since}")
         return content
 
-    def _refusal(self, got: str, path: Path) -> ResultFileError:
-        mend = f"wait for that run to end, or use another folder; if nothing runs there, delete {path}"
+    def _refusal(self, got: str) -> ResultFileError:
+        mend = f"wait for that run to end, or use another folder; if nothing runs there, delete {self.path}*"
         return file_error(f"folder {self.folder}", got, "a folder in which nothing else writes", mend)
 
 
 def _remove_orphans(folder: Path) -> None:
     """Remove temporary files of writers of this computer that were killed."""
     for path in folder.glob(f".tmodes-{_place()}-*-*.tmp"):
-        pid = path.name.split("-")[2]
         with suppress(OSError, ValueError):
-            if not _process(int(pid))[0]:
+            if not _process(int(path.name.split("-")[2]))[0]:
                 path.unlink()
 
 
 def _place() -> str:
-    """A short name of this computer, for names of temporary files."""
-    return hashlib.sha256(f"{socket.gethostname()} {_pid_space()}".encode()).hexdigest()[:8]
-
-
-def _pid_space() -> str:
-    with suppress(OSError, NotImplementedError):
-        return str(Path("/proc/self/ns/pid").readlink())
-    return ""
+    """A short name of this computer, or of the container: within it a process number means one process."""
+    path = Path("/proc/self/ns/pid")
+    space = path.readlink() if path.is_symlink() else ""
+    return hashlib.sha256(f"{socket.gethostname()} {space}".encode()).hexdigest()[:8]
 
 
 def _process(pid: int) -> tuple[bool, str]:
@@ -248,18 +232,17 @@ def _runs_on_windows(pid: int) -> bool:
 def check_writable(folder: str | os.PathLike[str], bytes_needed: int) -> None:
     """Make sure, before a run, that its result can be stored: make the folder, write a probe, compare the space.
 
-    Raises :class:`ResultFileError`; for a disk too small with the bytes needed and the bytes free.
+    Raises :class:`ResultFileError`; of a disk too small it tells the bytes needed and the bytes free.
     """
     path = Path(folder)
     try:
         standing = next(place for place in (path, *path.absolute().parents) if os.path.lexists(place))
         if not standing.is_dir():
-            got = f"{standing}, which is a file"
-            raise file_error(f"folder {path}", got, "a folder", "choose another folder, or move that file away")
+            raise file_error(f"folder {path}", f"{standing}, which is a file", "a folder", "choose another, or move it")
         free = shutil.disk_usage(standing).free
         if free < bytes_needed:
-            got, expected = f"a disk with {free:,} bytes free", f"at least {bytes_needed:,} bytes"
-            raise file_error(f"folder {path}", got, expected, "free some space, or choose another disk, or sample less")
+            got, mend = f"a disk with {free:,} bytes free", "free some space, or choose another disk, or sample less"
+            raise file_error(f"folder {path}", got, f"at least {bytes_needed:,} bytes", mend)
         path.mkdir(parents=True, exist_ok=True)
         with _temporary(path):
             pass

@@ -38,8 +38,8 @@ def robot_from_data(data: Any, positions: Mapping[str, int] | None = None, sourc
     except ValidationError as error:
         told = complaints(error)
         raise _located([*wrong.values(), *(one for one in told if one.which not in wrong)], positions, source) from None
-    if wrong := [*wrong.values(), *_wrong_real(robot)]:
-        raise _located(wrong, positions, source)
+    if told := list(wrong.values()) or list(_wrong_real(robot)):
+        raise _located(told, positions, source)
     return robot
 
 

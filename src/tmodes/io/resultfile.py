@@ -20,7 +20,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import ResultFileError
-from tmodes.io.atomic import atomic_write, check_writable, file_error
+from tmodes.io.atomic import atomic_write, check_writable, file_error, real_path
 
 if TYPE_CHECKING:
     from xarray import Dataset, Variable
@@ -48,7 +48,7 @@ def write_sealed(dataset: Dataset, path: str | os.PathLike[str], *, overwrite: b
     """
     _check_storable(dataset)
     body = _body(dataset)
-    check_writable(Path(os.path.realpath(path)).parent, len(body) + SEAL_BYTES)
+    check_writable(real_path(path).parent, len(body) + SEAL_BYTES)
     with atomic_write(path, overwrite=overwrite) as temporary, temporary.open("wb") as file:
         file.write(body)
         file.write(_seal(body))

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.plot.frequency_marks import mark_frequencies
-from tmodes.plot.panels import AxesLike, letter, panels, side_legend
+from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import COMPONENTS, house_style
 from tmodes.plot.units import readable
 
@@ -74,6 +74,7 @@ def spectrum(
     labels = {"th11q": r"$\vartheta_{1,1q}$, mode 1", "th12d": r"$\vartheta_{1,2\delta}$, mode 2"}
     _lines(axes[0], {labels[name]: values for name, values in angles.items()}, step, highest, "rad")
     _lines(axes[1], {r"$\ddot q$": acceleration}, step, highest, "rad/s^2")
+    shared_legend(axes[0])
     span = f"{float(part['time'][0]):g} to {float(part['time'][-1]):g} s"
     axes[1].set_xlabel("frequency [Hz]")
     modes = json.loads(result.data.attrs["frequencies"]).get("controlled", [])
@@ -101,5 +102,5 @@ def _lines(panel: Axes, curves: dict[str, Array], step: float, highest: float, u
     if peak > 0:
         panel.set_yscale("log")
         panel.set_ylim(unit.factor * peak * 10**-DECADES, unit.factor * peak * 3)
-    panel.set_ylabel(f"amplitude [{unit.name}]")
-    side_legend(panel)
+    of_one = f" of {next(iter(spectra))}" if len(spectra) == 1 else ""
+    panel.set_ylabel(f"amplitude{of_one} [{unit.name}]")

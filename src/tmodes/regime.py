@@ -1,0 +1,44 @@
+"""One robot in motion: planned as it is known, or under control as it really is."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.mechanism import Drive, Parameters
+from tmodes.model import Model
+from tmodes.robot import Robot
+from tmodes.trajectory import Journal, Trajectory, integrate
+
+__all__ = ["Regime", "run_regime"]
+
+
+@dataclass(frozen=True)
+class Regime:
+    """One robot in motion: its model, its numbers, and the trajectory that it took."""
+
+    robot: Robot
+    model: Model
+    parameters: Parameters
+    rows: NDArray[np.float64]
+    trajectory: Trajectory
+
+
+def run_regime(
+    robot: Robot,
+    drive: Drive,
+    progress: Callable[[float], None] = lambda share: None,
+    journals: Callable[[str], Journal | None] = lambda stage: None,
+) -> Regime:
+    """Run one robot from rest in its own gravity equilibrium, its motor controlled or following theta_o exactly."""
+    mechanism, parameters = robot.split(drive)
+    model = Model(mechanism)
+    schedule = robot.reference.schedule()
+    start = model.rest(robot.reference.start, parameters)
+    model.check_mass_matrix(start, parameters)
+    trajectory = integrate(model, parameters, schedule, start, robot.integration, progress, journals(drive.value))
+    rows = schedule.until(robot.integration.duration).rows_at(trajectory.times)
+    return Regime(robot, model, parameters, rows, trajectory)

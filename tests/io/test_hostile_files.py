@@ -1,0 +1,179 @@
+"""Files that are no data sheets, or that were made to hurt: one error of ours, in bounded time and memory."""
+
+from __future__ import annotations
+
+import os
+import time
+import tracemalloc
+from pathlib import Path
+
+import pytest
+
+from io_cases import SHEET
+from tmodes.errors import InputError, InputErrors
+from tmodes.io.check import robot_from_data
+from tmodes.io.yaml_file import parse_yaml, read_yaml
+from tmodes.robots import load_robot
+
+LIMIT = 256 * 1024
+SECONDS = 2.0
+
+
+def filled(line: str, head: str = "", tail: str = "") -> str:
+    """A file just below the limit of size."""
+    return head + line * ((LIMIT - len((head + tail).encode())) // len(line.encode())) + tail
+
+
+HOSTILE = {
+    "long comment": filled("#"),
+    "comments": filled("# x\n"),
+    "long word": filled("x", "a: "),
+    "words": filled(" x\n", "a:"),
+    "folded": filled(" x\n\n", "a: >\n"),
+    "literal": filled(" x\n", "a: |\n"),
+    "quoted": filled("x\n", 'a: "', '"'),
+    "escapes": filled("\\\n", 'a: "', '"'),
+    "open quote": filled("x\n", 'a: "'),
+    "blanks": filled(" "),
+    "new lines": filled("\n"),
+    "returns": filled("\r"),
+    "brackets": filled("["),
+    "brackets on lines": filled("[" * 9_000 + "\n"),
+    "braces": filled("{"),
+    "braces with keys": filled("{a: "),
+    "deep indentation": "".join(" " * depth + "a:\n" for depth in range(700)),
+    "dashes": filled("- "),
+    "question marks": filled("? "),
+    "exclamation marks": filled("!"),
+    "exclamation marks on lines": filled("!" * 9_000 + "\n"),
+    "ampersands": filled("&a "),
+    "percents": filled("%A b\n"),
+    "colons": filled(":"),
+    "documents": filled("---\n"),
+    "many keys": "".join(f"k{i}: 1\n" for i in range(20_000)),
+    "2000 unknown keys": "".join(f"stiffnes{i}: 1\n" for i in range(2_000)),
+    "long keys": "".join(f"{'k' * 500}{i}: 1\n" for i in range(500)),
+    "many factors": "real:\n" + "".join(f"  gear.stif{i}: 1\n" for i in range(2_000)),
+    "alias bomb": "a: &a [x, x]\nb: &b [*a, *a]\nc: [*b, *b]",
+    "anchor": "gravity: &g 9.81",
+    "tag": "a: !!python/object/apply:os.system [echo]",
+    "tagged number": "gravity: !!float 9.81",
+    "directive": "%YAML 1.1\n---\ncontact: on",
+    "two documents": f"{SHEET}\n---\n{SHEET}",
+    "list": "- a\n- b",
+    "word": "hello",
+    "number": "3.0",
+    "null": "~",
+    "list as a key": "? [a]\n: b",
+    "tab": "gear:\n\tstiffness: 1.0",
+    "control character": "gear: \x01",
+    "merge key": "<<: {gravity: 9.81}",
+}
+
+
+@pytest.mark.parametrize("text", HOSTILE.values(), ids=HOSTILE)
+def test_hostile_text_is_refused_in_time(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "hostile.yaml"
+    file.write_text(text, encoding="utf-8", newline="")
+    start = time.process_time()
+    with pytest.raises((InputError, InputErrors)) as caught:
+        load_robot(file)
+    assert str(file) in str(caught.value)
+    assert time.process_time() - start < SECONDS
+
+
+JUNK = {
+    "empty": b"",
+    "blank": b" \n\n",
+    "binary": bytes(range(256)) * 20,
+    "zeros": bytes(5_000),
+    "utf-16": SHEET.encode("utf-16"),
+    "latin-1": "name: é".encode("latin-1"),
+    "program": b"\x7fELF\x02\x01\x01" + bytes(100),
+    "too large": b"#" * (LIMIT + 1),
+}
+
+
+@pytest.mark.parametrize("content", JUNK.values(), ids=JUNK)
+def test_junk_is_refused(content: bytes, tmp_path: Path) -> None:
+    file = tmp_path / "junk.yaml"
+    file.write_bytes(content)
+    with pytest.raises(InputError, match=r"junk\.yaml.*expected .*Mend: "):
+        load_robot(file)
+
+
+def test_a_byte_order_mark_is_no_harm(tmp_path: Path) -> None:
+    file = tmp_path / "bom.yaml"
+    file.write_bytes(b"\xef\xbb\xbf" + SHEET.encode())
+    assert load_robot(file) == load_robot("filipovic2010")
+
+
+def test_line_ends_of_windows_are_no_harm(tmp_path: Path) -> None:
+    file = tmp_path / "windows.yaml"
+    file.write_bytes(SHEET.replace("\n", "\r\n").encode())
+    assert load_robot(file) == load_robot("filipovic2010")
+
+
+def test_names_of_files_may_hold_spaces_and_letters_of_all_kinds(tmp_path: Path) -> None:
+    file = tmp_path / "mein Röböter ☃.yaml"
+    file.write_text(SHEET, encoding="utf-8")
+    assert load_robot(str(file)) == load_robot("filipovic2010")
+
+
+@pytest.mark.parametrize("cut", range(1, SHEET.index("\nreal:") - 40, 61))
+def test_a_truncated_file_is_told(cut: int) -> None:
+    """Something is missing wherever the cut is."""
+    with pytest.raises((InputError, InputErrors), match=r"^cut\.yaml:\d"):
+        robot_from_data(*parse_yaml(SHEET[:cut], "cut.yaml"), source="cut.yaml")
+
+
+@pytest.mark.parametrize("text", ["a: 1\nb: 2\na: 3", "a: {b: 1, b: 2}", "x:\n  - a: 1\n    a: 1"])
+def test_a_key_that_stands_twice_is_told_with_both_lines(text: str) -> None:
+    with pytest.raises(InputError, match=r"sheet:\d: .*got a second time \(first in line \d\)"):
+        parse_yaml(text, "sheet")
+
+
+def test_scalars_are_those_of_yaml_1_2() -> None:
+    data, lines = parse_yaml(
+        "a: 1e5\nb: on\nc: 010\nd: .inf\ne: 'x: 1'\nf: 1e400\ng: yes\nh: ~\ni: 2001-01-01\nj: -.5\nk:\n  - [1]", "sheet"
+    )
+    assert data == {
+        "a": 1e5,
+        "b": "on",
+        "c": 10,
+        "d": float("inf"),
+        "e": "x: 1",
+        "f": "1e400",
+        "g": "yes",
+        "h": None,
+        "i": "2001-01-01",
+        "j": -0.5,
+        "k": [[1]],
+    }
+    assert lines["k.0.0"] == 12
+
+
+def test_a_place_that_is_no_file_is_refused(tmp_path: Path) -> None:
+    for path in (tmp_path, tmp_path / "absent.yaml", tmp_path / ("x" * 400), tmp_path / "\0"):
+        with pytest.raises(InputError, match="Mend: "):
+            read_yaml(path)
+
+
+@pytest.mark.skipif(not hasattr(os, "mkfifo"), reason="this system has no named pipes")
+def test_a_pipe_is_refused_and_does_not_block(tmp_path: Path) -> None:
+    os.mkfifo(tmp_path / "pipe.yaml")
+    with pytest.raises(InputError, match="a regular file"):
+        load_robot(tmp_path / "pipe.yaml")
+
+
+def test_a_gigabyte_costs_neither_time_nor_memory(tmp_path: Path) -> None:
+    file = tmp_path / "large.yaml"
+    with file.open("wb") as handle:
+        handle.truncate(2**30)
+    tracemalloc.start()
+    start = time.process_time()
+    with pytest.raises(InputError, match="1073741824 bytes"):
+        load_robot(file)
+    assert tracemalloc.get_traced_memory()[1] < 20e6
+    tracemalloc.stop()
+    assert time.process_time() - start < SECONDS

@@ -1,0 +1,83 @@
+"""Every number of the published data sheet, replaced by everything a number can be wrong in: made, not written."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator
+from typing import Any, NamedTuple
+
+from tmodes.io.yaml_file import parse_yaml
+from tmodes.robots import text
+
+__all__ = ["KINDS", "SHEET", "Case", "bad_numbers", "line_of", "number_paths"]
+
+SHEET = text("filipovic2010")
+
+KINDS = {
+    "zero": "0.0",
+    "negative zero": "-0.0",
+    "negative": "-{value}",
+    "nan": ".nan",
+    "infinite": ".inf",
+    "minus infinite": "-.inf",
+    "text": "heavy",
+    "comma": '"1,5"',
+    "numeric text": '"{value}"',
+    "empty": "",
+    "bool": "true",
+    "list": "[1.0, 2.0]",
+    "group": "{{a: 1.0}}",
+    "wrong unit": '"1.5 cd"',
+    "huge": "1.0e308",
+    "overflow": "1.0e400",
+    "tiny": "1.0e-320",
+    "underflow": "1.0e-400",
+    "huge whole number": "1" + "0" * 400,
+    "absent": None,
+}
+"""Kind of fault -> what is written in place of the number; None takes the line away."""
+
+
+class Case(NamedTuple):
+    """One data sheet with one number replaced."""
+
+    id: str
+    path: str
+    kind: str
+    text: str
+
+
+def bad_numbers() -> Iterator[Case]:
+    """Each number of the sheet with each kind of fault; some of the results are right robots."""
+    for path in number_paths():
+        for kind, word in KINDS.items():
+            yield Case(f"{path}-{kind}".replace(" ", "_"), path, kind, _replaced(path, word))
+
+
+def number_paths() -> list[str]:
+    """Dotted paths of every number that the sheet holds."""
+    return [*_numbers(parse_yaml(SHEET, "sheet")[0], "")]
+
+
+def line_of(path: str) -> int:
+    """Line of a path in the sheet."""
+    return parse_yaml(SHEET, "sheet")[1][path]
+
+
+def _numbers(value: Any, path: str) -> Iterator[str]:
+    items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
+    for key, inner in items:
+        yield from _numbers(inner, f"{path}.{key}" if path else f"{key}")
+    if isinstance(value, (int, float)) and not isinstance(value, bool):
+        yield path
+
+
+def _replaced(path: str, word: str | None) -> str:
+    """The sheet with the number of a path replaced on its own line, so that lines keep their numbers."""
+    lines = SHEET.splitlines()
+    index = line_of(path) - 1
+    found = re.search(r"([\w.]+: )([-+.\w]+)", lines[index])
+    assert found, lines[index]
+    entry = "" if word is None else found[1] + word.format(value=found[2])
+    lines[index] = lines[index].replace(found[0], entry, 1)
+    return "\n".join(lines)

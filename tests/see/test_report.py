@@ -1,0 +1,257 @@
+"""The report: one file that asks for nothing, escapes everything, and tells a failed run at the top."""
+
+from __future__ import annotations
+
+import json
+import re
+from collections import Counter
+from collections.abc import Iterator
+from html.parser import HTMLParser
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+from see.conftest import NASTY
+from see.test_colors import turned_colors
+from tmodes import plot
+from tmodes.errors import ResultFileError
+from tmodes.plot.save import Drawing
+from tmodes.report import write_report
+from tmodes.report.markup import Markup, tag
+from tmodes.report.numbers import power_of_ten, written
+from tmodes.result import Result
+
+VOID = {"meta", "img", "br"}
+
+
+class Page(HTMLParser):
+    """The elements of a page in their order, the text in each, and whether all are closed."""
+
+    def __init__(self, text: str) -> None:
+        super().__init__()
+        self.elements: list[tuple[str, dict[str, str | None]]] = []
+        self.texts: list[tuple[str, str]] = []
+        self.open: list[str] = []
+        self.feed(text)
+        self.close()
+
+    def handle_starttag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+        if tag not in VOID:
+            self.open.append(tag)
+
+    def handle_startendtag(self, tag: str, attrs: list[tuple[str, str | None]]) -> None:
+        self.elements.append((tag, dict(attrs)))
+
+    def handle_endtag(self, tag: str) -> None:
+        assert self.open.pop() == tag
+
+    def handle_data(self, data: str) -> None:
+        self.texts.append((self.open[-1] if self.open else "", data))
+
+    def all(self, *tags: str) -> list[dict[str, str | None]]:
+        return [attributes for tag, attributes in self.elements if tag in tags]
+
+    @property
+    def text(self) -> str:
+        return " ".join(text for tag, text in self.texts if tag != "style").replace("\u00a0", " ")
+
+
+@pytest.fixture(scope="module")
+def texts(reports: dict[str, Path]) -> dict[str, str]:
+    """The report of a finished and of a failed run."""
+    return {name: path.read_text(encoding="utf-8") for name, path in reports.items()}
+
+
+@pytest.fixture(params=["good", "failed"])
+def text(request: pytest.FixtureRequest, texts: dict[str, str]) -> str:
+    """Each report in turn."""
+    return texts[request.param]
+
+
+def test_it_asks_for_nothing_and_runs_nothing(text: str) -> None:
+    page = Page(text)
+    addresses = [a[key] or "" for _, a in page.elements for key in ("src", "href", "xlink:href", "srcset") if key in a]
+    assert len(addresses) > 100
+    assert {address[:1] for address in addresses if not address.startswith("data:image/png;base64,")} == {"#"}
+    assert not page.all("script", "link", "iframe", "object", "embed", "base", "form", "audio", "video", "style2")
+    assert not [name for _, attributes in page.elements for name in attributes if name.startswith("on")]
+    assert {match[1] for match in re.finditer(r"url\((.)", text)} <= {"#"}
+    assert "@import" not in text
+    assert "http:" not in text
+    assert "https:" not in text
+    policy = next(a["content"] for a in page.all("meta") if a.get("http-equiv") == "Content-Security-Policy")
+    assert policy is not None
+    assert "default-src 'none'" in policy
+    assert "script-src" not in policy
+
+
+def test_it_is_a_whole_page(text: str) -> None:
+    page = Page(text)
+    assert page.open == []
+    assert text.startswith('<!doctype html>\n<html lang="en">')
+    assert len(page.all("h1")) == len(page.all("main")) == len(page.all("title")) == 1
+    ids = Counter(attributes["id"] for _, attributes in page.elements if "id" in attributes)
+    assert max(ids.values()) == 1
+    targets = {a["href"] for a in page.all("a", "use")} | {f"#{m}" for m in re.findall(r"url\(#([^)]+)\)", text)}
+    assert {str(target).removeprefix("#") for target in targets} <= set(ids)
+    labels = [a["aria-labelledby"] for a in page.all("section")]
+    assert set(labels) <= set(ids)
+
+
+def test_figures_have_a_text_and_a_caption(texts: dict[str, str]) -> None:
+    page = Page(texts["good"])
+    pictures = page.all("svg") + page.all("img")
+    assert len(pictures) == len(page.all("figure")) == len(page.all("figcaption")) == len(plot.FIGURES)
+    told = [a.get("aria-label") or a.get("alt") or "" for a in pictures]
+    assert all(len(words) > 60 for words in told)
+    assert len(set(told)) == len(told)
+    assert all(a.get("role") == "img" for a in page.all("svg"))
+    assert all(entry.caption in page.text for entry in plot.FIGURES.values())
+    assert page.all("table")
+    assert len(page.all("caption")) == len(page.all("table"))
+
+
+def test_whatever_a_text_holds_it_stays_text(texts: dict[str, str]) -> None:
+    page = Page(texts["failed"])
+    assert page.text.count(NASTY) == 8  # heading, title, lead, message, warning, citation, and a version twice
+    assert NASTY in next(text for tag, text in page.texts if tag == "title")
+    assert not page.all("script", "img")
+
+
+def test_a_failed_run_says_so_first(texts: dict[str, str]) -> None:
+    text = texts["failed"]
+    page = Page(text)
+    assert next(text for tag, text in page.texts if tag == "title").startswith("DIVERGED: ")
+    assert text.index('role="alert"') < text.index('id="numbers"') < text.index("<svg")
+    assert "This run did not finish: diverged." in page.text
+    assert "theta is not finite at t = 0.003 s." in page.text
+    assert "What follows ends at 0.002 s of 2 s and is not a complete result." in page.text
+    assert "Finished." not in page.text
+    assert "the tip moved in free space: there is no contact force" in page.text
+    assert "a spectrum needs 32 samples" in page.text
+
+
+def test_a_finished_run_says_so(texts: dict[str, str]) -> None:
+    page = Page(texts["good"])
+    assert "Finished.  The run reached its end." in page.text
+    assert not [a for _, a in page.elements if a.get("role") == "alert"]
+    assert "Left out" not in page.text
+    assert "Warnings" not in page.text
+
+
+def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: Result) -> None:
+    told, text = good.summary(), Page(texts["good"]).text
+    assert f"Largest deviation of the tip {told['deviation']['max_m'] * 1e3:.3g} mm" in text
+    assert f"at {told['deviation']['time_of_max_s']:.3g} s" in text
+    assert "Settling after the move not seen " + told["settling"]["reason"] in text
+    assert "First frequency, controlled 4.938 Hz 4.996 Hz with the motor locked" in text
+    assert "Largest elastic angle 11.5 mrad mode 2, vertical" in text
+    assert "Largest bending moment 6.96 N·m mode 1, at the root, vertical plane, at 0.102 s" in text
+    assert f"Largest gear torque {told['gear_torque']['max_Nm']:.3g} N·m" in text
+    assert "Radial contact force, mean 4.983 N from 4.981 to 4.984 N" in text
+    assert "Energy balance 1.7 × 10⁻¹¹" in text
+    ratio = told["deformations"]["xi"]["rms_deviation_over_rms_reference"]
+    assert f"{100 * ratio:.3g} %" in text
+    for case in good.frequencies.values():
+        assert all(
+            f"{mode['frequency_Hz']:.4g} {100 * mode['damping_ratio']:.3g} {mode['element']}" in text for mode in case
+        )
+
+
+def test_settling_that_is_seen(good: Result, tmp_path: Path) -> None:
+    data = good.data.copy()
+    robot = json.loads(data.attrs["robot"])
+    robot["reference"]["duration"] = 1.0
+    fading = np.where(data["time"] < 1.5, 1e-3, 0.0)
+    data = data.assign(deviation=("time", fading)).assign_attrs(robot=json.dumps(robot))
+    page = Page(write_report(Result(data), tmp_path / "r.html", figures={}).read_text(encoding="utf-8"))
+    assert "Settling after the move 0.499 s until the tip stays within 50 µm, 5 % of its largest deviation" in page.text
+
+
+def leaves(value: object) -> Iterator[float]:
+    """Every number of a data sheet."""
+    if isinstance(value, dict | list):
+        for item in value.values() if isinstance(value, dict) else value:
+            yield from leaves(item)
+    elif isinstance(value, float):
+        yield value
+
+
+def test_the_data_sheet_is_told_with_units_and_symbols(texts: dict[str, str], good: Result) -> None:
+    text = Page(texts["good"]).text
+    sheet = json.loads(good.data.attrs["robot"])
+    del sheet["real"]
+    numbers = list(leaves(sheet))
+    assert len(numbers) > 30
+    assert all(f" {number:.6g} " in text for number in numbers)
+    assert "torsional stiffness of the gear, after the reducer stiffness Cxi 4700 940 N·m/rad" in text
+    assert "bending stiffness E*I of the section, both planes bending_stiffness EI 13.3596 13.226 N·m²" in text
+    assert "length of the mode length l 0.6 m" in text
+    assert "armature resistance resistance R 0.299 Ω" in text
+    assert "friction_law signed" in text
+    assert all(words in text for words in ("Link, mode 1", "Link, mode 2", "doi:10.2298/TAM1001049F"))
+    assert all(words in text for words in ("steps 4321", "evaluations 26000", "casadi 3.8.2", "drive=controlled"))
+
+
+def test_rigid_elements_are_called_rigid(good: Result, tmp_path: Path) -> None:
+    robot = json.loads(good.data.attrs["robot"])
+    robot["gear"]["stiffness"] = float("inf")
+    data = good.data.assign_attrs(robot=json.dumps(robot), parameters=json.dumps({"gear.stiffness": float("inf")}))
+    page = Page(write_report(Result(data), tmp_path / "r.html", figures={}).read_text(encoding="utf-8"))
+    assert "stiffness Cxi ∞ (rigid) N·m/rad" in page.text
+
+
+def test_its_size(text: str) -> None:
+    assert len(text.encode()) < 1_500_000
+
+
+def test_a_noisy_run_is_embedded_as_pixels_and_stays_small(good: Result, tmp_path: Path) -> None:
+    noise = np.random.default_rng(1).normal(size=good.data["deformation"].shape) * 1e-3
+    data = good.data.assign(
+        deformation=good.data["deformation"] + noise, deformation_oscillatory=0 * good.data.q[:, :5] + noise
+    )
+    long = Result(data.isel(time=np.tile(np.arange(2001), 5)).assign_coords(time=np.arange(10005) * 1e-3))
+    chosen = {name: drawing for name, drawing in plot.drawings(long).items() if name in {"deformations", "drive"}}
+    text = write_report(long, tmp_path / "r.html", figures=chosen).read_text(encoding="utf-8")
+    page = Page(text)
+    assert len(page.all("img")) == len(page.all("svg")) == 1
+    assert page.all("img")[0]["alt"]
+    assert len(text) < 600_000
+
+
+def test_the_report_is_written_whole_or_not_at_all(good: Result, tmp_path: Path) -> None:
+    old = tmp_path / "report.html"
+    old.write_text("old")
+
+    def fails() -> list:
+        raise ZeroDivisionError
+
+    with pytest.raises(ZeroDivisionError):
+        write_report(good, old, figures={"drive": Drawing(fails)})
+    assert [path.read_text() for path in tmp_path.iterdir()] == ["old"]
+    with pytest.raises(ResultFileError, match="Mend: "):
+        write_report(good, tmp_path / "nowhere" / "report.html", figures={})
+
+
+def test_every_colour_of_the_figures_is_turned(text: str) -> None:
+    used = set(re.findall(r"var\(--c([0-9a-f]{6}), #\1\)", text))
+    assert len(used) > 8
+    assert {f"#{color}" for color in used} <= set(turned_colors())
+    assert not re.findall(r"style=\"[^\"]*: ?#[0-9a-f]{6}", text)
+
+
+def test_markup_escapes_text_and_keeps_markup() -> None:
+    made = tag("p", "<b> & ", tag("i", "x"), None, class_='a"b', hidden=True, title=None, aria_label="<")
+    assert made == '<p class="a&quot;b" hidden aria-label="&lt;">&lt;b&gt; &amp; <i>x</i></p>'
+    assert tag("br") == "<br>"
+    assert isinstance(made, Markup)
+    assert not isinstance(made + "<script>", Markup)
+
+
+def test_numbers_are_written_readably() -> None:
+    assert written(4.04e-3, "m") == "4.04\u00a0mm"
+    assert written(0.0, "N m") == "0\u00a0N·m"
+    assert power_of_ten(-2.5e-11).replace("\u00a0", " ") == "-2.5 × 10⁻¹¹"
+    assert power_of_ten(0.0) == "0"
