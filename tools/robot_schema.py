@@ -5,9 +5,8 @@ from __future__ import annotations
 import json
 import sys
 
-from tmodes.io.schema import json_schema
-
 import generated
+from tmodes.io.schema import json_schema
 
 if __name__ == "__main__":
     text = json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"

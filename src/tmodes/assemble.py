@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import math
 import platform
 from importlib.metadata import version
 from typing import Any
@@ -14,6 +15,7 @@ from tmodes.analysis.energy import balance
 from tmodes.analysis.stability import StepVerdict
 from tmodes.equations.coordinates import deformations
 from tmodes.equations.layout import COORDINATES, DEFORMATIONS, LINE, WORKS
+from tmodes.mechanism import Parameters
 from tmodes.regime import Regime
 from tmodes.result import RESULT_FORMAT, Result
 from tmodes.robot import NominalRealPair
@@ -178,9 +180,14 @@ def _provenance(
         "robot_real": pair.real.model_dump_json(),
         "mechanism": real.model.mechanism.key,
         "reading": real.model.mechanism.reading.value,
-        "parameters": json.dumps(dict(real.parameters)),
-        "parameters_nominal": json.dumps(dict(reference.parameters)),
+        "parameters": _numbers(real.parameters),
+        "parameters_nominal": _numbers(reference.parameters),
         "versions": json.dumps({name: version(name) for name in packages} | {"python": platform.python_version()}),
         "frequencies": json.dumps(frequencies),
         "statistics": json.dumps(statistics),
     }
+
+
+def _numbers(parameters: Parameters) -> str:
+    """Parameters as JSON, which has no number for an infinite stiffness (rigid by wish): it is the word "Infinity"."""
+    return json.dumps({name: value if math.isfinite(value) else "Infinity" for name, value in parameters.items()})

@@ -64,10 +64,10 @@ class Parameters(Mapping[str, float]):
     """Numbers without structure: one flat, named vector [SI units]."""
 
     names: tuple[str, ...]
-    values: NDArray[np.float64]
+    vector: NDArray[np.float64]
 
     def __getitem__(self, name: str) -> float:
-        return float(self.values[self.names.index(name)])
+        return float(self.vector[self.names.index(name)])
 
     def __iter__(self) -> Iterator[str]:
         return iter(self.names)

@@ -41,7 +41,7 @@ class Model:
         return _split(out, {name: int(np.prod(shape)) for name, shape in EVALUATED.items()}, dict(EVALUATED))
 
     def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> Array:
-        """D state/d time at n instants: time (n,), state (n, 17), row of the reference (n, degree + 2)."""
+        """Derivative of the state by time: time (n,), state (n, 17), row of the reference (n, degree + 2)."""
         return _sampled(self._observation["rate"], parameters, self._instants(time, state, row), STATE_SIZE)
 
     def observe(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> dict[str, Array]:
@@ -102,6 +102,8 @@ class Model:
         """Raise :class:`SimulationError`, naming the coordinate, where the mass matrix is singular at a state."""
         mass = self.linearised(np.asarray(state)[:6], parameters)[0]
         directions = free_columns(self.mechanism.rigid, self.mechanism.drive is Drive.PRESCRIBED)
+        if not directions.size:
+            return
         reduced = directions.T @ (mass + mass.T) / 2 @ directions
         scale = np.sqrt(np.abs(np.diagonal(reduced)))
         scale[scale == 0] = 1.0
@@ -149,9 +151,9 @@ class Model:
         def make() -> dict[str, Any]:
             from tmodes.equations.beam import line_function
 
-            return {f"line{mode}": line_function(mode) for mode in (1, 2)}
+            return {f"line{mode}": line_function(mode, f"mode{mode}" in self.mechanism.rigid) for mode in (1, 2)}
 
-        return kernels.sample_functions("line", "", make, {"line1": 2, "line2": 2})
+        return kernels.sample_functions("line", self.mechanism.arm_key, make, {"line1": 2, "line2": 2})
 
     @cached_property
     def _statics(self) -> Any:
@@ -194,7 +196,7 @@ def _sampled(function: Any, parameters: Parameters, inputs: list[Array], width: 
     """Call a native function over samples; all arrays are C-ordered doubles, the output is (n, width)."""
     count = len(inputs[0])
     out = np.empty((count, width))
-    function(count, parameters.values.ctypes.data, *(array.ctypes.data for array in inputs), out.ctypes.data)
+    function(count, parameters.vector.ctypes.data, *(array.ctypes.data for array in inputs), out.ctypes.data)
     return out
 
 

@@ -9,12 +9,12 @@ from typing import Any, Self
 
 from tmodes.compile.cache import source_digest
 from tmodes.errors import ResultFileError
-from tmodes.trajectory import sample_times
 from tmodes.io.atomic import FolderLock, check_writable
 from tmodes.io.checkpoint import run_identity
 from tmodes.io.journal import RunJournal
 from tmodes.result import Result
 from tmodes.robot import Robot
+from tmodes.trajectory import sample_times
 
 __all__ = ["RunFolder"]
 
@@ -51,7 +51,9 @@ class RunFolder:
         self.continues = any(self.path.glob(".checkpoint-*"))
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None
+    ) -> None:
         for journal in self._journals.values():
             journal.close()
         self._lock.__exit__(kind, value, trace)

@@ -53,7 +53,7 @@ class Trajectory:
 def sample_times(settings: Integration) -> NDArray[np.float64]:
     """Times of the samples [s]: every ``output_step``, and the end, which is a sample even where it is no multiple."""
     count = math.floor(settings.duration / settings.output_step * (1 + 1e-12))
-    times = np.arange(count + 1) * settings.output_step
+    times = np.arange(count + 1, dtype=np.float64) * np.float64(settings.output_step)
     if settings.duration - times[-1] > 1e-9 * settings.output_step:
         return np.append(times, settings.duration)
     times[-1] = settings.duration
@@ -136,7 +136,7 @@ class _Run:
         chosen = {"step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance}
         options = np.array([{**chosen, "chunk": float(steps), "bound": BOUND}[name] for name in OPTIONS])
         arrays = {
-            "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.values, "knots": self.knots,
+            "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
             "rows": self.rows, "times": self.times, "out": self.samples, "options": options,
         }  # fmt: skip
         addresses = {name: array.ctypes.data for name, array in arrays.items()}

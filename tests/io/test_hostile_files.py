@@ -15,7 +15,7 @@ from tmodes.io.check import robot_from_data
 from tmodes.io.yaml_file import parse_yaml, read_yaml
 from tmodes.robots import load_robot
 
-LIMIT = 256 * 1024
+LIMIT = 128 * 1024
 SECONDS = 2.0
 
 

@@ -7,9 +7,9 @@ from pathlib import Path
 
 import numpy as np
 import pytest
+
 from oracle.oracle import oracle
 from oracle.parameters import random_parameters, random_state
-
 from tmodes.contact.environment import FrictionLaw
 from tmodes.mechanism import Drive, Mechanism, Reading
 from tmodes.model import Model
@@ -34,8 +34,8 @@ def assert_equal(found, wanted, names, tolerance=1e-9):
 def test_samples(reading, kind, to_parameters):
     """H, h, forces, tip, Jacobian, energies, accelerations and contact force at every reference state."""
     records = STATES["readings"][reading][kind]
-    inputs = [[record[key] for record in records] for key in ("phi", "phid", "u")]
-    found = model_of(reading, kind).evaluate(*inputs, to_parameters(STATES["parameters"]))
+    phi, phid, u = ([record[key] for record in records] for key in ("phi", "phid", "u"))
+    found = model_of(reading, kind).evaluate(phi, phid, u, to_parameters(STATES["parameters"]))
     for index, record in enumerate(records):
         names = [name for name in found if name in record]
         assert len(names) >= 13

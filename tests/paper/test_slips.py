@@ -8,7 +8,7 @@ from scipy.integrate import quad
 
 from tmodes.analysis.inverse import coordinate_rates
 from tmodes.contact.environment import DynamicEnvironment
-from tmodes.elements.mode import FlexibleMode, shape_deflection, shape_slope
+from tmodes.elements.mode import FlexibleMode, shape_deflection
 from tmodes.mechanism import Drive, Reading
 from tmodes.model import Model
 
@@ -37,7 +37,9 @@ def test_slip_13_mass():
 def test_slip_44_jacobian(robot):
     """J is the derivative of the tip; the print's lm, le exchanged is not, and it lacks the columns of vt and e."""
     found, step = terms(robot), 1e-6
-    shifted = [(terms(robot, phi=PHI + d)["tip"] - terms(robot, phi=PHI - d)["tip"]) / (2 * step) for d in step * np.eye(6)]
+    shifted = [
+        (terms(robot, phi=PHI + d)["tip"] - terms(robot, phi=PHI - d)["tip"]) / (2 * step) for d in step * np.eye(6)
+    ]
     assert np.allclose(found["J"], np.array(shifted).T, atol=1e-9)
     lm, le = 0.6 * np.cos(VT), 0.3 * np.cos(VT + E)
     printed = -(lm * np.sin(Q + DELTA) + le * np.sin(Q))

@@ -168,6 +168,7 @@ def test_half_coupling(robot):
 
 def test_line_ends_at_tip(robot):
     """The point s = 1 of the line is the tip; mode 2 starts where mode 1 ends, and in its direction."""
+
     def at(mode, place):
         return array(line_point(mode, ca.DM(PHI), robot.link, place))
 
@@ -200,7 +201,7 @@ def test_local_pd():
 
 
 def test_static_shape_of_a_mode_is_euler_bernoulli():
-    """Cs = 3 EI/l^3 is the tip stiffness of the cantilever, and the flexibility moment at the root is force x length."""
+    """Cs = 3 EI/l^3 is the tip stiffness of the cantilever; the flexibility moment at the root is force x length."""
     mode = FlexibleMode(length=0.6, bending_stiffness=1082.0, mass_per_length=2.0, damping_time=0.0)
     force = 2.5
     deflection = force * 0.6**3 / (3 * 1082.0)

@@ -235,6 +235,23 @@ def test_a_lock_that_cannot_be_judged_holds(changes: dict[str, str], tmp_path: P
         pass
 
 
+def test_a_lock_that_was_taken_anew_while_it_was_judged_is_kept(
+    tmp_path: Path, monkeypatch: pytest.MonkeyPatch
+) -> None:
+    """Its holder was read alive, released it and ended before it was looked for; meanwhile another took it."""
+    left_lock(tmp_path, since="the first")
+
+    def taken_anew(_: object) -> bool:
+        left_lock(tmp_path, since="the second")
+        return True
+
+    monkeypatch.setattr(atomic._Holder, "gone", taken_anew)
+    with pytest.raises(ResultFileError, match="another is just taking"), FolderLock(tmp_path):
+        pass
+    assert "the second" in (tmp_path / LOCK_NAME).read_text()
+    assert len(list(tmp_path.iterdir())) == 1
+
+
 def test_a_lock_without_content_holds_only_while_it_is_young(tmp_path: Path) -> None:
     (tmp_path / LOCK_NAME).write_text("")
     with pytest.raises(ResultFileError, match="just being taken"), FolderLock(tmp_path):

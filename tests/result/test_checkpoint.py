@@ -76,6 +76,17 @@ def test_a_torn_log_goes_on_as_if_nothing_had_been(tmp_path: Path) -> None:
     assert path.read_bytes() == content
 
 
+def test_rubbish_longer_than_a_record_is_cut_off(tmp_path: Path) -> None:
+    path = tmp_path / "log"
+    written(path, 3)
+    content = path.read_bytes()
+    written(tmp_path / "other", 2)
+    path.write_bytes((tmp_path / "other").read_bytes() + b"rubbish" * 1000)
+    with CheckpointWriter(path, IDENTITY) as log:
+        log.append(record(2))
+    assert path.read_bytes() == content
+
+
 def test_a_flipped_bit_is_never_believed(tmp_path: Path) -> None:
     path = tmp_path / "log"
     lengths = written(path, 3)

@@ -118,6 +118,17 @@ def test_the_same_bytes_after_a_round_trip(good: bytes, tmp_path: Path) -> None:
     assert (tmp_path / "two.nc").read_bytes() == good
 
 
+def test_the_same_bytes_from_a_dataset_that_others_read(good: bytes, tmp_path: Path) -> None:
+    """How a dataset was stored before is no part of it."""
+    (tmp_path / "one.nc").write_bytes(good)
+    data = read_sealed(tmp_path / "one.nc")
+    for variable in data.variables.values():
+        variable.encoding = {"complevel": 9, "zlib": True} | ({"dtype": "f4"} if variable.dtype.kind == "f" else {})
+    data.encoding = {"unlimited_dims": {"time"}}
+    write_sealed(data, tmp_path / "two.nc")
+    assert (tmp_path / "two.nc").read_bytes() == good
+
+
 def test_every_flipped_bit_is_refused(good: bytes, tmp_path: Path) -> None:
     path = tmp_path / "flipped.nc"
     random = np.random.default_rng(20)

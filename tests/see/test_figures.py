@@ -136,11 +136,16 @@ def test_round_factors(wanted: float, got: float) -> None:
 
 
 @pytest.mark.parametrize("count", [1, 2, 3, 5, 6, 2001])
-def test_instants_hold_the_first_and_the_last(count: int) -> None:
-    chosen = instants(count)
+def test_instants_hold_the_first_and_the_last(count: int, good: Result) -> None:
+    chosen = instants(good.data.isel(time=slice(0, count)))
     assert chosen[0] == 0
     assert chosen[-1] == count - 1
     assert len(chosen) == min(count, 5)
+
+
+def test_instants_of_a_long_run_are_those_of_the_move() -> None:
+    long = synthetic_result(duration=8.0, samples=801).data
+    np.testing.assert_allclose(long["time"][instants(long)], [0, 0.5, 1, 1.5, 2])
 
 
 def test_the_load_holds_its_worst_instant(good: Result) -> None:
@@ -159,6 +164,27 @@ def test_the_largest_moment_may_be_in_the_second_mode(good: Result) -> None:
     moment = good.data["bending_moment"].copy()
     moment.loc[{"mode": "mode2", "plane": "horizontal", "s": moment["s"][10], "time": moment["time"][7]}] = -1e3
     assert largest_moment(good.data.assign(bending_moment=moment)) == (-1e3, 7, pytest.approx(0.75))
+
+
+def test_rounding_is_not_made_to_look_like_motion(good: Result) -> None:
+    noise = np.random.default_rng(1).normal(size=(len(good.data["time"]), 5)) * 1e-18
+    angles = good.data["deformation"].isel(time=0) + noise
+    small = good.data.assign(
+        deformation=angles, deformation_stationary=angles, deformation_oscillatory=0 * angles + noise
+    )
+    for panel in plot.stationary_oscillatory(Result(small)):
+        low, high = panel.get_ylim()
+        curve = heights(panel.lines[0])
+        assert high - low > 1e6 * np.ptp(curve)
+        assert low < curve.min() <= curve.max() < high
+
+
+def test_a_small_motion_fills_its_panel(good: Result) -> None:
+    part = 1e-9 * np.sin(good.data["time"].values)[:, None] * np.ones(5)
+    small = good.data.assign(deformation_oscillatory=0 * good.data["deformation_oscillatory"] + part)
+    panel = plot.stationary_oscillatory(Result(small))[1]
+    assert panel.get_ylabel().endswith("[nrad]")
+    assert np.ptp(heights(panel.lines[0])) > 0.8 * np.ptp(panel.get_ylim())
 
 
 def test_a_balance_without_residual_is_told(good: Result) -> None:

@@ -160,6 +160,14 @@ def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: Resul
         )
 
 
+def test_the_end_is_told_once(good: Result, tmp_path: Path) -> None:
+    for status, message in (("finished", "finished: 2 s simulated"), ("stopped", "stopped: 3600 s of computing")):
+        ended = Result(good.data.assign_attrs(status=status, message=message))
+        page = Page(write_report(ended, tmp_path / "r.html", figures={}).read_text(encoding="utf-8"))
+        assert message.partition(": ")[2] in page.text
+        assert message not in page.text
+
+
 def test_settling_that_is_seen(good: Result, tmp_path: Path) -> None:
     data = good.data.copy()
     robot = json.loads(data.attrs["robot"])
@@ -195,12 +203,20 @@ def test_the_data_sheet_is_told_with_units_and_symbols(texts: dict[str, str], go
     assert all(words in text for words in ("steps 4321", "evaluations 26000", "casadi 3.8.2", "drive=controlled"))
 
 
-def test_rigid_elements_are_called_rigid(good: Result, tmp_path: Path) -> None:
+@pytest.mark.parametrize("stored", [float("inf"), "Infinity"])
+def test_rigid_elements_are_called_rigid(stored: float | str, good: Result, tmp_path: Path) -> None:
     robot = json.loads(good.data.attrs["robot"])
-    robot["gear"]["stiffness"] = float("inf")
+    robot["gear"]["stiffness"] = stored
     data = good.data.assign_attrs(robot=json.dumps(robot), parameters=json.dumps({"gear.stiffness": float("inf")}))
     page = Page(write_report(Result(data), tmp_path / "r.html", figures={}).read_text(encoding="utf-8"))
     assert "stiffness Cxi ∞ (rigid) N·m/rad" in page.text
+
+
+def test_statistics_of_several_runs(good: Result, tmp_path: Path) -> None:
+    told = json.dumps({"reference": {"steps": 12}, "real": {"steps": 34, "dt_omega": 0.51234567}})
+    run = Result(good.data.assign_attrs(statistics=told))
+    text = Page(write_report(run, tmp_path / "r.html", figures={}).read_text(encoding="utf-8")).text
+    assert "reference: steps 12 real: steps 34 real: dt omega 0.512346" in text
 
 
 def test_its_size(text: str) -> None:

@@ -58,13 +58,17 @@ def test_bounds_and_range_can_be_chosen() -> None:
 
 def test_marks_are_labelled_and_do_not_overlap() -> None:
     result = synthetic_result()
-    crowd = [{"frequency_Hz": f, "damping_ratio": 0.01, "element": "mode1 horizontal"} for f in (4.9, 5.0, 5.3, 6, 58)]
-    crowd.append({"frequency_Hz": 178.0, "damping_ratio": 0.01, "element": "gear"})
+    crowd = [
+        {"frequency_Hz": f, "damping_ratio": 0.01, "element": "mode 1, horizontal"} for f in (4.9, 5.0, 5.3, 6, 58)
+    ]
+    crowd.append({"frequency_Hz": 178.0, "damping_ratio": 0.01, "element": "beyond the axis"})
+    crowd.append({"frequency_Hz": 40.0, "damping_ratio": 1.0, "element": "too damped to ring"})
     data = result.data.assign_attrs(frequencies=json.dumps({"controlled": crowd}))
     panel: Any = spectrum(Result(data))[0]
     panel.figure.draw_without_rendering()
     labels = [text for text in panel.texts if "Hz" in text.get_text()]
     assert [label.get_text().split("\n")[0] for label in labels] == ["4.9 Hz", "5 Hz", "5.3 Hz", "6 Hz", "58 Hz"]
+    assert all(label.get_text().endswith(" Hz\nmode 1\nhorizontal") for label in labels)
     boxes = [Text.get_window_extent(label) for label in labels]
     assert all(left.x1 < right.x0 for left, right in pairwise(boxes))
     assert panel._left_title.get_window_extent().y0 > max(box.y1 for box in boxes)

@@ -23,6 +23,7 @@ from tmodes.plot.units import pretty, readable
         ("rad/s^2", [0.002], "mrad/s²", 1e3),
         ("J", [0.0], "J", 1.0),
         ("J", [1e-20], "J", 1.0),
+        ("rad", [3e-10], "nrad", 1e9),
         ("s", [], "s", 1.0),
     ],
 )

@@ -46,6 +46,6 @@ def _check_finite(name: str, values: Any) -> None:
         return
     index = int(np.argmin(finite))
     raise SimulationError(
-        f"states[{index}]: {name} is not finite there; expected a state at which the equations hold. Mend: keep the tip "
-        "away from the vertical through the base and from the base itself, and the rates below 1e100"
+        f"states[{index}]: {name} is not finite there; expected a state at which the equations hold. Mend: keep the "
+        "tip away from the vertical through the base and from the base itself, and the rates below 1e100"
     )

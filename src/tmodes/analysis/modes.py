@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from dataclasses import asdict, dataclass
 from enum import StrEnum
 from typing import Any
@@ -10,7 +11,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.coordinates import deformations, free_columns
-from tmodes.equations.layout import DEFORMATIONS
 from tmodes.mechanism import Drive, Mechanism, Parameters
 from tmodes.model import Model
 from tmodes.robot import Robot
@@ -41,8 +41,9 @@ class MotorState(StrEnum):
 class VibrationMode:
     """One mode of vibration.
 
-    ``frequency_Hz``: from mass and stiffness alone; ``damped_frequency_Hz``: as it rings, None when it does not (over-damped);
-    ``damping_ratio``: -Re/|lambda|, 1 when over-damped; ``element``: where most of its elastic energy is, ``share`` of it.
+    ``frequency_Hz``: natural, from mass and stiffness alone; ``damped_frequency_Hz``: as it rings, None when it does
+    not (over-damped); ``damping_ratio``: -Re/|lambda|, 1 when over-damped; ``element``: where most of its elastic
+    energy is, and the ``share`` of it.
     """
 
     frequency_Hz: float
@@ -69,9 +70,10 @@ def vibration_modes(
     mass, damping, stiffness = _matrices(robot, mechanism, parameters, phi, state)
     if not len(mass):
         return []
-    squares, undamped_shapes = np.linalg.eig(np.linalg.solve(mass, stiffness))
-    order = np.argsort(squares.real)
-    undamped = np.sqrt(np.maximum(squares.real[order], 0)) / (2 * np.pi)
+    eigen = np.linalg.eig(np.linalg.solve(mass, stiffness))
+    squares, undamped_shapes = np.real(eigen.eigenvalues), eigen.eigenvectors
+    order = np.argsort(squares)
+    undamped = np.sqrt(np.maximum(squares[order], 0)) / (2 * np.pi)
     eigenvalues, shapes = _eigen(mass, damping, stiffness)
     columns = free_columns(mechanism.rigid, state is MotorState.LOCKED)
     match = _partners(undamped_shapes[:, order], shapes, eigenvalues)
@@ -149,12 +151,12 @@ def _mode(robot: Robot, undamped: float, eigenvalue: complex | None, shape: NDAr
 
 def _home(robot: Robot, shape: NDArray[Any]) -> tuple[str, float]:
     """The element that stores most of the mode's elastic energy, and its share."""
-    first, second = robot.link.modes
-    stiffness = {"xi": robot.gear.stiffness}
-    for names, mode in ((("th11q", "th11m"), first), (("th12d", "th12e"), second)):
-        stiffness |= dict.fromkeys(names, mode.tip_stiffness * mode.length**2)
+    first, second = (mode.tip_stiffness * mode.length**2 for mode in robot.link.modes)
+    stiffness = {"th11q": first, "th12d": second, "th11m": first, "th12e": second, "xi": robot.gear.stiffness}
     angles = deformations(shape)._asdict()
-    stored = {name: stiffness[name] * abs(angles[name]) ** 2 for name in DEFORMATIONS if np.isfinite(stiffness[name])}
+    stored = {name: k * abs(angles[name]) ** 2 for name, k in stiffness.items() if math.isfinite(k)}
     total = sum(stored.values())
+    if total == 0:
+        return "controller, whole arm", 1.0
     name = max(stored, key=lambda key: stored[key])
     return ELEMENTS[name], float(stored[name] / total)

@@ -1,4 +1,4 @@
-"""``tmodes check``: is this data sheet right, and plausible?"""
+"""``tmodes check``: whether a data sheet is right, and plausible."""
 
 from __future__ import annotations
 

@@ -60,7 +60,7 @@ def main() -> None:
         _say(f"tmodes: {error}")
         code = error.exit_code
     except typer.TyperException as error:
-        error.show()
+        error.show()  # pyright: ignore[reportAttributeAccessIssue]: every error of a command line has it
         code = error.exit_code
     except (KeyboardInterrupt, typer.Abort):
         _say("tmodes: interrupted")

@@ -38,7 +38,9 @@ def modes(
         found["nominal"] = all_modes(pair.nominal, contact=contact, theta=angle)
     if as_json:
         units = {"frequency_Hz": "Hz, natural", "damped_frequency_Hz": "Hz", "damping_ratio": "1", "share": "1"}
-        print_json({"robot": pair.nominal.name, "reading": pair.nominal.reading, "contact": contact, "units": units, **found})
+        print_json(
+            {"robot": pair.nominal.name, "reading": pair.nominal.reading, "contact": contact, "units": units, **found}
+        )
         return
     for kind, states in found.items():
         whose = "real robot" if kind == "real" else "robot as known"
@@ -56,4 +58,10 @@ def _print(title: str, lines: list[dict[str, Any]]) -> None:
 def _row(line: dict[str, Any]) -> list[str]:
     damped = line["damped_frequency_Hz"]
     ringing = "-" if damped is None else f"{damped:.4f}"
-    return [line["element"], f"{line['share']:.0%}", f"{line['frequency_Hz']:.4f}", ringing, f"{line['damping_ratio']:.4f}"]
+    return [
+        line["element"],
+        f"{line['share']:.0%}",
+        f"{line['frequency_Hz']:.4f}",
+        ringing,
+        f"{line['damping_ratio']:.4f}",
+    ]

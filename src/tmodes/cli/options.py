@@ -19,7 +19,7 @@ Settings = Annotated[
     typer.Option(
         "--set",
         metavar="PATH=VALUE",
-        help="Change a number of the robot; may be given often. E.g. --set payload.mass=0.8  --set real.gear.stiffness=0.5",
+        help="Change a number of the robot; may be given often: --set payload.mass=0.8  --set real.gear.stiffness=0.5",
     ),
 ]
 ReadingOption = Annotated[

@@ -28,11 +28,14 @@ class Stages:
     def __enter__(self) -> Self:
         return self
 
-    def __exit__(self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None) -> None:
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None
+    ) -> None:
         if self._bar:
             self._bar.stop()
 
     def __call__(self, stage: str, share: float) -> None:
+        """Tell that a share of a stage is done."""
         now = clock.monotonic()
         if self._quiet or now - self._started < PATIENCE:
             return

@@ -15,7 +15,10 @@ def robots(
     name: Annotated[str | None, typer.Argument(help="Print this robot's data sheet (YAML).")] = None,
     as_json: AsJson = False,
 ) -> None:
-    """List the published robots, or print one's data sheet to edit:  tmodes robots filipovic2010 > my.yaml"""
+    """List the published robots, or print one's data sheet, to edit.
+
+    For example:  tmodes robots filipovic2010 > my.yaml
+    """
     from tmodes import robots as published
     from tmodes.cli.output import print_json, print_table
 

@@ -19,7 +19,9 @@ def run(
     settings: Settings = None,
     out: Annotated[Path | None, typer.Option(help="Folder for the output; else results/NAME.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a result that is there.")] = False,
-    figures: Annotated[bool, typer.Option("--figures/--no-figures", help="Figures and report, or the data only.")] = True,
+    figures: Annotated[
+        bool, typer.Option("--figures/--no-figures", help="Figures and report, or the data only.")
+    ] = True,
     as_json: AsJson = False,
 ) -> None:
     """Plan with the robot as known, run the real one under control, and show how it bends.

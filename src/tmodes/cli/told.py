@@ -33,5 +33,9 @@ def _rows(summary: dict[str, Any]) -> Any:
     yield "largest bending moment", f"{moment['value_Nm']:.3f} N m", place
     force = summary["contact_force_radial"]
     if force:
-        yield "radial contact force", f"{force['min_N']:.3f} ... {force['max_N']:.3f} N", f"mean {force['mean_N']:.3f} N"
+        yield (
+            "radial contact force",
+            f"{force['min_N']:.3f} ... {force['max_N']:.3f} N",
+            f"mean {force['mean_N']:.3f} N",
+        )
     yield "energy balance", f"{energy['worst_residual_J']:.1e} J", f"of {energy['moved_J']:.3g} J moved"

@@ -1,7 +1,7 @@
 """Dormand and Prince's pair of order 5(4) with dense output, adaptive, as a native loop.
 
-Tableau: J. R. Dormand, P. J. Prince, J. Comp. Appl. Math. 6 (1980) 19-26; dense output of order 4: L. F. Shampine, Math.
-Comp. 46 (1986) 135-150; step control (PI): E. Hairer, G. Wanner, Solving Ordinary Differential Equations, DOPRI5.
+Tableau: J. R. Dormand, P. J. Prince, J. Comp. Appl. Math. 6 (1980) 19-26; dense output of order 4: L. F. Shampine,
+Math. Comp. 46 (1986) 135-150; step control (PI): E. Hairer, G. Wanner, Solving Ordinary Differential Equations, DOPRI5.
 """
 
 from __future__ import annotations
@@ -94,7 +94,7 @@ def _stages(loop: TimeLoop, time: Any, h: Any) -> None:
 
 
 def _scale(loop: TimeLoop, i: Any, *states: str) -> Any:
-    """Atol + rtol times the larger of the states, for component i."""
+    """``atol`` + ``rtol`` times the larger of the states, for component i."""
     b = loop.builder
     largest: Any = number(0.0)
     for state in states:

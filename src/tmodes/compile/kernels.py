@@ -1,4 +1,4 @@
-"""Groups of native functions, each made at its first use and kept on disk: a second start reads them in milliseconds."""
+"""Groups of native functions, each made at its first use and kept on disk: a second start reads them in no time."""
 
 from __future__ import annotations
 

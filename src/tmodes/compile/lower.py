@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -89,40 +90,38 @@ class _Writer:
         return self._operation(value.kind, *(self.known[arg] for arg in value.args))
 
     def _turn(self, value: Instruction) -> Any:
-        """Sin and cos of one angle share one call."""
+        """One call for the sine and the cosine of an angle."""
         angle = value.args[0]
         if angle not in self.turned:
             self.turned[angle] = self.builder.call(sine_and_cosine(self.module), [self.known[angle]])
         return self.builder.extract_value(self.turned[angle], 0 if value.kind == "sin" else 1)
 
     def _operation(self, kind: str, a: Any, c: Any = None) -> Any:
-        b = self.builder
-        match kind:
-            case "add":
-                return b.fadd(a, c, flags=_FUSE)
-            case "sub":
-                return b.fsub(a, c, flags=_FUSE)
-            case "mul":
-                return b.fmul(a, c, flags=_FUSE)
-            case "sq":
-                return b.fmul(a, a, flags=_FUSE)
-            case "twice":
-                return b.fmul(a, number(2.0), flags=_FUSE)
-            case "div":
-                return b.fdiv(a, c)
-            case "inv":
-                return b.fdiv(number(1.0), a)
-            case "neg":
-                return b.fneg(a)
-            case "copy":
-                return a
-            case "sqrt" | "fabs":
-                return b.call(self.module.declare_intrinsic(f"llvm.{kind}", [F64]), [a])
-            case "lt" | "le":
-                return b.uitofp(b.fcmp_ordered("<" if kind == "lt" else "<=", a, c), F64)
-            case "not":
-                return b.uitofp(b.fcmp_ordered("==", a, number(0.0)), F64)
-            case "if_else_zero":
-                return b.select(b.fcmp_unordered("!=", a, number(0.0)), c, number(0.0))
-            case _:
-                raise AssertionError(kind)
+        b: Any = self.builder
+        if kind in _INTRINSICS:
+            return b.call(self.module.declare_intrinsic(_INTRINSICS[kind], [F64]), [a])
+        return _OPERATIONS[kind](b, a, c)
+
+
+def _truth(b: Any, condition: Any) -> Any:
+    """CasADi's truth values are the numbers 1 and 0."""
+    return b.uitofp(condition, F64)
+
+
+_INTRINSICS = {"sqrt": "llvm.sqrt", "fabs": "llvm.fabs"}
+
+_OPERATIONS: dict[str, Callable[[Any, Any, Any], Any]] = {
+    "add": lambda b, x, y: b.fadd(x, y, flags=_FUSE),
+    "sub": lambda b, x, y: b.fsub(x, y, flags=_FUSE),
+    "mul": lambda b, x, y: b.fmul(x, y, flags=_FUSE),
+    "sq": lambda b, x, _: b.fmul(x, x, flags=_FUSE),
+    "twice": lambda b, x, _: b.fmul(x, number(2.0), flags=_FUSE),
+    "div": lambda b, x, y: b.fdiv(x, y),
+    "inv": lambda b, x, _: b.fdiv(number(1.0), x),
+    "neg": lambda b, x, _: b.fneg(x),
+    "copy": lambda b, x, _: x,
+    "lt": lambda b, x, y: _truth(b, b.fcmp_ordered("<", x, y)),
+    "le": lambda b, x, y: _truth(b, b.fcmp_ordered("<=", x, y)),
+    "not": lambda b, x, _: _truth(b, b.fcmp_ordered("==", x, number(0.0))),
+    "if_else_zero": lambda b, x, y: b.select(b.fcmp_unordered("!=", x, number(0.0)), y, number(0.0)),
+}

@@ -120,7 +120,7 @@ class TimeLoop:
 
     def combine(self, into: str, weights: dict[str, Any], base: str = "y") -> None:
         """``into = base + sum weights[a] a`` for whole arrays."""
-        b = self.builder
+        b: Any = self.builder
         with counted(b, self.size) as i:
             total = load(b, self.array[base], i)
             for label, weight in weights.items():

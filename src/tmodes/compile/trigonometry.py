@@ -51,7 +51,7 @@ def _answer(builder: Any, sine: Any, cosine: Any) -> None:
 
 
 def _near(b: Any, module: Any, x: Any) -> tuple[Any, Any]:
-    """Sin and cos of an argument within reach: x = n pi/2 + (head + tail), then a polynomial and a quadrant."""
+    """Sine and cosine of an argument within reach: x = n pi/2 + (head + tail), then a polynomial and a quadrant."""
     turns = b.call(module.declare_intrinsic("llvm.rint", [F64]), [b.fmul(x, number(_TWO_OVER_PI))])
     first = b.fsub(x, b.fmul(turns, number(_HALF_PI[0])))
     second = b.fmul(turns, number(_HALF_PI[1]))

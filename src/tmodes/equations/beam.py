@@ -16,8 +16,10 @@ from tmodes.robot import Robot
 __all__ = ["line_function"]
 
 
-def line_function(mode: int) -> ca.Function:
+def line_function(mode: int, rigid: bool) -> ca.Function:
     """The vector of :data:`tmodes.equations.layout.LINE` of (s, [phi, phi', phi'', tip force], parameters).
+
+    A ``rigid`` mode has no curvature, so no flexibility moment.
 
     Eq. (1) [corrected]: M + beta y'' = 0 for one beam alone; here M holds every force of the whole mechanism, and
     beta (y + eta y')'' the damping. {test_line_moments_obey_galerkin}
@@ -29,6 +31,8 @@ def line_function(mode: int) -> ca.Function:
     phi, phid, phidd, force = motion[:6], motion[6:12], motion[12:18], motion[18:]
     moment, shear = _section_loads(robot, mode, s, phi, phid, phidd, force)
     shape = _shape(robot, mode, s, phi, phid)
+    if rigid:
+        shape["flexibility_moment"] = ca.SX.zeros(2)
     seen = {"line": line_point(mode, phi, robot.link, s), "bending_moment": moment, "shear_force": shear, **shape}
     output = ca.vertcat(*(seen[name] for name in LINE))
     return ca.Function(f"line{mode}", [s, motion, parameters], [ca.densify(output)], {"cse": True})

@@ -43,9 +43,10 @@ class ClosedLoop:
 
 
 def closed_loop(mechanism: Mechanism) -> ClosedLoop:
-    """The robot under its drive. ``row`` holds the start of the current piece and the coefficients of its polynomial:
+    """The robot under its drive.
 
-    the motor's wanted angle (controlled, prescribed), or its voltage.
+    ``row`` holds the start of the current piece of the schedule and the coefficients of its polynomial: the motor's
+    wanted angle [rad] (controlled, prescribed), or its voltage [V].
     """
     robot, _, parameters = symbolic_robot()
     time, state = ca.SX.sym("time"), ca.SX.sym("state", STATE_SIZE)
@@ -76,14 +77,14 @@ def _polynomial(row: Any, time: Any) -> tuple[Any, Any, Any]:
 
 
 def rate_function(loop: ClosedLoop) -> ca.Function:
-    """D state/d time of (time, state, row, parameters)."""
+    """Derivative of the state by time, of (time, state, row, parameters)."""
     powers = _powers(loop)
     rates = ca.vertcat(loop.phid, loop.motion.acceleration, *(powers[name] for name in WORKS))
     return _function("rate", loop, rates)
 
 
 def observe_function(loop: ClosedLoop) -> ca.Function:
-    """What a result shows at a sample: the vector of :data:`tmodes.equations.layout.OBSERVED`, of (time, state, row, parameters)."""
+    """The vector of :data:`tmodes.equations.layout.OBSERVED`, of (time, state, row, parameters)."""
     robot, moved, phi, phid = loop.robot, loop.motion, loop.phi, loop.phid
     energy = moved.energy
     seen = {

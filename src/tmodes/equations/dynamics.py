@@ -76,6 +76,8 @@ def _accelerations(
     mass: Any, load: Any, directions: Any, known: Any, contact: ContactTerms | None, law: FrictionLaw | None
 ) -> tuple[Any, Any, Any, Any]:
     """Solve for phi'' in the free directions; the contact's mass is a rank-one change of H (Sherman-Morrison)."""
+    if not directions.shape[1]:
+        return _held(known, contact, law)
     reduced = directions.T @ mass @ directions
     right = directions.T @ (load - mass @ known)
     if contact is None:
@@ -85,14 +87,27 @@ def _accelerations(
     at_rest = contact.at_rest + contact.mass * ca.dot(contact.row, known)
     # Without the contact's own push, Fc has this sign; the push only scales it (its denominator is positive).
     pull = at_rest + contact.mass * ca.dot(row, _solve_ldl(reduced, right))
-    sign = ca.if_else(pull >= 0, 1, -1) if law is FrictionLaw.MAGNITUDE else 1
-    direction = contact.direction(sign)
+    direction = contact.direction(_friction_sign(pull, law))
     push = contact.to_rows @ direction
     answer = _solve_ldl(reduced, ca.horzcat(right, directions.T @ push))
     freely, pushed = answer[:, 0], answer[:, 1]
     radial = pull / (1 + contact.mass * ca.dot(row, pushed))
     acceleration = directions @ (freely - pushed * radial) + known
     return acceleration, radial, radial * direction, push * radial
+
+
+def _held(known: Any, contact: ContactTerms | None, law: FrictionLaw | None) -> tuple[Any, Any, Any, Any]:
+    """The same where no direction is free: a rigid arm whose motor's motion is prescribed."""
+    if contact is None:
+        return known, ca.SX(0), ca.SX.zeros(3), ca.SX.zeros(6)
+    radial = contact.at_rest + contact.mass * ca.dot(contact.row, known)
+    force = radial * contact.direction(_friction_sign(radial, law))
+    return known, radial, force, contact.to_rows @ force
+
+
+def _friction_sign(radial: Any, law: FrictionLaw | None) -> Any:
+    """Sign with which the radial force enters friction: its own makes mu |Fc| of mu Fc."""
+    return ca.if_else(radial >= 0, 1, -1) if law is FrictionLaw.MAGNITUDE else 1
 
 
 def _solve_ldl(matrix: Any, right: Any) -> Any:

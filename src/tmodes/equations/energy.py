@@ -65,12 +65,12 @@ def _printed_kinetic(robot: Robot, phi: Any, phid: Any) -> Any:
     """Translation of the point masses, `printed` reading: a horizontal part (lm, le held) plus a vertical part."""
     first, second = robot.link.modes
     lm, le = projected_lengths(phi, robot.link)
-    horizontal = _planar_squares(lm, le, phi[0], phi[1], phid[0], phid[1])
-    vertical = _planar_squares(first.length, second.length, phi[3], phi[4], phid[3], phid[4])
+    horizontal = _planar_squares(lm, le, phi[1], phid[0], phid[1])
+    vertical = _planar_squares(first.length, second.length, phi[4], phid[3], phid[4])
     return sum(mass * (h + v) / 2 for mass, h, v in zip(_masses(robot), horizontal, vertical, strict=True))
 
 
-def _planar_squares(a: Any, b: Any, angle: Any, bend: Any, rate: Any, bend_rate: Any) -> tuple[Any, Any]:
+def _planar_squares(a: Any, b: Any, bend: Any, rate: Any, bend_rate: Any) -> tuple[Any, Any]:
     """Squared speeds of the ends of a planar two-bar chain of lengths a, b."""
     outer = rate + bend_rate
     first = (a * rate) ** 2
@@ -105,8 +105,8 @@ def _levers(robot: Robot, mechanism: Mechanism, phi: Any) -> tuple[Any, Any, Any
     Eq. (12) [stated]: r12d = l2 cos(vt + e) (delta - (q - gamma)/2). {test_elastic_energy_terms}
     """
     first, second = (mode.length for mode in robot.link.modes)
-    horizontal = (first, second) if mechanism.reading is Reading.PRINTED else projected_lengths(phi, robot.link)
-    return *horizontal, first, second
+    lm, le = (first, second) if mechanism.reading is Reading.PRINTED else projected_lengths(phi, robot.link)
+    return lm, le, first, second
 
 
 def _link_quadratic(robot: Robot, mechanism: Mechanism, values: Any, levers: Any, constant: str) -> Any:

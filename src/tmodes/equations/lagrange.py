@@ -23,7 +23,7 @@ class EquationTerms:
 
     @property
     def internal(self) -> Any:
-        """H + f_elastic + f_damping, shape (6,) [N*m]."""
+        """All rows but the inertia: h + f_elastic + f_damping, shape (6,) [N*m]."""
         return self.bias + self.elastic + self.damping
 
 

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import textwrap
 from collections.abc import Mapping, Sequence
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +18,15 @@ __all__ = ["keep_apart", "mark_frequencies"]
 
 LABEL_WIDTH = 0.1
 """Room that a label takes, as a share of the axis."""
+
+LABEL_LETTERS = 10
+"""Letters in a line of a label, so that it takes no more room than that."""
+
+LABEL_SIZE = 6.5
+"""Size of a label's letters [points]."""
+
+NO_PEAK = 0.5**0.5
+"""Damping ratio from which on the response of an oscillator has no peak."""
 
 
 def keep_apart(wanted: Sequence[float], least: float, low: float = 0.0, high: float = 1.0) -> NDArray[Any]:
@@ -36,24 +46,33 @@ def keep_apart(wanted: Sequence[float], least: float, low: float = 0.0, high: fl
     return np.clip(places, low, room) + offsets
 
 
-def mark_frequencies(panel: Axes, modes: Sequence[Mapping[str, Any]], highest: float) -> None:
-    """A thin line at each frequency up to ``highest`` [Hz], and above the axes its value and its element."""
-    shown = sorted((mode for mode in modes if 0 < mode["frequency_Hz"] <= highest), key=lambda m: m["frequency_Hz"])
-    shown = shown[: int(1 / LABEL_WIDTH)]
+def mark_frequencies(panel: Axes, modes: Sequence[Mapping[str, Any]], highest: float) -> float:
+    """A thin line at each frequency up to ``highest`` [Hz], and above the axes its value and its element.
+
+    A mode that is damped too much to show a peak is not marked. Returns the height of the labels [points].
+    """
+    ringing = (m for m in modes if 0 < m["frequency_Hz"] <= highest and m["damping_ratio"] < NO_PEAK)
+    shown = sorted(ringing, key=lambda mode: mode["frequency_Hz"])[: int(1 / LABEL_WIDTH)]
     frequencies = [float(mode["frequency_Hz"]) for mode in shown]
-    half = LABEL_WIDTH / 2
-    places = keep_apart([f / highest for f in frequencies], LABEL_WIDTH, half, 1 - half)
-    for mode, frequency, place in zip(shown, frequencies, places, strict=True):
+    labels = [f"{mode['frequency_Hz']:.3g} Hz\n{_wrapped(mode['element'])}" for mode in shown]
+    places = keep_apart([f / highest for f in frequencies], LABEL_WIDTH, LABEL_WIDTH / 2, 1 - LABEL_WIDTH / 2)
+    for label, frequency, place in zip(labels, frequencies, places, strict=True):
         panel.axvline(frequency, color=QUIET, linewidth=0.6, linestyle=(0, (2, 2)), zorder=1)
         panel.annotate(
-            f"{frequency:.3g} Hz\n" + str(mode["element"]).replace(" ", "\n"),
+            label,
             xy=(frequency / highest, 1.0),
             xytext=(place, 1.045),
             xycoords="axes fraction",
             textcoords="axes fraction",
             ha="center",
             va="bottom",
-            fontsize=6.5,
+            fontsize=LABEL_SIZE,
             color=QUIET,
             arrowprops={"arrowstyle": "-", "color": QUIET, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0},
         )
+    lines = max((label.count("\n") + 1 for label in labels), default=0)
+    return 1.25 * LABEL_SIZE * lines + 10
+
+
+def _wrapped(element: object) -> str:
+    return "\n".join(line.rstrip(",") for line in textwrap.wrap(str(element), width=LABEL_LETTERS))

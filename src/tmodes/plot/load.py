@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 
 import numpy as np
 
+from tmodes.plot.facts import mode_lengths
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
-from tmodes.plot.shape import mode_lengths
 from tmodes.plot.style import BAND, BLUE, QUIET, RED, house_style
 from tmodes.plot.units import readable
 

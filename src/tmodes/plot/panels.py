@@ -16,6 +16,9 @@ if TYPE_CHECKING:
 
 __all__ = ["AxesLike", "letter", "panels", "shared_legend", "side_legend", "time_axis"]
 
+ROUNDING = 1e-9
+"""A change below this share of the value, and a value below this in its unit, is not worth an axis of its own."""
+
 AxesLike = Any
 """One Axes, or a sequence or array of them; None draws a new figure."""
 
@@ -42,6 +45,17 @@ def letter(axes: Iterable[Axes], titles: Iterable[str], pad: float | None = None
     """Titles with a), b), ... before them, so that a caption can name a panel; ``pad`` above the axes [points]."""
     for index, (panel, title) in enumerate(zip(axes, titles, strict=True)):
         panel.set_title(f"{chr(ord('a') + index)}) {title}", loc="left", pad=pad)
+        _calm(panel)
+
+
+def _calm(panel: Axes) -> None:
+    """Give curves that are constant but for rounding a scale on which they look constant."""
+    low, high = panel.dataLim.intervaly
+    size = max(abs(low), abs(high))
+    if not (panel.get_autoscaley_on() and np.isfinite(size)) or high - low > ROUNDING * size > ROUNDING**2:
+        return
+    middle, half = ((low + high) / 2, 0.05 * size) if size > ROUNDING else (0.0, 0.05)
+    panel.set_ylim(middle - half, middle + half)
 
 
 def time_axis(panel: Axes, times: Any, label: bool = True) -> None:

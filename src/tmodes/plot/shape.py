@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import json
 from itertools import product
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.plot.facts import mode_lengths, move_duration
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import INSTANTS, QUIET, house_style
 from tmodes.plot.units import readable
@@ -26,9 +26,10 @@ VISIBLE = 0.12
 Array = NDArray[Any]
 
 
-def instants(count: int, most: int = len(INSTANTS)) -> Array:
-    """Indices of at most ``most`` samples of ``count``, evenly spread, first and last among them."""
-    return np.unique(np.linspace(0, count - 1, most).round().astype(int))
+def instants(data: Any, most: int = len(INSTANTS)) -> Array:
+    """Indices of at most ``most`` samples, evenly spread from the start to the end of the move (or of the run)."""
+    last = max(int(np.searchsorted(data["time"].values, move_duration(data) * (1 + 1e-9), side="right")) - 1, 0)
+    return np.unique(np.linspace(0, last, most).round().astype(int))
 
 
 def round_factor(wanted: float) -> float:
@@ -49,7 +50,7 @@ def elastic_line(result: Result, ax: AxesLike = None, *, exaggerate: float | Non
     """
     axes = panels(ax, [["above", "side"]], 3.4)
     data = result.data
-    chosen = instants(len(data["time"]))
+    chosen = instants(data)
     line, rigid, times = _line(data, chosen), _rigid(data, chosen), data["time"].values[chosen]
     factor = _factor(rigid[..., :2], line[..., :2]) if exaggerate is None else exaggerate
     _draw(axes[0], rigid[..., :2] + factor * (line - rigid)[..., :2], rigid[..., :2], times)
@@ -75,7 +76,7 @@ def mode_deflection(result: Result, ax: AxesLike = None) -> list[Axes]:
     names = [f"{mode} {plane}" for mode, plane in shown]
     axes = panels(ax, [names[:2], names[2:]], 4.2)
     data = result.data
-    chosen = instants(len(data["time"]))
+    chosen = instants(data)
     for panel, (mode, plane) in zip(axes, shown, strict=True):
         curves = data["deflection"].sel(mode=mode, plane=plane).values[chosen]
         along = data["s"].values * mode_lengths(data)[int(mode[-1]) - 1]
@@ -87,11 +88,6 @@ def mode_deflection(result: Result, ax: AxesLike = None) -> list[Axes]:
     shared_legend(axes[0])
     letter(axes, (f"Mode {mode[-1]}, {plane}" for mode, plane in shown))
     return axes
-
-
-def mode_lengths(data: Any) -> list[float]:
-    """Length of each mode [m], root to tip."""
-    return [float(mode["length"]) for mode in json.loads(data.attrs["robot"])["link"]["modes"]]
 
 
 def _line(data: Any, chosen: Array) -> Array:

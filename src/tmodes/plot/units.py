@@ -9,7 +9,7 @@ from numpy.typing import ArrayLike, NDArray
 
 __all__ = ["Unit", "pretty", "readable"]
 
-PREFIXES = ((1e4, 1e-3, "k"), (0.1, 1.0, ""), (1e-4, 1e3, "m"), (1e-7, 1e6, "µ"), (1e-13, 1e9, "n"))
+PREFIXES = ((1e4, 1e-3, "k"), (0.1, 1.0, ""), (1e-4, 1e3, "m"), (1e-7, 1e6, "µ"), (1e-11, 1e9, "n"))
 """From this largest value on: the factor on the SI value, and the prefix of the unit."""
 
 NEVER_LARGE = ("m", "rad", "s", "-")

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError
+from tmodes.plot.facts import move_duration
 from tmodes.plot.frequency_marks import mark_frequencies
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import COMPONENTS, house_style
@@ -78,15 +79,14 @@ def spectrum(
     span = f"{float(part['time'][0]):g} to {float(part['time'][-1]):g} s"
     axes[1].set_xlabel("frequency [Hz]")
     modes = json.loads(result.data.attrs["frequencies"]).get("controlled", [])
-    for panel in axes:
-        mark_frequencies(panel, modes, highest)
-    letter(axes, (f"Horizontal bending angles, {span}", f"Acceleration of mode 1's azimuth, {span}"), pad=38)
+    pad = max(mark_frequencies(panel, modes, highest) for panel in axes)
+    letter(axes, (f"Horizontal bending angles, {span}", f"Acceleration of mode 1's azimuth, {span}"), pad=pad)
     return axes
 
 
 def _plateau(data: Any, bounds: tuple[float, float]) -> Any:
-    duration = json.loads(data.attrs["robot"])["reference"]["duration"]
-    time, slack = data["time"].values, 1e-9 * duration
+    duration, time = move_duration(data), data["time"].values
+    slack = 1e-9 * duration
     inside = (time >= bounds[0] * duration - slack) & (time <= bounds[1] * duration + slack)
     return data.isel(time=np.flatnonzero(inside))
 

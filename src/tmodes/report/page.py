@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Iterator, Mapping
 from importlib.resources import files
 from typing import TYPE_CHECKING, Any
 
@@ -75,14 +75,15 @@ def _header(result: Result, sheet: Mapping[str, Any], name: str) -> Markup:
 
 def _status(result: Result) -> Markup:
     """How the run ended; a run that did not finish says so where no one can miss it."""
+    message = result.message.removeprefix(f"{result.status}: ")
     if result.success:
-        return tag("p", tag("strong", "Finished."), f" {result.message}", class_="status good")
+        return tag("p", tag("strong", "Finished."), f" {message}", class_="status good")
     data = result.data
     wanted = json.loads(data.attrs["robot"]).get("integration", {}).get("duration")
     of_wanted = f" of {wanted:g} s" if isinstance(wanted, (int, float)) else ""
     end = f"What follows ends at {float(data['time'][-1]):g} s{of_wanted} and is not a complete result."
     heading = tag("strong", f"This run did not finish: {result.status}.")
-    return tag("div", heading, tag("p", result.message), tag("p", end), class_="status bad", role="alert")
+    return tag("div", heading, tag("p", message), tag("p", end), class_="status bad", role="alert")
 
 
 def _warnings(result: Result) -> Markup | None:
@@ -142,16 +143,21 @@ def _provenance(result: Result, sheet: Mapping[str, Any]) -> Markup:
         tag("p", str(sheet.get("citation", ""))),
         tag(
             "div",
-            table("Equations", ("What", "Value"), _rows({key: attributes[key] for key in ("reading", "mechanism")})),
-            table("Integration", ("What", "Value"), _rows(result.statistics), numeric=(1,)),
-            table("Versions", ("Program", "Version"), _rows(versions)),
+            table(
+                "Equations", ("What", "Value"), list(_rows({key: attributes[key] for key in ("reading", "mechanism")}))
+            ),
+            table("Integration", ("What", "Value"), list(_rows(result.statistics)), numeric=(1,)),
+            table("Versions", ("Program", "Version"), list(_rows(versions))),
             class_="columns",
         ),
     )
 
 
-def _rows(told: Mapping[str, Any]) -> list[list[str]]:
-    return [
-        [key.replace("_", " "), f"{value:.6g}" if isinstance(value, float) else str(value)]
-        for key, value in told.items()
-    ]
+def _rows(told: Mapping[str, Any], group: str = "") -> Iterator[list[str]]:
+    """Names and values; a group within the group has its name before the names in it."""
+    for key, value in told.items():
+        name = f"{group}{key}".replace("_", " ")
+        if isinstance(value, Mapping):
+            yield from _rows(value, f"{name}: ")
+        else:
+            yield [name, f"{value:.6g}" if isinstance(value, float) else str(value)]

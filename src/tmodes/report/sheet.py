@@ -77,8 +77,10 @@ def _shown(value: Any) -> str:
     match value:
         case bool():
             return "yes" if value else "no"
-        case float():
-            return "∞ (rigid)" if math.isinf(value) else f"{value:.6g}"
+        case float() if not math.isinf(value):
+            return f"{value:.6g}"
+        case float() | "Infinity":
+            return "∞ (rigid)"
     return str(value)
 
 

@@ -1,0 +1,162 @@
+"""Physical limits and honest ends: rigid by wish, nothing to lose, singular, unstable steps, bad numbers."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+from io_cases import bad_numbers
+from tmodes.analysis.modes import all_modes
+from tmodes.analysis.stability import step_size_verdict
+from tmodes.equations.coordinates import deformations
+from tmodes.errors import InputErrors, SimulationError, TmodesError
+from tmodes.integrate.settings import Integration, Method
+from tmodes.mechanism import Drive
+from tmodes.model import Model
+from tmodes.regime import run_regime
+from tmodes.simulate import simulate
+
+RIGID = {
+    "gear": {"gear.stiffness": math.inf},
+    "mode 1": {"link.modes.0.bending_stiffness": math.inf},
+    "mode 2": {"link.modes.1.bending_stiffness": math.inf},
+    "all": {
+        "gear.stiffness": math.inf,
+        "link.modes.0.bending_stiffness": math.inf,
+        "link.modes.1.bending_stiffness": math.inf,
+    },
+}
+SHORT = {"integration.duration": 0.3, "integration.output_step": 0.01, "integration.relative_tolerance": 1e-8}
+
+
+@pytest.mark.parametrize("elements", list(RIGID))
+@pytest.mark.parametrize("drive", [Drive.CONTROLLED, Drive.PRESCRIBED])
+def test_rigid_is_the_limit_of_stiff(robot, elements, drive):
+    """Infinite stiffness takes the coordinate away; a thousand times stiffer comes a thousand times nearer to it."""
+    robot = robot.with_({"gear.damping": 40.0, **SHORT})  # so that the stiff motion dies out and the limit is seen
+    rigid = robot.with_(RIGID[elements])
+    limit = run_regime(rigid, drive).trajectory.states[:, :6]
+    held = np.stack(deformations(limit.T), axis=1)
+    numbers, distance = dict(robot.numbers()), []
+    for factor in (30.0, 300.0):
+        stiff = {path: numbers[path] * factor for path in RIGID[elements]}
+        near = run_regime(robot.with_(stiff), drive).trajectory.states[:, :6]
+        distance.append(np.abs(near - limit).max())
+    assert distance[1] < 0.25 * distance[0]
+    names = {"gear": [4], "mode 1": [0, 2], "mode 2": [1, 3], "all": [0, 1, 2, 3, 4]}[elements]
+    assert np.abs(held[:, names]).max() < 1e-12
+
+
+def test_rigid_gear_still_has_a_torque(robot):
+    """The torque of a rigid gear is what the arm asks of it: the balance at the motor closes."""
+    run = run_regime(robot.with_({"gear.stiffness": math.inf, **SHORT}), Drive.CONTROLLED)
+    t = run.trajectory
+    seen = run.model.observe(t.times, t.states, run.rows, run.parameters)
+    motor = robot.motor
+    at_motor = motor.torque_constant * seen["current"] - motor.friction * t.states[:, 11] + seen["gear_torque"]
+    assert np.allclose(at_motor, motor.inertia * seen["acceleration"][:, 5], atol=1e-9 * np.abs(at_motor).max())
+
+
+@pytest.mark.parametrize("reading", ["printed", "consistent"])
+@pytest.mark.parametrize("contact", [False, True])
+@pytest.mark.parametrize("law", ["signed", "magnitude"])
+def test_power_balance(robot, reading, contact, law):
+    """With every loss on, the balance closes to 1e-8 of the energy moved."""
+    change = {"reading": reading, "contact": contact, "environment.friction_law": law}
+    result = simulate(robot.with_(change))
+    assert result.success
+    assert not result.warnings
+    assert result.summary()["energy"]["worst_residual_over_moved"] < 1e-8
+
+
+def test_unstable_step_is_never_called_finished(robot):
+    """rk4 beyond its stability limit: told before, diverged after, with dt*omega; what it had is kept."""
+    change = {"gear.stiffness": 4.7e9, "integration.method": "rk4", "integration.step": 1e-3}
+    result = simulate(robot.with_(change))
+    assert result.status == "diverged"
+    assert "dt*omega" in result.message
+    assert "coordinate" in result.message
+    assert "at t = " in result.message
+    assert result.data.sizes["time"] >= 1
+    assert all(np.isfinite(v.values).all() for v in result.data.data_vars.values() if v.dtype.kind == "f")
+
+
+def test_step_verdict():
+    """|R(z)| = 1 of the classical method on the imaginary axis at 2.828."""
+    ring = np.array([1000j, -1000j])
+    assert step_size_verdict(Integration(method=Method.RK4, step=2.82e-3), ring).stable
+    assert not step_size_verdict(Integration(method=Method.RK4, step=2.84e-3), ring).stable
+    decay = np.array([-1000.0 + 0j])
+    assert step_size_verdict(Integration(method=Method.RK4, step=2.78e-3), decay).stable
+    assert not step_size_verdict(Integration(method=Method.RK4, step=2.79e-3), decay).stable
+    assert step_size_verdict(Integration(step=1.0), ring).stable
+
+
+def test_coarse_integration_is_warned_of(robot):
+    """The energy monitor speaks when the balance does not close."""
+    result = simulate(robot.with_({"integration.relative_tolerance": 1e-2, "integration.absolute_tolerance": 1e-3}))
+    assert any("energy balance" in warning for warning in result.warnings)
+
+
+def test_large_bending_is_warned_of(robot):
+    """Beyond the small angles of the model the run says so, with the first time and the value."""
+    result = simulate(robot.with_({"payload.mass": 6.0, "contact": False, **SHORT}))
+    assert any("small-angle range" in warning and "first at t = " in warning for warning in result.warnings)
+
+
+def test_singular_mass_matrix_names_the_coordinate(robot):
+    """Masses that vanish are found before the run."""
+    mechanism, parameters = robot.split(Drive.CONTROLLED, contact=False)
+    parameters.vector[parameters.names.index("motor.inertia")] = 0.0
+    model = Model(mechanism)
+    with pytest.raises(SimulationError, match="theta"):
+        model.check_mass_matrix(model.rest(0.0, parameters), parameters)
+
+
+def test_no_equilibrium_is_told(robot):
+    """A link that cannot carry its load is refused before the run."""
+    with pytest.raises(SimulationError, match="equilibrium"):
+        simulate(robot.with_({"link.modes.1.bending_stiffness": 1e-6, "contact": False}))
+
+
+CASES = list(bad_numbers())
+
+
+@pytest.mark.slow
+@pytest.mark.parametrize(("name", "path", "kind", "text"), CASES, ids=[case[0] for case in CASES])
+def test_every_bad_number_errs_or_runs(name, path, kind, text, tmp_path):
+    """Each number zero, negative, not a number, infinite, text, absent …: a clear error, or a run without NaN."""
+    from tmodes.robots import load_robot
+
+    file = tmp_path / "robot.yaml"
+    file.write_text(text, encoding="utf-8")
+    try:
+        sheet = load_robot(str(file))
+    except InputErrors as errors:
+        told = str(errors)
+    else:
+        told = shortly(sheet, path)
+    assert not told or ("Mend:" in told and path.split(".")[0] in told), told
+
+
+def shortly(sheet, path):
+    """Run a little while; what an error says, or nothing after a run without NaN."""
+    small = {"integration.duration": 0.02, "integration.max_wall_time": 2.0, "integration.output_step": 0.002}
+    try:
+        result = simulate(sheet.with_({key: value for key, value in small.items() if key != path}))
+    except TmodesError as error:
+        return f"{path}: {error}"
+    assert all(np.isfinite(v.values).all() for v in result.data.data_vars.values() if v.dtype.kind == "f")
+    assert result.success or result.message
+    return ""
+
+
+@pytest.mark.parametrize("elements", [{}, *RIGID.values()])
+def test_modes_of_any_robot(robot, elements):
+    """Every elastic element gives its modes; with everything rigid only the motor's are left."""
+    count = {"locked": 5, "free": 6, "controlled": 6}
+    gone = sum({"gear.stiffness": 1}.get(path, 2) for path in elements)
+    for state, modes in all_modes(robot.with_(elements)).items():
+        assert len(modes) == count[state] - gone
