@@ -1,11 +1,11 @@
 """Everything tmodes raises on purpose.
 
-    TmodesError                    every error of ours; ``exit_code`` is what the command line returns
-    ├── InputError                 one wrong value: which, got, expected, mend
-    ├── InputErrors                all the wrong values of one file, told in one go
-    ├── SimulationError            a run that cannot start or may not go on
-    ├── ResultFileError            a result that cannot be read, or cannot be written
-    └── CompileError               an equation that could not be made native code
+TmodesError                    every error of ours; ``exit_code`` is what the command line returns
+├── InputError                 one wrong value: which, got, expected, mend
+├── InputErrors                all the wrong values of one file, told in one go
+├── SimulationError            a run that cannot start or may not go on
+├── ResultFileError            a result that cannot be read, or cannot be written
+└── CompileError               an equation that could not be made native code
 """
 
 from __future__ import annotations

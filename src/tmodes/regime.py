@@ -32,13 +32,21 @@ def run_regime(
     drive: Drive,
     progress: Callable[[float], None] = lambda share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
+    begin_only: bool = False,
 ) -> Regime:
-    """Run one robot from rest in its own gravity equilibrium, its motor controlled or following theta_o exactly."""
+    """Run one robot from rest in its own equilibrium, its motor controlled or following theta_o exactly.
+
+    ``begin_only`` gives the first sample alone: for a run whose reference could not be had.
+    """
     mechanism, parameters = robot.split(drive)
     model = Model(mechanism)
     schedule = robot.reference.schedule()
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
-    trajectory = integrate(model, parameters, schedule, start, robot.integration, progress, journals(drive.value))
+    if begin_only:
+        trajectory = Trajectory(np.zeros(1), start[None, :], "stopped", "not begun")
+    else:
+        journal = journals(drive.value)
+        trajectory = integrate(model, parameters, schedule, start, robot.integration, progress, journal)
     rows = schedule.until(robot.integration.duration).rows_at(trajectory.times)
     return Regime(robot, model, parameters, rows, trajectory)

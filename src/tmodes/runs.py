@@ -42,13 +42,14 @@ class RunFolder:
         samples = len(sample_times(self.robot.integration))
         check_writable(self.path, samples * _BYTES_PER_SAMPLE + _ROOM_FOR_FIGURES)
         self._lock.__enter__()
+        self.continues = any(self.path.glob(".checkpoint-*"))
+        self.overwrite = self.overwrite or self.continues  # what is there is the beginning of this run
         if self.result_file.exists() and not self.overwrite:
             self._lock.__exit__(None, None, None)
             raise ResultFileError(
                 f"{self.result_file}: got a result that exists; expected a folder without one. Mend: --overwrite "
                 "replaces it, --out names another folder"
             )
-        self.continues = any(self.path.glob(".checkpoint-*"))
         return self
 
     def __exit__(

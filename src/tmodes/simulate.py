@@ -39,7 +39,10 @@ def simulate(
 
     pair = robot if isinstance(robot, NominalRealPair) else robot.pair()
     reference = run_regime(pair.nominal, Drive.PRESCRIBED, lambda share: progress("reference", share), journals)
-    real = run_regime(pair.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals)
+    no_reference = reference.trajectory.status != "finished"
+    real = run_regime(
+        pair.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, begin_only=no_reference
+    )
     verdict = step_size_verdict(pair.real.integration, closed_loop_eigenvalues(pair.real, drive=Drive.CONTROLLED))
     progress("gathering", 0.0)
     result = assemble(pair, reference, real, all_modes(pair.real, contact=False), verdict)

@@ -34,7 +34,7 @@ class Journal(Protocol):
         """Memory, state and samples so far of the same run, or None."""
         ...
 
-    def keep(self, record: dict[str, NDArray[np.float64]]) -> None:
+    def keep(self, record: dict[str, NDArray[np.float64]], last: bool = False) -> None:
         """Keep the progress, when it is time to."""
         ...
 
@@ -86,11 +86,13 @@ def integrate(
             piece = max(1, int(piece * min(4.0, _PIECE_SECONDS / max(spent, 1e-6))))
             progress(run.cell("t") / settings.duration)
             if journal:
-                journal.keep(run.record())
+                journal.keep(run.record(), last=run.status is not Status.RUNNING)
             reason = run.exhausted(clock.monotonic() - began)
             if reason and run.status is Status.RUNNING:
                 return run.trajectory("stopped", reason)
     except KeyboardInterrupt:
+        if journal:
+            journal.keep(run.record(), last=True)
         return run.trajectory("interrupted", f"interrupted at t = {run.cell('t'):.6g} s; what was done is kept")
     return run.end()
 
@@ -166,7 +168,7 @@ class _Run:
     def end(self) -> Trajectory:
         """The run after its loop ended by itself."""
         if self.status is Status.FINISHED:
-            return self.trajectory("finished", f"finished: {self.settings.duration:g} s simulated")
+            return self.trajectory("finished", f"reached the end, t = {self.settings.duration:g} s")
         return self.trajectory("diverged", self._cause())
 
     def _cause(self) -> str:

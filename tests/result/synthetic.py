@@ -338,7 +338,7 @@ def attributes(contact: bool) -> dict[str, Any]:
     }
 
     def lines(pairs: list[tuple[float, float, str]]) -> list[dict[str, Any]]:
-        return [{"frequency_Hz": f, "damping_ratio": d, "element": e} for f, d, e in pairs]
+        return [{"frequency_Hz": f, "damped_frequency_Hz": f, "damping_ratio": d, "element": e} for f, d, e in pairs]
 
     elements = ("gear", "mode2 vertical", "mode2 horizontal", "mode1 vertical", "mode1 horizontal")
     dampings = (0.0031, 0.0046, 0.0127, 0.0205, 0.113)

@@ -213,10 +213,10 @@ def test_rigid_elements_are_called_rigid(stored: float | str, good: Result, tmp_
 
 
 def test_statistics_of_several_runs(good: Result, tmp_path: Path) -> None:
-    told = json.dumps({"reference": {"steps": 12}, "real": {"steps": 34, "dt_omega": 0.51234567}})
+    told = json.dumps({"reference": {"steps": 12}, "real": {"steps": 34, "dt_omega": 0.51234567, "largest": None}})
     run = Result(good.data.assign_attrs(statistics=told))
     text = Page(write_report(run, tmp_path / "r.html", figures={}).read_text(encoding="utf-8")).text
-    assert "reference: steps 12 real: steps 34 real: dt omega 0.512346" in text
+    assert "reference: steps 12 real: steps 34 real: dt omega 0.512346 real: largest –" in text
 
 
 def test_its_size(text: str) -> None:

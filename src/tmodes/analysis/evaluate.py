@@ -9,11 +9,14 @@ import numpy as np
 
 from tmodes.equations.layout import EVALUATED
 from tmodes.errors import SimulationError
-from tmodes.mechanism import Drive
+from tmodes.mechanism import Drive, Reading
 from tmodes.model import Model
 from tmodes.robot import Robot
 
-__all__ = ["evaluate_states"]
+__all__ = ["NEAREST", "evaluate_states"]
+
+NEAREST = 1e-9
+"""Distance of the tip from the base point [m] below which its direction is rounding."""
 
 
 def evaluate_states(robot: Robot, records: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
@@ -27,6 +30,8 @@ def evaluate_states(robot: Robot, records: Sequence[dict[str, Any]]) -> list[dic
     mechanism, parameters = robot.split(Drive.VOLTAGE)
     phi, phid, voltage = ([record[key] for record in records] for key in ("phi", "phid", "u"))
     terms = Model(mechanism).evaluate(phi, phid, voltage, parameters)
+    if mechanism.contact:
+        _check_distance(terms["tip"], mechanism.reading)
     names = [name for name in EVALUATED if mechanism.contact or name != "F_tip_on_environment"]
     for name in names:
         _check_finite(name, terms[name])
@@ -40,12 +45,24 @@ def evaluate_states(robot: Robot, records: Sequence[dict[str, Any]]) -> list[dic
     ]
 
 
+def _check_distance(tip: Any, reading: Reading) -> None:
+    """The contact's normal needs a distance from the base point (`printed`: from the vertical through it)."""
+    distance = np.linalg.norm(tip[:, :2] if reading is Reading.PRINTED else tip, axis=1)
+    index = int(np.argmin(distance))
+    if distance[index] > NEAREST:
+        return
+    raise SimulationError(
+        f"states[{index}]: the tip is {distance[index]:.1g} m from the base; expected more than {NEAREST:g} m, for the "
+        "contact force has no direction there. Mend: change phi, or leave --contact out"
+    )
+
+
 def _check_finite(name: str, values: Any) -> None:
     finite = np.isfinite(values).reshape(len(values), -1).all(axis=1)
     if finite.all():
         return
     index = int(np.argmin(finite))
     raise SimulationError(
-        f"states[{index}]: {name} is not finite there; expected a state at which the equations hold. Mend: keep the "
-        "tip away from the vertical through the base and from the base itself, and the rates below 1e100"
+        f"states[{index}]: {name} is not finite there; expected a state at which the equations hold. Mend: keep phi "
+        "and phid within what a robot can do"
     )

@@ -7,8 +7,11 @@ from typing import Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, RobotArgument, Settings, chosen_robot
+from tmodes.errors import InputError
 
 __all__ = ["modes"]
+
+_MOST_ANGLE = 1000.0
 
 _MOTOR = {
     "locked": "motor locked",
@@ -32,6 +35,9 @@ def modes(
     from tmodes.analysis.modes import all_modes
     from tmodes.cli.output import print_json
 
+    if angle is not None and not abs(angle) <= _MOST_ANGLE:
+        expected = f"an angle between -{_MOST_ANGLE:g} and {_MOST_ANGLE:g} rad"
+        raise InputError("--angle", repr(angle), expected, "give the motor's angle in radians, or leave it out")
     pair = chosen_robot(robot, settings, reading).pair()
     found = {"real": all_modes(pair.real, contact=contact, theta=angle)}
     if pair.real is not pair.nominal:

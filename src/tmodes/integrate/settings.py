@@ -37,7 +37,7 @@ class Integration(DataSheet):
     duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6)
     output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3)
     relative_tolerance: float = positive(
-        "-", "rtol", "error allowed per step, relative (dormand_prince)", default=1e-9, at_most=1e-2, at_least=1e-13
+        "-", "rtol", "error allowed per step, relative (dormand_prince)", default=1e-9, at_most=1e-2, smallest=1e-13
     )
     absolute_tolerance: float = positive(
         "rad",

@@ -23,7 +23,7 @@ class RunJournal:
         self.path, self.identity, self.seconds = Path(path), identity, seconds
         self._writer: CheckpointWriter | None = None
         self._kept_samples = 0
-        self._last = clock.monotonic()
+        self._began = self._last = clock.monotonic()
 
     def restore(self) -> Record | None:
         """The run as far as it was kept, or None when there is nothing yet.
@@ -39,9 +39,9 @@ class RunJournal:
         self._kept_samples = len(samples)
         return {**records[-1], "samples": samples}
 
-    def keep(self, record: Record) -> None:
-        """Keep the progress when the last record is old enough."""
-        if clock.monotonic() - self._last < self.seconds:
+    def keep(self, record: Record, last: bool = False) -> None:
+        """Keep the progress when the last record is old enough; the ``last`` one of any run that was not short."""
+        if clock.monotonic() - (self._began if last else self._last) < self.seconds:
             return
         self._writer = self._writer or CheckpointWriter(self.path, self.identity)
         self._writer.append({**record, "samples": record["samples"][self._kept_samples :]})

@@ -51,10 +51,10 @@ def mark_frequencies(panel: Axes, modes: Sequence[Mapping[str, Any]], highest: f
 
     A mode that is damped too much to show a peak is not marked. Returns the height of the labels [points].
     """
-    ringing = (m for m in modes if 0 < m["frequency_Hz"] <= highest and m["damping_ratio"] < NO_PEAK)
-    shown = sorted(ringing, key=lambda mode: mode["frequency_Hz"])[: int(1 / LABEL_WIDTH)]
-    frequencies = [float(mode["frequency_Hz"]) for mode in shown]
-    labels = [f"{mode['frequency_Hz']:.3g} Hz\n{_wrapped(mode['element'])}" for mode in shown]
+    rings = ((mode["damped_frequency_Hz"], mode) for mode in modes if mode["damping_ratio"] < NO_PEAK)
+    shown = sorted(((f, m["element"]) for f, m in rings if f and f <= highest))[: int(1 / LABEL_WIDTH)]
+    frequencies = [float(frequency) for frequency, _ in shown]
+    labels = [f"{frequency:.3g} Hz\n{_wrapped(element)}" for frequency, element in shown]
     places = keep_apart([f / highest for f in frequencies], LABEL_WIDTH, LABEL_WIDTH / 2, 1 - LABEL_WIDTH / 2)
     for label, frequency, place in zip(labels, frequencies, places, strict=True):
         panel.axvline(frequency, color=QUIET, linewidth=0.6, linestyle=(0, (2, 2)), zorder=1)

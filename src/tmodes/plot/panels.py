@@ -52,7 +52,8 @@ def _calm(panel: Axes) -> None:
     """Give curves that are constant but for rounding a scale on which they look constant."""
     low, high = panel.dataLim.intervaly
     size = max(abs(low), abs(high))
-    if not (panel.get_autoscaley_on() and np.isfinite(size)) or high - low > ROUNDING * size > ROUNDING**2:
+    free = panel.get_autoscaley_on() and panel.get_aspect() == "auto" and np.isfinite(size)
+    if not free or high - low > ROUNDING * size > ROUNDING**2:
         return
     middle, half = ((low + high) / 2, 0.05 * size) if size > ROUNDING else (0.0, 0.05)
     panel.set_ylim(middle - half, middle + half)

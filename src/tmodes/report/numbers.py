@@ -109,15 +109,22 @@ def power_of_ten(value: float) -> str:
 
 
 def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
-    """Natural frequencies, damping ratio and the element in which most of each lives, per case."""
+    """Natural and damped frequencies, damping ratio and the element in which most of each lives, per case."""
     tables = []
     for case, words in CASES.items():
         rows = [
-            [f"{mode['frequency_Hz']:.4g}", f"{100 * mode['damping_ratio']:.3g}", str(mode["element"])]
+            [
+                f"{mode['frequency_Hz']:.4g}",
+                "-" if mode["damped_frequency_Hz"] is None else f"{mode['damped_frequency_Hz']:.4g}",
+                f"{100 * mode['damping_ratio']:.3g}",
+                str(mode["element"]),
+            ]
             for mode in sorted(frequencies.get(case, []), key=lambda mode: mode["frequency_Hz"])
         ]
         if rows:
-            tables.append(table(words, ("[Hz]", "damping [%]", "lives in"), rows, numeric=(0, 1)))
+            tables.append(
+                table(words, ("natural [Hz]", "damped [Hz]", "damping [%]", "lives in"), rows, numeric=(0, 1, 2))
+            )
     return tag("div", *tables, class_="columns")
 
 

@@ -75,7 +75,7 @@ def _header(result: Result, sheet: Mapping[str, Any], name: str) -> Markup:
 
 def _status(result: Result) -> Markup:
     """How the run ended; a run that did not finish says so where no one can miss it."""
-    message = result.message.removeprefix(f"{result.status}: ")
+    message = result.message
     if result.success:
         return tag("p", tag("strong", "Finished."), f" {message}", class_="status good")
     data = result.data
@@ -138,14 +138,13 @@ def _left_out(result: Result) -> Markup | None:
 def _provenance(result: Result, sheet: Mapping[str, Any]) -> Markup:
     attributes = result.data.attrs
     versions = json.loads(attributes["versions"])
+    equations = {key: attributes[key] for key in ("reading", "mechanism")}
     return _section(
         "provenance",
         tag("p", str(sheet.get("citation", ""))),
         tag(
             "div",
-            table(
-                "Equations", ("What", "Value"), list(_rows({key: attributes[key] for key in ("reading", "mechanism")}))
-            ),
+            table("Equations", ("What", "Value"), list(_rows(equations))),
             table("Integration", ("What", "Value"), list(_rows(result.statistics)), numeric=(1,)),
             table("Versions", ("Program", "Version"), list(_rows(versions))),
             class_="columns",
@@ -160,4 +159,4 @@ def _rows(told: Mapping[str, Any], group: str = "") -> Iterator[list[str]]:
         if isinstance(value, Mapping):
             yield from _rows(value, f"{name}: ")
         else:
-            yield [name, f"{value:.6g}" if isinstance(value, float) else str(value)]
+            yield [name, f"{value:.6g}" if isinstance(value, float) else "–" if value is None else str(value)]

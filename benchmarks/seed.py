@@ -1,0 +1,242 @@
+"""The speed of the seed's run, side by side in one go, the error beside every time.
+
+    python -m benchmarks.seed [--rounds 7] [--json FILE]
+
+Two seconds of the closed loop in free space (the robot of Filipovic & Djuric 2010, real characteristics, `consistent`
+reading). Contenders take turns, so that a noisy machine troubles all alike; medians are printed, with the distance of
+the final tip from a solution by SciPy's DOP853 at 1e-13 of equations that SymPy derived independently.
+"""
+
+from __future__ import annotations
+
+import argparse
+import json
+import os
+import platform
+import statistics
+import subprocess
+import sys
+import time
+from collections.abc import Callable
+from dataclasses import asdict, dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tmodes.equations.closed_loop import closed_loop, rate_function
+from tmodes.integrate.settings import Integration, Method
+from tmodes.mechanism import Drive
+from tmodes.model import Model
+from tmodes.robots import load_robot
+from tmodes.trajectory import integrate
+
+from .peers import example
+from .peers.missing import PeerMissing
+
+STEPS = 37_500
+Contender = Callable[[], tuple[float, np.ndarray]]
+
+
+@dataclass
+class Row:
+    """One contender: median time of a run [s], distance of its final tip from the exact one [m]."""
+
+    name: str
+    seconds: float
+    tip_error: float
+
+
+class Seed:
+    """The package's own side of the comparison."""
+
+    def __init__(self, contact: bool = False) -> None:
+        robot = load_robot("filipovic2010")
+        self.robot = robot.pair().real
+        self.mechanism, self.parameters = self.robot.split(Drive.CONTROLLED, contact=contact)
+        self.model = Model(self.mechanism)
+        self.schedule = self.robot.reference.schedule()
+        self.start = self.model.rest(0.0, self.parameters)
+
+    def run(self, settings: Integration) -> tuple[float, np.ndarray]:
+        """Time of a run from Python and back, and the final state."""
+        began = time.perf_counter()
+        run = integrate(self.model, self.parameters, self.schedule, self.start, settings)
+        return time.perf_counter() - began, run.states[-1]
+
+    def rk4(self) -> Contender:
+        """The paper's way: 37,500 equal steps."""
+        settings = Integration(method=Method.RK4, step=2 / STEPS, output_step=2.0)
+        return lambda: self.run(settings)
+
+    def adaptive(self, rtol: float) -> Contender:
+        """Dormand-Prince at a tolerance."""
+        settings = Integration(relative_tolerance=rtol, absolute_tolerance=rtol * 1e-3, output_step=2.0)
+        return lambda: self.run(settings)
+
+    def gcc(self, flags: str) -> tuple[Contender, float]:
+        """The same right-hand side, printed as C by CasADi, in a loop of C; and gcc's own time."""
+        from .peers import c_loop
+
+        function = rate_function(closed_loop(self.mechanism))
+        printer = _c_of(function)
+        loop = c_loop.build(printer, "rate", len(self.start), c_loop.FLAGS[flags])
+        rows = self.schedule.rows_at(self.schedule.knots[:-1])
+
+        def run() -> tuple[float, np.ndarray]:
+            done = loop.run(
+                self.start, parameters=self.parameters.vector, knots=self.schedule.knots, rows=rows, steps=STEPS,
+                step=2 / STEPS, repeats=1,
+            )  # fmt: skip
+            return done.seconds, done.state
+
+        return run, loop.compile_seconds
+
+
+def _c_of(function: Any) -> str:
+    import casadi as ca
+
+    generator = ca.CodeGenerator("rate", {"with_header": False})
+    generator.add(function)
+    return generator.dump()
+
+
+def tip_of(state: np.ndarray) -> np.ndarray:
+    """Tip position of a state [m], by the formula of the paper, (42)."""
+    q, delta, _, vt, e, _ = state[:6]
+    lm, le = 0.6 * np.cos(vt), 0.3 * np.cos(vt + e)
+    x = lm * np.cos(q) + le * np.cos(q + delta)
+    y = lm * np.sin(q) + le * np.sin(q + delta)
+    return np.array([x, y, 0.6 * np.sin(vt) + 0.3 * np.sin(vt + e)])
+
+
+def in_turns(contenders: dict[str, Contender], rounds: int, exact: np.ndarray) -> list[Row]:
+    """Every contender once a round; the median of each, with the error of its last run."""
+    times: dict[str, list[float]] = {name: [] for name in contenders}
+    errors: dict[str, float] = {}
+    for contender in contenders.values():
+        contender()
+    for number in range(rounds):
+        for name, contender in contenders.items():
+            print(f"\rround {number + 1} of {rounds}: {name:<40}", end="", file=sys.stderr)
+            seconds, state = contender()
+            times[name].append(seconds)
+            tip = tip_of(state) if len(state) > 3 else state
+            errors[name] = float(np.linalg.norm(tip - exact))
+    print(file=sys.stderr)
+    return [Row(name, statistics.median(times[name]), errors[name]) for name in contenders]
+
+
+def exact_tip() -> tuple[np.ndarray, Callable[[str, float], Contender] | None]:
+    """Final tip by SymPy and SciPy at 1e-13, and their runs as contenders."""
+    from .peers import sympy_scipy as peer
+
+    parameters = example.parameters()
+    rhs = peer.derive("consistent", False)(parameters)
+    start = peer.equilibrium(rhs)
+
+    def contender(method: Any, rtol: float) -> Contender:
+        def run() -> tuple[float, np.ndarray]:
+            done = peer.simulate(rhs, start, rtol, rtol * 1e-3, method)
+            return done.seconds, done.states[-1]
+
+        return run
+
+    return tip_of(peer.reference_solution(rhs, start).states[-1]), contender
+
+
+def chains() -> dict[str, Contender]:
+    """The nearest equivalent chain in other engines, where they are installed."""
+    found: dict[str, Contender] = {}
+    try:
+        from .peers import mujoco_chain
+
+        found["MuJoCo, RK4 37,500 steps (rollout)"] = lambda: _chain(mujoco_chain.run_native(1))
+    except PeerMissing as missing:
+        print(f"left out: {missing}", file=sys.stderr)
+    try:
+        from .peers import exudyn_chain
+
+        found["Exudyn, RK44 37,500 steps"] = lambda: _chain(exudyn_chain.run_explicit(1))
+    except PeerMissing as missing:
+        print(f"left out: {missing}", file=sys.stderr)
+    return found
+
+
+def _chain(run: Any) -> tuple[float, np.ndarray]:
+    return run.seconds, np.asarray(run.tip)
+
+
+_COLD = """
+import time, casadi, llvmlite.binding, tmodes.compile.dormand_prince_loop, tmodes.compile.rk4_loop
+from tmodes.equations import closed_loop
+from tmodes.robots import load_robot
+from tmodes.mechanism import Drive
+from tmodes.model import Model
+mechanism, _ = load_robot("filipovic2010").split(Drive.CONTROLLED)
+began = time.perf_counter(); Model(mechanism).loops; print(time.perf_counter() - began)
+"""
+
+
+def start_times() -> tuple[float, float]:
+    """First-ever compile of the closed loop (equations, IR, native code), and a second process from the cache [s]."""
+    import tempfile
+
+    with tempfile.TemporaryDirectory() as folder:
+        environment = os.environ | {"TMODES_CACHE": f"{folder}/cache"}
+        told = [
+            subprocess.run([sys.executable, "-c", _COLD], env=environment, capture_output=True, text=True, check=True)
+            for _ in range(2)
+        ]
+    return float(told[0].stdout), float(told[1].stdout)
+
+
+def main() -> None:
+    """Measure and print the table."""
+    options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
+    options.add_argument("--rounds", type=int, default=7)
+    options.add_argument("--json", help="also write the figures to this file")
+    chosen = options.parse_args()
+
+    first, second = start_times()
+    exact, scipy = exact_tip()
+    seed = Seed()
+    contenders: dict[str, Contender] = {"tmodes, RK4 37,500 steps": seed.rk4()}
+    compile_times = {}
+    for flags in ("gcc -O3", "gcc -O3 -march=native"):
+        try:
+            contender, compile_times[flags] = seed.gcc(flags)
+            contenders[f"{flags}, the same in C"] = contender
+        except PeerMissing as missing:
+            print(f"left out: {missing}", file=sys.stderr)
+    contenders |= {f"tmodes, adaptive rtol {rtol:.0e}": seed.adaptive(rtol) for rtol in (1e-6, 1e-9)}
+    assert scipy is not None
+    for method in ("RK45", "DOP853", "LSODA"):
+        contenders |= {f"SymPy + SciPy {method} rtol {rtol:.0e}": scipy(method, rtol) for rtol in (1e-6, 1e-9)}
+    contenders |= chains()
+    rows = in_turns(contenders, chosen.rounds, exact)
+    touching = Seed(contact=True)
+    in_contact = {"tmodes, RK4, in contact": touching.rk4()}
+    for flags in compile_times:
+        in_contact[f"{flags}, in contact"] = touching.gcc(flags)[0]
+    contact_exact = tip_of(touching.adaptive(1e-13)()[1])
+    rows += in_turns(in_contact, chosen.rounds, contact_exact)
+
+    base = rows[0].seconds
+    machine = platform.processor() or platform.machine()
+    print(f"machine: {machine}, {os.cpu_count()} cores, Python {platform.python_version()}")
+    print(f"{'2 s of the closed loop':<42}{'median [ms]':>12}{'over RK4 of tmodes':>20}{'tip error [m]':>15}")
+    for row in rows:
+        print(f"{row.name:<42}{row.seconds * 1e3:>12.2f}{row.seconds / base:>20.2f}{row.tip_error:>15.1e}")
+    print(
+        f"first-ever compile of the closed loop {first:.3f} s; a second process, from the cache {second * 1e3:.1f} ms"
+    )
+    for flags, seconds in compile_times.items():
+        print(f"{flags} compiles it in {seconds:.2f} s")
+    if chosen.json:
+        told = {"rows": [asdict(row) for row in rows], "first_compile_s": first, "from_cache_s": second}
+        Path(chosen.json).write_text(json.dumps(told, indent=1), encoding="utf-8")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,230 @@
+"""The command line as a user meets it: every command, its messages, its exit codes, its files."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+from pathlib import Path
+
+import numpy as np
+import pytest
+
+STATES = Path(__file__).parents[1] / "oracle/reference_states.json"
+COMMAND = [sys.executable, "-m", "tmodes.cli.main"]
+LONG = {
+    "integration.duration": "30000",
+    "integration.output_step": "1.0",
+    "reference.duration": "30000",
+    "integration.relative_tolerance": "1e-12",
+}
+
+
+def tmodes(*arguments: object, code: int = 0, **more) -> subprocess.CompletedProcess[str]:
+    """Run the command; a traceback is never right."""
+    done = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
+    assert "Traceback" not in done.stderr
+    assert done.returncode == code, done.stderr
+    return done
+
+
+def settings(changes: dict[str, str]) -> list[str]:
+    return [part for path, value in changes.items() for part in ("--set", f"{path}={value}")]
+
+
+def test_the_main_job(tmp_path):
+    """One command: result, report and figures; a second one does not overwrite unasked."""
+    out = tmp_path / "with spaces é"
+    told = tmodes("run", "filipovic2010", "--out", out).stdout
+    assert "largest tip deviation" in told
+    assert (out / "report.html").stat().st_size < 3_000_000
+    assert len(list((out / "figures").glob("*.svg"))) == len(list((out / "figures").glob("*.png"))) >= 8
+    assert sorted(path.name for path in out.iterdir()) == ["figures", "report.html", "result.nc"]
+    before = (out / "result.nc").read_bytes()
+    refused = tmodes("run", "filipovic2010", "--out", out, "--set", "payload.mass=1", code=4)
+    assert "--overwrite" in refused.stderr
+    assert (out / "result.nc").read_bytes() == before
+
+
+def test_run_as_json(tmp_path):
+    """Machines get everything that a person is told, and nothing else on standard output."""
+    done = tmodes("run", "filipovic2010", "--json", "--no-figures", "--no-contact", "--out", tmp_path / "o")
+    told = json.loads(done.stdout)
+    assert told["status"] == "finished"
+    assert told["summary"]["deviation"]["max_m"] == pytest.approx(2.971e-3, abs=5e-6)
+    assert [round(line["frequency_Hz"], 3) for line in told["frequencies"]["locked"]] == [
+        4.996, 7.315, 20.259, 32.616, 179.863,
+    ]  # fmt: skip
+
+
+def test_same_bytes_everywhere(tmp_path):
+    """Time zone, locale, hash seed, threads and folder change no byte of the result."""
+    worlds = [
+        {"TZ": "UTC", "LC_ALL": "C", "PYTHONHASHSEED": "1", "OMP_NUM_THREADS": "1"},
+        {"TZ": "Asia/Tokyo", "LC_ALL": "C.UTF-8", "PYTHONHASHSEED": "2", "OMP_NUM_THREADS": "2", "TMODES_CACHE": ""},
+    ]
+    files = []
+    for index, world in enumerate(worlds):
+        out = tmp_path / f"{index} ü"
+        tmodes("run", "filipovic2010", "--no-figures", "--out", out, env=os.environ | world)
+        files.append((out / "result.nc").read_bytes())
+    assert files[0] == files[1]
+
+
+def test_a_run_that_diverges(tmp_path):
+    """Time, coordinate and reason are told, what was done is kept, the exit code is not zero."""
+    stiff = settings({"gear.stiffness": "4.7e9", "integration.method": "rk4", "integration.step": "1e-3"})
+    done = tmodes("run", "filipovic2010", *stiff, "--out", tmp_path, code=3)
+    for word in ("diverged at t = ", "coordinate", "dt*omega"):
+        assert word in done.stderr
+    from tmodes.result import Result
+
+    kept = Result.load(tmp_path / "result.nc")
+    assert kept.status == "diverged"
+    assert kept.data.sizes["time"] >= 1
+    assert "diverged" in (tmp_path / "report.html").read_text(encoding="utf-8")
+
+
+def test_robots_prints_a_sheet_that_runs(tmp_path):
+    """A robot's sheet can be printed, edited and checked."""
+    assert "filipovic2010" in tmodes("robots").stdout
+    file = tmp_path / "my.yaml"
+    file.write_text(tmodes("robots", "filipovic2010").stdout, encoding="utf-8")
+    assert "right" in tmodes("check", file).stdout
+    file.write_text(file.read_text(encoding="utf-8").replace("mass: 0.5 ", "mass: -0.5 "), encoding="utf-8")
+    line = file.read_text(encoding="utf-8").splitlines().index("  mass: -0.5                     # m     [kg]") + 1
+    wrong = tmodes("check", file, code=2).stderr
+    for word in (f"my.yaml:{line}", "payload.mass", "-0.5", "kg", "Mend:"):
+        assert word in wrong
+    told = json.loads(tmodes("check", file, "--json", code=2).stdout)
+    assert told["ok"] is False
+    assert told["errors"][0]["which"] == "payload.mass"
+
+
+def test_modes():
+    """Frequencies of the real robot and of the robot as known."""
+    told = json.loads(tmodes("modes", "filipovic2010", "--json").stdout)
+    assert [round(m["frequency_Hz"], 2) for m in told["nominal"]["locked"]] == [6.66, 7.35, 26.17, 32.78, 235.82]
+    assert "gear" in tmodes("modes", "filipovic2010", "--reading", "printed").stdout
+
+
+@pytest.mark.parametrize("reading", ["printed", "consistent"])
+@pytest.mark.parametrize("kind", ["free", "contact"])
+def test_eval_equals_the_reference_states(tmp_path, reading, kind):
+    """The door for other programs: their states in, our terms out, with their names."""
+    records = json.loads(STATES.read_text())["readings"][reading][kind]
+    file = tmp_path / "states.json"
+    file.write_text(json.dumps([{key: record[key] for key in ("phi", "phid", "u")} for record in records]))
+    touch = ["--contact"] if kind == "contact" else []
+    found = json.loads(tmodes("eval", "filipovic2010", "--states", file, "--reading", reading, *touch, "--json").stdout)
+    assert len(found) == len(records)
+    for mine, theirs in zip(found, records, strict=True):
+        for name in set(theirs) - {"phi", "phid", "u"}:
+            scale = np.abs(theirs[name]).max() or 1.0
+            assert np.abs(np.array(mine[name]) - np.array(theirs[name])).max() <= 1e-9 * scale, name
+    assert "Accelerations" in tmodes("eval", "filipovic2010", "--states", file).stdout
+
+
+def test_eval_where_the_equations_end(tmp_path):
+    """The tip above the base: an error that names the state, not a NaN."""
+    file = tmp_path / "states.json"
+    up = [0, 0, 0, np.pi, -np.pi, 0]
+    file.write_text(json.dumps([{"phi": [0] * 6, "phid": [0] * 6, "u": 0}, {"phi": up, "phid": [1e9] * 6, "u": 0}]))
+    done = tmodes("eval", "filipovic2010", "--states", file, "--contact", "--set", "link.modes.1.length=0.6", code=3)
+    assert "states[1]" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("line", "code", "words"),
+    [
+        (["run", "filipovic201"], 2, ["filipovic2010", "Mend:"]),
+        (["run", "nowhere.yaml"], 2, ["nowhere.yaml", "Mend:"]),
+        (["run", "filipovic2010", "--set", "gear.stifness=5"], 2, ["gear.stiffness", "Mend:"]),
+        (["run", "filipovic2010", "--set", "gear.stiffness"], 2, ["Mend:"]),
+        (["run", "filipovic2010", "--set", "gear.stiffness=0"], 2, ["gear.stiffness", "greater than 0", "Mend:"]),
+        (["run", "filipovic2010", "--set", "gear.stiffness=1e5 N"], 2, ["gear.stiffness", "Mend:"]),
+        (["run", "filipovic2010", "--reading", "spatial"], 2, ["printed", "consistent"]),
+        (["eval", "filipovic2010", "--states", "nowhere.json"], 2, ["nowhere.json", "Mend:"]),
+        (["modes", "filipovic2010", "--set", "integration.duration=-1"], 2, ["integration.duration", "Mend:"]),
+        (["modes", "filipovic2010", "--angle", "nan"], 2, ["angle", "Mend:"]),
+        (["run", "filipovic2010", "--out", "/dev/null/x"], 4, ["/dev/null", "Mend:"]),
+        (["run", "filipovic2010", "--out", "x" * 300], 4, ["Mend:"]),
+        (["fly"], 2, ["fly"]),
+    ],
+)
+def test_wrong_lines(line, code, words, tmp_path):
+    """Which, got, expected, mend; the right exit code; nothing written."""
+    done = tmodes(*line, code=code, cwd=tmp_path)
+    for word in words:
+        assert word in done.stderr
+    assert not list(tmp_path.rglob("result.nc"))
+
+
+def test_help_teaches():
+    """Every command explains itself."""
+    for command in ("run", "robots", "check", "modes", "eval", "schema"):
+        assert command in tmodes("--help").stdout
+        assert len(tmodes(command, "--help").stdout) > 300
+    assert tmodes("--version").stdout.startswith("tmodes ")
+
+
+def test_closed_pipe():
+    """The reader goes away: no traceback."""
+    process = subprocess.Popen([*COMMAND, "schema"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
+    assert process.stdout is not None
+    assert process.stderr is not None
+    process.stdout.close()
+    assert process.stderr.read() == ""
+    assert process.wait() == 0
+
+
+def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
+    """Ctrl-C: exit 130 and a marked result; the same command then ends with the bytes of a run left alone."""
+    line = ["run", "filipovic2010", "--no-figures", *settings(LONG), "--set", "integration.max_wall_time=600"]
+    process = subprocess.Popen([*COMMAND, *line, "--out", str(tmp_path / "a")], stderr=subprocess.PIPE, text=True)
+    time.sleep(7)
+    process.send_signal(signal.SIGINT)
+    told = process.communicate(timeout=60)[1]
+    assert process.returncode == 130
+    assert "Traceback" not in told
+    from tmodes.result import Result
+
+    first = Result.load(tmp_path / "a/result.nc")
+    assert first.status == "interrupted"
+    assert all(np.isfinite(v.values).all() for v in first.data.data_vars.values() if v.dtype.kind == "f")
+
+
+def test_killed_and_continued(tmp_path):
+    """kill -9, twice; the third run ends with the same bytes as one that nobody disturbed."""
+    shorter = LONG | {"integration.duration": "9000", "reference.duration": "9000"}
+    line = ["run", "filipovic2010", "--no-figures", *settings(shorter)]
+    for _ in range(2):
+        process = subprocess.Popen([*COMMAND, *line, "--out", str(tmp_path / "a")], stderr=subprocess.DEVNULL)
+        time.sleep(5)
+        process.kill()
+        process.wait()
+    assert not (tmp_path / "a/result.nc").exists()
+    assert "continuing" in tmodes(*line, "--out", tmp_path / "a").stderr
+    tmodes(*line, "--out", tmp_path / "b")
+    assert (tmp_path / "a/result.nc").read_bytes() == (tmp_path / "b/result.nc").read_bytes()
+    assert not list((tmp_path / "a").glob(".checkpoint*"))
+
+
+def test_two_writers(tmp_path):
+    """A second run into the same folder is refused before it touches anything."""
+    line = ["run", "filipovic2010", "--no-figures", *settings(LONG), "--out", str(tmp_path)]
+    process = subprocess.Popen([*COMMAND, *line], stderr=subprocess.DEVNULL)
+    try:
+        for _ in range(100):
+            if (tmp_path / ".tmodes.lock").exists():
+                break
+            time.sleep(0.1)
+        refused = tmodes("run", "filipovic2010", "--no-figures", "--out", tmp_path, code=4)
+        assert "held by process" in refused.stderr
+        assert process.poll() is None
+    finally:
+        process.kill()
+        process.wait()
