@@ -13,6 +13,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.energy import balance
 from tmodes.analysis.stability import StepVerdict
+from tmodes.analysis.validity import deflection_warnings, energy_warnings, first_energy_error, start_warnings
 from tmodes.equations.coordinates import deformations
 from tmodes.equations.layout import COORDINATES, DEFORMATIONS, LINE, WORKS
 from tmodes.mechanism import Parameters
@@ -51,10 +52,13 @@ def assemble(
     pair: NominalRealPair,
     reference: Regime,
     real: Regime,
-    frequencies: dict[str, list[dict[str, Any]]],
+    told: dict[str, Any],
     verdict: StepVerdict,
 ) -> Result:
-    """Gather all that a result shows; the time axis is the real robot's, as far as both regimes came."""
+    """Gather all that a result shows; the time axis is the real robot's, as far as both regimes came.
+
+    ``told``: what analyses found (frequencies, settling), plain data that is kept as JSON.
+    """
     import xarray as xr
 
     count = min(len(reference.trajectory.times), len(real.trajectory.times))
@@ -71,10 +75,13 @@ def assemble(
         },
     )
     status, message = _ending(reference, real, verdict)
-    told = _warnings(pair, data, verdict)
-    data.attrs = _provenance(pair, real, reference, frequencies, verdict) | {
-        "status": status, "message": message, "warnings": json.dumps(told),
-    }  # fmt: skip
+    settings = pair.real.integration
+    if settings.energy_stop and (bad := first_energy_error(data, settings.energy_tolerance)) is not None:
+        status, message = "stopped", f"the energy balance was lost at t = {float(data['time'][bad]):.4g} s"
+        data = data.isel(time=slice(0, max(bad, 1)))
+    told = told | {"warnings": _warnings(pair, data, verdict)}
+    data.attrs = _provenance(pair, real, reference, verdict) | {"status": status, "message": message}
+    data.attrs |= {name: json.dumps(value) for name, value in told.items()}
     return Result(data)
 
 
@@ -159,17 +166,14 @@ def _ending(reference: Regime, real: Regime, verdict: StepVerdict) -> tuple[str,
 
 
 def _warnings(pair: NominalRealPair, data: Any, verdict: StepVerdict) -> list[str]:
-    from tmodes.analysis.validity import deflection_warnings, energy_warnings, start_warnings
     from tmodes.io.plausible import implausible
 
     told = [verdict.sentence] if verdict.sentence else []
     return [*told, *implausible(pair.nominal), *start_warnings(data, pair.real), *deflection_warnings(data),
-            *energy_warnings(data)]  # fmt: skip
+            *energy_warnings(data, pair.real.integration.energy_tolerance)]  # fmt: skip
 
 
-def _provenance(
-    pair: NominalRealPair, real: Regime, reference: Regime, frequencies: dict[str, Any], verdict: StepVerdict
-) -> dict[str, Any]:
+def _provenance(pair: NominalRealPair, real: Regime, reference: Regime, verdict: StepVerdict) -> dict[str, Any]:
     packages = ("tmodes", "numpy", "casadi", "llvmlite", "xarray")
     counts = {name: regime.trajectory.statistics for name, regime in (("reference", reference), ("real", real))}
     statistics = counts | {"highest_eigenvalue": verdict.highest, "dt_omega": verdict.dt_omega}
@@ -183,7 +187,6 @@ def _provenance(
         "parameters": _numbers(real.parameters),
         "parameters_nominal": _numbers(reference.parameters),
         "versions": json.dumps({name: version(name) for name in packages} | {"python": platform.python_version()}),
-        "frequencies": json.dumps(frequencies),
         "statistics": json.dumps(statistics),
     }
 

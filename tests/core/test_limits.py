@@ -96,8 +96,14 @@ def test_step_verdict():
 
 def test_coarse_integration_is_warned_of(robot):
     """The energy monitor speaks when the balance does not close."""
-    result = simulate(robot.with_({"integration.relative_tolerance": 1e-2, "integration.absolute_tolerance": 1e-3}))
+    coarse = {"integration.relative_tolerance": 1e-2, "integration.absolute_tolerance": 1e-3}
+    result = simulate(robot.with_(coarse))
     assert any("energy balance" in warning for warning in result.warnings)
+    assert result.success
+    stopped = simulate(robot.with_({**coarse, "integration.energy_stop": True}))
+    assert stopped.status == "stopped"
+    assert "energy balance" in stopped.message
+    assert 1 <= stopped.data.sizes["time"] < result.data.sizes["time"]
 
 
 def test_large_bending_is_warned_of(robot):

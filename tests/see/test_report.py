@@ -160,14 +160,6 @@ def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: Resul
         )
 
 
-def test_the_end_is_told_once(good: Result, tmp_path: Path) -> None:
-    for status, message in (("finished", "finished: 2 s simulated"), ("stopped", "stopped: 3600 s of computing")):
-        ended = Result(good.data.assign_attrs(status=status, message=message))
-        page = Page(write_report(ended, tmp_path / "r.html", figures={}).read_text(encoding="utf-8"))
-        assert message.partition(": ")[2] in page.text
-        assert message not in page.text
-
-
 def test_settling_that_is_seen(good: Result, tmp_path: Path) -> None:
     data = good.data.copy()
     robot = json.loads(data.attrs["robot"])

@@ -59,10 +59,15 @@ def test_bounds_and_range_can_be_chosen() -> None:
 def test_marks_are_labelled_and_do_not_overlap() -> None:
     result = synthetic_result()
     crowd = [
-        {"frequency_Hz": f, "damping_ratio": 0.01, "element": "mode 1, horizontal"} for f in (4.9, 5.0, 5.3, 6, 58)
+        {"frequency_Hz": f, "damped_frequency_Hz": f, "damping_ratio": 0.01, "element": "mode 1, horizontal"}
+        for f in (4.9, 5.0, 5.3, 6, 58)
     ]
-    crowd.append({"frequency_Hz": 178.0, "damping_ratio": 0.01, "element": "beyond the axis"})
-    crowd.append({"frequency_Hz": 40.0, "damping_ratio": 1.0, "element": "too damped to ring"})
+    crowd.append(
+        {"frequency_Hz": 178, "damped_frequency_Hz": 178.0, "damping_ratio": 0.01, "element": "beyond the axis"}
+    )
+    crowd.append(
+        {"frequency_Hz": 40, "damped_frequency_Hz": 40.0, "damping_ratio": 1.0, "element": "too damped to ring"}
+    )
     data = result.data.assign_attrs(frequencies=json.dumps({"controlled": crowd}))
     panel: Any = spectrum(Result(data))[0]
     panel.figure.draw_without_rendering()

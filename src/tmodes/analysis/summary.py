@@ -56,6 +56,9 @@ def _deviation(data: Dataset, time: Array) -> dict[str, float]:
 
 def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any]:
     """Time from the end of the reference move to the last sample at which the deviation is out of the band [s]."""
+    known = json.loads(data.attrs.get("settling", "null"))
+    if known and known["band"] == band:
+        return known
     deviation = data["deviation"].values
     limit = band * float(deviation.max())
     move_end = float(json.loads(data.attrs["robot"])["reference"]["duration"])

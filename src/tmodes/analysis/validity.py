@@ -9,13 +9,13 @@ import numpy as np
 from tmodes.analysis.energy import largest_flow
 from tmodes.robot import Robot
 
-__all__ = ["BENDING_LIMIT", "ENERGY_LIMIT", "deflection_warnings", "energy_warnings", "start_warnings"]
+__all__ = ["BENDING_LIMIT", "deflection_warnings", "energy_warnings", "first_energy_error", "start_warnings"]
 
 BENDING_LIMIT = 0.1
 """Bending angle [rad] up to which tan th = th, on which (9)-(12) rest, is true to 0.3 %."""
 
-ENERGY_LIMIT = 1e-6
-"""Residual of the energy balance over the energy moved above which a run is called inaccurate."""
+_ROUNDING = 1e-12
+"""A residual [J] that is rounding, however little energy was moved."""
 
 
 def deflection_warnings(data: Any) -> list[str]:
@@ -33,15 +33,24 @@ def deflection_warnings(data: Any) -> list[str]:
     return warnings
 
 
-def energy_warnings(data: Any) -> list[str]:
-    """An energy balance that does not close."""
+def first_energy_error(data: Any, tolerance: float) -> int | None:
+    """Index of the first sample at which the energy balance is off by more than its tolerance, or None."""
     moved = largest_flow(data["energy"].values, data["work"].values)
-    worst = float(np.abs(data["energy_balance"].values).max(initial=0.0))
-    if worst <= ENERGY_LIMIT * moved or worst < 1e-12:
+    beyond = np.flatnonzero(np.abs(data["energy_balance"].values) > max(tolerance * moved, _ROUNDING))
+    return int(beyond[0]) if len(beyond) else None
+
+
+def energy_warnings(data: Any, tolerance: float) -> list[str]:
+    """An energy balance that does not close, with the first time and the worst value."""
+    first = first_energy_error(data, tolerance)
+    if first is None:
         return []
+    moved = largest_flow(data["energy"].values, data["work"].values)
+    worst = float(np.abs(data["energy_balance"].values).max())
     return [
-        f"the energy balance is off by {worst:.2g} J, {worst / moved:.1e} of the energy moved ({moved:.3g} J): the "
-        "integration is too coarse; lower integration.relative_tolerance (dormand_prince) or integration.step (rk4)"
+        f"the energy balance is off first at t = {float(data['time'].values[first]):.4g} s, by {worst:.2g} J at worst, "
+        f"{worst / moved if moved else np.inf:.1e} of the energy moved ({moved:.3g} J): the integration is too "
+        "coarse; lower integration.relative_tolerance (dormand_prince) or integration.step (rk4)"
     ]
 
 

@@ -48,6 +48,10 @@ class Integration(DataSheet):
         smallest=1e-18,
     )
     step: float = positive("s", "dt", "fixed step (rk4)", default=2 / 37500)
+    energy_tolerance: float = positive(
+        "-", "etol", "residual of the energy balance over the energy moved that is warned of", default=1e-6
+    )
+    energy_stop: bool = Field(default=False, description="true: end the run where that residual is first exceeded")
     max_steps: int = positive("-", "steps", "steps after which a run gives up", default=200_000_000, at_most=10**12)
     max_wall_time: float = positive("s", "wall", "seconds of computing after which a run gives up", default=3600.0)
 

@@ -125,7 +125,7 @@ def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
             tables.append(
                 table(words, ("natural [Hz]", "damped [Hz]", "damping [%]", "lives in"), rows, numeric=(0, 1, 2))
             )
-    return tag("div", *tables, class_="columns")
+    return tag("div", *tables, class_="columns wide")
 
 
 def deformation_table(told: dict[str, dict[str, float | None]]) -> Markup:
