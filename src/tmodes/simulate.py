@@ -8,9 +8,9 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from tmodes.analysis.modes import all_modes, closed_loop_eigenvalues
+from tmodes.analysis.modes import all_modes, closed_loop_spectrum
 from tmodes.analysis.settling import settling
-from tmodes.analysis.stability import step_size_verdict
+from tmodes.analysis.stability import StepVerdict, step_size_verdict
 from tmodes.mechanism import Drive
 from tmodes.regime import run_regime
 from tmodes.robot import NominalRealPair, Robot
@@ -34,17 +34,17 @@ def simulate(
 
     Give a :class:`Robot` (its ``real`` factors make the real one) or a pair of your own. A run that cannot go on keeps
     what it had: look at ``result.status`` and ``result.message``. Raises :class:`tmodes.errors.SimulationError` when it
-    cannot start (no gravity equilibrium, singular mass matrix).
+    cannot start (no equilibrium, singular mass matrix, too stiff for the steps allowed).
     """
     from tmodes.assemble import assemble
 
     pair = robot if isinstance(robot, NominalRealPair) else robot.pair()
+    verdict = _verdict(pair)
     reference = run_regime(pair.nominal, Drive.PRESCRIBED, lambda share: progress("reference", share), journals)
     no_reference = reference.trajectory.status != "finished"
     real = run_regime(
         pair.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, begin_only=no_reference
     )
-    verdict = step_size_verdict(pair.real.integration, closed_loop_eigenvalues(pair.real, drive=Drive.CONTROLLED))
     progress("gathering", 0.0)
     finished = not no_reference and real.trajectory.status == "finished"
     told = {
@@ -54,3 +54,13 @@ def simulate(
     result = assemble(pair, reference, real, told, verdict)
     progress("gathering", 1.0)
     return result
+
+
+def _verdict(pair: NominalRealPair) -> StepVerdict:
+    """The worse of the two regimes' verdicts on the step."""
+    regimes = ((pair.nominal, Drive.PRESCRIBED), (pair.real, Drive.CONTROLLED))
+    verdicts = []
+    for robot, drive in regimes:
+        eigenvalues, coordinate = closed_loop_spectrum(robot, drive=drive)
+        verdicts.append(step_size_verdict(robot.integration, eigenvalues, coordinate))
+    return max(verdicts, key=lambda verdict: (not verdict.stable, verdict.highest))

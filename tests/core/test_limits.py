@@ -86,12 +86,18 @@ def test_unstable_step_is_never_called_finished(robot):
 def test_step_verdict():
     """|R(z)| = 1 of the classical method on the imaginary axis at 2.828."""
     ring = np.array([1000j, -1000j])
-    assert step_size_verdict(Integration(method=Method.RK4, step=2.82e-3), ring).stable
-    assert not step_size_verdict(Integration(method=Method.RK4, step=2.84e-3), ring).stable
+    assert step_size_verdict(Integration(method=Method.RK4, step=2.82e-3), ring, "q").stable
+    assert not step_size_verdict(Integration(method=Method.RK4, step=2.84e-3), ring, "q").stable
     decay = np.array([-1000.0 + 0j])
-    assert step_size_verdict(Integration(method=Method.RK4, step=2.78e-3), decay).stable
-    assert not step_size_verdict(Integration(method=Method.RK4, step=2.79e-3), decay).stable
-    assert step_size_verdict(Integration(step=1.0), ring).stable
+    assert step_size_verdict(Integration(method=Method.RK4, step=2.78e-3), decay, "q").stable
+    assert not step_size_verdict(Integration(method=Method.RK4, step=2.79e-3), decay, "q").stable
+    assert step_size_verdict(Integration(step=1.0), ring, "q").stable
+
+
+def test_too_stiff_is_told_before_the_run(robot):
+    """Steps that no one would wait for are refused with their number and the coordinate."""
+    with pytest.raises(SimulationError, match=r"too stiff.* coordinate \w+, .* steps"):
+        simulate(robot.with_({"gear.damping": 1e9}))
 
 
 def test_coarse_integration_is_warned_of(robot):

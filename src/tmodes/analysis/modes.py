@@ -11,11 +11,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.coordinates import deformations, free_columns
+from tmodes.equations.layout import COORDINATES
 from tmodes.mechanism import Drive, Mechanism, Parameters
 from tmodes.model import Model
 from tmodes.robot import Robot
 
-__all__ = ["ELEMENTS", "MotorState", "VibrationMode", "all_modes", "closed_loop_eigenvalues", "vibration_modes"]
+__all__ = ["ELEMENTS", "MotorState", "VibrationMode", "all_modes", "closed_loop_spectrum", "vibration_modes"]
 
 ELEMENTS = {
     "th11q": "mode 1, horizontal",
@@ -99,13 +100,20 @@ def _partners(
     return partners
 
 
-def closed_loop_eigenvalues(robot: Robot, *, drive: Drive) -> NDArray[np.complex128]:
-    """Eigenvalues [1/s] about rest at the start, with the motor controlled or following its reference exactly."""
+def closed_loop_spectrum(robot: Robot, *, drive: Drive) -> tuple[NDArray[np.complex128], str]:
+    """Eigenvalues [1/s] about rest at the start, and the coordinate in which the largest lives.
+
+    ``drive``: the motor controlled, or following its reference exactly.
+    """
     mechanism, parameters = robot.split(drive)
     phi = Model(mechanism).rest(robot.reference.start, parameters)[:6]
     state = MotorState.LOCKED if drive is Drive.PRESCRIBED else MotorState.CONTROLLED
     matrices = _matrices(robot, mechanism, parameters, phi, state)
-    return _eigen(*matrices)[0] if len(matrices[0]) else np.zeros(0, dtype=complex)
+    if not len(matrices[0]):
+        return np.zeros(0, dtype=complex), COORDINATES[-1]
+    eigenvalues, shapes = _eigen(*matrices)
+    shape = free_columns(mechanism.rigid, state is MotorState.LOCKED) @ shapes[:, np.argmax(np.abs(eigenvalues))]
+    return eigenvalues, COORDINATES[int(np.argmax(np.abs(shape)))]
 
 
 def _matrices(

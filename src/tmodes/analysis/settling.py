@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.modes import closed_loop_eigenvalues
+from tmodes.analysis.modes import closed_loop_spectrum
 from tmodes.mechanism import Drive
 from tmodes.reference.schedule import Schedule
 from tmodes.regime import Regime
@@ -50,7 +50,7 @@ def _slowest_decay(*regimes: Regime) -> float:
     """Smallest decay rate [1/s] of the vibrations about rest."""
     rates: list[float] = []
     for regime in regimes:
-        eigenvalues = closed_loop_eigenvalues(regime.robot, drive=regime.model.mechanism.drive)
+        eigenvalues, _ = closed_loop_spectrum(regime.robot, drive=regime.model.mechanism.drive)
         rates.extend(-value.real for value in eigenvalues if abs(value.imag) > 1e-9 * abs(value))
     return max(min(rates, default=1.0), 1e-9)
 

@@ -7,9 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
 
 __all__ = ["StepVerdict", "step_size_verdict"]
+
+
+_REACH = 3.3
+"""Largest step times eigenvalue at which Dormand and Prince's method of order 5 is stable, about."""
 
 
 @dataclass(frozen=True)
@@ -22,18 +27,20 @@ class StepVerdict:
     sentence: str = ""
 
 
-def step_size_verdict(settings: Integration, eigenvalues: NDArray[np.complex128]) -> StepVerdict:
-    """Judge the fixed step by the amplification of the classical Runge-Kutta method, |R(dt lambda)| <= 1.
+def step_size_verdict(settings: Integration, eigenvalues: NDArray[np.complex128], coordinate: str) -> StepVerdict:
+    """Judge the step by the eigenvalues at the start; ``coordinate`` is where the largest of them lives.
 
-    An adaptive method chooses its own step, so it is always stable here.
+    A fixed step by the amplification of the classical Runge-Kutta method, |R(dt lambda)| <= 1. An adaptive method
+    keeps its own step stable, but that may take too many: raises :class:`SimulationError` with the number.
     """
     highest = float(np.abs(eigenvalues).max(initial=0.0))
     if settings.method is not Method.RK4:
+        _refuse_too_stiff(settings, highest, coordinate)
         return StepVerdict(highest, None, True)
     z = settings.step * eigenvalues[eigenvalues.real <= 0]
     growth = float(np.abs(1 + z + z**2 / 2 + z**3 / 6 + z**4 / 24).max(initial=0.0))
     dt_omega = settings.step * highest
-    told = f"dt*omega = {dt_omega:.3g} (step {settings.step:.3g} s, highest frequency {highest:.4g} rad/s)"
+    told = f"dt*omega = {dt_omega:.3g} (step {settings.step:.3g} s, {highest:.4g} rad/s in coordinate {coordinate})"
     if growth > 1 + 1e-9:
         mend = f"set integration.step below {2.5 / highest:.2g}, or integration.method: dormand_prince"
         return StepVerdict(highest, dt_omega, False, f"rk4 is unstable at this step: {told}; {mend}")
@@ -41,3 +48,16 @@ def step_size_verdict(settings: Integration, eigenvalues: NDArray[np.complex128]
         mend = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
         return StepVerdict(highest, dt_omega, True, f"rk4 is stable but inaccurate at this step: {told}; {mend}")
     return StepVerdict(highest, dt_omega, True)
+
+
+def _refuse_too_stiff(settings: Integration, highest: float, coordinate: str) -> None:
+    """An explicit method may step about 3.3 over the largest eigenvalue, however little happens."""
+    steps = settings.duration * highest / _REACH
+    if steps <= settings.max_steps:
+        return
+    raise SimulationError(
+        f"the equations are too stiff for dormand_prince: got an eigenvalue of {highest:.3g} 1/s in coordinate "
+        f"{coordinate}, which takes about {steps:.1e} steps; expected at most integration.max_steps = "
+        f"{settings.max_steps}. Mend: lower the stiffness or damping that acts there (.inf makes an element rigid), "
+        "raise environment.friction_velocity, or shorten the run"
+    )

@@ -40,11 +40,11 @@ def summarise(data: Dataset, band: float = 0.05) -> dict[str, Any]:
 
 
 def _first_frequencies(data: Dataset) -> dict[str, float | None]:
-    """The lowest frequency with the motor locked and under control [Hz]."""
+    """The lowest frequency [Hz] with the motor locked, and the lowest that rings under control."""
     told = json.loads(data.attrs["frequencies"])
     return {
-        case: min((line["frequency_Hz"] for line in told.get(case, [])), default=None)
-        for case in ("locked", "controlled")
+        case: min((line[key] for line in told.get(case, []) if line[key]), default=None)
+        for case, key in (("locked", "frequency_Hz"), ("controlled", "damped_frequency_Hz"))
     }
 
 

@@ -24,7 +24,7 @@ GIVEN = ("phi", "phid", "u")
 NEEDED = set(GIVEN)
 
 ANSWERS = (
-    *("H", "h", "f_el", "f_di", "Q", "tip", "J", "phidd", "F_tip_on_environment"),
+    *("reading", "H", "h", "f_el", "f_di", "Q", "tip", "J", "phidd", "F_tip_on_environment"),
     *("kinetic", "potential_gravity", "potential_elastic", "rayleigh", "energy"),
 )
 """What a record may hold beside it, and what is not read: another program's answers at that state."""

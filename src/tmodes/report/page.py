@@ -95,8 +95,8 @@ def _warnings(result: Result) -> Markup | None:
 
 def _numbers(result: Result) -> Markup:
     told = result.summary()
-    note = "Natural frequencies about the rest under gravity: under control as in this run, with the motor held still, "
-    note += "and with the motor free to turn."
+    note = "Frequencies in free space, about the rest under gravity: under control as in this run, with the motor "
+    note += "held still, and with the motor free to turn."
     return _section(
         "numbers",
         cards(told),
