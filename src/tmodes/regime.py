@@ -32,21 +32,22 @@ def run_regime(
     drive: Drive,
     progress: Callable[[float], None] = lambda share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
-    begin_only: bool = False,
+    until: float | None = None,
 ) -> Regime:
     """Run one robot from rest in its own equilibrium, its motor controlled or following theta_o exactly.
 
-    ``begin_only`` gives the first sample alone: for a run whose reference could not be had.
+    ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
     """
     mechanism, parameters = robot.split(drive)
-    model = Model(mechanism)
-    schedule = robot.reference.schedule()
+    model, schedule, settings = Model(mechanism), robot.reference.schedule(), robot.integration
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
-    if begin_only:
-        trajectory = Trajectory(np.zeros(1), start[None, :], "stopped", "not begun")
+    if until is None:
+        trajectory = integrate(model, parameters, schedule, start, settings, progress, journals(drive.value))
+    elif until > 0:
+        shorter = settings.model_copy(update={"duration": until})
+        trajectory = integrate(model, parameters, schedule, start, shorter, progress)
     else:
-        journal = journals(drive.value)
-        trajectory = integrate(model, parameters, schedule, start, robot.integration, progress, journal)
-    rows = schedule.until(robot.integration.duration).rows_at(trajectory.times)
+        trajectory = Trajectory(np.zeros(1), start[None, :], "stopped", "not begun")
+    rows = schedule.until(settings.duration).rows_at(trajectory.times)
     return Regime(robot, model, parameters, rows, trajectory)

@@ -62,6 +62,17 @@ class Robot(DataSheet):
     )
     integration: Integration = Field(default_factory=Integration)
 
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> Robot:
+        """A checked robot from plain data (as a YAML file holds it); numbers may be text with a unit.
+
+        Raises :class:`tmodes.errors.InputErrors` with everything that is wrong, where building a ``Robot`` directly
+        raises pydantic's own error.
+        """
+        from tmodes.io.check import robot_from_data
+
+        return robot_from_data(data)
+
     def with_(self, changes: Mapping[str, Any]) -> Robot:
         """A new, checked robot with numbers changed by path: ``robot.with_({"gear.stiffness": 900.0})``.
 

@@ -8,6 +8,7 @@ from types import TracebackType
 from typing import Any, Self
 
 from tmodes.compile.cache import source_digest
+from tmodes.compile.native import host
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock, check_writable
 from tmodes.io.checkpoint import run_identity
@@ -96,6 +97,6 @@ class RunFolder:
         }
 
     def _journal(self, stage: str) -> RunJournal:
-        identity = run_identity(self.robot.model_dump_json(), stage, source_digest())
+        identity = run_identity(self.robot.model_dump_json(), stage, source_digest(), host())
         self._journals[stage] = RunJournal(self.path / f".checkpoint-{stage}", identity)
         return self._journals[stage]

@@ -12,7 +12,7 @@ from tmodes.analysis.modes import all_modes, closed_loop_spectrum
 from tmodes.analysis.settling import settling
 from tmodes.analysis.stability import StepVerdict, step_size_verdict
 from tmodes.mechanism import Drive
-from tmodes.regime import run_regime
+from tmodes.regime import Regime, run_regime
 from tmodes.robot import NominalRealPair, Robot
 from tmodes.trajectory import Journal
 
@@ -41,12 +41,11 @@ def simulate(
     pair = robot if isinstance(robot, NominalRealPair) else robot.pair()
     verdict = _verdict(pair)
     reference = run_regime(pair.nominal, Drive.PRESCRIBED, lambda share: progress("reference", share), journals)
-    no_reference = reference.trajectory.status != "finished"
     real = run_regime(
-        pair.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, begin_only=no_reference
+        pair.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, _as_far_as(reference)
     )
     progress("gathering", 0.0)
-    finished = not no_reference and real.trajectory.status == "finished"
+    finished = reference.trajectory.status == real.trajectory.status == "finished"
     told = {
         "frequencies": all_modes(pair.real, contact=False),
         "settling": settling(reference, real) if finished else None,
@@ -54,6 +53,17 @@ def simulate(
     result = assemble(pair, reference, real, told, verdict)
     progress("gathering", 1.0)
     return result
+
+
+def _as_far_as(reference: Regime) -> float | None:
+    """End of the real run [s]: its own where the reference is whole, else that of the reference, to be compared.
+
+    After Ctrl-C nothing more is computed: the same command goes on later.
+    """
+    planned = reference.trajectory
+    if planned.status == "finished":
+        return None
+    return 0.0 if planned.status == "interrupted" else float(planned.times[-1])
 
 
 def _verdict(pair: NominalRealPair) -> StepVerdict:

@@ -83,6 +83,16 @@ def test_unstable_step_is_never_called_finished(robot):
     assert all(np.isfinite(v.values).all() for v in result.data.data_vars.values() if v.dtype.kind == "f")
 
 
+def test_what_was_done_is_kept_when_the_reference_is_lost(robot):
+    """The reference's robot is the stiffer one here: both are kept as far as the reference came."""
+    change = {"integration.method": "rk4", "integration.step": 2.5e-3, "integration.output_step": 2.5e-3}
+    result = simulate(robot.with_({**change, "contact": False}))
+    assert result.status == "diverged"
+    assert result.message.startswith("reference: diverged at t = ")
+    assert 3 < result.data.sizes["time"] < 800
+    assert all(np.isfinite(v.values).all() for v in result.data.data_vars.values() if v.dtype.kind == "f")
+
+
 def test_step_verdict():
     """|R(z)| = 1 of the classical method on the imaginary axis at 2.828."""
     ring = np.array([1000j, -1000j])

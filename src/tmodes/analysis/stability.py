@@ -59,5 +59,5 @@ def _refuse_too_stiff(settings: Integration, highest: float, coordinate: str) ->
         f"the equations are too stiff for dormand_prince: got an eigenvalue of {highest:.3g} 1/s in coordinate "
         f"{coordinate}, which takes about {steps:.1e} steps; expected at most integration.max_steps = "
         f"{settings.max_steps}. Mend: lower the stiffness or damping that acts there (.inf makes an element rigid), "
-        "raise environment.friction_velocity, or shorten the run"
+        "raise environment.friction_velocity, shorten the run, or raise integration.max_steps"
     )

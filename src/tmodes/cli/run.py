@@ -32,6 +32,8 @@ def run(
     from tmodes.cli.output import notice, print_json
     from tmodes.cli.progress import Stages
     from tmodes.cli.told import told
+    from tmodes.errors import SimulationError
+    from tmodes.io.plausible import implausible
     from tmodes.runs import RunFolder
 
     sheet = chosen_robot(robot, settings, reading, contact)
@@ -39,7 +41,12 @@ def run(
     with folder, Stages() as progress:
         if folder.continues:
             notice(f"continuing the run that was stopped in {folder.path}")
-        result = folder.simulate(progress)
+        try:
+            result = folder.simulate(progress)
+        except SimulationError:
+            for doubt in implausible(sheet):  # a wrong unit is the likely cause
+                notice(f"warning: {doubt}")
+            raise
         if figures and result.status != "interrupted":
             folder.illustrate(result, progress)
     print_json(folder.summary(result)) if as_json else told(result, folder)

@@ -58,10 +58,13 @@ def _section_loads(robot: Robot, mode: int, s: Any, phi: Any, phid: Any, phidd: 
     All that lies outboard loads the section: weight and inertia of the masses, the rotary inertia of the line's ends,
     and the environment. Positive moments bend towards positive angles; shear = - d moment/d x.
 
-    Eq. (29) [derived]: mode 1, horizontal plane. {test_root_moment_is_gear_torque, test_line_moments_obey_galerkin}
-    Eq. (31) [derived]: mode 2, horizontal plane. {test_line_moments_obey_galerkin}
-    Eq. (32) [derived]: mode 1, vertical plane. {test_line_moments_obey_galerkin, test_static_moments_are_levers}
-    Eq. (33) [derived]: mode 2, vertical plane. {test_line_moments_obey_galerkin, test_static_moments_are_levers}
+    Eq. (29) [derived]: M(x) of the flexible line of mode 1, horizontal plane.
+    {test_root_moment_is_gear_torque, test_line_moments_obey_galerkin}
+    Eq. (31) [derived]: M(x) of the flexible line of mode 2, horizontal plane. {test_line_moments_obey_galerkin}
+    Eq. (32) [derived]: M(x) of the flexible line of mode 1, vertical plane.
+    {test_line_moments_obey_galerkin, test_static_moments_are_levers}
+    Eq. (33) [derived]: M(x) of the flexible line of mode 2, vertical plane.
+    {test_line_moments_obey_galerkin, test_static_moments_are_levers}
     """
     first, second = robot.link.modes
     masses = (first.tip_mass, robot.payload.mass + second.tip_mass)
