@@ -23,9 +23,6 @@ from tmodes.robot import NominalRealPair
 
 __all__ = ["assemble"]
 
-STATIONS = np.linspace(0.0, 1.0, 21)
-"""Points of each mode at which the elastic line is kept."""
-
 _COORDINATES: dict[str, Any] = {
     "coordinate": list(COORDINATES),
     "axis": ["x", "y", "z"],
@@ -70,7 +67,7 @@ def assemble(
         },
         coords={
             "time": ("time", real.trajectory.times[:count], {"units": "s", "long_name": "time"}),
-            "s": ("s", STATIONS, {"units": "1", "long_name": "place along the mode, 0 root, 1 tip"}),
+            "s": ("s", _stations(real), {"units": "1", "long_name": "place along the mode, 0 root, 1 tip"}),
             **{name: (name, values, {"long_name": name.replace("_", " ")}) for name, values in _COORDINATES.items()},
         },
     )
@@ -139,11 +136,16 @@ def _gross(states: NDArray[np.float64], seen: dict[str, NDArray[np.float64]]) ->
     return np.column_stack([*motor, seen["contact_force"]])
 
 
+def _stations(real: Regime) -> NDArray[np.float64]:
+    """Points s of each mode at which the elastic line is kept."""
+    return np.linspace(0.0, 1.0, real.robot.integration.line_points)
+
+
 def _line(real: Regime, count: int) -> Variables:
     """The elastic line of both modes at the stations."""
     states, seen = real.trajectory.states[:count], _observed(real, count)
     motion = np.column_stack([states[:, :12], seen["acceleration"], seen["contact_force"]])
-    line = real.model.line(motion, STATIONS, real.parameters)
+    line = real.model.line(motion, _stations(real), real.parameters)
     series: Variables = {}
     for name in LINE:
         unit, text = _LINE_UNITS[name]

@@ -19,7 +19,6 @@ from tmodes.trajectory import sample_times
 
 __all__ = ["RunFolder"]
 
-_BYTES_PER_SAMPLE = 4600
 _ROOM_FOR_FIGURES = 20_000_000
 
 Progress = Callable[[str, float], None]
@@ -41,7 +40,7 @@ class RunFolder:
 
     def __enter__(self) -> Self:
         samples = len(sample_times(self.robot.integration))
-        check_writable(self.path, samples * _BYTES_PER_SAMPLE + _ROOM_FOR_FIGURES)
+        check_writable(self.path, samples * self.robot.integration.bytes_per_sample + _ROOM_FOR_FIGURES)
         self._lock.__enter__()
         self.continues = any(self.path.glob(".checkpoint-*"))
         self.overwrite = self.overwrite or self.continues  # what is there is the beginning of this run

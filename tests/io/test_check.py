@@ -186,7 +186,7 @@ class TestWhatMustFitTogether:
     def test_more_samples_than_memory_holds_are_refused_with_numbers(self) -> None:
         message = complaint("output_step: 1.0e-3", "output_step: 1.0e-9")
         assert message.startswith(f"my.yaml:{line_of('integration.output_step')}: integration.output_step: got 1e-09")
-        assert "2e+09 samples, about 9e+03 GB" in message
+        assert "2e+09 samples, about 9.94e+03 GB" in message
         assert "write at least 5e-06 s" in message
         assert changed(integration__output_step=5e-6).integration.output_step == 5e-6
 

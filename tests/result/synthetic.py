@@ -80,6 +80,7 @@ ROBOT: dict[str, Any] = {
         "relative_tolerance": 1.0e-9,
         "absolute_tolerance": 1.0e-12,
         "step": 2 / 37500,
+        "line_points": 21,
         "energy_tolerance": 1.0e-6,
         "energy_stop": False,
         "max_steps": 200_000_000,

@@ -10,13 +10,10 @@ from pydantic import Field, model_validator
 
 from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
 
-__all__ = ["BYTES_PER_SAMPLE", "MOST_SAMPLES", "Integration", "Method"]
+__all__ = ["MOST_BYTES", "Integration", "Method"]
 
-BYTES_PER_SAMPLE = 4500
-"""Size of one sample of a result [bytes], with its elastic lines."""
-
-MOST_SAMPLES = 400_000
-"""Samples of the longest result: 1.8 GB of memory and of disk."""
+MOST_BYTES = 1_800_000_000
+"""Size of the largest result, in memory and on disk [bytes]."""
 
 
 class Method(StrEnum):
@@ -36,6 +33,9 @@ class Integration(DataSheet):
     method: Method = Field(default=Method.DORMAND_PRINCE, strict=False, description="which integrator")
     duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6)
     output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3)
+    line_points: int = positive(
+        "-", "s", "points of each mode at which the elastic line is kept, its ends included", default=21, at_most=1001
+    )
     relative_tolerance: float = positive(
         "-", "rtol", "error allowed per step, relative (dormand_prince)", default=1e-9, at_most=1e-2, smallest=1e-13
     )
@@ -61,14 +61,16 @@ class Integration(DataSheet):
         return self
 
     def _sampling_misfits(self) -> Iterator[Misfit]:
-        samples, least = self.duration / self.output_step, self.duration / MOST_SAMPLES
+        samples, most_samples = self.duration / self.output_step, MOST_BYTES / self.bytes_per_sample
+        if self.line_points < 2:
+            yield Misfit("line_points", str(self.line_points), "at least 2, the ends", "21 shows every bend")
         if self.output_step > self.duration:
             most = f"at most integration.duration, {self.duration!r} [s]"
             yield Misfit("output_step", repr(self.output_step), most, "lengthen the duration or sample more often")
-        elif samples > MOST_SAMPLES:
-            got = f"{self.output_step!r}, that is {_size(samples)}"
-            mend = f"write at least {least:.3g} s, or a shorter duration"
-            yield Misfit("output_step", got, f"at most {_size(MOST_SAMPLES)}", mend)
+        elif samples > most_samples:
+            got = f"{self.output_step!r}, that is {self._size(samples)}"
+            mend = f"write at least {self.duration / most_samples:.3g} s, a shorter duration, or fewer line_points"
+            yield Misfit("output_step", got, f"at most {self._size(most_samples)}", mend)
 
     def _stepping_misfits(self) -> Iterator[Misfit]:
         if self.method is not Method.RK4:
@@ -82,6 +84,10 @@ class Integration(DataSheet):
             mend = f"write at least {self.duration / self.max_steps:.3g} s, or raise max_steps"
             yield Misfit("step", got, most, mend)
 
+    @property
+    def bytes_per_sample(self) -> int:
+        """Size of one sample of a result [bytes]: its series, and thirteen numbers at each point of both lines."""
+        return 600 + 2 * 13 * 8 * self.line_points
 
-def _size(samples: float) -> str:
-    return f"{samples:.3g} samples, about {samples * BYTES_PER_SAMPLE / 1e9:.3g} GB"
+    def _size(self, samples: float) -> str:
+        return f"{samples:.3g} samples, about {samples * self.bytes_per_sample / 1e9:.3g} GB"
