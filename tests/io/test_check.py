@@ -187,8 +187,8 @@ class TestWhatMustFitTogether:
         message = complaint("output_step: 1.0e-3", "output_step: 1.0e-9")
         assert message.startswith(f"my.yaml:{line_of('integration.output_step')}: integration.output_step: got 1e-09")
         assert "2e+09 samples, about 9.94e+03 GB" in message
-        assert "write at least 5e-06 s" in message
-        assert changed(integration__output_step=5e-6).integration.output_step == 5e-6
+        assert "write at least 5.55e-06 s" in message
+        assert changed(integration__output_step=5.55e-6).integration.output_step == 5.55e-6
 
     def test_a_sample_after_the_end_is_refused(self) -> None:
         with pytest.raises(InputErrors, match=r"integration.output_step: got 0.001; expected at most integration.dur"):
