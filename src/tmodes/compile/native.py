@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import ctypes.util
 import itertools
 import sys
 from functools import cache
@@ -67,11 +66,15 @@ def _linker() -> Any:
 
 
 def _address_in_c(name: str) -> int:
-    library = ctypes.cdll.msvcrt if sys.platform == "win32" else ctypes.CDLL(ctypes.util.find_library("m"))
-    address = ctypes.cast(getattr(library, name), ctypes.c_void_p).value
-    if address is None:
-        raise CompileError(f"the C library has no function {name}")
-    return address
+    """Address of a function of the C library: of this process itself where it has it, as Python mostly does."""
+    for library in ("msvcrt",) if sys.platform == "win32" else (None, "libm.so.6", "libm.dylib"):
+        try:
+            address = ctypes.cast(getattr(ctypes.CDLL(library), name), ctypes.c_void_p).value
+        except (OSError, AttributeError):
+            continue
+        if address:
+            return address
+    raise CompileError(f"the C library of this machine has no function {name} that can be found")
 
 
 class Library:
