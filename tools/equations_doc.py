@@ -93,7 +93,7 @@ def page(citations: Sequence[Citation], tests: Mapping[str, Path], root: Path) -
             "",
             "Every numbered equation of Filipovic & Djuric (2010), where it lives in the code, and the test that bears",
             "it. *stated*: written down as printed. *derived*: follows, by differentiation, from what is stated.",
-            "*corrected*: the print has a slip there (second table) and the code has the right form.",
+            "*corrected*: the print has a slip there (second table) or says less than holds; the code has it right.",
             "",
             "This page is written by `python tools/equations_doc.py` from the docstrings: change it there.",
             "",

@@ -43,6 +43,10 @@ _LINE_UNITS = {
 }
 
 Variables = dict[str, tuple[tuple[str, ...], NDArray[np.float64], str, str]]
+"""Dimensions, values, unit and long name of each variable."""
+
+Observed = dict[str, NDArray[np.float64]]
+"""What a model tells of each sample, by the names of ``OBSERVED``."""
 
 
 def assemble(
@@ -59,7 +63,8 @@ def assemble(
     import xarray as xr
 
     count = min(len(reference.trajectory.times), len(real.trajectory.times))
-    variables = _tracking(real, reference, count) | _line(real, count)
+    seen = _observed(real, count)
+    variables = _tracking(real, reference, seen, count) | _line(real, seen, count)
     data = xr.Dataset(
         {
             name: (dims, values, {"units": unit, "long_name": text})
@@ -82,7 +87,7 @@ def assemble(
     return Result(data)
 
 
-def _observed(regime: Regime, count: int) -> dict[str, NDArray[np.float64]]:
+def _observed(regime: Regime, count: int) -> Observed:
     t = regime.trajectory
     return regime.model.observe(t.times[:count], t.states[:count], regime.rows[:count], regime.parameters)
 
@@ -91,11 +96,10 @@ def _angles(states: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack(deformations(states[:, :6].T), axis=1)
 
 
-def _tracking(real: Regime, reference: Regime, count: int) -> Variables:
-    """Everything but the line: motion, tracking, forces, deformations, energies."""
+def _tracking(real: Regime, reference: Regime, seen: Observed, count: int) -> Variables:
+    """Everything but the line: motion, tracking, forces, deformations, energies; ``seen`` of the real robot."""
     states, wanted = real.trajectory.states[:count], reference.trajectory.states[:count]
-    seen, planned = _observed(real, count), _observed(reference, count)
-    angles = _angles(states)
+    planned, angles = _observed(reference, count), _angles(states)
     held = real.model.quasistatic(_gross(states, seen), real.parameters)
     works = states[:, 12:]
     t = ("time",)
@@ -130,7 +134,7 @@ def _tracking(real: Regime, reference: Regime, count: int) -> Variables:
     return series
 
 
-def _gross(states: NDArray[np.float64], seen: dict[str, NDArray[np.float64]]) -> NDArray[np.float64]:
+def _gross(states: NDArray[np.float64], seen: Observed) -> NDArray[np.float64]:
     """Motor motion and contact force: what moves and loads the arm if its elastic motion stands still."""
     motor = [states[:, 5], states[:, 11], seen["acceleration"][:, 5]]
     return np.column_stack([*motor, seen["contact_force"]])
@@ -141,10 +145,9 @@ def _stations(real: Regime) -> NDArray[np.float64]:
     return np.linspace(0.0, 1.0, real.robot.integration.line_points)
 
 
-def _line(real: Regime, count: int) -> Variables:
+def _line(real: Regime, seen: Observed, count: int) -> Variables:
     """The elastic line of both modes at the stations."""
-    states, seen = real.trajectory.states[:count], _observed(real, count)
-    motion = np.column_stack([states[:, :12], seen["acceleration"], seen["contact_force"]])
+    motion = np.column_stack([real.trajectory.states[:count, :12], seen["acceleration"], seen["contact_force"]])
     line = real.model.line(motion, _stations(real), real.parameters)
     series: Variables = {}
     for name in LINE:

@@ -32,7 +32,7 @@ class Model:
     mechanism: Mechanism
 
     def evaluate(self, phi: ArrayLike, phid: ArrayLike, voltage: ArrayLike, parameters: Parameters) -> dict[str, Array]:
-        """All terms of the equations at n states: phi, phid (n, 6), voltage (n,) [V].
+        """All terms of the equations at n states: phi (n, 6) [rad], phid (n, 6) [rad/s], voltage (n,) [V].
 
         Returns arrays of shape (n, …) by the names of :data:`tmodes.equations.layout.EVALUATED`.
         """
@@ -41,11 +41,18 @@ class Model:
         return _split(out, {name: int(np.prod(shape)) for name, shape in EVALUATED.items()}, dict(EVALUATED))
 
     def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> Array:
-        """Derivative of the state by time: time (n,), state (n, 17), row of the reference (n, degree + 2)."""
+        """Derivative of the state by time, shape (n, 17) [the state's units over s].
+
+        ``time`` (n,) [s]; ``state`` (n, 17): coordinates [rad], rates [rad/s] and works [J]; ``row`` (n, degree + 2) of
+        the reference, as :meth:`tmodes.reference.schedule.Schedule.rows_at` gives it.
+        """
         return _sampled(self._observation["rate"], parameters, self._instants(time, state, row), STATE_SIZE)
 
     def observe(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> dict[str, Array]:
-        """What a result shows at n instants, by the names of :data:`tmodes.equations.layout.OBSERVED`."""
+        """What a result shows at n instants, by the names of :data:`tmodes.equations.layout.OBSERVED`.
+
+        The arguments are those of :meth:`rate`.
+        """
         size = sum(OBSERVED.values())
         out = _sampled(self._observation["observe"], parameters, self._instants(time, state, row), size)
         return _split(out, OBSERVED)
@@ -53,8 +60,8 @@ class Model:
     def line(self, motion: ArrayLike, stations: ArrayLike, parameters: Parameters) -> dict[str, Array]:
         """The elastic line of both modes at given stations s in 0..1.
 
-        ``motion`` (n, 21): coordinates, rates, accelerations, tip force. Returns (n, modes, stations, …) arrays by the
-        names of :data:`tmodes.equations.layout.LINE`.
+        ``motion`` (n, 21): coordinates, rates, accelerations [rad, s], tip force (3) [N]. Returns arrays of shape
+        (n, modes, stations, …) by the names of :data:`tmodes.equations.layout.LINE`.
         """
         motion, stations = _rows(motion, 21), np.asarray(stations, dtype=float)
         count, points = len(motion), len(stations)
@@ -66,12 +73,17 @@ class Model:
     def quasistatic(self, gross: ArrayLike, parameters: Parameters) -> Array:
         """Deformations that the current forces would hold statically, shape (n, 5) [rad], by Newton's method.
 
-        ``gross`` (n, 6): theta, theta', theta'', tip force. Raises :class:`SimulationError` where there is no root.
+        ``gross`` (n, 6): theta, theta', theta'' [rad, s], tip force (3) [N]. Raises :class:`SimulationError`
+        where there is no root.
         """
         return self._static_root("quasistatic", _rows(gross, 6), parameters)
 
     def rest(self, theta: float, parameters: Parameters) -> Array:
-        """State of rest at a motor angle, shape (17,): gravity and the touched environment in balance with the arm."""
+        """State of rest at a motor angle [rad], shape (17,).
+
+        Gravity and the touched environment are in balance with the arm. Raises :class:`SimulationError` where there is
+        no equilibrium.
+        """
         angles = self._static_root("rest", _rows(theta, 1), parameters)[0]
         state = np.zeros(STATE_SIZE)
         state[:6] = theta * basis()[:, 0] + deformation_basis() @ angles
@@ -117,7 +129,10 @@ class Model:
         )
 
     def linearised(self, phi: ArrayLike, parameters: Parameters) -> tuple[Array, Array, Array]:
-        """M, D, K, each (6, 6), about rest at phi, without current in the motor and without control."""
+        """M [kg*m^2], D [N*m*s/rad], K [N*m/rad], each (6, 6), about rest at phi (6,) [rad].
+
+        Without current in the motor and without control.
+        """
         out = _sampled(self._linear["linear"], parameters, [_rows(phi, 6)], 108)
         mass, damping, stiffness = out.reshape(3, 6, 6)
         return mass, damping, stiffness
@@ -127,7 +142,7 @@ class Model:
 
     @cached_property
     def loops(self) -> Any:
-        """The native time loops."""
+        """The native time loops, by the names of :class:`tmodes.integrate.settings.Method`."""
 
         def make() -> Any:
             from tmodes.equations.closed_loop import closed_loop, rate_function

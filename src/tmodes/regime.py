@@ -37,6 +37,7 @@ def run_regime(
     """Run one robot from rest in its own equilibrium, its motor controlled or following theta_o exactly.
 
     ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
+    Raises :class:`tmodes.errors.SimulationError` where there is no equilibrium or the mass matrix is singular.
     """
     mechanism, parameters = robot.split(drive)
     model, schedule, settings = Model(mechanism), robot.reference.schedule(), robot.integration

@@ -61,7 +61,10 @@ class Result:
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
-        """Natural frequencies [Hz] and damping ratios [-] with the motor ``locked``, ``free`` and ``controlled``."""
+        """Natural frequencies [Hz] and damping ratios [-] with the motor ``locked``, ``free`` and ``controlled``.
+
+        Of the real robot in free space, about its rest under gravity, also where the run was in contact.
+        """
         return self._json("frequencies")
 
     @property
@@ -70,7 +73,10 @@ class Result:
         return self._json("statistics")
 
     def summary(self, band: float = 0.05) -> dict[str, Any]:
-        """The numbers a reader asks first; see :func:`tmodes.analysis.summary.summarise`."""
+        """The numbers a reader asks first; see :func:`tmodes.analysis.summary.summarise`.
+
+        Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
+        """
         from tmodes.analysis.summary import summarise
 
         return summarise(self.data, band)

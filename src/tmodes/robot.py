@@ -83,7 +83,7 @@ class Robot(DataSheet):
         return changed_robot(self.model_dump(mode="json"), changes)
 
     def numbers(self) -> Iterator[tuple[str, float]]:
-        """Path and value of every number that is an input of the equations."""
+        """Path and value [SI] of every number that is an input of the equations."""
         for group in PLANT:
             yield from _leaves(getattr(self, group), group)
 
@@ -109,7 +109,11 @@ class Robot(DataSheet):
         return mechanism, Parameters(names, np.array(values))
 
     def pair(self) -> NominalRealPair:
-        """The robot as it is known and as it really is."""
+        """The robot as it is known and as it really is.
+
+        Raises :class:`tmodes.errors.InputError` for an entry of ``real`` that names no number, and
+        :class:`tmodes.errors.InputErrors` for a factor that makes a number no robot can have.
+        """
         numbers = dict(self.numbers())
         unknown = [path for path in self.real if path not in numbers]
         if unknown:

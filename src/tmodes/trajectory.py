@@ -187,7 +187,7 @@ class _Run:
         return self.model.rate([self.cell("t")], self.state, self.rows[segment], self.parameters)[0]
 
     def trajectory(self, status: str, message: str) -> Trajectory:
-        counts = {name: int(self.cell(name)) for name in ("steps", "rejected", "evaluations")}
+        counts: dict[str, float] = {name: int(self.cell(name)) for name in ("steps", "rejected", "evaluations")}
         if self.settings.method is Method.RK4:
-            counts["step"] = self.cell("h")  # type: ignore[assignment]
-        return Trajectory(self.times[: self.done], self.samples[: self.done], status, message, {**counts})
+            counts["step"] = self.cell("h")
+        return Trajectory(self.times[: self.done], self.samples[: self.done], status, message, counts)

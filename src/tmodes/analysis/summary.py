@@ -21,7 +21,9 @@ Array = NDArray[np.float64]
 def summarise(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     """A plain dictionary of floats and words, ready for JSON; the unit is in the key. What is missing is None.
 
-    ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1.
+    ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1;
+    for the usual one the run itself was continued until it settled (:mod:`tmodes.analysis.settling`), for any other
+    only the samples of the result are looked at. Raises :class:`tmodes.errors.InputError` for a band out of range.
     """
     if not 0 < band < 1:
         raise InputError("band", str(band), "a number between 0 and 1", "0.05 is the usual one")
@@ -55,7 +57,7 @@ def _deviation(data: Dataset, time: Array) -> dict[str, float]:
 
 
 def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any]:
-    """Time from the end of the reference move to the last sample at which the deviation is out of the band [s]."""
+    """Time from the end of the reference move to the last instant at which the deviation is out of the band [s]."""
     known = json.loads(data.attrs.get("settling", "null"))
     if known and known["band"] == band:
         return known

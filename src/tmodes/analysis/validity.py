@@ -34,7 +34,7 @@ def deflection_warnings(data: Any) -> list[str]:
 
 
 def first_energy_error(data: Any, tolerance: float) -> int | None:
-    """Index of the first sample at which the energy balance is off by more than its tolerance, or None."""
+    """Index of the first sample at which the balance is off by more than ``tolerance`` of the energy moved, or None."""
     moved = largest_flow(data["energy"].values, data["work"].values)
     beyond = np.flatnonzero(np.abs(data["energy_balance"].values) > max(tolerance * moved, _ROUNDING))
     return int(beyond[0]) if len(beyond) else None

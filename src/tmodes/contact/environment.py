@@ -40,7 +40,7 @@ class DynamicEnvironment(DataSheet):
     )
 
     def radial_force(self, deviation: Any, rate: Any, acceleration: Any) -> Any:
-        """Radial force Fc by the tip on the environment [N], from kappa - (l1 + l2) and its derivatives.
+        """Radial force Fc by the tip on the environment [N], from kappa - (l1 + l2) [m] and its two derivatives.
 
         Slip (p. 61): Fc = me kappa'' + be kappa' + Fc_o + ka1 Delta_kappa with Delta_kappa = (l1 + l2) - kappa is a
         negative stiffness; the deviation here is kappa - (l1 + l2) {test_slip_contact_stiffness_sign}
@@ -49,6 +49,8 @@ class DynamicEnvironment(DataSheet):
 
     def slip_ratio(self, speed_squared: Any, square_root: Any) -> Any:
         """mu/sqrt(v.v + veps^2) [s/m]: friction force per normal force and tip velocity, smooth at rest.
+
+        ``speed_squared`` v.v [m^2/s^2]; ``square_root`` is that of the arithmetic in use: numbers or symbols.
 
         Slip (40): the friction -mu kappa'/|kappa'| Fc, put as it stands into (40), injects power; the force by the
         tip on the environment points along the tip's velocity {test_slip_friction_sign}

@@ -16,7 +16,7 @@ class LocalPD(DataSheet):
     velocity_gain: float = not_negative("V*s/rad", "Klv", "velocity gain")
 
     def command(self, wanted: Any, wanted_rate: Any, measured: Any, measured_rate: Any) -> Any:
-        """Motor voltage [V].
+        """Motor voltage [V] from wanted and measured motor angles [rad] and their rates [rad/s].
 
         Eq. (41) [stated]: u = Klp (theta_o - theta) + Klv (theta_o' - theta'). {test_local_pd}
         """

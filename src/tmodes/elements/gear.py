@@ -18,14 +18,14 @@ class ElasticGear(DataSheet):
     damping: float = not_negative("N*m*s/rad", "Bxi", "torsional damping of the gear, after the reducer")
 
     def stored(self, deflection: Any) -> Any:
-        """Elastic energy [J].
+        """Elastic energy [J] at a deflection xi [rad].
 
         Eq. (24) [stated]: Epel_xi = 1/2 Cxi xi^2, with xi = gamma - theta. {test_elastic_energy_terms}
         """
         return self.stiffness * deflection**2 / 2
 
     def dissipated(self, rate: Any) -> Any:
-        """Rayleigh function [W], half of the power lost.
+        """Rayleigh function [W], half of the power lost, at a rate xi' [rad/s].
 
         Eq. (25) [stated]: Phi_xi = 1/2 Bxi xi'^2. {test_rayleigh_terms}
         """

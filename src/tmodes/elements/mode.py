@@ -74,7 +74,10 @@ class FlexibleMode(DataSheet):
         return self.tip_mass * (self.length / 2) ** 2
 
     def flexibility_moment(self, angle: Any, rate: Any, s: Any = 0.0) -> Any:
-        """Moment beta (y'' + eta y'')' at s from the curvature of the line [N*m]: (Cs th + Bs th') l^2 (1 - s)."""
+        """Moment beta (y + eta y')'' at s from the curvature of the line [N*m]: (Cs th + Bs th') l^2 (1 - s).
+
+        ``angle`` th [rad] and ``rate`` th' [rad/s] of one plane; ``s`` [-] from 0, the root, to 1, the tip.
+        """
         return (self.tip_stiffness * angle + self.tip_damping * rate) * self.length**2 * (1 - s)
 
 

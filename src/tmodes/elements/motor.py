@@ -12,7 +12,8 @@ __all__ = ["Motor"]
 class Motor(DataSheet):
     """A DC motor with its reducer, every quantity referred to the output side of the reducer (S = 1).
 
-    The methods take numbers or symbols, so the same three lines serve the equations and a hand calculation.
+    The methods take numbers or symbols, voltage [V] and speed theta' [rad/s], so the same lines serve the equations
+    and a hand calculation.
     """
 
     resistance: float = positive("ohm", "R", "armature resistance", plausible=(1e-3, 1e3))
@@ -29,7 +30,7 @@ class Motor(DataSheet):
         return (voltage - self.back_emf_constant * speed) / self.resistance
 
     def torque(self, voltage: Any, speed: Any) -> Any:
-        """Electromagnetic torque after the reducer CM i [N*m]: what the motor brings in."""
+        """Electromagnetic torque CM i after the reducer [N*m]: what the motor brings in."""
         return self.torque_constant * self.current(voltage, speed)
 
     def kinetic(self, speed: Any) -> Any:

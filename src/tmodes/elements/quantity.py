@@ -1,7 +1,8 @@
 """Physical quantities as fields: a number that knows its unit, its symbol in the paper and its range.
 
-The field itself is the single source of the schema, of the error messages, of the parameter table and of the
-units in result files. No physical quantity has a default (gravity is the one exception, and it is printed).
+The field itself is the single source of the schema, of the error messages, of the vector of parameters, of the data
+sheet in a report and of the notation page. No physical quantity has a default (gravity is the one exception, and it is
+printed).
 """
 
 from __future__ import annotations

@@ -69,7 +69,8 @@ class Integration(DataSheet):
             yield Misfit("output_step", repr(self.output_step), most, "lengthen the duration or sample more often")
         elif samples > most_samples:
             got = f"{self.output_step!r}, that is {self._size(samples)}"
-            mend = f"write at least {1.005 * self.duration / most_samples:.3g} s, a shorter duration, or fewer line_points"
+            least = f"{1.005 * self.duration / most_samples:.3g} s"
+            mend = f"write at least {least}, a shorter duration, or fewer line_points"
             yield Misfit("output_step", got, f"at most {self._size(most_samples)}", mend)
 
     def _stepping_misfits(self) -> Iterator[Misfit]:

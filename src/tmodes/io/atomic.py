@@ -54,7 +54,7 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
 
 
 def real_path(path: str | os.PathLike[str]) -> Path:
-    """The absolute path of a file, links followed."""
+    """The absolute path of a file, links followed; raises :class:`ResultFileError` where none can be told."""
     try:
         return Path(os.path.realpath(path))
     except (OSError, ValueError) as error:

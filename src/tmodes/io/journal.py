@@ -7,13 +7,10 @@ import time as clock
 from pathlib import Path
 
 import numpy as np
-from numpy.typing import NDArray
 
-from tmodes.io.checkpoint import CheckpointWriter, read_checkpoint
+from tmodes.io.checkpoint import CheckpointWriter, Record, read_checkpoint
 
 __all__ = ["RunJournal"]
-
-Record = dict[str, NDArray[np.float64]]
 
 
 class RunJournal:

@@ -38,7 +38,10 @@ def read_yaml(path: str | os.PathLike[str]) -> tuple[dict[str, Any], Positions]:
 
 
 def parse_yaml(text: str, source: str) -> tuple[dict[str, Any], Positions]:
-    """Plain data and positions of a YAML text; ``source`` is its name in messages."""
+    """Plain data and positions of a YAML text; ``source`` is its name in messages.
+
+    Raises :class:`tmodes.errors.InputError` for a text that is not of this kind.
+    """
     _refuse_long_lines(text, source)
     builder = _Builder(source)
     data = builder.document(_events(text, source))

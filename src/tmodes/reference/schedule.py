@@ -32,7 +32,7 @@ class Schedule:
         return self.coefficients.shape[1] - 1
 
     def at(self, time: ArrayLike, derivative: int = 0) -> NDArray[np.float64]:
-        """The value, or its ``derivative``-th derivative, at each time; at a jump, the later piece counts."""
+        """The value, or its ``derivative``-th derivative, at each time [s]; at a jump, the later piece counts."""
         time = np.asarray(time, dtype=float)
         piece = self._piece(time)
         tau = time - self.knots[piece]
@@ -43,7 +43,7 @@ class Schedule:
         return value
 
     def rows_at(self, time: ArrayLike) -> NDArray[np.float64]:
-        """Start and coefficients of the piece at each time, shape (n, degree + 2): what compiled code reads."""
+        """Start and coefficients of the piece at each time [s], shape (n, degree + 2): what compiled code reads."""
         piece = self._piece(np.asarray(time, dtype=float))
         return np.column_stack([self.knots[piece], self.coefficients[piece]])
 
@@ -51,7 +51,7 @@ class Schedule:
         return np.clip(np.searchsorted(self.knots, time, side="right") - 1, 0, len(self.coefficients) - 1)
 
     def until(self, end: float) -> Schedule:
-        """The same motion over [start, end] s: cut short, or held in its last position."""
+        """The same motion from its start to ``end`` [s]: cut short, or held in its last position."""
         kept = self.knots[:-1] < end
         knots, pieces = self.knots[:-1][kept], self.coefficients[kept]
         if end > self.knots[-1]:
