@@ -35,6 +35,7 @@ class RunFolder:
         self.path, self.robot, self.overwrite = path, robot, overwrite
         self.result_file, self.report_file, self.figures = path / "result.nc", path / "report.html", path / "figures"
         self.continues = False
+        self._done: Result | None = None
         self._lock = FolderLock(path)
         self._journals: dict[str, RunJournal] = {}
 
@@ -42,15 +43,40 @@ class RunFolder:
         samples = len(sample_times(self.robot.integration))
         check_writable(self.path, samples * self.robot.integration.bytes_per_sample + _ROOM_FOR_FIGURES)
         self._lock.__enter__()
-        self.continues = any(self.path.glob(".checkpoint-*"))
-        self.overwrite = self.overwrite or self.continues  # what is there is the beginning of this run
-        if self.result_file.exists() and not self.overwrite:
+        try:
+            self._look_at_what_is_there()
+        except BaseException:
             self._lock.__exit__(None, None, None)
+            raise
+        return self
+
+    def _look_at_what_is_there(self) -> None:
+        """Begin afresh, go on with an earlier begin of this very run, or refuse: a result is never replaced unasked."""
+        if self.overwrite:
+            for left in self.path.glob(".checkpoint-*"):
+                left.unlink()
+            return
+        self.continues = any(self.path.glob(".checkpoint-*"))
+        if not self.result_file.exists():
+            return
+        earlier = self._earlier()
+        if earlier and earlier.status == "interrupted":
+            self.continues = self.overwrite = True
+        elif earlier and earlier.success and not self.report_file.exists():
+            self.continues, self._done = True, earlier
+        else:
             raise ResultFileError(
                 f"{self.result_file}: got a result that exists; expected a folder without one. Mend: --overwrite "
                 "replaces it, --out names another folder"
             )
-        return self
+
+    def _earlier(self) -> Result | None:
+        """The result that is there, when it is whole and of the same data sheet."""
+        try:
+            earlier = Result.load(self.result_file)
+        except ResultFileError:
+            return None
+        return earlier if earlier.data.attrs.get("robot") == self.robot.model_dump_json() else None
 
     def __exit__(
         self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None
@@ -63,6 +89,8 @@ class RunFolder:
         """Run, store the result, and drop the checkpoints that it replaces."""
         from tmodes.simulate import simulate
 
+        if self._done:
+            return self._done
         result = simulate(self.robot, progress=progress, journals=self._journal)
         result.save(self.result_file, overwrite=self.overwrite)
         if result.status != "interrupted":
@@ -96,6 +124,6 @@ class RunFolder:
         }
 
     def _journal(self, stage: str) -> RunJournal:
-        identity = run_identity(self.robot.model_dump_json(), stage, source_digest(), host())
+        identity = run_identity(self.robot.model_dump_json(), stage, source_digest((".",)), host())
         self._journals[stage] = RunJournal(self.path / f".checkpoint-{stage}", identity)
         return self._journals[stage]

@@ -46,10 +46,13 @@ def simulate(
     )
     progress("gathering", 0.0)
     finished = reference.trajectory.status == real.trajectory.status == "finished"
-    told = {
-        "frequencies": all_modes(pair.real, contact=False),
-        "settling": settling(reference, real) if finished else None,
-    }
+    told = {"frequencies": all_modes(pair.real, contact=False), "settling": None}
+    if finished:
+        try:
+            told["settling"] = settling(reference, real)
+        except KeyboardInterrupt:
+            real.trajectory.status = "interrupted"
+            real.trajectory.message = "interrupted after its end, before it was told how the tip settles"
     result = assemble(pair, reference, real, told, verdict)
     progress("gathering", 1.0)
     return result

@@ -34,8 +34,8 @@ class Journal(Protocol):
         """Memory, state and samples so far of the same run, or None."""
         ...
 
-    def keep(self, record: dict[str, NDArray[np.float64]], last: bool = False) -> None:
-        """Keep the progress, when it is time to."""
+    def keep(self, record: dict[str, NDArray[np.float64]], *, last: bool = False, now: bool = False) -> None:
+        """Keep the progress, when it is time to; ``last``: nothing follows; ``now``: whatever the time."""
         ...
 
 
@@ -92,7 +92,7 @@ def integrate(
                 return run.trajectory("stopped", reason)
     except KeyboardInterrupt:
         if journal:
-            journal.keep(run.record(), last=True)
+            journal.keep(run.record(), now=True)
         return run.trajectory("interrupted", f"interrupted at t = {run.cell('t'):.6g} s; what was done is kept")
     return run.end()
 

@@ -180,22 +180,42 @@ def test_closed_pipe():
         assert process.stderr.read() == ""
 
 
-def test_interruption_leaves_a_valid_file(tmp_path):
-    """Ctrl-C: exit 130, and a result that says so and holds no NaN."""
-    line = ["run", "filipovic2010", "--no-figures", *settings(LONG), "--set", "integration.max_wall_time=600"]
-    with subprocess.Popen(
-        [*COMMAND, *line, "--out", str(tmp_path / "a")], stderr=subprocess.PIPE, text=True
-    ) as process:
-        time.sleep(7)
+def interrupted(line, out, seconds):
+    """Start the command, press Ctrl-C after some seconds; what it said."""
+    with subprocess.Popen([*COMMAND, *line, "--out", str(out)], stderr=subprocess.PIPE, text=True) as process:
+        time.sleep(seconds)
         process.send_signal(signal.SIGINT)
         told = process.communicate(timeout=60)[1]
-    assert process.returncode == 130
     assert "Traceback" not in told
+    assert process.returncode == 130
+    return told
+
+
+def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
+    """Ctrl-C, early and late: exit 130, a marked result; the same command then ends as if nobody had pressed it."""
     from tmodes.result import Result
 
-    first = Result.load(tmp_path / "a/result.nc")
-    assert first.status == "interrupted"
-    assert all(np.isfinite(v.values).all() for v in first.data.data_vars.values() if v.dtype.kind == "f")
+    longer = LONG | {"integration.duration": "9000", "reference.duration": "9000"}
+    line = ["run", "filipovic2010", "--no-figures", *settings(longer)]
+    for seconds in (1.7, 5.0):
+        interrupted(line, tmp_path / "a", seconds)
+        first = Result.load(tmp_path / "a/result.nc")
+        assert first.status == "interrupted"
+        assert all(np.isfinite(v.values).all() for v in first.data.data_vars.values() if v.dtype.kind == "f")
+    assert "continuing" in tmodes(*line, "--out", tmp_path / "a").stderr
+    tmodes(*line, "--out", tmp_path / "b")
+    assert (tmp_path / "a/result.nc").read_bytes() == (tmp_path / "b/result.nc").read_bytes()
+
+
+def test_a_run_whose_report_was_not_written_goes_on_there(tmp_path):
+    """The same command draws what is missing, and does not compute again; another robot's is refused."""
+    tmodes("run", "filipovic2010", "--no-figures", "--out", tmp_path)
+    before = (tmp_path / "result.nc").stat().st_mtime_ns
+    tmodes("run", "filipovic2010", "--set", "payload.mass=0.4", "--out", tmp_path, code=4)
+    assert "continuing" in tmodes("run", "filipovic2010", "--out", tmp_path).stderr
+    assert (tmp_path / "report.html").exists()
+    assert (tmp_path / "result.nc").stat().st_mtime_ns == before
+    tmodes("run", "filipovic2010", "--out", tmp_path, code=4)
 
 
 def test_killed_and_continued(tmp_path):

@@ -10,7 +10,8 @@ import pytest
 from tmodes.compile import cache, kernels
 from tmodes.compile.program import straight_line
 from tmodes.equations.closed_loop import closed_loop, observe_function, rate_function
-from tmodes.errors import CompileError
+from tmodes.equations.symbols import symbolic_robot
+from tmodes.errors import CompileError, ResultFileError
 from tmodes.mechanism import Drive, Parameters
 from tmodes.model import Model
 
@@ -83,6 +84,12 @@ def test_parameters_are_inputs(robot):
     assert not np.allclose(one, two)
 
 
+def test_symbols_stand_in_the_order_of_the_numbers(robot):
+    """The vector that equations read is the vector that a robot gives."""
+    _, symbols = symbolic_robot()
+    assert [str(symbols[k]) for k in range(symbols.shape[0])] == [path for path, _ in robot.numbers()]
+
+
 def test_what_does_not_change_is_computed_once(robot):
     """Operations on parameters alone are out of the loop."""
     mechanism, _ = robot.split(Drive.CONTROLLED)
@@ -124,6 +131,18 @@ def test_cache_of_another_user_or_open_to_others_is_not_used(tmp_path, monkeypat
     assert not list(place.iterdir())
     monkeypatch.setenv("TMODES_CACHE", "")
     assert cache.folder() is None
+
+
+def test_cache_that_cannot_be_written_costs_time_only(sine_cosine, tmp_path, monkeypatch):
+    """A full disk below the cache is no error."""
+    monkeypatch.setenv("TMODES_CACHE", str(tmp_path / "cache"))
+
+    def full(path, **_):
+        raise ResultFileError(f"{path}: the disk is full")
+
+    monkeypatch.setattr(cache, "atomic_write", full)
+    kernels._loaded.clear()
+    assert sampled(sine_cosine, [0.5])[0, 0] == pytest.approx(np.sin(0.5), abs=0)
 
 
 def test_cache_is_bounded(tmp_path, monkeypatch):

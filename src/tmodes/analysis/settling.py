@@ -31,12 +31,16 @@ def settling(reference: Regime, real: Regime) -> dict[str, Any]:
     """
     horizon = min(_HORIZON, _DECAYS / _slowest_decay(reference, real))
     time, deviation = _deviation(reference, real)
-    later, afterwards = _deviation(*(_carried_on(regime, horizon) for regime in (reference, real)))
+    carried = [_carried_on(regime, horizon) for regime in (reference, real)]
+    later, afterwards = _deviation(*carried)
     time, deviation = np.append(time, time[-1] + later[1:]), np.append(deviation, afterwards[1:])
     limit, end = BAND * float(deviation.max()), real.robot.reference.duration
     told: dict[str, Any] = {"time_s": None, "band": BAND, "limit_m": limit, "reason": ""}
     if real.trajectory.times[-1] < end * (1 - 1e-9):
         told["reason"] = f"the run ends before the move does, at {end:g} s: simulate longer"
+        return told
+    if lost := next((regime for regime in carried if regime.trajectory.status != "finished"), None):
+        told["reason"] = f"continued beyond its end, the run did not come far: {lost.trajectory.message}"
         return told
     outside = time[(deviation > limit) & (time > end)]
     if outside.size and outside[-1] > time[-1] - 0.05 * horizon:
@@ -68,6 +72,8 @@ def _carried_on(regime: Regime, duration: float) -> Regime:
     change = {"duration": duration, "output_step": duration / _SAMPLES}
     settings = robot.integration.model_copy(update=change)
     trajectory = integrate(regime.model, regime.parameters, schedule, state, settings)
+    if trajectory.status == "interrupted":
+        raise KeyboardInterrupt
     rows = schedule.rows_at(trajectory.times)
     return Regime(robot, regime.model, regime.parameters, rows, trajectory)
 

@@ -8,6 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.energy import largest_flow
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -120,9 +121,8 @@ def _contact(data: Dataset, time: Array) -> dict[str, float] | None:
 
 
 def _energy(data: Dataset) -> dict[str, float | None]:
-    """Energy moved: the widest swing of any one energy or work; and the worst residual of the balance over it."""
-    flows = np.concatenate([data["energy"].values, data["work"].values], axis=1)
-    moved = float(np.ptp(flows, axis=0).max())
+    """Energy moved (the largest change of one energy, or one work), and the worst residual of the balance over it."""
+    moved = largest_flow(data["energy"].values, data["work"].values)
     worst = float(np.abs(data["energy_balance"].values).max())
     return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}
 

@@ -21,7 +21,8 @@ class Stages:
 
     def __init__(self, quiet: bool = False) -> None:
         self._quiet = quiet
-        self._started = self._last_line = clock.monotonic()
+        self._started = clock.monotonic()
+        self._last_line = self._started - LINE_EVERY
         self._bar: Any = None
         self._tasks: dict[str, Any] = {}
 

@@ -12,6 +12,7 @@ import sys
 from functools import cache
 from pathlib import Path
 
+from tmodes.errors import ResultFileError
 from tmodes.io.atomic import atomic_write
 
 __all__ = ["MAX_BYTES", "folder", "load", "save", "source_digest"]
@@ -23,11 +24,11 @@ _SOURCES = ("compile", "contact", "control", "elements", "equations", "mechanism
 
 
 @cache
-def source_digest() -> str:
-    """Digest of all source that the compiled code follows from: change a line, and the cache is not used."""
+def source_digest(sources: tuple[str, ...] = _SOURCES) -> str:
+    """Digest of source of the package; without argument, of all that the compiled code follows from."""
     root = Path(__file__).parents[1]
     digest = hashlib.sha256()
-    for source in _SOURCES:
+    for source in sources:
         place = root / source
         for file in sorted(place.rglob("*.py")) if place.is_dir() else [place]:
             digest.update(file.relative_to(root).as_posix().encode() + b"\0" + file.read_bytes() + b"\0")
@@ -86,7 +87,7 @@ def save(key: str, binary: bytes) -> None:
         with atomic_write(entry) as temporary:
             temporary.write_bytes(_seal(key, binary) + binary)
         _trim(entry.parent)
-    except OSError:
+    except (OSError, ResultFileError):
         return
 
 

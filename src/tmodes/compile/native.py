@@ -6,6 +6,7 @@ import ctypes
 import itertools
 import sys
 from functools import cache
+from importlib.metadata import version
 from typing import Any
 
 import llvmlite.binding as llvm
@@ -34,11 +35,13 @@ def _machine(level: int) -> Any:
 
 @cache
 def host() -> str:
-    """What the code is made for: compiler version, platform, processor and its features."""
+    """What the code is made for: versions, platform, processor and its features."""
     import llvmlite
 
     features = llvm.get_host_cpu_features().flatten()
-    return f"{llvmlite.__version__} {llvm.get_process_triple()} {llvm.get_host_cpu_name()} {features}"
+    return (
+        f"{llvmlite.__version__} {version('casadi')} {llvm.get_process_triple()} {llvm.get_host_cpu_name()} {features}"
+    )
 
 
 def to_object(module: Any, level: int) -> bytes:

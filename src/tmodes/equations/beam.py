@@ -26,7 +26,7 @@ def line_function(mode: int, rigid: bool) -> ca.Function:
     Eq. (4) [derived]: M_j + eps_j = 0 for every mode j, with the coupling between modes: the moment at the next mode's
     root is part of M. {test_line_moments_obey_galerkin}
     """
-    robot, _, parameters = symbolic_robot()
+    robot, parameters = symbolic_robot()
     s, motion = ca.SX.sym("s"), ca.SX.sym("motion", 21)
     phi, phid, phidd, force = motion[:6], motion[6:12], motion[12:18], motion[18:]
     moment, shear = _section_loads(robot, mode, s, phi, phid, phidd, force)

@@ -48,7 +48,7 @@ def closed_loop(mechanism: Mechanism) -> ClosedLoop:
     ``row`` holds the start of the current piece of the schedule and the coefficients of its polynomial: the motor's
     wanted angle [rad] (controlled, prescribed), or its voltage [V].
     """
-    robot, _, parameters = symbolic_robot()
+    robot, parameters = symbolic_robot()
     time, state = ca.SX.sym("time"), ca.SX.sym("state", STATE_SIZE)
     row = ca.SX.sym("row", mechanism.reference_degree + 2)
     phi, phid = state[:6], state[6:12]

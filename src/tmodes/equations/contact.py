@@ -7,11 +7,12 @@ from typing import Any
 
 import casadi as ca
 
+from tmodes.contact.environment import FrictionLaw
 from tmodes.equations.kinematics import projected_lengths, tip, tip_jacobian
 from tmodes.mechanism import Mechanism, Reading
 from tmodes.robot import Robot
 
-__all__ = ["ContactTerms", "contact_terms"]
+__all__ = ["ContactTerms", "contact_terms", "friction_sign"]
 
 
 @dataclass(frozen=True)
@@ -57,6 +58,11 @@ def contact_terms(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any) -> Co
         slip=environment.slip_ratio(ca.sumsqr(velocity), ca.sqrt) * velocity,
         to_rows=_planar_map(robot, phi) if mechanism.reading is Reading.PRINTED else jacobian.T,
     )
+
+
+def friction_sign(radial: Any, law: FrictionLaw | None) -> Any:
+    """Sign with which the radial force enters friction: its own makes mu |Fc| of mu Fc."""
+    return ca.if_else(radial >= 0, 1, -1) if law is FrictionLaw.MAGNITUDE else 1
 
 
 def _planar_map(robot: Robot, phi: Any) -> Any:

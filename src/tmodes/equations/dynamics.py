@@ -8,7 +8,7 @@ from typing import Any
 import casadi as ca
 
 from tmodes.contact.environment import FrictionLaw
-from tmodes.equations.contact import ContactTerms, contact_terms
+from tmodes.equations.contact import ContactTerms, contact_terms, friction_sign
 from tmodes.equations.coordinates import basis, deformations, free_columns
 from tmodes.equations.energy import Energies, energies
 from tmodes.equations.lagrange import EquationTerms, equation_terms
@@ -26,7 +26,6 @@ class Motion:
     terms: EquationTerms
     acceleration: Any
     motor_torque: Any
-    contact: ContactTerms | None
     radial_force: Any
     tip_force: Any
     contact_rows: Any
@@ -61,7 +60,7 @@ def motion(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) 
     acceleration, radial_force, tip_force, rows = solved
     if prescribed:
         torque = _torque_of_prescribed_motor(terms, acceleration, rows, robot, phid)
-    return Motion(energy, terms, acceleration, torque, contact, radial_force, tip_force, rows)
+    return Motion(energy, terms, acceleration, torque, radial_force, tip_force, rows)
 
 
 def _torque_of_prescribed_motor(
@@ -87,7 +86,7 @@ def _accelerations(
     at_rest = contact.at_rest + contact.mass * ca.dot(contact.row, known)
     # Without the contact's own push, Fc has this sign; the push only scales it (its denominator is positive).
     pull = at_rest + contact.mass * ca.dot(row, _solve_ldl(reduced, right))
-    direction = contact.direction(_friction_sign(pull, law))
+    direction = contact.direction(friction_sign(pull, law))
     push = contact.to_rows @ direction
     answer = _solve_ldl(reduced, ca.horzcat(right, directions.T @ push))
     freely, pushed = answer[:, 0], answer[:, 1]
@@ -101,13 +100,8 @@ def _held(known: Any, contact: ContactTerms | None, law: FrictionLaw | None) -> 
     if contact is None:
         return known, ca.SX(0), ca.SX.zeros(3), ca.SX.zeros(6)
     radial = contact.at_rest + contact.mass * ca.dot(contact.row, known)
-    force = radial * contact.direction(_friction_sign(radial, law))
+    force = radial * contact.direction(friction_sign(radial, law))
     return known, radial, force, contact.to_rows @ force
-
-
-def _friction_sign(radial: Any, law: FrictionLaw | None) -> Any:
-    """Sign with which the radial force enters friction: its own makes mu |Fc| of mu Fc."""
-    return ca.if_else(radial >= 0, 1, -1) if law is FrictionLaw.MAGNITUDE else 1
 
 
 def _solve_ldl(matrix: Any, right: Any) -> Any:

@@ -15,7 +15,7 @@ __all__ = ["evaluation_function"]
 
 def evaluation_function(mechanism: Mechanism) -> ca.Function:
     """The vector of :data:`tmodes.equations.layout.EVALUATED` of (phi, phid, u, parameters)."""
-    robot, _, parameters = symbolic_robot()
+    robot, parameters = symbolic_robot()
     phi, phid, voltage = ca.SX.sym("phi", 6), ca.SX.sym("phid", 6), ca.SX.sym("u")
     moved = motion(robot, mechanism, phi, phid, voltage)
     energy, terms = moved.energy, moved.terms

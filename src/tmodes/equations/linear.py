@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import casadi as ca
 
-from tmodes.equations.contact import contact_terms
+from tmodes.equations.contact import contact_terms, friction_sign
 from tmodes.equations.energy import energies
 from tmodes.equations.lagrange import equation_terms
 from tmodes.equations.symbols import symbolic_robot
@@ -15,7 +15,7 @@ __all__ = ["linear_function"]
 
 def linear_function(mechanism: Mechanism) -> ca.Function:
     """M, D, K, each (6, 6) row by row, of (phi, parameters), at rest and without current in the motor."""
-    robot, _, parameters = symbolic_robot()
+    robot, parameters = symbolic_robot()
     phi, phid, phidd = (ca.SX.sym(name, 6) for name in ("phi", "phid", "phidd"))
     terms = equation_terms(energies(robot, mechanism, phi, phid), phi, phid)
     rows = terms.mass_matrix @ phidd + terms.internal
@@ -24,7 +24,7 @@ def linear_function(mechanism: Mechanism) -> ca.Function:
         contact = contact_terms(robot, mechanism, phi, phid)
         radial = contact.mass * ca.dot(contact.row, phidd) + contact.at_rest
         # Of |Fc| only its sign at rest matters to a small motion.
-        sign = ca.if_else(contact.at_rest >= 0, 1, -1) if mechanism.contact == "magnitude" else 1
+        sign = friction_sign(contact.at_rest, mechanism.contact)
         rows += contact.to_rows @ (contact.direction(sign) * radial)
     matrices = [ca.jacobian(rows, variable) for variable in (phidd, phid, phi)]
     rest = ca.SX.zeros(6)

@@ -23,7 +23,7 @@ def quasistatic_function(mechanism: Mechanism) -> ca.Function:
     accelerations, under gravity, inertia and the given contact force. Its root is T_st, the stationary part of
     Bernoulli's solution y = X (T_st + T_to); at rest it is the gravity sag (section 2 of the paper).
     """
-    robot, _, parameters = symbolic_robot()
+    robot, parameters = symbolic_robot()
     angles, gross = ca.SX.sym("angles", 5), ca.SX.sym("gross", 6)
     theta, rate, acceleration, force = gross[0], gross[1], gross[2], gross[3:]
     phi, phid = ca.SX.sym("phi", 6), ca.SX.sym("phid", 6)
@@ -41,7 +41,7 @@ def rest_function(mechanism: Mechanism) -> ca.Function:
 
     So a run starts at rest: nothing is launched by the preload or by a start off the sphere.
     """
-    robot, _, parameters = symbolic_robot()
+    robot, parameters = symbolic_robot()
     angles, theta = ca.SX.sym("angles", 5), ca.SX.sym("theta")
     phi, phid = ca.SX.sym("phi", 6), ca.SX.sym("phid", 6)
     rows = equation_terms(energies(robot, mechanism, phi, phid), phi, phid).internal

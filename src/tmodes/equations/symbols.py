@@ -13,19 +13,17 @@ from tmodes.robot import PLANT, Robot
 __all__ = ["symbolic_robot"]
 
 
-def symbolic_robot() -> tuple[Robot, tuple[str, ...], Any]:
-    """The robot with a symbol for every number, the numbers' paths, and the vector of symbols, in that order."""
-    paths: list[str] = []
+def symbolic_robot() -> tuple[Robot, Any]:
+    """The robot with a symbol for every number, and the vector of the symbols in the order of ``Robot.numbers``."""
     symbols: list[Any] = []
 
     def leaf(path: str) -> Any:
-        paths.append(path)
         symbols.append(ca.SX.sym(path))
         return symbols[-1]
 
     fields = Robot.model_fields
     groups = {name: _stand_in(fields[name].annotation, name, leaf) for name in PLANT}
-    return Robot.model_construct(**groups), tuple(paths), ca.vertcat(*symbols)
+    return Robot.model_construct(**groups), ca.vertcat(*symbols)
 
 
 def _stand_in(annotation: Any, path: str, leaf: Callable[[str], Any]) -> Any:

@@ -36,9 +36,12 @@ class RunJournal:
         self._kept_samples = len(samples)
         return {**records[-1], "samples": samples}
 
-    def keep(self, record: Record, last: bool = False) -> None:
-        """Keep the progress when the last record is old enough; the ``last`` one of any run that was not short."""
-        if clock.monotonic() - (self._began if last else self._last) < self.seconds:
+    def keep(self, record: Record, *, last: bool = False, now: bool = False) -> None:
+        """Keep the progress when the last record is old enough; the ``last`` one of any run that was not short.
+
+        ``now``: whatever the age.
+        """
+        if not now and clock.monotonic() - (self._began if last else self._last) < self.seconds:
             return
         self._writer = self._writer or CheckpointWriter(self.path, self.identity)
         self._writer.append({**record, "samples": record["samples"][self._kept_samples :]})

@@ -19,7 +19,7 @@ NAMES = {
     "th11q": (r"$\vartheta_{1,1q}$", "Mode 1, horizontal"),
     "th11m": (r"$\vartheta_{1,1m}$", "Mode 1, vertical"),
     "th12d": (r"$\vartheta_{1,2\delta}$", "Mode 2, horizontal"),
-    "th12e": (r"$\vartheta_{1,2\varepsilon}$", "Mode 2, vertical"),
+    "th12e": (r"$\vartheta_{1,2e}$", "Mode 2, vertical"),
     "xi": (r"$\xi$", "Gear"),
 }
 """Symbol and place of each elastic angle, in the order of reading."""

@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
 __all__ = ["drive"]
 
-ROWS = (("voltage", "Voltage", "$u$"), ("current", "Current", "$i$"), ("gear_torque", "Gear torque", r"$\sigma$"))
+ROWS = (("voltage", "Voltage", "$u$"), ("current", "Current", "$i$"), ("gear_torque", "Gear torque", r"$\varsigma$"))
 
 
 @house_style()

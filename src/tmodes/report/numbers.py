@@ -14,7 +14,7 @@ PLACES = {
     "th11q": ("mode 1, horizontal", "ϑ", "1,1q"),
     "th11m": ("mode 1, vertical", "ϑ", "1,1m"),
     "th12d": ("mode 2, horizontal", "ϑ", "1,2δ"),
-    "th12e": ("mode 2, vertical", "ϑ", "1,2ε"),
+    "th12e": ("mode 2, vertical", "ϑ", "1,2e"),
     "xi": ("gear", "ξ", ""),
 }
 """Where each elastic angle is, its letter and its index."""
