@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError
-from tmodes.plot.facts import move_duration
+from tmodes.plot.facts import move_duration, steady_part
 from tmodes.plot.frequency_marks import mark_frequencies
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import COMPONENTS, house_style
@@ -23,9 +23,6 @@ if TYPE_CHECKING:
 __all__ = ["amplitude_spectrum", "no_spectrum", "spectrum"]
 
 LEAST_SAMPLES = 32
-PLATEAU = (0.2, 0.8)
-"""Where the example's reference runs at constant speed, as shares of the move."""
-
 DECADES = 5
 """What lies further below the highest line is left out of the picture."""
 
@@ -45,8 +42,9 @@ def amplitude_spectrum(values: Array, step: float, padding: int = 8) -> tuple[Ar
     return np.fft.rfftfreq(padding * count, step), amplitude
 
 
-def no_spectrum(data: Any, bounds: tuple[float, float] = PLATEAU) -> str:
+def no_spectrum(data: Any, bounds: tuple[float, float] | None = None) -> str:
     """Why there is no spectrum; empty when there is."""
+    bounds = bounds or steady_part(data)
     count = len(_plateau(data, bounds)["time"])
     if count >= LEAST_SAMPLES:
         return ""
@@ -56,18 +54,19 @@ def no_spectrum(data: Any, bounds: tuple[float, float] = PLATEAU) -> str:
 
 @house_style()
 def spectrum(
-    result: Result, ax: AxesLike = None, *, bounds: tuple[float, float] = PLATEAU, highest: float = 60.0
+    result: Result, ax: AxesLike = None, *, bounds: tuple[float, float] | None = None, highest: float = 60.0
 ) -> list[Axes]:
     """Amplitudes of the horizontal bending angles [rad] and of q'' [rad/s^2] over the frequency [Hz], log scale.
 
-    ``bounds``: the part of the move that is looked at, as shares of its duration; ``highest``: end of the frequency
+    ``bounds``: the part of the move that is looked at, as shares of its duration, None for where the reference keeps
+    its speed; ``highest``: end of the frequency
     axis [Hz], at most the Nyquist frequency. The controlled robot's own frequencies are marked. ``ax``: two axes.
     Raises :class:`tmodes.errors.InputError` when the part holds too few samples.
     """
     if reason := no_spectrum(result.data, bounds):
         raise InputError("spectrum", reason, "a longer run", "simulate further, or widen `bounds`")
     axes = panels(ax, [["angles"], ["acceleration"]], 5.0)
-    part = _plateau(result.data, bounds)
+    part = _plateau(result.data, bounds or steady_part(result.data))
     step = float(part["time"][1] - part["time"][0])
     highest = min(highest, 0.5 / step)
     angles = {name: part["deformation"].sel(deformation_kind=name).values for name in ("th11q", "th12d")}
