@@ -103,7 +103,7 @@ def page(citations: Sequence[Citation], tests: Mapping[str, Path], root: Path) -
             "",
             "## Slips in the print",
             "",
-            "What the print gets wrong, each with the place that has the right form and the test that shows it.",
+            "What the print gets wrong, each with its home in the code (mended there, or kept and told) and its test.",
             "",
             "| slip | at | what is wrong in the print | home | test |",
             "|---|---|---|---|---|",

@@ -13,7 +13,14 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.energy import balance
 from tmodes.analysis.stability import StepVerdict
-from tmodes.analysis.validity import deflection_warnings, energy_warnings, first_energy_error, start_warnings
+from tmodes.analysis.validity import (
+    deflection_warnings,
+    energy_warnings,
+    first_energy_error,
+    held_warnings,
+    jam_warnings,
+    start_warnings,
+)
 from tmodes.equations.coordinates import deformations
 from tmodes.equations.layout import COORDINATES, DEFORMATIONS, LINE, WORKS
 from tmodes.mechanism import Parameters
@@ -58,13 +65,15 @@ def assemble(
 ) -> Result:
     """Gather all that a result shows; the time axis is the real robot's, as far as both regimes came.
 
-    ``told``: what analyses found (frequencies, settling), plain data that is kept as JSON.
+    ``told``: what analyses found (frequencies, settling, warnings), plain data that is kept as JSON.
     """
     import xarray as xr
 
     count = min(len(reference.trajectory.times), len(real.trajectory.times))
     seen = _observed(real, count)
-    variables = _tracking(real, reference, seen, count) | _line(real, seen, count)
+    states = real.trajectory.states[:count]
+    held, found = real.model.quasistatic(_gross(states, seen), _angles(states), real.parameters)
+    variables = _tracking(real, reference, seen, held) | _line(real, seen, count)
     data = xr.Dataset(
         {
             name: (dims, values, {"units": unit, "long_name": text})
@@ -81,7 +90,8 @@ def assemble(
     if settings.energy_stop and (bad := first_energy_error(data, settings.energy_tolerance)) is not None:
         status, message = "stopped", f"the energy balance was lost at t = {float(data['time'][bad]):.4g} s"
         data = data.isel(time=slice(0, max(bad, 1)))
-    told = told | {"warnings": _warnings(pair, data, verdict)}
+    doubts = [*jam_warnings(real.trajectory.times, seen["contact_fold"]), *held_warnings(real.trajectory.times, found)]
+    told = told | {"warnings": [*told["warnings"], *_warnings(pair, data, verdict), *doubts]}
     data.attrs = _provenance(pair, real, reference, verdict) | {"status": status, "message": message}
     data.attrs |= {name: json.dumps(value) for name, value in told.items()}
     return Result(data)
@@ -96,11 +106,14 @@ def _angles(states: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack(deformations(states[:, :6].T), axis=1)
 
 
-def _tracking(real: Regime, reference: Regime, seen: Observed, count: int) -> Variables:
-    """Everything but the line: motion, tracking, forces, deformations, energies; ``seen`` of the real robot."""
+def _tracking(real: Regime, reference: Regime, seen: Observed, held: NDArray[np.float64]) -> Variables:
+    """Everything but the line: motion, tracking, forces, deformations, energies.
+
+    ``seen`` of the real robot; ``held`` are the deformations that its loads would hold statically.
+    """
+    count = len(held)
     states, wanted = real.trajectory.states[:count], reference.trajectory.states[:count]
     planned, angles = _observed(reference, count), _angles(states)
-    held = real.model.quasistatic(_gross(states, seen), real.parameters)
     works = states[:, 12:]
     t = ("time",)
     series: Variables = {

@@ -70,13 +70,14 @@ class Model:
         modes = [_sampled(self._line[f"line{mode}"], parameters, inputs, size) for mode in (1, 2)]
         return _split(np.stack([mode.reshape(count, points, size) for mode in modes], axis=1), LINE)
 
-    def quasistatic(self, gross: ArrayLike, parameters: Parameters) -> Array:
-        """Deformations that the current forces would hold statically, shape (n, 5) [rad], by Newton's method.
+    def quasistatic(self, gross: ArrayLike, near: ArrayLike, parameters: Parameters) -> tuple[Array, NDArray[np.bool_]]:
+        """Deformations that the current forces would hold statically, shape (n, 5) [rad], and where they were found.
 
-        ``gross`` (n, 6): theta, theta', theta'' [rad, s], tip force (3) [N]. Raises :class:`SimulationError`
-        where there is no root.
+        ``gross`` (n, 6): theta, theta', theta'' [rad, s], tip force [N]; ``near`` (n, 5) [rad]: the deformations of the
+        moment, from which Newton's method starts. Where it does not settle, its first step is given: the answer of the
+        arm as it is linear about its present shape.
         """
-        return self._static_root("quasistatic", _rows(gross, 6), parameters)
+        return self._static_root("quasistatic", _rows(gross, 6), _rows(near, 5), parameters)
 
     def rest(self, theta: float, parameters: Parameters) -> Array:
         """State of rest at a motor angle [rad], shape (17,).
@@ -84,31 +85,45 @@ class Model:
         Gravity and the touched environment are in balance with the arm. Raises :class:`SimulationError` where there is
         no equilibrium.
         """
-        angles = self._static_root("rest", _rows(theta, 1), parameters)[0]
+        angles, found = self._static_root("rest", _rows(theta, 1), np.zeros((1, 5)), parameters)
+        if not found.all():
+            raise SimulationError(
+                f"static deflection: got no equilibrium within {_NEWTON_STEPS} Newton steps; expected a link that "
+                "carries its own load. Mend: raise gear.stiffness or the bending_stiffness of the modes, or lower "
+                "payload.mass, gravity or environment.preload"
+            )
         state = np.zeros(STATE_SIZE)
-        state[:6] = theta * basis()[:, 0] + deformation_basis() @ angles
+        state[:6] = theta * basis()[:, 0] + deformation_basis() @ angles[0]
         return state
 
-    def _static_root(self, name: str, loads: Array, parameters: Parameters) -> Array:
+    def _static_root(
+        self, name: str, loads: Array, near: Array, parameters: Parameters
+    ) -> tuple[Array, NDArray[np.bool_]]:
+        """Roots of a static residual, each sample by Newton's method from ``near``; and which of them were found."""
         free = free_deformations(self.mechanism.rigid)
-        angles = np.zeros((len(loads), 5))
-        if not free:
-            return angles
-        for _ in range(_NEWTON_STEPS):
-            out = _sampled(self._statics[name], parameters, [angles, loads], 30)
-            matrix = out[:, 5:].reshape(-1, 5, 5).transpose(0, 2, 1)[:, free][:, :, free]
-            try:
-                step = np.linalg.solve(matrix, out[:, :5][:, free, None])[..., 0]
-            except np.linalg.LinAlgError:
+        angles: Array = near.copy()
+        found = np.zeros(len(loads), dtype=bool)
+        angles[:, [k for k in range(5) if k not in free]] = 0.0
+        first = angles
+        for step in range(_NEWTON_STEPS):
+            change = self._newton_step(name, angles, loads, free, parameters)
+            angles = np.where(found[:, None], angles, angles - change)
+            first = angles.copy() if step == 0 else first
+            found |= np.abs(change).max(axis=1) <= 1e-14 + 1e-12 * np.abs(angles).max(axis=1)
+            if found.all():
                 break
-            angles[:, free] -= step
-            if np.abs(step).max() <= 1e-14 + 1e-12 * np.abs(angles).max():
-                return angles
-        raise SimulationError(
-            f"static deflection: got no equilibrium within {_NEWTON_STEPS} Newton steps; expected a link that carries "
-            "its own load. Mend: raise gear.stiffness or the bending_stiffness of the modes, or lower payload.mass, "
-            "gravity or environment.preload"
-        )
+        found &= np.abs(angles).max(axis=1) < np.pi
+        return np.where(found[:, None], angles, first), found
+
+    def _newton_step(self, name: str, angles: Array, loads: Array, free: list[int], parameters: Parameters) -> Array:
+        out = _sampled(self._statics[name], parameters, [angles, loads], 30)
+        matrix = out[:, 5:].reshape(-1, 5, 5).transpose(0, 2, 1)[:, free][:, :, free]
+        good = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(out[:, :5]).all(axis=1)
+        change = np.zeros_like(angles)
+        if free and good.any():
+            change[np.ix_(np.flatnonzero(good), np.array(free))] = _solve_each(matrix[good], out[good, :5][:, free])
+        change[~good] = 1.0  # lost: never taken for found
+        return change
 
     def check_mass_matrix(self, state: ArrayLike, parameters: Parameters) -> None:
         """Raise :class:`SimulationError`, naming the coordinate, where the mass matrix is singular at a state."""
@@ -166,7 +181,7 @@ class Model:
         def make() -> dict[str, Any]:
             from tmodes.equations.beam import line_function
 
-            return {f"line{mode}": line_function(mode, f"mode{mode}" in self.mechanism.rigid) for mode in (1, 2)}
+            return {f"line{mode}": line_function(mode, self.mechanism) for mode in (1, 2)}
 
         return kernels.sample_functions("line", self.mechanism.arm_key, make, {"line1": 2, "line2": 2})
 
@@ -196,6 +211,14 @@ class Model:
             return {"linear": linear_function(self.mechanism)}
 
         return kernels.sample_functions("linear", self.mechanism.arm_key, make, {"linear": 1})
+
+
+def _solve_each(matrices: Array, right: Array) -> NDArray[Any]:
+    """Solutions of many small systems; of singular ones those of least norm."""
+    try:
+        return np.linalg.solve(matrices, right[..., None])[..., 0]
+    except np.linalg.LinAlgError:
+        return (np.linalg.pinv(matrices) @ right[..., None])[..., 0]
 
 
 def _rows(values: ArrayLike, width: int) -> Array:

@@ -6,11 +6,11 @@ pair -> reference regime (nominal robot, motor follows theta_o exactly) -> contr
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tmodes.analysis.modes import all_modes, closed_loop_spectrum
 from tmodes.analysis.settling import settling
-from tmodes.analysis.stability import StepVerdict, step_size_verdict
+from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict
 from tmodes.mechanism import Drive
 from tmodes.regime import Regime, run_regime
 from tmodes.robot import NominalRealPair, Robot
@@ -39,14 +39,14 @@ def simulate(
     from tmodes.assemble import assemble
 
     pair = robot if isinstance(robot, NominalRealPair) else robot.pair()
-    verdict = _verdict(pair)
+    verdict, growth = _verdict(pair)
     reference = run_regime(pair.nominal, Drive.PRESCRIBED, lambda share: progress("reference", share), journals)
     real = run_regime(
         pair.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, _as_far_as(reference)
     )
     progress("gathering", 0.0)
     finished = reference.trajectory.status == real.trajectory.status == "finished"
-    told = {"frequencies": all_modes(pair.real, contact=False), "settling": None}
+    told: dict[str, Any] = {"frequencies": all_modes(pair.real, contact=False), "settling": None, "warnings": growth}
     if finished:
         try:
             told["settling"] = settling(reference, real)
@@ -69,11 +69,13 @@ def _as_far_as(reference: Regime) -> float | None:
     return 0.0 if planned.status == "interrupted" else float(planned.times[-1])
 
 
-def _verdict(pair: NominalRealPair) -> StepVerdict:
-    """The worse of the two regimes' verdicts on the step."""
-    regimes = ((pair.nominal, Drive.PRESCRIBED), (pair.real, Drive.CONTROLLED))
-    verdicts = []
-    for robot, drive in regimes:
-        eigenvalues, coordinate = closed_loop_spectrum(robot, drive=drive)
-        verdicts.append(step_size_verdict(robot.integration, eigenvalues, coordinate))
-    return max(verdicts, key=lambda verdict: (not verdict.stable, verdict.highest))
+def _verdict(pair: NominalRealPair) -> tuple[StepVerdict, list[str]]:
+    """The worse of the two regimes' verdicts on the step, and what grows at the start."""
+    regimes = (("robot as known", pair.nominal, Drive.PRESCRIBED), ("real robot", pair.real, Drive.CONTROLLED))
+    verdicts: list[StepVerdict] = []
+    growth: list[str] = []
+    for whose, robot, drive in regimes:
+        spectrum = closed_loop_spectrum(robot, drive=drive)
+        verdicts.append(step_size_verdict(robot.integration, spectrum))
+        growth += growth_warnings(spectrum, whose)
+    return max(verdicts, key=lambda verdict: (not verdict.stable, verdict.highest)), growth

@@ -8,8 +8,9 @@ import numpy as np
 import pytest
 
 from io_cases import bad_numbers
-from tmodes.analysis.modes import all_modes
+from tmodes.analysis.modes import MotorState, Spectrum, all_modes, vibration_modes
 from tmodes.analysis.stability import step_size_verdict
+from tmodes.analysis.validity import jam_warnings
 from tmodes.equations.coordinates import deformations
 from tmodes.errors import InputErrors, SimulationError, TmodesError
 from tmodes.integrate.settings import Integration, Method
@@ -93,15 +94,19 @@ def test_what_was_done_is_kept_when_the_reference_is_lost(robot):
     assert all(np.isfinite(v.values).all() for v in result.data.data_vars.values() if v.dtype.kind == "f")
 
 
+def spectrum(eigenvalues):
+    return Spectrum(eigenvalues, ("q",) * len(eigenvalues))
+
+
 def test_step_verdict():
     """|R(z)| = 1 of the classical method on the imaginary axis at 2.828."""
     ring = np.array([1000j, -1000j])
-    assert step_size_verdict(Integration(method=Method.RK4, step=2.82e-3), ring, "q").stable
-    assert not step_size_verdict(Integration(method=Method.RK4, step=2.84e-3), ring, "q").stable
+    assert step_size_verdict(Integration(method=Method.RK4, step=2.82e-3), spectrum(ring)).stable
+    assert not step_size_verdict(Integration(method=Method.RK4, step=2.84e-3), spectrum(ring)).stable
     decay = np.array([-1000.0 + 0j])
-    assert step_size_verdict(Integration(method=Method.RK4, step=2.78e-3), decay, "q").stable
-    assert not step_size_verdict(Integration(method=Method.RK4, step=2.79e-3), decay, "q").stable
-    assert step_size_verdict(Integration(step=1.0), ring, "q").stable
+    assert step_size_verdict(Integration(method=Method.RK4, step=2.78e-3), spectrum(decay)).stable
+    assert not step_size_verdict(Integration(method=Method.RK4, step=2.79e-3), spectrum(decay)).stable
+    assert step_size_verdict(Integration(step=1.0), spectrum(ring)).stable
 
 
 def test_too_stiff_is_told_before_the_run(robot):
@@ -182,3 +187,48 @@ def test_modes_of_any_robot(robot, elements):
     gone = sum({"gear.stiffness": 1}.get(path, 2) for path in elements)
     for state, modes in all_modes(robot.with_(elements)).items():
         assert len(modes) == count[state] - gone
+
+
+def test_instability_is_told(robot):
+    """A preload that buckles the arm, and friction that feeds power in: `modes` and the run say so."""
+    buckled = robot.with_({"environment.preload": 1500.0, "environment.friction": 0.0, "real": {}})
+    worst = min(vibration_modes(buckled, MotorState.LOCKED, contact=True), key=lambda mode: mode.damping_ratio)
+    assert not worst.stable
+    assert worst.damping_ratio < 0
+    assert "turning" not in worst.element
+    pulled = robot.with_({"environment.preload": -5.0, "real": {}})
+    assert any(not mode.stable for mode in vibration_modes(pulled, MotorState.LOCKED, contact=True))
+    assert any("unstable at its start" in warning for warning in simulate(pulled.with_(SHORT)).warnings)
+    assert all(mode["stable"] for modes in all_modes(robot).values() for mode in modes)
+
+
+@pytest.mark.parametrize("stiffness", [47.0, 4.7e3, 4.7e8])
+def test_free_motor_has_one_rigid_turn(robot, stiffness):
+    """Whatever the other frequencies, the turn of the whole arm is told as such, and once."""
+    modes = vibration_modes(robot.with_({"gear.stiffness": stiffness}), MotorState.FREE)
+    assert [mode.element for mode in modes].count("whole arm, turning freely") == 1
+    assert modes[0].frequency_Hz == 0
+    assert all(mode.frequency_Hz > 0.5 for mode in modes[1:])
+
+
+def test_loads_that_cannot_be_held_cost_no_run(robot):
+    """A move so rough that the arm could not hold its loads statically: the run is whole, and says where."""
+    rough = {"reference.duration": 0.02, "contact": False, "integration.duration": 0.1}
+    result = simulate(robot.with_(rough))
+    assert result.success
+    assert any("stationary part T_st" in warning for warning in result.warnings)
+    assert np.isfinite(result.data["deformation_stationary"].values).all()
+
+
+def test_a_jammed_contact_is_warned_of(robot):
+    """Friction and environment so large that the force has no single answer: seen in the fold, told in words."""
+    rng = np.random.default_rng(5)
+    angles, rates = 0.2 * rng.standard_normal((400, 6)), rng.standard_normal((400, 6))
+    states = np.column_stack([angles, rates, np.zeros((400, 5))])
+    told = []
+    for change in ({}, {"environment.friction": 2.0, "environment.mass": 10.0}):
+        mechanism, parameters = robot.with_(change).split(Drive.CONTROLLED)
+        seen = Model(mechanism).observe(np.zeros(400), states, np.zeros((400, 4)), parameters)
+        told.append(jam_warnings(np.arange(400.0), seen["contact_fold"]))
+    assert told[0] == []
+    assert "jams first at t = " in told[1][0]

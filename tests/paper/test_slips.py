@@ -9,6 +9,7 @@ from scipy.integrate import quad
 from tmodes.analysis.inverse import coordinate_rates
 from tmodes.contact.environment import DynamicEnvironment
 from tmodes.elements.mode import FlexibleMode, shape_deflection
+from tmodes.integrate.settings import Integration
 from tmodes.mechanism import Drive, Reading
 from tmodes.model import Model
 
@@ -130,3 +131,4 @@ def test_slip_step_divides_the_move(robot):
     for length in (0.4, 1.2, 2.0):
         assert length / step == pytest.approx(round(length / step), abs=1e-9)
     assert round(2.0 / step) == 37500
+    assert Integration().step == pytest.approx(step, rel=1e-12)

@@ -206,4 +206,4 @@ def test_static_shape_of_a_mode_is_euler_bernoulli():
     force = 2.5
     deflection = force * 0.6**3 / (3 * 1082.0)
     assert mode.tip_stiffness * deflection == pytest.approx(force)
-    assert mode.flexibility_moment(deflection / 0.6, 0.0) == pytest.approx(force * 0.6)
+    assert mode.flexibility_moment(deflection / 0.6, 0.0, 0.6) == pytest.approx(force * 0.6)

@@ -10,13 +10,22 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.coordinates import deformations, free_columns
+from tmodes.equations.coordinates import basis, deformations, free_columns
 from tmodes.equations.layout import COORDINATES
 from tmodes.mechanism import Drive, Mechanism, Parameters
 from tmodes.model import Model
 from tmodes.robot import Robot
 
-__all__ = ["ELEMENTS", "MotorState", "VibrationMode", "all_modes", "closed_loop_spectrum", "vibration_modes"]
+__all__ = [
+    "ELEMENTS",
+    "GROWING",
+    "MotorState",
+    "Spectrum",
+    "VibrationMode",
+    "all_modes",
+    "closed_loop_spectrum",
+    "vibration_modes",
+]
 
 ELEMENTS = {
     "th11q": "mode 1, horizontal",
@@ -26,6 +35,9 @@ ELEMENTS = {
     "xi": "gear",
 }
 """Where a deformation sits, in words."""
+
+GROWING = 1e-7
+"""Real over absolute value of an eigenvalue above which its motion grows, and is not just undamped."""
 
 Matrices = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
 
@@ -44,7 +56,8 @@ class VibrationMode:
 
     ``frequency_Hz``: natural, from mass and stiffness alone; ``damped_frequency_Hz``: as it rings, None when it does
     not (over-damped); ``damping_ratio``: -Re/|lambda|, 1 when over-damped; ``element``: where most of its elastic
-    energy is, and the ``share`` of it.
+    energy is, and the ``share`` of it; ``stable`` is False where it grows: then the ratio is negative, and a frequency
+    of zero means that the arm buckles.
     """
 
     frequency_Hz: float
@@ -52,6 +65,7 @@ class VibrationMode:
     damping_ratio: float
     element: str
     share: float
+    stable: bool = True
 
 
 def all_modes(robot: Robot, *, contact: bool = False, theta: float | None = None) -> dict[str, list[dict[str, Any]]]:
@@ -77,43 +91,72 @@ def vibration_modes(
     undamped = np.sqrt(np.maximum(squares[order], 0)) / (2 * np.pi)
     eigenvalues, shapes = _eigen(mass, damping, stiffness)
     columns = free_columns(mechanism.rigid, state is MotorState.LOCKED)
-    match = _partners(undamped_shapes[:, order], shapes, eigenvalues)
+    shapes_now = undamped_shapes[:, order]
+    match = _partners(shapes_now, shapes, eigenvalues)
+    turning = _rigid_turn(columns, shapes_now) if state is MotorState.FREE else None
     return [
-        _mode(robot, frequency, None if partner is None else eigenvalues[partner], columns @ shape)
-        for frequency, partner, shape in zip(undamped, match, undamped_shapes[:, order].T, strict=True)
+        VibrationMode(0.0, 0.0, 0.0, "whole arm, turning freely", 1.0)
+        if k == turning
+        else _mode(robot, undamped[k], eigenvalues[match[k]], columns @ shapes_now[:, k])
+        for k in range(len(undamped))
     ]
 
 
-def _partners(
-    undamped: NDArray[Any], damped: NDArray[np.complex128], eigenvalues: NDArray[np.complex128]
-) -> list[int | None]:
-    """For each undamped shape the ringing eigenvalue of the most similar damped shape, each taken once; or None."""
-    ringing = [int(k) for k in np.flatnonzero(eigenvalues.imag > 1e-9 * np.abs(eigenvalues))]
+def _rigid_turn(columns: NDArray[np.float64], shapes: NDArray[Any]) -> int:
+    """Index of the mode in which a free motor carries the undeformed arm: gravity and contact do not mind it."""
+    turn = basis()[:, 0]
+    moved = columns @ shapes
+    return int(np.argmax(np.abs(turn @ moved) / np.linalg.norm(moved, axis=0)))
+
+
+def _partners(undamped: NDArray[Any], damped: NDArray[np.complex128], eigenvalues: NDArray[np.complex128]) -> list[int]:
+    """For each undamped shape the eigenvalue of the most similar damped shape, each taken once, ringing ones first.
+
+    Of the pair of real eigenvalues of a mode that does not ring, the one that decays more slowly, or grows.
+    """
     norms = np.outer(np.linalg.norm(undamped, axis=0), np.linalg.norm(damped, axis=0))
     alike = np.abs(undamped.conj().T @ damped) / norms
-    partners: list[int | None] = [None] * undamped.shape[1]
-    while ringing and None in partners:
-        pairs = [(alike[i, k], i, k) for i, partner in enumerate(partners) if partner is None for k in ringing]
-        _, i, k = max(pairs)
+    rings = eigenvalues.imag > _STILL * np.abs(eigenvalues)
+    still = np.abs(eigenvalues.imag) <= _STILL * np.abs(eigenvalues)
+    partners = [-1] * undamped.shape[1]
+
+    def open_modes() -> list[int]:
+        return [i for i, partner in enumerate(partners) if partner < 0]
+
+    ringing = {int(k) for k in np.flatnonzero(rings)}
+    while ringing and open_modes():
+        _, i, k = max((alike[i, k], i, k) for i in open_modes() for k in ringing)
         partners[i] = k
         ringing.remove(k)
+    slowest_first = sorted((int(k) for k in np.flatnonzero(still)), key=lambda k: -eigenvalues[k].real)
+    for k in slowest_first[: len(open_modes())]:
+        partners[max(open_modes(), key=lambda i: alike[i, k])] = k
     return partners
 
 
-def closed_loop_spectrum(robot: Robot, *, drive: Drive) -> tuple[NDArray[np.complex128], str]:
-    """Eigenvalues [1/s] about rest at the start, and the coordinate in which the largest lives.
+_STILL = 1e-9
+"""Imaginary over absolute value of an eigenvalue below which its motion does not ring."""
 
-    ``drive``: the motor controlled, or following its reference exactly.
-    """
+
+@dataclass(frozen=True)
+class Spectrum:
+    """Eigenvalues [1/s] of the equations, linear about rest, and the coordinate in which each lives."""
+
+    eigenvalues: NDArray[np.complex128]
+    homes: tuple[str, ...]
+
+
+def closed_loop_spectrum(robot: Robot, *, drive: Drive) -> Spectrum:
+    """Eigenvalues about rest at the start, the motor controlled or following its reference exactly (``drive``)."""
     mechanism, parameters = robot.split(drive)
     phi = Model(mechanism).rest(robot.reference.start, parameters)[:6]
     state = MotorState.LOCKED if drive is Drive.PRESCRIBED else MotorState.CONTROLLED
     matrices = _matrices(robot, mechanism, parameters, phi, state)
     if not len(matrices[0]):
-        return np.zeros(0, dtype=complex), COORDINATES[-1]
+        return Spectrum(np.zeros(0, dtype=complex), ())
     eigenvalues, shapes = _eigen(*matrices)
-    shape = free_columns(mechanism.rigid, state is MotorState.LOCKED) @ shapes[:, np.argmax(np.abs(eigenvalues))]
-    return eigenvalues, COORDINATES[int(np.argmax(np.abs(shape)))]
+    moved = np.abs(free_columns(mechanism.rigid, state is MotorState.LOCKED) @ shapes)
+    return Spectrum(eigenvalues, tuple(COORDINATES[k] for k in moved.argmax(axis=0)))
 
 
 def _matrices(
@@ -146,15 +189,13 @@ def _eigen(
     return eigenvalues, vectors[:size]
 
 
-def _mode(robot: Robot, undamped: float, eigenvalue: complex | None, shape: NDArray[Any]) -> VibrationMode:
-    """One mode; below a thousandth of a hertz it is the rigid turn of a motor that runs free."""
-    if undamped < 1e-3:
-        return VibrationMode(0.0, 0.0, 0.0, "whole arm, turning freely", 1.0)
+def _mode(robot: Robot, undamped: float, eigenvalue: complex, shape: NDArray[Any]) -> VibrationMode:
     element, share = _home(robot, shape)
-    if eigenvalue is None:
-        return VibrationMode(float(undamped), None, 1.0, element, share)
-    damped, ratio = float(eigenvalue.imag) / (2 * np.pi), float(-eigenvalue.real / abs(eigenvalue))
-    return VibrationMode(float(undamped), damped, ratio, element, share)
+    size = abs(eigenvalue)
+    rings = eigenvalue.imag > _STILL * size
+    ratio = float(-eigenvalue.real / size) if size else 0.0
+    damped = float(eigenvalue.imag) / (2 * np.pi) if rings else None
+    return VibrationMode(float(undamped), damped, ratio, element, share, bool(eigenvalue.real <= GROWING * size))
 
 
 def _home(robot: Robot, shape: NDArray[Any]) -> tuple[str, float]:

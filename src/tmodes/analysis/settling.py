@@ -54,7 +54,7 @@ def _slowest_decay(*regimes: Regime) -> float:
     """Smallest decay rate [1/s] of the vibrations about rest."""
     rates: list[float] = []
     for regime in regimes:
-        eigenvalues, _ = closed_loop_spectrum(regime.robot, drive=regime.model.mechanism.drive)
+        eigenvalues = closed_loop_spectrum(regime.robot, drive=regime.model.mechanism.drive).eigenvalues
         rates.extend(-value.real for value in eigenvalues if abs(value.imag) > 1e-9 * abs(value))
     return max(min(rates, default=1.0), 1e-9)
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 
 import numpy as np
-from numpy.typing import NDArray
 
+from tmodes.analysis.modes import GROWING, Spectrum
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
 
-__all__ = ["StepVerdict", "step_size_verdict"]
+__all__ = ["StepVerdict", "growth_warnings", "step_size_verdict"]
 
 
 _REACH = 3.3
@@ -27,13 +27,15 @@ class StepVerdict:
     sentence: str = ""
 
 
-def step_size_verdict(settings: Integration, eigenvalues: NDArray[np.complex128], coordinate: str) -> StepVerdict:
-    """Judge the step by the eigenvalues at the start; ``coordinate`` is where the largest of them lives.
+def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
+    """Judge the step by the eigenvalues at the start.
 
     A fixed step by the amplification of the classical Runge-Kutta method, |R(dt lambda)| <= 1. An adaptive method
     keeps its own step stable, but that may take too many: raises :class:`SimulationError` with the number.
     """
+    eigenvalues = spectrum.eigenvalues
     highest = float(np.abs(eigenvalues).max(initial=0.0))
+    coordinate = spectrum.homes[int(np.argmax(np.abs(eigenvalues)))] if highest else "none"
     if settings.method is not Method.RK4:
         _refuse_too_stiff(settings, highest, coordinate)
         return StepVerdict(highest, None, True)
@@ -48,6 +50,19 @@ def step_size_verdict(settings: Integration, eigenvalues: NDArray[np.complex128]
         mend = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
         return StepVerdict(highest, dt_omega, True, f"rk4 is stable but inaccurate at this step: {told}; {mend}")
     return StepVerdict(highest, dt_omega, True)
+
+
+def growth_warnings(spectrum: Spectrum, whose: str) -> list[str]:
+    """A robot that is unstable at its start: the fastest growth, and where it lives."""
+    growing = spectrum.eigenvalues.real > GROWING * np.abs(spectrum.eigenvalues)
+    if not growing.any():
+        return []
+    fastest = int(np.argmax(np.where(growing, spectrum.eigenvalues.real, -np.inf)))
+    rate = spectrum.eigenvalues[fastest].real
+    return [
+        f"the {whose} is unstable at its start: a motion in coordinate {spectrum.homes[fastest]} grows at {rate:.3g} "
+        "1/s (buckling under environment.preload, friction that feeds power in where Fc < 0, or the controller)"
+    ]
 
 
 def _refuse_too_stiff(settings: Integration, highest: float, coordinate: str) -> None:

@@ -5,11 +5,20 @@ from __future__ import annotations
 from typing import Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmodes.analysis.energy import largest_flow
 from tmodes.robot import Robot
 
-__all__ = ["BENDING_LIMIT", "deflection_warnings", "energy_warnings", "first_energy_error", "start_warnings"]
+__all__ = [
+    "BENDING_LIMIT",
+    "deflection_warnings",
+    "energy_warnings",
+    "first_energy_error",
+    "held_warnings",
+    "jam_warnings",
+    "start_warnings",
+]
 
 BENDING_LIMIT = 0.1
 """Bending angle [rad] up to which tan th = th, on which (9)-(12) rest, is true to 0.3 %."""
@@ -65,4 +74,27 @@ def start_warnings(data: Any, robot: Robot) -> list[str]:
     return [
         f"the tip starts {deviation * 1e3:.3g} mm off the environment's sphere (radius {reach:.4g} m): the environment "
         f"pulls with {robot.environment.stiffness * abs(deviation):.3g} N from the first instant"
+    ]
+
+
+def jam_warnings(time: NDArray[np.float64], fold: NDArray[np.float64]) -> list[str]:
+    """Contact whose friction and mass are so large that the forces have no, or two, answers (``contact_fold``)."""
+    jammed = np.flatnonzero(fold <= 0)
+    if not len(jammed):
+        return []
+    return [
+        f"the contact jams first at t = {time[jammed[0]]:.4g} s, and at {len(jammed)} samples in all: friction and the "
+        "environment's mass are so large that the force has no single answer; do not trust the motion from there on; "
+        "lower environment.friction or environment.mass"
+    ]
+
+
+def held_warnings(time: NDArray[np.float64], found: NDArray[np.bool_]) -> list[str]:
+    """Instants at which the arm could not hold its loads statically, so that T_st is an estimate."""
+    lost = np.flatnonzero(~found)
+    if not len(lost):
+        return []
+    return [
+        f"at {len(lost)} samples, first at t = {time[lost[0]]:.4g} s, the arm could not hold its present loads "
+        "statically: there the stationary part T_st is that of the arm as it is linear about its present shape"
     ]

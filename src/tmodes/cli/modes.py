@@ -64,8 +64,9 @@ def _print(title: str, lines: list[dict[str, Any]]) -> None:
 def _row(line: dict[str, Any]) -> list[str]:
     damped = line["damped_frequency_Hz"]
     ringing = "-" if damped is None else f"{damped:.4f}"
+    home = line["element"] + ("" if line["stable"] else " (UNSTABLE)")
     return [
-        line["element"],
+        home,
         f"{line['share']:.0%}",
         f"{line['frequency_Hz']:.4f}",
         ringing,

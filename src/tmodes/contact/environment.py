@@ -33,7 +33,7 @@ class DynamicEnvironment(DataSheet):
     damping: float = not_negative("N*s/m", "be", "damping along the radius")
     preload: float = any_sign("N", "Fc_o", "force at zero radial deviation; positive presses outwards")
     stiffness: float = positive("N/m", "ka1", "stiffness along the radius")
-    friction: float = not_negative("-", "mu", "friction coefficient across the radius", at_most=10.0)
+    friction: float = not_negative("-", "mu", "friction coefficient, along the tip's velocity", at_most=10.0)
     friction_velocity: float = positive("m/s", "veps", "speed below which friction is smoothed", plausible=(1e-6, 0.1))
     friction_law: FrictionLaw = Field(
         default=FrictionLaw.SIGNED, strict=False, description="how the normal force enters friction"
@@ -52,7 +52,7 @@ class DynamicEnvironment(DataSheet):
 
         ``speed_squared`` v.v [m^2/s^2]; ``square_root`` is that of the arithmetic in use: numbers or symbols.
 
-        Slip (40): the friction -mu kappa'/|kappa'| Fc, put as it stands into (40), injects power; the force by the
-        tip on the environment points along the tip's velocity {test_slip_friction_sign}
+        Slip (40): the friction -mu kappa'/|kappa'| Fc, put as it stands into (40), injects power; the friction
+        part of the force by the tip on the environment points along the tip's velocity {test_slip_friction_sign}
         """
         return self.friction / square_root(speed_squared + self.friction_velocity**2)

@@ -8,18 +8,21 @@ import casadi as ca
 
 from tmodes.elements.mode import shape_deflection, shape_slope
 from tmodes.equations.coordinates import deformations
+from tmodes.equations.energy import bending_levers
 from tmodes.equations.kinematics import chord_slopes, line_point, line_tangent, mode_tips, projected_lengths
 from tmodes.equations.layout import LINE
 from tmodes.equations.symbols import symbolic_robot
+from tmodes.mechanism import Mechanism
 from tmodes.robot import Robot
 
 __all__ = ["line_function"]
 
 
-def line_function(mode: int, rigid: bool) -> ca.Function:
+def line_function(mode: int, mechanism: Mechanism) -> ca.Function:
     """The vector of :data:`tmodes.equations.layout.LINE` of (s, [phi, phi', phi'', tip force], parameters).
 
-    A ``rigid`` mode has no curvature, so no flexibility moment.
+    A rigid mode has no curvature, so no flexibility moment. Moments and shear are those of the motion in space, in
+    either reading.
 
     Eq. (1) [corrected]: M + beta y'' = 0 for one beam alone; here M holds every force of the whole mechanism, and
     beta (y + eta y')'' the damping. {test_line_moments_obey_galerkin}
@@ -30,25 +33,25 @@ def line_function(mode: int, rigid: bool) -> ca.Function:
     s, motion = ca.SX.sym("s"), ca.SX.sym("motion", 21)
     phi, phid, phidd, force = motion[:6], motion[6:12], motion[12:18], motion[18:]
     moment, shear = _section_loads(robot, mode, s, phi, phid, phidd, force)
-    shape = _shape(robot, mode, s, phi, phid)
-    if rigid:
-        shape["flexibility_moment"] = ca.SX.zeros(2)
+    shape = _shape(robot, mechanism, mode, s, phi, phid)
     seen = {"line": line_point(mode, phi, robot.link, s), "bending_moment": moment, "shear_force": shear, **shape}
     output = ca.vertcat(*(seen[name] for name in LINE))
     return ca.Function(f"line{mode}", [s, motion, parameters], [ca.densify(output)], {"cse": True})
 
 
-def _shape(robot: Robot, mode: int, s: Any, phi: Any, phid: Any) -> dict[str, Any]:
+def _shape(robot: Robot, mechanism: Mechanism, mode: int, s: Any, phi: Any, phid: Any) -> dict[str, Any]:
     """Deflection, slope and flexibility moment of the line, each (horizontal, vertical)."""
     link = robot.link.modes[mode - 1]
     angles, rates = deformations(phi), deformations(phid)
-    horizontal, vertical = mode - 1, mode + 1
+    planes = (mode - 1, mode + 1)
     flat = projected_lengths(phi, robot.link)[mode - 1]
-    pairs = [(angles[k], rates[k]) for k in (horizontal, vertical)]
+    levers = [bending_levers(robot, mechanism, phi)[k] for k in planes]
+    moments = [link.flexibility_moment(angles[k], rates[k], lever, s) for k, lever in zip(planes, levers, strict=True)]
+    is_rigid = f"mode{mode}" in mechanism.rigid
     return {
-        "deflection": ca.vertcat(flat * pairs[0][0], link.length * pairs[1][0]) * shape_deflection(s),
-        "slope": ca.vertcat(pairs[0][0], pairs[1][0]) * shape_slope(s),
-        "flexibility_moment": ca.vertcat(*(link.flexibility_moment(angle, rate, s) for angle, rate in pairs)),
+        "deflection": ca.vertcat(flat * angles[planes[0]], link.length * angles[planes[1]]) * shape_deflection(s),
+        "slope": ca.vertcat(*(angles[k] for k in planes)) * shape_slope(s),
+        "flexibility_moment": ca.SX.zeros(2) if is_rigid else ca.vertcat(*moments),
     }
 
 

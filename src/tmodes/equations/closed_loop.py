@@ -96,6 +96,7 @@ def observe_function(loop: ClosedLoop) -> ca.Function:
         "tip_velocity": tip_jacobian(phi, robot.link) @ phid,
         "contact_force": moved.tip_force,
         "radial_force": moved.radial_force,
+        "contact_fold": moved.contact_fold,
         "gear_torque": moved.gear_torque(robot, loop.mechanism, phi, phid),
         "energy": ca.vertcat(energy.kinetic, energy.gravity, energy.elastic_gear, energy.elastic_link),
     }

@@ -20,15 +20,21 @@ __all__ = ["Motion", "motion"]
 
 @dataclass(frozen=True)
 class Motion:
-    """Everything that is known of the robot at one state and one drive."""
+    """Everything that is known of the robot at one state and one drive.
+
+    ``inputs`` (6,) is Q [N*m]; ``contact_fold`` [-]: 1 + me times the tip's mobility along the push. Where friction and
+    the environment's mass are so large that it is not positive, the contact jams: the forces have no or two answers.
+    """
 
     energy: Energies
     terms: EquationTerms
     acceleration: Any
+    inputs: Any
     motor_torque: Any
     radial_force: Any
     tip_force: Any
     contact_rows: Any
+    contact_fold: Any
 
     def gear_torque(self, robot: Robot, mechanism: Mechanism, phi: Any, phid: Any) -> Any:
         """Gear torque sigma [N*m]; of a rigid gear it is what the link's side asks of it."""
@@ -53,14 +59,15 @@ def motion(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) 
     prescribed = mechanism.drive is Drive.PRESCRIBED
     known = ca.DM(basis()[:, 0]) * drive if prescribed else ca.SX.zeros(6)
     torque = 0 if prescribed else robot.motor.torque(drive, phid[5])
-    load = ca.vertcat(ca.SX.zeros(5), torque - robot.motor.friction * phid[5]) - terms.internal
+    inputs = ca.vertcat(ca.SX.zeros(5), torque - robot.motor.friction * phid[5])
+    load = inputs - terms.internal
     directions = ca.DM(free_columns(mechanism.rigid, prescribed))
     contact = contact_terms(robot, mechanism, phi, phid) if mechanism.contact else None
     solved = _accelerations(terms.mass_matrix, load, directions, known, contact, mechanism.contact)
-    acceleration, radial_force, tip_force, rows = solved
+    acceleration, radial_force, tip_force, rows, fold = solved
     if prescribed:
         torque = _torque_of_prescribed_motor(terms, acceleration, rows, robot, phid)
-    return Motion(energy, terms, acceleration, torque, radial_force, tip_force, rows)
+    return Motion(energy, terms, acceleration, inputs, torque, radial_force, tip_force, rows, fold)
 
 
 def _torque_of_prescribed_motor(
@@ -73,7 +80,7 @@ def _torque_of_prescribed_motor(
 
 def _accelerations(
     mass: Any, load: Any, directions: Any, known: Any, contact: ContactTerms | None, law: FrictionLaw | None
-) -> tuple[Any, Any, Any, Any]:
+) -> tuple[Any, Any, Any, Any, Any]:
     """Solve for phi'' in the free directions; the contact's mass is a rank-one change of H (Sherman-Morrison)."""
     if not directions.shape[1]:
         return _held(known, contact, law)
@@ -81,27 +88,28 @@ def _accelerations(
     right = directions.T @ (load - mass @ known)
     if contact is None:
         acceleration = directions @ _solve_ldl(reduced, right) + known
-        return acceleration, ca.SX(0), ca.SX.zeros(3), ca.SX.zeros(6)
+        return acceleration, ca.SX(0), ca.SX.zeros(3), ca.SX.zeros(6), ca.SX(1)
     row = directions.T @ contact.row
     at_rest = contact.at_rest + contact.mass * ca.dot(contact.row, known)
-    # Without the contact's own push, Fc has this sign; the push only scales it (its denominator is positive).
+    # Without the contact's own push, Fc has this sign; the push only scales it, unless the contact jams.
     pull = at_rest + contact.mass * ca.dot(row, _solve_ldl(reduced, right))
     direction = contact.direction(friction_sign(pull, law))
     push = contact.to_rows @ direction
     answer = _solve_ldl(reduced, ca.horzcat(right, directions.T @ push))
     freely, pushed = answer[:, 0], answer[:, 1]
-    radial = pull / (1 + contact.mass * ca.dot(row, pushed))
+    fold = 1 + contact.mass * ca.dot(row, pushed)
+    radial = pull / fold
     acceleration = directions @ (freely - pushed * radial) + known
-    return acceleration, radial, radial * direction, push * radial
+    return acceleration, radial, radial * direction, push * radial, fold
 
 
-def _held(known: Any, contact: ContactTerms | None, law: FrictionLaw | None) -> tuple[Any, Any, Any, Any]:
+def _held(known: Any, contact: ContactTerms | None, law: FrictionLaw | None) -> tuple[Any, Any, Any, Any, Any]:
     """The same where no direction is free: a rigid arm whose motor's motion is prescribed."""
     if contact is None:
-        return known, ca.SX(0), ca.SX.zeros(3), ca.SX.zeros(6)
+        return known, ca.SX(0), ca.SX.zeros(3), ca.SX.zeros(6), ca.SX(1)
     radial = contact.at_rest + contact.mass * ca.dot(contact.row, known)
     force = radial * contact.direction(friction_sign(radial, law))
-    return known, radial, force, contact.to_rows @ force
+    return known, radial, force, contact.to_rows @ force, ca.SX(1)
 
 
 def _solve_ldl(matrix: Any, right: Any) -> Any:

@@ -12,7 +12,7 @@ from tmodes.equations.kinematics import mode_tips, projected_lengths
 from tmodes.mechanism import Mechanism, Reading
 from tmodes.robot import Robot
 
-__all__ = ["Energies", "energies"]
+__all__ = ["Energies", "bending_levers", "energies"]
 
 
 @dataclass(frozen=True)
@@ -31,7 +31,7 @@ def energies(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any) -> Energie
     """All energies of the robot in one reading; ``robot`` may hold numbers or symbols."""
     kinetic = _printed_kinetic if mechanism.reading is Reading.PRINTED else _spatial_kinetic
     angles, rates = deformations(phi), deformations(phid)
-    levers = _levers(robot, mechanism, phi)
+    levers = bending_levers(robot, mechanism, phi)
     gear_is_rigid = "gear" in mechanism.rigid
     return Energies(
         kinetic=kinetic(robot, phi, phid) + _rotary_kinetic(robot, phid) + robot.motor.kinetic(phid[5]),
@@ -96,7 +96,7 @@ def _gravity(robot: Robot, phi: Any) -> Any:
     )
 
 
-def _levers(robot: Robot, mechanism: Mechanism, phi: Any) -> tuple[Any, Any, Any, Any]:
+def bending_levers(robot: Robot, mechanism: Mechanism, phi: Any) -> tuple[Any, Any, Any, Any]:
     """Lengths that turn bending angles into deflections r, in the order th11q, th12d, th11m, th12e.
 
     Eq. (9) [stated]: r11m = l1 th11m. {test_elastic_energy_terms}

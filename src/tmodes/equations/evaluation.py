@@ -20,14 +20,13 @@ def evaluation_function(mechanism: Mechanism) -> ca.Function:
     moved = motion(robot, mechanism, phi, phid, voltage)
     energy, terms = moved.energy, moved.terms
     elastic = energy.elastic_gear + energy.elastic_link
-    input_row = robot.motor.torque(voltage, phid[5]) - robot.motor.friction * phid[5]
     seen = {
         "phidd": moved.acceleration,
         "H": ca.vec(terms.mass_matrix.T),
         "h": terms.bias,
         "f_el": terms.elastic,
         "f_di": terms.damping,
-        "Q": ca.vertcat(ca.SX.zeros(5), input_row),
+        "Q": moved.inputs,
         "tip": tip(phi, robot.link),
         "J": ca.vec(tip_jacobian(phi, robot.link).T),
         "kinetic": energy.kinetic,

@@ -18,7 +18,7 @@ STATE_SIZE = 12 + len(WORKS)
 
 OBSERVED = {
     "acceleration": 6, "wanted": 1, "voltage": 1, "current": 1, "tip": 3, "tip_velocity": 3, "contact_force": 3,
-    "radial_force": 1, "gear_torque": 1, "energy": 4,
+    "radial_force": 1, "contact_fold": 1, "gear_torque": 1, "energy": 4,
 }  # fmt: skip
 """What is observed at a sample, with its length, in order."""
 

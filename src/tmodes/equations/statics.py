@@ -21,7 +21,8 @@ def quasistatic_function(mechanism: Mechanism) -> ca.Function:
 
     ``gross`` = [theta, theta', theta'', tip force (3)]: the arm moves as the motor does, without elastic rates and
     accelerations, under gravity, inertia and the given contact force. Its root is T_st, the stationary part of
-    Bernoulli's solution y = X (T_st + T_to); at rest it is the gravity sag (section 2 of the paper).
+    Bernoulli's solution y = X (T_st + T_to); at rest it is the gravity sag (section 2 of the paper). The motor's
+    acceleration and the contact force are those of the ringing robot, so a few percent of the ringing stay in T_st.
     """
     robot, parameters = symbolic_robot()
     angles, gross = ca.SX.sym("angles", 5), ca.SX.sym("gross", 6)
