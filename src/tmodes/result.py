@@ -23,6 +23,10 @@ __all__ = ["RESULT_FORMAT", "STATUSES", "Result"]
 RESULT_FORMAT = 1
 """Version of the names and meanings in a result (of the file's bytes: ``io.resultfile.FORMAT_VERSION``)."""
 
+_NEEDED = ("robot", "status", "message", "frequencies", "statistics", "warnings", "parameters", "versions", "reading")
+_SERIES = ("time", "q", "v", "tip", "deviation", "deformation", "energy", "work", "bending_moment", "line")
+"""What every result of a run holds."""
+
 STATUSES = ("finished", "diverged", "stopped", "interrupted")
 
 
@@ -110,6 +114,9 @@ class Result:
         if version != RESULT_FORMAT:
             mend = "read it with the tmodes that wrote it, or run the robot again"
             raise file_error(f"{path}, tmodes_format", repr(version), str(RESULT_FORMAT), mend)
+        missing = [name for name in _NEEDED if name not in data.attrs] + [name for name in _SERIES if name not in data]
+        if missing:
+            raise file_error(f"{path}, {missing[0]}", "nothing", "a result of a run", "run the robot again")
         if status not in STATUSES:
             raise file_error(f"{path}, status", repr(status), f"one of {STATUSES}", "run the robot again")
         return cls(data)

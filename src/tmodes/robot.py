@@ -6,12 +6,13 @@
 from __future__ import annotations
 
 import math
+import unicodedata
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal
 
 import numpy as np
-from pydantic import BaseModel, Field
+from pydantic import BaseModel, Field, model_validator
 
 from tmodes.contact.environment import DynamicEnvironment
 from tmodes.control.local_pd import LocalPD
@@ -19,7 +20,7 @@ from tmodes.elements.gear import ElasticGear
 from tmodes.elements.mode import FlexibleLink
 from tmodes.elements.motor import Motor
 from tmodes.elements.payload import Payload
-from tmodes.elements.quantity import DataSheet, not_negative
+from tmodes.elements.quantity import DataSheet, Misfit, not_negative, refuse
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Integration
 from tmodes.mechanism import Drive, Mechanism, Parameters, Reading
@@ -32,6 +33,9 @@ FORMAT = 1
 
 PLANT = ("gravity", "motor", "gear", "link", "payload", "environment", "controller")
 """The groups whose numbers are inputs of the equations."""
+
+_STEERING = ("Cc", "Cf", "Cs", "Co")
+"""Unicode categories of letters that are not shown but steer what is: control, direction, surrogates, private."""
 
 FACTOR = not_negative("-", "-", "factor of the real robot on the known value", at_most=1e6)
 """An entry of ``real``: zero takes a damping or a payload away."""
@@ -61,6 +65,19 @@ class Robot(DataSheet):
         description="the real robot where it differs from the known one: path of a number -> factor on it [-]",
     )
     integration: Integration = Field(default_factory=Integration)
+
+    @model_validator(mode="after")
+    def _plain_text(self) -> Robot:
+        """Texts go to terminals and pages: letters that steer those are refused."""
+        texts = {name: getattr(self, name) for name in ("name", "title", "citation")}
+        refuse(
+            [
+                Misfit(name, ascii(text[:60]), "text without control characters", "write it in plain letters")
+                for name, text in texts.items()
+                if any(unicodedata.category(letter) in _STEERING and letter != "\n" for letter in text)
+            ]
+        )
+        return self
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> Robot:
@@ -131,6 +148,13 @@ class NominalRealPair:
 
     nominal: Robot
     real: Robot
+
+    def __post_init__(self) -> None:
+        for name in ("reading", "contact", "reference", "integration"):
+            known, real = getattr(self.nominal, name), getattr(self.real, name)
+            if known != real:
+                expected = f"the same as the nominal robot's, {known!r}: their motions are compared sample by sample"
+                raise InputError(f"NominalRealPair: {name} of the real robot", repr(real), expected, "make them equal")
 
 
 def _leaves(value: Any, path: str) -> Iterator[tuple[str, float]]:

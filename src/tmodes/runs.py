@@ -2,7 +2,9 @@
 
 from __future__ import annotations
 
+import json
 from collections.abc import Callable
+from importlib.metadata import version
 from pathlib import Path
 from types import TracebackType
 from typing import Any, Self
@@ -10,7 +12,7 @@ from typing import Any, Self
 from tmodes.compile.cache import source_digest
 from tmodes.compile.native import host
 from tmodes.errors import ResultFileError
-from tmodes.io.atomic import FolderLock, check_writable
+from tmodes.io.atomic import FolderLock, check_writable, remove_orphans
 from tmodes.io.checkpoint import run_identity
 from tmodes.io.journal import RunJournal
 from tmodes.result import Result
@@ -42,13 +44,24 @@ class RunFolder:
     def __enter__(self) -> Self:
         samples = len(sample_times(self.robot.integration))
         check_writable(self.path, samples * self.robot.integration.bytes_per_sample + _ROOM_FOR_FIGURES)
+        self._check_kinds()
         self._lock.__enter__()
+        remove_orphans(self.figures)
         try:
             self._look_at_what_is_there()
         except BaseException:
             self._lock.__exit__(None, None, None)
             raise
         return self
+
+    def _check_kinds(self) -> None:
+        """A folder where a file is to be written, or a file in place of the figures' folder, is told before the run."""
+        for place, wanted in ((self.result_file, False), (self.report_file, False), (self.figures, True)):
+            if place.exists() and place.is_dir() != wanted:
+                got, expected = ("a file", "a folder") if wanted else ("a folder", "a file")
+                raise ResultFileError(
+                    f"{place}: got {got}; expected {expected}, or nothing. Mend: remove it, or name another --out"
+                )
 
     def _look_at_what_is_there(self) -> None:
         """Begin afresh, go on with an earlier begin of this very run, or refuse: a result is never replaced unasked."""
@@ -76,7 +89,9 @@ class RunFolder:
             earlier = Result.load(self.result_file)
         except ResultFileError:
             return None
-        return earlier if earlier.data.attrs.get("robot") == self.robot.model_dump_json() else None
+        same_sheet = earlier.data.attrs.get("robot") == self.robot.model_dump_json()
+        same_program = json.loads(earlier.data.attrs.get("versions", "{}")).get("tmodes") == version("tmodes")
+        return earlier if same_sheet and same_program else None
 
     def __exit__(
         self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None

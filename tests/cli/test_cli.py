@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 STATES = Path(__file__).parents[1] / "oracle/reference_states.json"
-COMMAND = [sys.executable, "-m", "tmodes.cli.main"]
+COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 LONG = {
     "integration.duration": "30000",
     "integration.output_step": "1.0",
@@ -249,3 +249,44 @@ def test_two_writers(tmp_path):
     finally:
         process.kill()
         process.wait()
+
+
+def sheet(tmp_path, name):
+    """The shipped robot under another name."""
+    file = tmp_path / "named.yaml"
+    text = tmodes("robots", "filipovic2010").stdout.replace("name: filipovic2010", f"name: {json.dumps(name)}")
+    file.write_text(text, encoding="utf-8")
+    return file
+
+
+def test_names_are_text(tmp_path):
+    """A name that looks like markup, or that the terminal cannot write, is told as it is."""
+    told = tmodes("modes", sheet(tmp_path, "[/b] Róbót"), env=os.environ | {"PYTHONIOENCODING": "ascii"}).stdout
+    assert "[/b] R\\xf3b\\xf3t" in told
+    assert "control characters" in tmodes("check", sheet(tmp_path, "a\x1b[31mb"), code=2).stderr
+
+
+def test_output_that_cannot_be_written():
+    """A full disk behind standard output, or none at all: a sentence, never a traceback."""
+    if not Path("/dev/full").exists():
+        pytest.skip("needs /dev/full")
+    with Path("/dev/full").open("w") as full:
+        done = subprocess.run([*COMMAND, "schema"], stdout=full, stderr=subprocess.PIPE, text=True, check=False)
+        assert done.returncode == 4
+        assert "Mend:" in done.stderr
+        quiet = subprocess.run([*COMMAND, "check", "nowhere.yaml"], stderr=full, check=False)
+        assert quiet.returncode == 2
+    assert subprocess.run([*COMMAND, "robots"], preexec_fn=lambda: os.close(1), check=False).returncode == 0
+
+
+def test_places_of_the_wrong_kind_are_told_before_the_run(tmp_path):
+    """A file where the figures' folder belongs."""
+    (tmp_path / "figures").touch()
+    assert "Mend:" in tmodes("run", "filipovic2010", "--out", tmp_path, code=4).stderr
+    assert sorted(path.name for path in tmp_path.iterdir()) == ["figures"]
+
+
+def test_no_home_and_no_cache(tmp_path):
+    """Without a home the code is compiled each time, and that is all."""
+    bare = {key: value for key, value in os.environ.items() if key not in ("HOME", "TMODES_CACHE", "XDG_CACHE_HOME")}
+    assert "gear" in tmodes("modes", "filipovic2010", env=bare | {"HOME": str(tmp_path / "nowhere/at/all")}).stdout

@@ -12,11 +12,12 @@ from tmodes.analysis.modes import MotorState, Spectrum, all_modes, vibration_mod
 from tmodes.analysis.stability import step_size_verdict
 from tmodes.analysis.validity import jam_warnings
 from tmodes.equations.coordinates import deformations
-from tmodes.errors import InputErrors, SimulationError, TmodesError
+from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Drive
 from tmodes.model import Model
 from tmodes.regime import run_regime
+from tmodes.robot import NominalRealPair, Robot
 from tmodes.simulate import simulate
 
 RIGID = {
@@ -232,3 +233,23 @@ def test_a_jammed_contact_is_warned_of(robot):
         told.append(jam_warnings(np.arange(400.0), seen["contact_fold"]))
     assert told[0] == []
     assert "jams first at t = " in told[1][0]
+
+
+def test_a_pair_must_move_alike(robot):
+    """Two robots whose motions cannot be compared sample by sample are no pair."""
+    for change in (
+        {"integration.output_step": 2e-3},
+        {"contact": False},
+        {"reference.end": 1.0},
+        {"reading": "printed"},
+    ):
+        with pytest.raises(InputError, match="NominalRealPair"):
+            NominalRealPair(robot, robot.with_(change))
+
+
+def test_text_that_can_not_be_data(robot):
+    """Plain data make a robot, or all that is wrong is told."""
+    data = robot.model_dump(mode="json")
+    assert Robot.from_data(data) == robot
+    with pytest.raises(InputErrors, match=r"gear.stiffness.*\n.*payload.mass|payload.mass.*\n.*gear.stiffness"):
+        Robot.from_data(data | {"gear": {"stiffness": -1, "damping": 0}, "payload": {"mass": "heavy", "inertia": 0}})

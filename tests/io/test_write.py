@@ -35,7 +35,7 @@ def values(path: str) -> st.SearchStrategy[float]:
     return st.one_of(finite, st.just(math.inf)) if place and place.may_be_infinite else finite
 
 
-words = st.text(st.characters(exclude_categories=["Cs"]), min_size=1, max_size=20)
+words = st.text(st.characters(exclude_categories=["Cc", "Cf", "Cs", "Co"]), min_size=1, max_size=20)
 choices = {
     "name": words,
     "citation": words,

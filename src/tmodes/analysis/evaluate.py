@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
 from typing import Any
 
 import numpy as np
@@ -19,14 +19,14 @@ NEAREST = 1e-9
 """Distance of the tip from the base point [m] below which its direction is rounding."""
 
 
-def evaluate_states(robot: Robot, records: Sequence[dict[str, Any]]) -> list[dict[str, Any]]:
+def evaluate_states(robot: Robot, records: Sequence[dict[str, Any]]) -> Iterator[dict[str, Any]]:
     """Each record (phi (6,), phid (6,), u [V]) with the terms of :data:`tmodes.equations.layout.EVALUATED`.
+
+    The terms are computed at once, the records made as they are asked for: many are never whole in memory.
 
     The tip force is left out in free space. Raises :class:`SimulationError` naming the state where a term is not
     finite (the tip over the base, say).
     """
-    if not records:
-        return []
     mechanism, parameters = robot.split(Drive.VOLTAGE)
     phi, phid, voltage = ([record[key] for record in records] for key in ("phi", "phid", "u"))
     terms = Model(mechanism).evaluate(phi, phid, voltage, parameters)
@@ -35,14 +35,14 @@ def evaluate_states(robot: Robot, records: Sequence[dict[str, Any]]) -> list[dic
     names = [name for name in EVALUATED if mechanism.contact or name != "F_tip_on_environment"]
     for name in names:
         _check_finite(name, terms[name])
-    return [
+    return (
         {
             **{key: record[key] for key in ("phi", "phid", "u")},
             "reading": mechanism.reading.value,
             **{name: terms[name][index].tolist() for name in names},
         }
         for index, record in enumerate(records)
-    ]
+    )
 
 
 def _check_distance(tip: Any, reading: Reading) -> None:

@@ -163,7 +163,9 @@ def _matrices(
     robot: Robot, mechanism: Mechanism, parameters: Parameters, phi: NDArray[np.float64], state: MotorState
 ) -> Matrices:
     """M, D, K in the free directions; the controller's gains act on the motor as a spring and a damper."""
-    mass, damping, stiffness = Model(mechanism).linearised(phi, parameters)
+    model = Model(mechanism)
+    model.check_mass_matrix(phi, parameters)
+    mass, damping, stiffness = model.linearised(phi, parameters)
     motor = robot.motor
     if state is MotorState.CONTROLLED:
         gain = motor.torque_constant / motor.resistance

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.modes import closed_loop_spectrum
+from tmodes.integrate.settings import Method
 from tmodes.mechanism import Drive
 from tmodes.reference.schedule import Schedule
 from tmodes.regime import Regime
@@ -18,7 +19,7 @@ __all__ = ["BAND", "settling"]
 BAND = 0.05
 """Share of the largest deviation within which the tip counts as settled."""
 
-_HORIZON = 60.0
+_HORIZON = 30.0
 _DECAYS = 4.0
 _SAMPLES = 6000
 
@@ -29,16 +30,17 @@ def settling(reference: Regime, real: Regime) -> dict[str, Any]:
     Both regimes rest their motors' wanted angle where the move ended and are run on, beyond the end of the result, for
     some decay times of their slowest vibration. ``time_s`` is None, with a ``reason``, where that is not enough.
     """
-    horizon = min(_HORIZON, _DECAYS / _slowest_decay(reference, real))
     time, deviation = _deviation(reference, real)
+    end = real.robot.reference.duration
+    told: dict[str, Any] = {"time_s": None, "band": BAND, "limit_m": BAND * float(deviation.max()), "reason": ""}
+    if time[-1] < end * (1 - 1e-9):
+        told["reason"] = f"the run ends before the move does, at {end:g} s: simulate longer"
+        return told
+    horizon = min(_HORIZON, _DECAYS / _slowest_decay(reference, real))
     carried = [_carried_on(regime, horizon) for regime in (reference, real)]
     later, afterwards = _deviation(*carried)
     time, deviation = np.append(time, time[-1] + later[1:]), np.append(deviation, afterwards[1:])
-    limit, end = BAND * float(deviation.max()), real.robot.reference.duration
-    told: dict[str, Any] = {"time_s": None, "band": BAND, "limit_m": limit, "reason": ""}
-    if real.trajectory.times[-1] < end * (1 - 1e-9):
-        told["reason"] = f"the run ends before the move does, at {end:g} s: simulate longer"
-        return told
+    limit = told["limit_m"] = BAND * float(deviation.max())
     if lost := next((regime for regime in carried if regime.trajectory.status != "finished"), None):
         told["reason"] = f"continued beyond its end, the run did not come far: {lost.trajectory.message}"
         return told
@@ -69,7 +71,7 @@ def _carried_on(regime: Regime, duration: float) -> Regime:
     state = last.states[-1].copy()
     if regime.model.mechanism.drive is Drive.PRESCRIBED:
         state[5], state[11] = robot.reference.end, 0.0
-    change = {"duration": duration, "output_step": duration / _SAMPLES}
+    change = {"duration": duration, "output_step": duration / _SAMPLES, "method": Method.DORMAND_PRINCE}
     settings = robot.integration.model_copy(update=change)
     trajectory = integrate(regime.model, regime.parameters, schedule, state, settings)
     if trajectory.status == "interrupted":

@@ -26,16 +26,16 @@ def evaluate(
     the motor's voltage; h holds gravity; H is without the environment's mass (phidd has it); F acts by the tip.
     """
     from tmodes.analysis.evaluate import evaluate_states
-    from tmodes.cli.output import print_json
+    from tmodes.cli.output import print_json_list
     from tmodes.io.states import read_states
 
     pair = chosen_robot(robot, settings, reading, contact).pair()
     records = read_states(states)
     answers = evaluate_states(pair.nominal if nominal else pair.real, records)
     if as_json:
-        print_json(answers)
+        print_json_list(answers)
     else:
-        _print(answers)
+        _print(list(answers))
 
 
 def _print(answers: list[dict[str, Any]]) -> None:

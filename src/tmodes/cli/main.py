@@ -2,8 +2,11 @@
 
 from __future__ import annotations
 
+import io
 import os
 import sys
+from contextlib import suppress
+from pathlib import Path
 from typing import Annotated
 
 import typer
@@ -19,6 +22,7 @@ from tmodes.errors import TmodesError
 __all__ = ["app", "main"]
 
 INTERRUPTED = 130
+FAULT = 70
 
 app = typer.Typer(
     name="tmodes",
@@ -28,7 +32,7 @@ app = typer.Typer(
     help="Model, simulate and control robots that bend: elastic gears, flexible links, a tip that touches the world.",
     epilog="Start with:  tmodes run filipovic2010      Your own robot:  tmodes robots filipovic2010 > my.yaml   "
     "then  tmodes check my.yaml  and  tmodes run my.yaml      Exit codes: 0 done, 2 wrong input, 3 the run failed, "
-    "4 a file cannot be read or written, 5 compiler trouble, 130 interrupted.",
+    "4 a file cannot be read or written, 5 compiler trouble, 70 a fault of tmodes, 130 interrupted.",
 )
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
@@ -53,8 +57,9 @@ def _options(
 
 def main() -> None:
     """Run the command line; ends the process with its exit code, never with a traceback for what a user can mend."""
+    _prepare_streams()
     try:
-        code = app(standalone_mode=False)
+        code = app(standalone_mode=False) or 0
         sys.stdout.flush()
     except TmodesError as error:
         _say(f"tmodes: {error}")
@@ -63,20 +68,50 @@ def main() -> None:
         error.show()  # pyright: ignore[reportAttributeAccessIssue]: every error of a command line has it
         code = error.exit_code
     except (KeyboardInterrupt, typer.Abort):
-        _say("tmodes: interrupted")
         code = INTERRUPTED
     except BrokenPipeError:
-        # The reader of our output went away (| head): nothing to say, and nowhere to say it.
-        os.dup2(os.open(os.devnull, os.O_WRONLY), sys.stdout.fileno())
-        code = 0
+        code = 0  # the reader of our output went away (| head): nothing to say, and nowhere to say it
+    except OSError as error:
+        _say(f"tmodes: the output cannot be written: {error.strerror}. Mend: free some space, or send it elsewhere")
+        code = 4
     except MemoryError:
         _say("tmodes: the memory is used up. Mend: raise integration.output_step or shorten integration.duration")
         code = 3
-    sys.exit(code or 0)
+    except Exception as error:
+        if os.environ.get("TMODES_DEBUG"):
+            raise
+        _say(f"tmodes: a fault of tmodes itself, please report it: {type(error).__name__}: {error}")
+        _say("(TMODES_DEBUG=1 shows where)")
+        code = FAULT
+    if code == INTERRUPTED:
+        _say("tmodes: interrupted; the same command goes on")
+    _leave(code)
+
+
+def _prepare_streams() -> None:
+    """Closed streams lead nowhere; letters that a terminal does not know are told by their number."""
+    for name in ("stdout", "stderr"):
+        if getattr(sys, name) is None:
+            setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115
+        stream = getattr(sys, name)
+        if isinstance(stream, io.TextIOWrapper):
+            stream.reconfigure(errors="backslashreplace")
+
+
+def _leave(code: int) -> None:
+    """End the process; what is still to be written to a stream that is gone or full is let go."""
+    for stream in (sys.stdout, sys.stderr):
+        try:
+            stream.flush()
+        except OSError:
+            with suppress(OSError):
+                os.dup2(os.open(os.devnull, os.O_WRONLY), stream.fileno())
+    sys.exit(code)
 
 
 def _say(text: str) -> None:
-    print(text, file=sys.stderr)
+    with suppress(OSError):
+        print(text, file=sys.stderr)
 
 
 if __name__ == "__main__":

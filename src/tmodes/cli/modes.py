@@ -25,7 +25,7 @@ def modes(
     reading: ReadingOption = None,
     settings: Settings = None,
     contact: Annotated[bool, typer.Option("--contact", help="With the tip on the environment.")] = False,
-    angle: Annotated[float | None, typer.Option(help="Motor angle [rad]; else the start of the move.")] = None,
+    angle: Annotated[float | None, typer.Option(help="Motor angle in rad; else the start of the move.")] = None,
     as_json: AsJson = False,
 ) -> None:
     """Frequencies and damping about the sagged rest, for the real robot and for the robot as it is known.

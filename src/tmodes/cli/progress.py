@@ -7,6 +7,8 @@ import time as clock
 from types import TracebackType
 from typing import Any, Self
 
+from tmodes.cli.interrupt import Wish
+
 __all__ = ["Stages"]
 
 PATIENCE = 1.5
@@ -17,10 +19,10 @@ LINE_EVERY = 10.0
 
 
 class Stages:
-    """``with Stages() as tell: tell("reference", 0.3)``; nothing is shown for short work."""
+    """``with Stages(wish) as tell: tell("reference", 0.3)``; nothing is shown for short work."""
 
-    def __init__(self, quiet: bool = False) -> None:
-        self._quiet = quiet
+    def __init__(self, wish: Wish) -> None:
+        self._wish = wish
         self._started = clock.monotonic()
         self._last_line = self._started - LINE_EVERY
         self._bar: Any = None
@@ -36,9 +38,10 @@ class Stages:
             self._bar.stop()
 
     def __call__(self, stage: str, share: float) -> None:
-        """Tell that a share of a stage is done."""
+        """Tell that a share of a stage is done; here Ctrl-C is obeyed."""
+        self._wish.obey()
         now = clock.monotonic()
-        if self._quiet or now - self._started < PATIENCE:
+        if now - self._started < PATIENCE:
             return
         if sys.stderr.isatty():
             self._draw(stage, share)

@@ -29,6 +29,7 @@ def run(
     Writes result.nc (NetCDF, all series with units), report.html (open it first) and figures/*.svg, *.png. A run that
     was killed goes on where it was when the same command is given again.
     """
+    from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice, print_json
     from tmodes.cli.progress import Stages
     from tmodes.cli.told import told
@@ -38,9 +39,9 @@ def run(
 
     sheet = chosen_robot(robot, settings, reading, contact)
     folder = RunFolder(out or Path("results") / _folder_name(sheet.name), sheet, overwrite)
-    with folder, Stages() as progress:
+    with heard() as wish, folder, Stages(wish) as progress:
         if folder.continues:
-            notice(f"continuing the run that was stopped in {folder.path}")
+            notice(f"continuing what was begun in {folder.path}")
         try:
             result = folder.simulate(progress)
         except SimulationError:

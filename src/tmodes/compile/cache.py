@@ -40,11 +40,11 @@ def folder() -> Path | None:
     named = os.environ.get("TMODES_CACHE")
     if named is not None and not named.strip():
         return None
-    place = Path(named) if named else _user_cache() / "tmodes"
     try:
+        place = Path(named) if named else _user_cache() / "tmodes"
         place.mkdir(mode=0o700, parents=True, exist_ok=True)
         status = place.stat()
-    except OSError:
+    except (OSError, RuntimeError, ValueError):  # RuntimeError: a user without a home
         return None
     if hasattr(os, "getuid") and (status.st_uid != os.getuid() or status.st_mode & 0o022):
         return None

@@ -13,7 +13,7 @@ from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
 __all__ = ["MOST_BYTES", "Integration", "Method"]
 
 MOST_BYTES = 1_800_000_000
-"""Size of the largest result, in memory and on disk [bytes]."""
+"""Size of the largest result on disk [bytes]; gathering it takes about three times that in memory."""
 
 
 class Method(StrEnum):

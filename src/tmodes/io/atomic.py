@@ -18,7 +18,7 @@ from typing import NamedTuple, Self
 from tmodes.errors import ResultFileError
 from tmodes.io.words import shown_path
 
-__all__ = ["FolderLock", "atomic_write", "check_writable", "file_error", "real_path"]
+__all__ = ["FolderLock", "atomic_write", "check_writable", "file_error", "real_path", "remove_orphans"]
 
 LOCK_NAME = ".tmodes.lock"
 YOUNG = 10.0  # age [s] below which a lock without content is believed to be one that is just being written
@@ -146,7 +146,7 @@ class FolderLock:
             raise self._refusal("a lock that another is just taking") from error
         except (OSError, ValueError) as error:
             raise _cannot_write(self.path, error) from error
-        _remove_orphans(self.folder)
+        remove_orphans(self.folder)
         return self
 
     def __exit__(self, *_: object) -> None:
@@ -188,7 +188,7 @@ class FolderLock:
         return file_error(f"folder {self.folder}", got, "a folder in which nothing else writes", mend)
 
 
-def _remove_orphans(folder: Path) -> None:
+def remove_orphans(folder: Path) -> None:
     """Remove temporary files of writers of this computer that were killed."""
     for path in folder.glob(f".tmodes-{_place()}-*-*.tmp"):
         with suppress(OSError, ValueError):

@@ -16,7 +16,7 @@ from tmodes.io.words import nearest, shown, shown_path
 __all__ = ["read_states"]
 
 MOST_BYTES = 50_000_000
-MOST_RECORDS = 1_000_000
+MOST_RECORDS = 100_000
 MOST_BRACKETS = 4_000_000
 
 GIVEN = ("phi", "phid", "u")
@@ -78,11 +78,11 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 
 def _records(data: Any, source: str) -> list[Any]:
-    if isinstance(data, Mapping):
+    if isinstance(data, Mapping) and not {"phi", "phid", "u"} & set(data):
         _check_keys(data, ("states",), (), "the file", source)
         data = data["states"]
     if not isinstance(data, list) or not data:
-        got = "an empty list" if data == [] else shown(data)
+        got = "an empty list" if data == [] else "one record" if isinstance(data, Mapping) else shown(data)
         mend = 'write [{"phi": [...], "phid": [...], "u": 0.0}]'
         raise InputError("the file", got, "a list of records", mend, source)
     if len(data) > MOST_RECORDS:
