@@ -57,8 +57,27 @@ def _spatial_kinetic(robot: Robot, phi: Any, phid: Any) -> Any:
     Eq. (28) [stated]: mel2, Jel2 at the full length of mode 2 enter here. {test_slip_13_mass}
     Eq. (30) [stated]: mel1, Jel1 at the full length of mode 1 enter here. {test_slip_13_mass}
     """
-    velocities = (ca.jtimes(point, phi, phid) for point in mode_tips(phi, robot.link))
-    return sum(mass * ca.sumsqr(velocity) / 2 for mass, velocity in zip(_masses(robot), velocities, strict=True))
+    first, second = robot.link.modes
+    q, delta, vt, e = phid[0], phid[1], phid[3], phid[4]
+    inner = _arm_velocity(first.length, phi[3], q, vt)
+    outer = _arm_velocity(second.length, phi[3] + phi[4], q + delta, vt + e)
+    cross = _in_one_frame(inner, outer, phi[1])
+    squares = [sum(part**2 for part in arm) for arm in (inner, outer)]
+    masses = _masses(robot)
+    return (masses[0] * squares[0] + masses[1] * (squares[0] + squares[1] + 2 * cross)) / 2
+
+
+def _arm_velocity(length: Any, elevation: Any, azimuth_rate: Any, rate: Any) -> tuple[Any, Any, Any]:
+    """Velocity of a chord's end against its root, in the chord's own azimuth: inwards, sideways, up [m/s]."""
+    flat, up = length * ca.cos(elevation), length * ca.sin(elevation)
+    return up * rate, flat * azimuth_rate, flat * rate
+
+
+def _in_one_frame(inner: Any, outer: Any, turn: Any) -> Any:
+    """Scalar product of two such velocities whose azimuths differ by ``turn`` (outer less inner)."""
+    along = inner[0] * outer[0] + inner[1] * outer[1]
+    across = inner[0] * outer[1] - inner[1] * outer[0]
+    return along * ca.cos(turn) + across * ca.sin(turn) + inner[2] * outer[2]
 
 
 def _printed_kinetic(robot: Robot, phi: Any, phid: Any) -> Any:
