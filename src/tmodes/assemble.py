@@ -22,7 +22,7 @@ from tmodes.analysis.validity import (
     start_warnings,
 )
 from tmodes.equations.coordinates import deformations
-from tmodes.equations.layout import COORDINATES, DEFORMATIONS, LINE, WORKS
+from tmodes.equations.layout import COORDINATES, DEFORMATIONS, ENERGIES, LINE, WORKS
 from tmodes.mechanism import Parameters
 from tmodes.regime import Regime
 from tmodes.result import RESULT_FORMAT, Result
@@ -36,7 +36,7 @@ _COORDINATES: dict[str, Any] = {
     "deformation_kind": list(DEFORMATIONS),
     "mode": ["mode1", "mode2"],
     "plane": ["horizontal", "vertical"],
-    "energy_kind": ["kinetic", "gravity", "elastic_gear", "elastic_link"],
+    "energy_kind": list(ENERGIES),
     "work_kind": list(WORKS),
 }
 
@@ -70,7 +70,7 @@ def assemble(
     import xarray as xr
 
     count = min(len(reference.trajectory.times), len(real.trajectory.times))
-    seen = _observed(real, count)
+    seen = real.observed(count)
     states = real.trajectory.states[:count]
     held, found = real.model.quasistatic(_gross(states, seen), _angles(states), real.parameters)
     variables = _tracking(real, reference, seen, held) | _line(real, seen, count)
@@ -97,11 +97,6 @@ def assemble(
     return Result(data)
 
 
-def _observed(regime: Regime, count: int) -> Observed:
-    t = regime.trajectory
-    return regime.model.observe(t.times[:count], t.states[:count], regime.rows[:count], regime.parameters)
-
-
 def _angles(states: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack(deformations(states[:, :6].T), axis=1)
 
@@ -113,7 +108,7 @@ def _tracking(real: Regime, reference: Regime, seen: Observed, held: NDArray[np.
     """
     count = len(held)
     states, wanted = real.trajectory.states[:count], reference.trajectory.states[:count]
-    planned, angles = _observed(reference, count), _angles(states)
+    planned, angles = reference.observed(count), _angles(states)
     works = states[:, 12:]
     t = ("time",)
     series: Variables = {

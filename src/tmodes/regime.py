@@ -26,6 +26,11 @@ class Regime:
     rows: NDArray[np.float64]
     trajectory: Trajectory
 
+    def observed(self, count: int) -> dict[str, NDArray[np.float64]]:
+        """What the model tells of the first ``count`` samples, by the names of ``OBSERVED``."""
+        run = self.trajectory
+        return self.model.observe(run.times[:count], run.states[:count], self.rows[:count], self.parameters)
+
 
 def run_regime(
     robot: Robot,

@@ -145,6 +145,11 @@ class Spectrum:
     eigenvalues: NDArray[np.complex128]
     homes: tuple[str, ...]
 
+    @property
+    def ringing(self) -> NDArray[np.complex128]:
+        """The eigenvalues whose motion rings, both of each pair."""
+        return self.eigenvalues[np.abs(self.eigenvalues.imag) > _STILL * np.abs(self.eigenvalues)]
+
 
 def closed_loop_spectrum(robot: Robot, *, drive: Drive) -> Spectrum:
     """Eigenvalues about rest at the start, the motor controlled or following its reference exactly (``drive``)."""

@@ -54,11 +54,8 @@ def settling(reference: Regime, real: Regime) -> dict[str, Any]:
 
 def _slowest_decay(*regimes: Regime) -> float:
     """Smallest decay rate [1/s] of the vibrations about rest."""
-    rates: list[float] = []
-    for regime in regimes:
-        eigenvalues = closed_loop_spectrum(regime.robot, drive=regime.model.mechanism.drive).eigenvalues
-        rates.extend(-value.real for value in eigenvalues if abs(value.imag) > 1e-9 * abs(value))
-    return max(min(rates, default=1.0), 1e-9)
+    spectra = (closed_loop_spectrum(one.robot, drive=one.model.mechanism.drive) for one in regimes)
+    return max(min((-value.real for spectrum in spectra for value in spectrum.ringing), default=1.0), 1e-9)
 
 
 def _carried_on(regime: Regime, duration: float) -> Regime:
@@ -83,10 +80,5 @@ def _carried_on(regime: Regime, duration: float) -> Regime:
 def _deviation(reference: Regime, real: Regime) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Times [s] and distance of the two tips [m]."""
     count = min(len(reference.trajectory.times), len(real.trajectory.times))
-    tips = [
-        regime.model.observe(
-            regime.trajectory.times[:count], regime.trajectory.states[:count], regime.rows[:count], regime.parameters
-        )["tip"]
-        for regime in (reference, real)
-    ]
+    tips = [regime.observed(count)["tip"] for regime in (reference, real)]
     return real.trajectory.times[:count], np.linalg.norm(tips[1] - tips[0], axis=1)

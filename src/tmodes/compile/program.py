@@ -56,11 +56,6 @@ class Program:
         used |= {index for _, index in self.outputs}
         return sorted(index for index in used if self.fixed[index] and self.values[index].kind != "constant")
 
-    @property
-    def changing_operations(self) -> int:
-        """Number of operations that are left inside the loop."""
-        return sum(not fixed and value.kind != "input" for fixed, value in zip(self.fixed, self.values, strict=True))
-
 
 def straight_line(function: ca.Function, invariant: int) -> Program:
     """Read a function of several vectors and one output vector; ``invariant`` is the index of the parameters.

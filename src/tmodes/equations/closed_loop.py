@@ -9,7 +9,7 @@ import casadi as ca
 
 from tmodes.equations.dynamics import Motion, motion
 from tmodes.equations.kinematics import tip, tip_jacobian
-from tmodes.equations.layout import OBSERVED, STATE_SIZE, WORKS
+from tmodes.equations.layout import ENERGIES, OBSERVED, STATE_SIZE, WORKS
 from tmodes.equations.symbols import symbolic_robot
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.robot import Robot
@@ -98,7 +98,7 @@ def observe_function(loop: ClosedLoop) -> ca.Function:
         "radial_force": moved.radial_force,
         "contact_fold": moved.contact_fold,
         "gear_torque": moved.gear_torque(robot, loop.mechanism, phi, phid),
-        "energy": ca.vertcat(energy.kinetic, energy.gravity, energy.elastic_gear, energy.elastic_link),
+        "energy": ca.vertcat(*(getattr(energy, kind) for kind in ENERGIES)),
     }
     return _function("observe", loop, ca.vertcat(*(seen[name] for name in OBSERVED)))
 

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-__all__ = ["COORDINATES", "DEFORMATIONS", "EVALUATED", "LINE", "OBSERVED", "STATE_SIZE", "WORKS"]
+__all__ = ["COORDINATES", "DEFORMATIONS", "ENERGIES", "EVALUATED", "LINE", "OBSERVED", "STATE_SIZE", "WORKS"]
 
 COORDINATES = ("q", "delta", "gamma", "vt", "e", "theta")
 """Names of the generalized coordinates, in the paper's order."""
@@ -13,12 +13,15 @@ DEFORMATIONS = ("th11q", "th12d", "th11m", "th12e", "xi")
 WORKS = ("motor", "motor_friction", "gear_damping", "link_damping", "contact")
 """Names of the works done since the start: the motor's comes in, the others go out."""
 
+ENERGIES = ("kinetic", "gravity", "elastic_gear", "elastic_link")
+"""Kinds of energy that are observed, by their names in :class:`tmodes.equations.energy.Energies`."""
+
 STATE_SIZE = 12 + len(WORKS)
 """A state: coordinates, rates, and the works done since the start."""
 
 OBSERVED = {
     "acceleration": 6, "wanted": 1, "voltage": 1, "current": 1, "tip": 3, "tip_velocity": 3, "contact_force": 3,
-    "radial_force": 1, "contact_fold": 1, "gear_torque": 1, "energy": 4,
+    "radial_force": 1, "contact_fold": 1, "gear_torque": 1, "energy": len(ENERGIES),
 }  # fmt: skip
 """What is observed at a sample, with its length, in order."""
 
