@@ -9,7 +9,7 @@ from typing import Any
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["sample_functions", "time_loops"]
+__all__ = ["sample_functions", "schedule_function", "time_loops"]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -77,3 +77,23 @@ def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Li
         return module
 
     return _library(name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince")}, level=3)
+
+
+def schedule_function(name: str, key: str, make: Callable[[], Any], arithmetic: str, level: int = 1) -> Library:
+    """The function ``run(n, each, parameters, workspace, in, out)`` of a schedule of kernels over many samples.
+
+    ``arithmetic``: ``double``, ``lanes`` (four samples at once) or ``derivative`` (each with a direction).
+    """
+
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.arithmetic import Derivative, Double, Lanes
+        from tmodes.compile.block import write_samples
+
+        module = ir.Module(name)
+        kind = {kind.name: kind for kind in (Double, Lanes, Derivative)}[arithmetic]
+        write_samples(module, make(), kind(module), "run")
+        return module
+
+    return _library(f"{name}.{arithmetic}", key, write, {"run": 6}, level)

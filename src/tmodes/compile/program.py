@@ -8,7 +8,7 @@ import casadi as ca
 
 from tmodes.errors import CompileError
 
-__all__ = ["Instruction", "Program", "straight_line"]
+__all__ = ["BlockProgram", "Instruction", "Program", "block_program", "straight_line"]
 
 _UNARY = {
     ca.OP_NEG: "neg", ca.OP_SQ: "sq", ca.OP_TWICE: "twice", ca.OP_SQRT: "sqrt", ca.OP_INV: "inv",
@@ -71,16 +71,7 @@ def straight_line(function: ca.Function, invariant: int) -> Program:
         if operation == ca.OP_OUTPUT:
             program.outputs.append((into[1], registers[reads[0]]))
             continue
-        if operation == ca.OP_CONST:
-            instruction = Instruction("constant", value=function.instruction_constant(k))
-        elif operation == ca.OP_INPUT:
-            instruction = Instruction("input", source=(reads[0], reads[1]))
-        else:
-            kind = _UNARY.get(operation) or _BINARY.get(operation)
-            if kind is None:
-                raise CompileError(f"{function.name()}: operation {operation} of CasADi has no native form here")
-            arity = 1 if operation in _UNARY else 2
-            instruction = Instruction(kind, tuple(registers[register] for register in reads[:arity]))
+        instruction = _instruction(function, k, registers)
         registers[into[0]] = len(program.values)
         program.values.append(instruction)
         program.fixed.append(_is_fixed(program, instruction))
@@ -91,3 +82,46 @@ def _is_fixed(program: Program, instruction: Instruction) -> bool:
     if instruction.kind == "input":
         return instruction.source[0] == program.invariant
     return all(program.fixed[arg] for arg in instruction.args)
+
+
+def _instruction(function: ca.Function, k: int, registers: dict[int, int]) -> Instruction:
+    """Instruction ``k`` of a function, which is no output; ``registers`` tells which value each register holds."""
+    operation, reads = function.instruction_id(k), function.instruction_input(k)
+    if operation == ca.OP_CONST:
+        return Instruction("constant", value=function.instruction_constant(k))
+    if operation == ca.OP_INPUT:
+        return Instruction("input", source=(reads[0], reads[1]))
+    kind = _UNARY.get(operation) or _BINARY.get(operation)
+    if kind is None:
+        raise CompileError(f"{function.name()}: operation {operation} of CasADi has no native form here")
+    arity = 1 if operation in _UNARY else 2
+    return Instruction(kind, tuple(registers[register] for register in reads[:arity]))
+
+
+@dataclass
+class BlockProgram:
+    """Straight-line program of several input and output blocks; ``results``: (output, element, index of value)."""
+
+    inputs: int
+    outputs: int
+    values: list[Instruction] = field(default_factory=list)
+    results: list[tuple[int, int, int | None]] = field(default_factory=list)
+
+
+def block_program(function: ca.Function) -> BlockProgram:
+    """Read a function of several vectors with several dense output vectors; what is not given is zero."""
+    program = BlockProgram(function.n_in(), function.n_out())
+    registers: dict[int, int] = {}
+    given: set[tuple[int, int]] = set()
+    for k in range(function.n_instructions()):
+        into = function.instruction_output(k)
+        if function.instruction_id(k) == ca.OP_OUTPUT:
+            program.results.append((into[0], into[1], registers[function.instruction_input(k)[0]]))
+            given.add((into[0], into[1]))
+            continue
+        instruction = _instruction(function, k, registers)
+        registers[into[0]] = len(program.values)
+        program.values.append(instruction)
+    every = {(out, element) for out in range(function.n_out()) for element in range(function.nnz_out(out))}
+    program.results += [(out, element, None) for out, element in sorted(every - given)]
+    return program

@@ -1,0 +1,253 @@
+"""Chain: a tree of joints and links in the terms of the recursion. What every kind of file becomes before it moves.
+
+    Arm (what a person writes: YAML, URDF + elasticity, DH)  ->  Chain  ->  kernels, one per kind of joint and link
+
+A chain is made of nodes, parents before children. A node is a joint and the link that it carries:
+
+    parent's tip frame --placement--> joint frame --joint--> link frame --link--> tip frame --placement--> next joint
+
+A rigid link has its tip frame in its link frame; a beam runs along x of its link frame from s = 0 to s = 1, its tip.
+All numbers are SI and reflected to the joint side of the reducer. Everything here is final, checked before, and plain.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from enum import StrEnum
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = [
+    "Beam",
+    "BeamPiece",
+    "Body",
+    "Chain",
+    "Drive",
+    "Friction",
+    "Gear",
+    "Joint",
+    "JointKind",
+    "Motor",
+    "Node",
+    "Placement",
+    "Point",
+    "RigidLink",
+    "Segment",
+]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """Where a frame is and which way it looks: ``rotation`` (3, 3), columns = its axes; ``position`` (3,) [m]."""
+
+    rotation: Array = field(default_factory=lambda: np.eye(3))
+    position: Array = field(default_factory=lambda: np.zeros(3))
+
+    def __matmul__(self, other: Placement) -> Placement:
+        """The placement of a frame that is given in this one."""
+        return Placement(self.rotation @ other.rotation, self.rotation @ other.position + self.position)
+
+    def inverse(self) -> Placement:
+        """This frame's parent as seen from it."""
+        return Placement(self.rotation.T, -self.rotation.T @ self.position)
+
+
+@dataclass(frozen=True, eq=False)
+class Body:
+    """A rigid body in the axes of the frame that carries it; ``inertia`` (3, 3) [kg*m^2] is about its center of mass."""
+
+    mass: float
+    center: Array = field(default_factory=lambda: np.zeros(3))
+    inertia: Array = field(default_factory=lambda: np.zeros((3, 3)))
+
+
+@dataclass(frozen=True)
+class Friction:
+    """Friction torque [N*m] (or force [N]) at a rate v: viscous v + (coulomb + extra/(1 + (v/stribeck)^2)) sgn v.
+
+    ``sgn v`` is smooth: v/sqrt(v^2 + smoothing^2).
+    """
+
+    viscous: float = 0.0
+    coulomb: float = 0.0
+    static_extra: float = 0.0
+    stribeck_rate: float = 1.0
+    smoothing: float = 1e-3
+
+
+@dataclass(frozen=True)
+class Motor:
+    """A motor, joint side: rotor inertia [kg*m^2], friction; and its electric side where a voltage drives it.
+
+    ``resistance`` [ohm], ``back_emf`` [V*s/rad] and ``torque_constant`` [N*m/A] after the reducer, ``inductance`` [H].
+    """
+
+    inertia: float
+    friction: Friction = Friction()
+    resistance: float | None = None
+    back_emf: float = 0.0
+    torque_constant: float = 1.0
+    inductance: float = 0.0
+
+
+@dataclass(frozen=True)
+class Gear:
+    """An elastic gear between motor and joint.
+
+    ``stiffness`` [N*m/rad] of each range of the torque, rising ``limits`` [N*m] between the ranges (K1/K2/K3 with
+    T1/T2; one number and no limit: linear); ``damping`` [N*m*s/rad]; ``backlash`` [rad] half-width of the dead zone,
+    rounded over ``backlash_rounding`` [rad].
+    """
+
+    stiffness: tuple[float, ...]
+    limits: tuple[float, ...] = ()
+    damping: float = 0.0
+    backlash: float = 0.0
+    backlash_rounding: float = 1e-5
+
+
+class JointKind(StrEnum):
+    """How a joint moves along or about its axis."""
+
+    REVOLUTE = "revolute"
+    PRISMATIC = "prismatic"
+    FIXED = "fixed"
+
+
+class Drive(StrEnum):
+    """What moves a joint, and which coordinates it has: the group's AE, LE, AR, and a given motion; LR is FIXED."""
+
+    EFFORT = "effort"  # the joint's effort is given; a motor behind a rigid gear adds its inertia and friction
+    ELASTIC = "elastic"  # a motor with its own coordinate behind an elastic gear
+    SPRING = "spring"  # an elastic gear whose motor is locked
+    PRESCRIBED = "prescribed"  # the joint's motion is given
+
+
+@dataclass(frozen=True, eq=False)
+class Joint:
+    """A joint: ``axis`` (3,), a unit vector in the joint frame; ``friction`` acts on the joint's own rate."""
+
+    name: str
+    kind: JointKind
+    placement: Placement = field(default_factory=Placement)
+    axis: Array = field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
+    drive: Drive = Drive.EFFORT
+    motor: Motor | None = None
+    gear: Gear | None = None
+    friction: Friction = Friction()
+    rest: float = 0.0
+    """Motor angle of SPRING, or the angle at which ``placement`` is not yet turned [rad or m]."""
+    lower: float = -np.inf
+    upper: float = np.inf
+
+
+@dataclass(frozen=True, eq=False)
+class RigidLink:
+    """A link that does not bend; ``bodies`` in its link frame, which is also its tip frame."""
+
+    bodies: tuple[Body, ...] = ()
+
+
+@dataclass(frozen=True)
+class BeamPiece:
+    """A piece of a beam that ends at s = ``end``; each quantity is (at its start, at its end), linear between.
+
+    Bending stiffness about y and z [N*m^2], torsional GJ [N*m^2], axial EA [N], mass per length [kg/m], and inertia
+    per length about x, y and z [kg*m].
+    """
+
+    end: float
+    bend_y: tuple[float, float]
+    bend_z: tuple[float, float]
+    torsion: tuple[float, float]
+    axial: tuple[float, float]
+    mass: tuple[float, float]
+    inertia: tuple[tuple[float, float], tuple[float, float], tuple[float, float]] = ((0.0, 0.0),) * 3
+
+
+@dataclass(frozen=True, eq=False)
+class Beam:
+    """A ``strain`` link: curvature, twist and stretch are polynomials; the line is their integral.
+
+    ``twist``, ``bend_y``, ``bend_z``, ``stretch``: numbers of functions. ``basis``: ``legendre`` (P_j, for a link that
+    carries another) or ``tip_weighted`` ((1 - s) P_j, for a free end with at most a point mass). ``points``: Gauss
+    points of each piece, 0 for the default. ``damping_time`` [s] Kelvin-Voigt. ``rest_curvature`` (3,) [1/m]: twist,
+    y, z of the unloaded line. ``bodies``: (s, body) in section axes at s in 0..1. ``outer`` (2,): distance of the
+    outer fibre along y and z [m], for stress; ``young`` and ``shear`` modulus [Pa], 0 where not known.
+    """
+
+    length: float
+    pieces: tuple[BeamPiece, ...]
+    twist: int = 0
+    bend_y: int = 0
+    bend_z: int = 0
+    stretch: int = 0
+    basis: str = "legendre"
+    points: int = 0
+    damping_time: float = 0.0
+    rest_curvature: Array = field(default_factory=lambda: np.zeros(3))
+    bodies: tuple[tuple[float, Body], ...] = ()
+    outer: tuple[float, float] = (0.0, 0.0)
+    young: float = 0.0
+    shear: float = 0.0
+
+
+@dataclass(frozen=True, eq=False)
+class Segment:
+    """The paper's mode as a link: a chord of fixed length with the mass of Eq. (13) at its tip (LMA).
+
+    The chord turns by th about z, then by th about y (``bend_y``/``bend_z``: which of them are free), the tip's tangent
+    by 3/2 th. ``stiffness`` Cs [N/m] and ``damping`` Bs [N*s/m] act on the tip's deflection; ``bodies`` in the tip frame.
+    """
+
+    length: float
+    stiffness_y: float
+    stiffness_z: float
+    damping_y: float = 0.0
+    damping_z: float = 0.0
+    bend_y: bool = True
+    bend_z: bool = True
+    bodies: tuple[Body, ...] = ()
+
+
+@dataclass(frozen=True, eq=False)
+class Node:
+    """A joint and the link it carries; ``parent`` is an index of an earlier node, -1 for the base."""
+
+    name: str
+    parent: int
+    joint: Joint
+    link: RigidLink | Beam | Segment
+
+
+@dataclass(frozen=True, eq=False)
+class Point:
+    """A named point of a node's link at s (1, its tip, for a rigid link too), offset in the section's axes."""
+
+    name: str
+    node: int
+    s: float = 1.0
+    offset: Placement = field(default_factory=Placement)
+
+
+@dataclass(frozen=True, eq=False)
+class Chain:
+    """The whole tree. ``base`` places it in the world; ``gravity`` (3,) [m/s^2] in world axes; ``tip`` is a Point.
+
+    ``couplings`` (joints with an elastic drive, same number): gear inputs = couplings @ motor angles; None: each its own.
+    """
+
+    name: str
+    nodes: tuple[Node, ...]
+    gravity: Array
+    base: Placement = field(default_factory=Placement)
+    points: tuple[Point, ...] = ()
+    couplings: Array | None = None
+
+    @property
+    def tip(self) -> Point:
+        """The point that is told of as the tip: the first of ``points``, else the end of the last node."""
+        return self.points[0] if self.points else Point("tip", len(self.nodes) - 1)

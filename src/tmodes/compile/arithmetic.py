@@ -1,0 +1,215 @@
+"""What a number is in compiled code: a double, a vector of lanes, or a value with its derivative.
+
+One straight-line program becomes the code of each of them: many robots side by side, or exact derivatives, cost no
+second set of equations.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from typing import Any, NamedTuple
+
+from llvmlite import ir
+
+from tmodes.compile.emit import F64, I64, at, number
+from tmodes.compile.trigonometry import sine_and_cosine
+
+__all__ = ["Arithmetic", "Derivative", "Double", "Lanes"]
+
+_FUSE = ("contract",)
+
+
+class Arithmetic(ABC):
+    """How numbers of one kind are kept and reckoned with; ``stride`` doubles each."""
+
+    stride: int
+    name: str
+
+    def __init__(self, module: Any) -> None:
+        self.module = module
+
+    @abstractmethod
+    def load(self, b: Any, base: Any, index: int) -> Any:
+        """Number ``index`` of a block."""
+
+    @abstractmethod
+    def store(self, b: Any, value: Any, base: Any, index: int) -> None:
+        """Keep a number in a block."""
+
+    @abstractmethod
+    def constant(self, value: float) -> Any:
+        """A number known beforehand."""
+
+    @abstractmethod
+    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine."""
+
+    @abstractmethod
+    def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
+        """The result of an operation of a program."""
+
+
+class Double(Arithmetic):
+    """One double."""
+
+    stride = 1
+    name = "double"
+    kind: Any = F64
+
+    def load(self, b: Any, base: Any, index: int) -> Any:
+        return b.load(self._place(b, base, index), align=8, typ=self.kind)
+
+    def store(self, b: Any, value: Any, base: Any, index: int) -> None:
+        b.store(value, self._place(b, base, index), align=8)
+
+    def _place(self, b: Any, base: Any, index: int) -> Any:
+        return at(b, base, index * self.stride)
+
+    def constant(self, value: float) -> Any:
+        return number(value)
+
+    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        pair = b.call(sine_and_cosine(self.module), [angle])
+        return b.extract_value(pair, 0), b.extract_value(pair, 1)
+
+    def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
+        match kind:
+            case "sqrt" | "fabs":
+                return b.call(self._intrinsic(kind), [x])
+            case "add" | "sub" | "mul":
+                return getattr(b, f"f{kind}")(x, y, flags=_FUSE)
+            case "sq":
+                return b.fmul(x, x, flags=_FUSE)
+            case "twice":
+                return b.fmul(x, self.constant(2.0), flags=_FUSE)
+            case "div":
+                return b.fdiv(x, y)
+            case "inv":
+                return b.fdiv(self.constant(1.0), x)
+            case "neg":
+                return b.fneg(x)
+            case "copy":
+                return x
+        return self._condition(b, kind, x, y)
+
+    def _intrinsic(self, kind: str) -> Any:
+        return self.module.declare_intrinsic(f"llvm.{kind}", [self.kind])
+
+    def _condition(self, b: Any, kind: str, x: Any, y: Any) -> Any:
+        """Truth values are the numbers 1 and 0."""
+        zero = self.constant(0.0)
+        if kind == "if_else_zero":
+            return b.select(b.fcmp_unordered("!=", x, zero), y, zero)
+        sign = {"lt": "<", "le": "<=", "not": "=="}[kind]
+        holds = b.fcmp_ordered(sign, x, zero if kind == "not" else y)
+        return b.select(holds, self.constant(1.0), zero)
+
+
+class Lanes(Double):
+    """Four doubles side by side: the same robot with other numbers in each."""
+
+    stride = 4
+    name = "lanes"
+    kind: Any = ir.VectorType(F64, 4)
+
+    def constant(self, value: float) -> Any:
+        return ir.Constant(self.kind, [value] * self.stride)
+
+    def _intrinsic(self, kind: str) -> Any:
+        name = f"llvm.{kind}.v{self.stride}f64"  # llvmlite names the intrinsics of single numbers only
+        known = self.module.globals.get(name)
+        return known or ir.Function(self.module, ir.FunctionType(self.kind, [self.kind]), name)
+
+    def _place(self, b: Any, base: Any, index: int) -> Any:
+        return b.bitcast(at(b, base, index * self.stride), self.kind.as_pointer())
+
+    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        sine, cosine = self.constant(0.0), self.constant(0.0)
+        for lane in range(self.stride):
+            place = ir.Constant(I64, lane)
+            pair = b.call(sine_and_cosine(self.module), [b.extract_element(angle, place)])
+            sine = b.insert_element(sine, b.extract_value(pair, 0), place)
+            cosine = b.insert_element(cosine, b.extract_value(pair, 1), place)
+        return sine, cosine
+
+
+class _Pair(NamedTuple):
+    """A value and its derivative, None where that is zero for certain."""
+
+    value: Any
+    slope: Any
+
+
+class Derivative(Arithmetic):
+    """A value with its derivative in one direction: forward differentiation, exact."""
+
+    stride = 2
+    name = "derivative"
+
+    def __init__(self, module: Any) -> None:
+        super().__init__(module)
+        self._plain = Double(module)
+
+    def load(self, b: Any, base: Any, index: int) -> Any:
+        return _Pair(self._plain.load(b, base, 2 * index), self._plain.load(b, base, 2 * index + 1))
+
+    def store(self, b: Any, value: Any, base: Any, index: int) -> None:
+        self._plain.store(b, value.value, base, 2 * index)
+        self._plain.store(b, number(0.0) if value.slope is None else value.slope, base, 2 * index + 1)
+
+    def constant(self, value: float) -> Any:
+        return _Pair(number(value), None)
+
+    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        sine, cosine = self._plain.turn(b, angle.value)
+        slope = angle.slope
+        if slope is None:
+            return _Pair(sine, None), _Pair(cosine, None)
+        return _Pair(sine, self._times(b, cosine, slope)), _Pair(cosine, b.fneg(self._times(b, sine, slope)))
+
+    def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
+        value = self._plain.operation(b, kind, x.value, y.value if y else None)
+        return _Pair(value, self._slope(b, kind, value, x, y))
+
+    def _slope(self, b: Any, kind: str, value: Any, x: Any, y: Any) -> Any:
+        match kind:
+            case "add":
+                return self._plus(b, x.slope, y.slope)
+            case "sub":
+                return self._plus(b, x.slope, None if y.slope is None else b.fneg(y.slope))
+            case "mul":
+                return self._plus(b, self._times(b, x.slope, y.value), self._times(b, y.slope, x.value))
+            case "div":
+                over = self._times(b, y.slope, value)
+                top = self._plus(b, x.slope, None if over is None else b.fneg(over))
+                return None if top is None else b.fdiv(top, y.value)
+            case "if_else_zero":
+                return None if y.slope is None else self._plain.operation(b, kind, x.value, y.slope)
+            case "lt" | "le" | "not":
+                return None
+        return None if x.slope is None else self._one(b, kind, value, x)
+
+    def _one(self, b: Any, kind: str, value: Any, x: Any) -> Any:
+        """Slope of a function of one number."""
+        match kind:
+            case "neg":
+                return b.fneg(x.slope)
+            case "twice":
+                return b.fmul(number(2.0), x.slope)
+            case "sq":
+                return b.fmul(b.fmul(number(2.0), x.value), x.slope)
+            case "inv":
+                return b.fneg(b.fmul(b.fmul(value, value), x.slope))
+            case "sqrt":
+                return b.fdiv(b.fmul(number(0.5), x.slope), value)
+            case "fabs":
+                return b.select(b.fcmp_ordered("<", x.value, number(0.0)), b.fneg(x.slope), x.slope)
+        return x.slope
+
+    def _times(self, b: Any, slope: Any, factor: Any) -> Any:
+        return None if slope is None else b.fmul(slope, factor, flags=_FUSE)
+
+    def _plus(self, b: Any, one: Any, other: Any) -> Any:
+        if one is None or other is None:
+            return other if one is None else one
+        return b.fadd(one, other, flags=_FUSE)

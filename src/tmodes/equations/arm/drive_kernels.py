@@ -1,0 +1,191 @@
+"""Kernels of a joint's drive: motor, elastic gear, friction. Everything after the reducer.
+
+Motor row, Eq. (39) of Filipovic & Djuric 2010 with its sign of the gear torque turned: I th'' = u - friction - tg and
+tg = C(xi) + B xi', xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control of
+elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2). A step h adds hB + h^2 C to the joint's own inertia.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+
+from tmodes.chain import Drive, Friction, Gear, Joint, Motor
+from tmodes.equations.arm.kernel import Kernel
+
+__all__ = ["FRICTION", "DriveKind", "drive_kind", "drive_numbers"]
+
+FRICTION = 5
+"""Numbers of a friction law."""
+
+
+@dataclass(frozen=True)
+class DriveKind:
+    """Structure of a drive: ``ranges`` of the gear's stiffness (0: no gear), and whether it has a dead zone."""
+
+    drive: Drive
+    ranges: int = 0
+    dead_zone: bool = False
+
+    @property
+    def key(self) -> str:
+        """The structure in words."""
+        return f"{self.drive} ranges {self.ranges}{' dead zone' if self.dead_zone else ''}"
+
+    @property
+    def size(self) -> int:
+        """Numbers of its parameters."""
+        return 2 * FRICTION + 2 + (2 * self.ranges + 2 if self.ranges else 0)
+
+    def forward(self) -> Kernel:
+        """(parameters, th, th', ga, ga', effort, h) -> (effort on the joint, own inertia of the joint, motor (3)).
+
+        ``motor``: th'' = motor[2] (motor[0] + motor[1] ga''), of an elastic drive.
+        """
+
+        def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any, effort: Any, step: Any) -> list[list[Any]]:
+            law, h = _Law(self, p), step[0]
+            joint, joint_slope = law.joint_friction(gad[0])
+            if self.drive is Drive.EFFORT:
+                motor, motor_slope = law.motor_friction(gad[0])
+                inertia = law.inertia + h * (joint_slope + motor_slope)
+                return [[effort[0] - joint - motor], [inertia], [0.0, 0.0, 0.0]]
+            angle, speed = (th[0], thd[0]) if self.drive is Drive.ELASTIC else (law.rest, 0.0)
+            torque, stiffness = law.spring(angle - ga[0])
+            torque = torque + law.damping * (speed - gad[0]) + h * stiffness * (speed - gad[0])
+            added = h * law.damping + h * h * stiffness
+            if self.drive is Drive.SPRING:
+                return [[torque - joint], [added + h * joint_slope], [0.0, 0.0, 0.0]]
+            motor, motor_slope = law.motor_friction(speed)
+            share = 1 / (law.inertia + h * motor_slope + added)
+            rest = effort[0] - torque - motor
+            own = added - added * added * share + h * joint_slope
+            return [[torque - joint + added * share * rest], [own], [rest, added, share]]
+
+        return Kernel(f"drive {self.key}", (self.size, 1, 1, 1, 1, 1, 1), (1, 1, 3), build)
+
+    def motor(self) -> Kernel:
+        """(motor, ga'') -> th''."""
+        return Kernel("motor", (3, 1), (1,), lambda motor, joint: [[motor[2] * (motor[0] + motor[1] * joint[0])]])
+
+    def elastic(self) -> Kernel:
+        """Forces of springs, dampers and friction on (ga, th), energy [J], power lost in gear and in friction [W].
+
+        Of (parameters, th, th', ga, ga'); signs as on the left side of the equations of motion.
+        """
+
+        def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any) -> list[list[Any]]:
+            law = _Law(self, p)
+            joint, _ = law.joint_friction(gad[0])
+            if self.drive is Drive.EFFORT:
+                motor, _ = law.motor_friction(gad[0])
+                return [[joint + motor, 0.0], [0.0], [0.0, (joint + motor) * gad[0]]]
+            angle, speed = (th[0], thd[0]) if self.drive is Drive.ELASTIC else (law.rest, 0.0)
+            torque, _ = law.spring(angle - ga[0])
+            rate = speed - gad[0]
+            torque = torque + law.damping * rate
+            motor, _ = law.motor_friction(speed) if self.drive is Drive.ELASTIC else (0.0, 0.0)
+            lost = [law.damping * rate * rate, joint * gad[0] + motor * speed]
+            return [[joint - torque, torque + motor], [law.stored(angle - ga[0])], lost]
+
+        return Kernel(f"elastic {self.key}", (self.size, 1, 1, 1, 1), (2, 1, 2), build)
+
+
+class _Law:
+    """The parameters of a drive by name, and the laws that they are in."""
+
+    def __init__(self, kind: DriveKind, p: Any) -> None:
+        self.kind = kind
+        self.inertia, self.rest = p[0], p[1]
+        self._motor, self._joint = [p[2 + i] for i in range(5)], [p[7 + i] for i in range(5)]
+        r = kind.ranges
+        if r:
+            self.stiffness = [p[12 + i] for i in range(r)]
+            self.ends = [p[12 + r + i] for i in range(r - 1)]
+            self.damping, self.backlash, self.rounding = p[11 + 2 * r], p[12 + 2 * r], p[13 + 2 * r]
+
+    def motor_friction(self, rate: Any) -> tuple[Any, Any]:
+        """Torque and its derivative by the rate."""
+        return _friction(self._motor, rate)
+
+    def joint_friction(self, rate: Any) -> tuple[Any, Any]:
+        """Effort and its derivative by the rate."""
+        return _friction(self._joint, rate)
+
+    def spring(self, deflection: Any) -> tuple[Any, Any]:
+        """Torque of the spring and its stiffness at a deflection (the rounding of a dead zone's edges aside)."""
+        x, slope = self._free(deflection)
+        torque, stiffness = self.stiffness[0] * x, self.stiffness[0]
+        side = (x > 0) - (x < 0) if self.ends else 0.0
+        for end, step in self._steps():
+            over = side * x - end
+            beyond = over > 0
+            torque = torque + side * beyond * step * over
+            stiffness = stiffness + beyond * step
+        return torque * slope, stiffness * slope * slope
+
+    def stored(self, deflection: Any) -> Any:
+        """Energy of the spring."""
+        x, _ = self._free(deflection)
+        energy = self.stiffness[0] * x * x / 2
+        for end, step in self._steps():
+            over = ca.fabs(x) - end
+            energy = energy + (over > 0) * step * over * over / 2
+        return energy
+
+    def _steps(self) -> list[tuple[Any, Any]]:
+        """Deflection at which each further range begins, and by how much the stiffness changes there."""
+        return [(end, self.stiffness[i + 1] - self.stiffness[i]) for i, end in enumerate(self.ends)]
+
+    def _free(self, deflection: Any) -> tuple[Any, Any]:
+        """What is left of a deflection outside the dead zone, smooth, and its slope."""
+        if not self.kind.dead_zone:
+            return deflection, 1.0
+        ahead, behind = deflection - self.backlash, deflection + self.backlash
+        near, far = ca.sqrt(ahead**2 + self.rounding**2), ca.sqrt(behind**2 + self.rounding**2)
+        return deflection + (near - far) / 2, 1 + (ahead / near - behind / far) / 2
+
+
+def _friction(p: list[Any], rate: Any) -> tuple[Any, Any]:
+    """Viscous, Coulomb and Stribeck friction, smooth at rest; and its derivative."""
+    viscous, coulomb, extra, stribeck, smoothing = p
+    root = ca.sqrt(rate * rate + smoothing * smoothing)
+    side = rate / root
+    ratio = rate / stribeck
+    fall = 1 / (1 + ratio * ratio)
+    level = coulomb + extra * fall
+    slope = level * smoothing * smoothing / (root * root * root) - 2 * extra * fall * fall * ratio / stribeck * side
+    return viscous * rate + level * side, viscous + slope
+
+
+def drive_kind(joint: Joint) -> DriveKind:
+    """The structure of a joint's drive."""
+    gear = joint.gear if joint.drive in (Drive.ELASTIC, Drive.SPRING) else None
+    return DriveKind(joint.drive, len(gear.stiffness) if gear else 0, bool(gear and gear.backlash > 0))
+
+
+def drive_numbers(joint: Joint) -> list[float]:
+    """The parameters of a joint's drive, packed."""
+    motor = joint.motor or Motor(0.0)
+    numbers = [motor.inertia, joint.rest, *_packed(motor.friction), *_packed(joint.friction)]
+    if drive_kind(joint).ranges and joint.gear:
+        gear = joint.gear
+        numbers += [*gear.stiffness, *_ends(gear), gear.damping, gear.backlash, gear.backlash_rounding]
+    return numbers
+
+
+def _packed(friction: Friction) -> list[float]:
+    return [friction.viscous, friction.coulomb, friction.static_extra, friction.stribeck_rate, friction.smoothing]
+
+
+def _ends(gear: Gear) -> list[float]:
+    """Deflections at which the ranges of stiffness end."""
+    ends: list[float] = []
+    last_torque = last = 0.0
+    for stiffness, torque in zip(gear.stiffness, gear.limits, strict=False):
+        last += (torque - last_torque) / stiffness
+        last_torque = torque
+        ends.append(last)
+    return ends

@@ -1,0 +1,33 @@
+"""A kernel: a small function of blocks of numbers, written as expressions once and compiled once per structure."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+import casadi as ca
+
+__all__ = ["Kernel"]
+
+
+@dataclass(frozen=True)
+class Kernel:
+    """``build`` takes a vector of symbols for each input size and returns a list of entries for each output size.
+
+    ``key`` names the structure: two kernels of the same key are the same function.
+    """
+
+    key: str
+    inputs: tuple[int, ...]
+    outputs: tuple[int, ...]
+    build: Callable[..., Sequence[list[Any]]]
+
+    def function(self) -> ca.Function:
+        """The kernel as a CasADi function; common subexpressions are found."""
+        symbols = [ca.SX.sym(f"i{k}", size) for k, size in enumerate(self.inputs)]
+        results = [ca.vertcat(*map(ca.SX, entries)) for entries in self.build(*symbols)]
+        for size, result in zip(self.outputs, results, strict=True):
+            assert result.numel() == size, f"{self.key}: {result.numel()} numbers where {size} are told"  # noqa: S101
+        dense = [ca.densify(result) for result in results]
+        return ca.Function("kernel", symbols, dense, {"cse": True})

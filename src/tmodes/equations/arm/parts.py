@@ -1,0 +1,167 @@
+"""The parts of a chain for the recursion: the kernels of each node, and its numbers in the vector of parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Point, RigidLink, Segment
+from tmodes.equations.arm.beam_tables import beam_tables, stations_of
+from tmodes.equations.arm.drive_kernels import DriveKind, drive_kind, drive_numbers
+from tmodes.equations.arm.hinge import HELD, Hinge
+from tmodes.equations.arm.link_kernels import BODY, BendingLink, SegmentKind, StrainKind
+from tmodes.equations.arm.schedule import Numbers, Slot
+from tmodes.equations.arm.spatial import FORCE, INERTIA
+
+__all__ = ["LinkPart", "NodePart", "Parts", "packed_bodies"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class LinkPart:
+    """A bending link: its kernels, where its numbers stand, and its stations (s, body or None)."""
+
+    kernels: BendingLink
+    tables: Slot
+    stiffness: Slot
+    damping: Slot
+    stations: tuple[tuple[float, Slot | None], ...]
+    first: int
+    names: tuple[str, ...]
+
+
+@dataclass(frozen=True)
+class NodePart:
+    """A node: its joint's kernels and numbers, its coordinates (indices, -1 where it has none), its link."""
+
+    node: Node
+    hinge: Hinge
+    placement: Slot
+    axis: Slot
+    drive: DriveKind | None
+    drive_numbers: Slot | None
+    angle: int
+    motor: int
+    effort: int
+    given: int
+    link: LinkPart | None
+    tip_body: Slot | None
+
+
+@dataclass
+class Parts:
+    """Everything that the passes need of a chain."""
+
+    chain: Chain
+    numbers: Numbers = field(default_factory=Numbers)
+    nodes: list[NodePart] = field(default_factory=list)
+    points: tuple[Point, ...] = ()
+    offsets: list[Slot] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        chain = self.chain
+        self.points = chain.points or (chain.tip,)
+        self.none = {size: self.numbers.block(np.zeros(size)) for size in (1, 3, FORCE, HELD, BODY, INERTIA)}
+        joints = [node.joint for node in chain.nodes]
+        moving = [joint for joint in joints if joint.kind is not JointKind.FIXED]
+        elastic = [joint for joint in moving if joint.drive is Drive.ELASTIC]
+        self.motors = range(len(elastic))
+        self.joints = range(len(elastic), len(elastic) + len(moving))
+        self.names = [f"{joint.name}.motor" for joint in elastic] + [joint.name for joint in moving]
+        self.efforts = [joint.name for joint in moving if joint.drive in (Drive.EFFORT, Drive.ELASTIC)]
+        self.given = [joint.name for joint in moving if joint.drive is Drive.PRESCRIBED]
+        for index, node in enumerate(chain.nodes):
+            self.nodes.append(self._node(index, node))
+        self.couplings = None if chain.couplings is None else self.numbers.block(chain.couplings)
+        self.offsets = [self._offset(point) for point in self.points]
+
+    @property
+    def size(self) -> int:
+        """Number of coordinates."""
+        return len(self.names)
+
+    def _node(self, index: int, node: Node) -> NodePart:
+        joint, link = node.joint, node.link
+        axis = _axis_of(joint.axis)
+        moves = joint.kind is not JointKind.FIXED
+        hinge = Hinge(joint.kind, axis if moves else 2, joint.drive is Drive.PRESCRIBED and moves)
+        placement = self.numbers.block([*joint.placement.rotation.ravel(), *joint.placement.position])
+        kind = drive_kind(joint) if moves and joint.drive is not Drive.PRESCRIBED else None
+        place = {name: names.index(joint.name) if moves and joint.name in names else -1
+                 for name, names in (("effort", self.efforts), ("given", self.given))}  # fmt: skip
+        return NodePart(
+            node, hinge, placement, self.numbers.block(joint.axis), kind,
+            self.numbers.block(drive_numbers(joint)) if kind else None,
+            angle=self.names.index(joint.name) if moves else -1,
+            motor=self._motor(joint) if moves else -1,
+            effort=place["effort"], given=place["given"],
+            link=None if isinstance(link, RigidLink) else self._link(index, node.name, link),
+            tip_body=self._tip_body(link),
+        )  # fmt: skip
+
+    def _motor(self, joint: Joint) -> int:
+        name = f"{joint.name}.motor"
+        return self.names.index(name) if joint.drive is Drive.ELASTIC else -1
+
+    def _link(self, index: int, name: str, link: Beam | Segment) -> LinkPart:
+        first = len(self.names)
+        if isinstance(link, Segment):
+            return self._segment(name, link, first)
+        stations = stations_of(link, tuple(point.s for point in self.points if point.node == index))
+        tables = beam_tables(link, stations)
+        told = (("twist", link.twist), ("bend_y", link.bend_y), ("bend_z", link.bend_z), ("stretch", link.stretch))
+        names = tuple(f"{name}.{kind}{k + 1}" for kind, count in told for k in range(count))
+        self.names += names
+        bodies = []
+        for s in stations:
+            there = tuple(body for at, body in link.bodies if at == s)
+            bodies.append((s, self.numbers.block(packed_bodies(there)) if there else None))
+        blocks = [self.numbers.block(values) for values in (tables.packed, tables.stiffness, tables.damping)]
+        return LinkPart(BendingLink(StrainKind(tables.shape)), *blocks, tuple(bodies), first, names)
+
+    def _segment(self, name: str, link: Segment, first: int) -> LinkPart:
+        planes = ((link.bend_y, "bend_y", link.stiffness_y, link.damping_y),
+                  (link.bend_z, "bend_z", link.stiffness_z, link.damping_z))  # fmt: skip
+        free = [plane for plane in planes if plane[0]]
+        names = tuple(f"{name}.{plane[1]}" for plane in free)
+        self.names += names
+        square = link.length**2
+        blocks = [self.numbers.block(values) for values in (
+            [link.length], [plane[2] * square for plane in free], [plane[3] * square for plane in free])]  # fmt: skip
+        return LinkPart(BendingLink(SegmentKind(link.bend_y, link.bend_z)), *blocks, (), first, names)
+
+    def _tip_body(self, link: RigidLink | Beam | Segment) -> Slot | None:
+        bodies = tuple(body for s, body in link.bodies if s >= 1.0) if isinstance(link, Beam) else link.bodies
+        return self.numbers.block(packed_bodies(bodies)) if bodies else None
+
+    def _offset(self, point: Point) -> Slot:
+        return self.numbers.block([*point.offset.rotation.ravel(), *point.offset.position])
+
+    def station(self, point: Point) -> int | None:
+        """The number of the station at which a point stands, None for a tip."""
+        link = self.nodes[point.node].link
+        if link is None or not link.stations or point.s >= 1.0:
+            return None
+        return [s for s, _ in link.stations].index(point.s)
+
+
+def _axis_of(axis: Array) -> int | None:
+    """0, 1 or 2 for an axis of the frame itself."""
+    for k in range(3):
+        if np.array_equal(axis, np.eye(3)[k]):
+            return k
+    return None
+
+
+def packed_bodies(bodies: tuple[Body, ...]) -> Array:
+    """Mass, first moment and inertia about the frame's origin of bodies that move as one."""
+    total = np.zeros(10)
+    for body in bodies:
+        c = np.asarray(body.center, dtype=float)
+        inertia = body.inertia + body.mass * (c @ c * np.eye(3) - np.outer(c, c))
+        six = [inertia[0, 0], inertia[1, 1], inertia[2, 2], inertia[0, 1], inertia[0, 2], inertia[1, 2]]
+        total += [body.mass, *(body.mass * c), *six]
+    return total
