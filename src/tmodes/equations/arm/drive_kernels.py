@@ -23,16 +23,22 @@ FRICTION = 5
 
 @dataclass(frozen=True)
 class DriveKind:
-    """Structure of a drive: ``ranges`` of the gear's stiffness (0: no gear), and whether it has a dead zone."""
+    """Structure of a drive: ``ranges`` of the gear's stiffness (0: no gear), whether it has a dead zone.
+
+    ``dry_motor``, ``dry_joint``: friction there is more than viscous.
+    """
 
     drive: Drive
     ranges: int = 0
     dead_zone: bool = False
+    dry_motor: bool = False
+    dry_joint: bool = False
 
     @property
     def key(self) -> str:
         """The structure in words."""
-        return f"{self.drive} ranges {self.ranges}{' dead zone' if self.dead_zone else ''}"
+        dry = f"{' dry motor' * self.dry_motor}{' dry joint' * self.dry_joint}"
+        return f"{self.drive} ranges {self.ranges}{' dead zone' * self.dead_zone}{dry}"
 
     @property
     def size(self) -> int:
@@ -108,11 +114,11 @@ class _Law:
 
     def motor_friction(self, rate: Any) -> tuple[Any, Any]:
         """Torque and its derivative by the rate."""
-        return _friction(self._motor, rate)
+        return _friction(self._motor, rate, dry=self.kind.dry_motor)
 
     def joint_friction(self, rate: Any) -> tuple[Any, Any]:
         """Effort and its derivative by the rate."""
-        return _friction(self._joint, rate)
+        return _friction(self._joint, rate, dry=self.kind.dry_joint)
 
     def spring(self, deflection: Any) -> tuple[Any, Any]:
         """Torque of the spring and its stiffness at a deflection (the rounding of a dead zone's edges aside)."""
@@ -148,9 +154,11 @@ class _Law:
         return deflection + (near - far) / 2, 1 + (ahead / near - behind / far) / 2
 
 
-def _friction(p: list[Any], rate: Any) -> tuple[Any, Any]:
+def _friction(p: list[Any], rate: Any, *, dry: bool) -> tuple[Any, Any]:
     """Viscous, Coulomb and Stribeck friction, smooth at rest; and its derivative."""
     viscous, coulomb, extra, stribeck, smoothing = p
+    if not dry:
+        return viscous * rate, viscous
     root = ca.sqrt(rate * rate + smoothing * smoothing)
     side = rate / root
     ratio = rate / stribeck
@@ -163,7 +171,13 @@ def _friction(p: list[Any], rate: Any) -> tuple[Any, Any]:
 def drive_kind(joint: Joint) -> DriveKind:
     """The structure of a joint's drive."""
     gear = joint.gear if joint.drive in (Drive.ELASTIC, Drive.SPRING) else None
-    return DriveKind(joint.drive, len(gear.stiffness) if gear else 0, bool(gear and gear.backlash > 0))
+    dry_motor = joint.motor is not None and _is_dry(joint.motor.friction)
+    ranges, dead_zone = len(gear.stiffness) if gear else 0, bool(gear and gear.backlash > 0)
+    return DriveKind(joint.drive, ranges, dead_zone, dry_motor, _is_dry(joint.friction))
+
+
+def _is_dry(friction: Friction) -> bool:
+    return friction.coulomb > 0 or friction.static_extra > 0
 
 
 def drive_numbers(joint: Joint) -> list[float]:

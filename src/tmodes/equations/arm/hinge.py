@@ -1,7 +1,8 @@
 """Kernels of a joint: into it (rates), out of it (articulated inertia, forces), and on (accelerations).
 
-The joint frame stands in its parent's tip frame; ``hinge`` is what one pass tells the next: E (9) from the parent's tip
-axes to the link's, the joint's place in the parent (3), and the bias acceleration of the link's root (6).
+The joint frame stands in its parent's tip frame; ``hinge`` is what one pass tells the next: E (9) from the parent's
+axes to the link's, the joint's place from the parent's tip (3), and the bias acceleration of the link's root (6). The
+axes of a bending parent are those of its root, so that inertias are turned once on their way and not twice.
 Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7, with classical accelerations.
 """
 
@@ -37,11 +38,14 @@ class Hinge:
     """The kernels of one kind of joint.
 
     ``axis`` is 0, 1 or 2 where the joint moves along or about an axis of its frame, else None: the axis is data.
+    ``aside``: the joint stands aside of its parent's tip; ``on_section``: the parent bends, its tip frame is turned.
     """
 
     kind: JointKind
     axis: int | None = 2
     driven: bool = False
+    aside: bool = True
+    on_section: bool = False
 
     @property
     def moves(self) -> bool:
@@ -52,7 +56,8 @@ class Hinge:
     def key(self) -> str:
         """The structure in words."""
         axis = "data" if self.axis is None else "xyz"[self.axis]
-        return f"{self.kind} {axis}{' driven' if self.driven else ''}" if self.moves else "fixed"
+        flags = f"{' driven' * self.driven}{' aside' * self.aside}{' on section' * self.on_section}"
+        return f"{self.kind} {axis}{flags}" if self.moves else f"fixed{flags}"
 
     def as_driven(self) -> Hinge:
         """The same joint with its motion given."""
@@ -61,16 +66,22 @@ class Hinge:
     def _direction(self, axis: Any) -> v.Vector:
         return v.vec(axis) if self.axis is None else v.unit(self.axis)
 
+    def _arm(self, packed: Any, start: int) -> v.Vector:
+        """From the parent's tip to the joint; nothing where the joint stands on it."""
+        return v.vec(packed, start) if self.aside or self.kind is JointKind.PRISMATIC else v.zero()
+
     def _screw(self, axis: Any) -> Force:
         """S: the motion that the joint allows, as [angular; linear]."""
         e = self._direction(axis)
         return Force(e, v.zero()) if self.kind is JointKind.REVOLUTE else Force(v.zero(), e)
 
     def inward(self) -> Kernel:
-        """(placement, axis, rate of the parent's tip, angle, speed) -> (hinge, rate of the link's root)."""
+        """(placement, rotation of the parent's tip, axis, its rate, angle, speed) -> (hinge, rate of the link's root)."""
 
-        def build(placement: Any, axis: Any, parent_rate: Any, angle: Any, speed: Any) -> list[list[Any]]:
-            frame, place, w = v.tri(placement), v.vec(placement, 9), v.vec(parent_rate)
+        def build(placement: Any, tip: Any, axis: Any, parent_rate: Any, angle: Any, speed: Any) -> list[list[Any]]:
+            frame, place, w = v.tri(placement), self._arm(placement, 9), v.vec(parent_rate)
+            if self.on_section:
+                frame, place = v.matmul(v.tri(tip), frame), v.matvec(v.tri(tip), place)
             e, extra, arm = self._direction(axis), v.zero(), place
             to_parent = frame
             if self.kind is JointKind.REVOLUTE:
@@ -88,7 +99,7 @@ class Hinge:
                 rate, angular = v.add(carried, own), v.cross(carried, own)
             return [v.flat(turned, arm, angular, linear), rate]
 
-        return Kernel(f"inward {self.key}", (PLACEMENT, 3, 3, 1, 1), (HINGE, 3), build)
+        return Kernel(f"inward {self.key}", (PLACEMENT, 9, 3, 3, 1, 1), (HINGE, 3), build)
 
     def outward(self) -> Kernel:
         """Articulated inertia and bias force of the link's root, added to those of the parent's tip.
@@ -101,7 +112,7 @@ class Hinge:
             inertia: Any, bias: Any, hinge: Any, axis: Any, effort: Any, own: Any, inertia_sum: Any, bias_sum: Any
         ) -> list[list[Any]]:
             articulated, force, kept = Inertia.of(inertia), Force.of(bias), [0.0] * HELD
-            turned, arm, drift = v.tri(hinge), v.vec(hinge, 9), Force.of(hinge, 12)
+            turned, arm, drift = v.tri(hinge), self._arm(hinge, 9), Force.of(hinge, 12)
             after, pushed = articulated, force + articulated.times(drift)
             if self.driven:
                 pushed = pushed + articulated.times(self._screw(axis).scaled(effort[0]))
@@ -126,7 +137,7 @@ class Hinge:
 
         def build(parent: Any, hinge: Any, axis: Any, held: Any, given: Any) -> list[list[Any]]:
             turned, drift = v.tri(hinge), Force.of(hinge, 12)
-            carried = Force.of(parent).motion_at(v.vec(hinge, 9)).turned(turned)
+            carried = Force.of(parent).motion_at(self._arm(hinge, 9)).turned(turned)
             acceleration = given[0]
             if self.moves and not self.driven:
                 acceleration = held[6] * (held[7] - Force.of(held).dot(carried))
@@ -142,16 +153,16 @@ class Hinge:
 
         def build(force: Any, hinge: Any, axis: Any, sum_: Any) -> list[list[Any]]:
             push, turned = Force.of(force), v.tri(hinge)
-            told = push.turned(v.transpose(turned)).force_at(v.vec(hinge, 9)) + Force.of(sum_)
+            told = push.turned(v.transpose(turned)).force_at(self._arm(hinge, 9)) + Force.of(sum_)
             return [told.packed(), [self._screw(axis).dot(push) if self.moves else 0.0]]
 
         return Kernel(f"load {self.key}", (FORCE, HINGE, 3, FORCE), (FORCE, 1), build)
 
     def pose(self) -> Kernel:
-        """(pose and rate of the parent's tip, hinge, axis, speed) -> pose of the link's root, in the world."""
+        """(pose and rate of the parent's tip, in the parent's axes, hinge, axis, speed) -> pose of the link's root."""
 
         def build(pose: Any, rate: Any, hinge: Any, axis: Any, speed: Any) -> list[list[Any]]:
-            world, arm = v.tri(pose), v.vec(hinge, 9)
+            world, arm = v.tri(pose), self._arm(hinge, 9)
             back = v.transpose(v.tri(hinge))
             moved = v.cross(v.vec(rate), arm)
             if self.kind is JointKind.PRISMATIC:

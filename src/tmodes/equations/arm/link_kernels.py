@@ -97,26 +97,23 @@ class BendingLink:
         return self.n * (self.n - 1) // 2 + self.n + 6 * self.n + self.n
 
     def inward(self) -> Kernel:
-        """(tables, rate of the root, q, qd) -> (terms, section at the tip, rate of the tip in its own axes, stations)."""
+        """(tables, rate of the root, q, qd) -> (terms, section at the tip, sections at the stations)."""
 
         def build(tables: Any, rate: Any, q: Any, qd: Any) -> list[list[Any]]:
             terms, sections = self.kind.sections(tables, rate, q, qd)
-            tip = sections[0]
-            own_rate = v.matvec(v.transpose(v.tri(tip)), v.vec(tip, 12))
-            return [terms, tip, own_rate, *sections[1:]]
+            return [terms, *sections]
 
-        stations = (self.frame,) * len(self.kind.stations)
-        outputs = (self.kind.terms_size, self.frame, 3, *stations)
+        outputs = (self.kind.terms_size, *(self.frame,) * (1 + len(self.kind.stations)))
         return Kernel(f"inward {self.kind.key}", (self.kind.table_size, 3, self.n, self.n), outputs, build)
 
     def station_load(self) -> Kernel:
-        """A body and a bias force on a section at a station: (terms, section, body, force in its axes) -> terms."""
+        """A body and a bias force on a section at a station: (terms, section, body, force in link axes) -> terms."""
 
         def build(terms: Any, section: Any, body: Any, force: Any) -> list[list[Any]]:
             link, place = LinkTerms.of(terms, self.n), Section.of(section, self.n)
             moment = v.matvec(place.rotation, v.vec(body, 1))
             inertia = v.turn(place.rotation, v.symmetric(body, 4), is_symmetric=True)
-            load = Force.of(force).turned(place.rotation) + body_bias(moment, inertia, place.rate)
+            load = Force.of(force) + body_bias(moment, inertia, place.rate)
             mass, coupling, base, bias_q, bias = link.with_load(place, body_inertia(body[0], moment, inertia), load)
             lever = base.coupling
             packed = LinkTerms(mass, coupling, base.angular, [lever[2][1], lever[0][2], lever[1][0]],
@@ -151,16 +148,14 @@ class BendingLink:
     def outward(self) -> Kernel:
         """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia (linearly implicit Euler).
 
-        (terms, section at the tip, I and p of the tip, stiffness, damping, q, qd, h) -> (I, p at the root, solved).
+        (terms, section at the tip, I and p of the tip in the link's axes, stiffness, damping, q, qd, h) -> (I, p at the root, solved).
         """
 
         def build(*packed: Any) -> list[list[Any]]:
             terms, tip, inertia, bias, stiffness, damping, q, qd, step = packed
             section, h = Section.of(tip, self.n), step[0]
             link = LinkTerms.of(terms, self.n) if self.kind.own_terms else LinkTerms.nothing(self.n)
-            hung = Inertia.of(inertia).turned(section.rotation)
-            push = Force.of(bias).turned(section.rotation)
-            mass, coupling, base, bias_q, bias_b = link.with_load(section, hung, push)
+            mass, coupling, base, bias_q, bias_b = link.with_load(section, Inertia.of(inertia), Force.of(bias))
             ahead = [q[j] + h * qd[j] for j in range(self.n)]
             spring, damper = self._spring(stiffness, ahead), self._spring(damping, [qd[j] for j in range(self.n)])
             free = [-s - d - p for s, d, p in zip(spring, damper, bias_q, strict=True)]
@@ -200,7 +195,7 @@ class BendingLink:
         return Kernel(f"onward {self.kind.key}", (FORCE, self.solved_size, self.frame), (self.n, FORCE), build)
 
     def motion(self) -> Kernel:
-        """(acceleration of the root, section, accelerations of the coordinates) -> that of the section, in its axes."""
+        """(acceleration of the root, section, accelerations of the coordinates) -> that of the section."""
 
         def build(root: Any, section: Any, qdd: Any) -> list[list[Any]]:
             told = Section.of(section, self.n)
@@ -217,7 +212,7 @@ class BendingLink:
         def build(terms: Any, tip: Any, root: Any, qdd: Any, force: Any) -> list[list[Any]]:
             n, section, motion = self.n, Section.of(tip, self.n), Force.of(root)
             link = LinkTerms.of(terms, n) if self.kind.own_terms else LinkTerms.nothing(n)
-            push = Force.of(force).turned(section.rotation)
+            push = Force.of(force)
             along = []
             for i in range(n):
                 own = [link.mass[max(i, j)][min(i, j)] * qdd[j] for j in range(n)]
@@ -232,7 +227,7 @@ class BendingLink:
         return Kernel(f"load {self.kind.key}", inputs, (FORCE, self.n), build)
 
     def pose(self) -> Kernel:
-        """(pose and rate of the root, section, qd) -> (pose of the section, its rate in its own axes)."""
+        """(pose and rate of the root, section, qd) -> (pose of the section, the same in the link's axes)."""
 
         def build(pose: Any, rate: Any, section: Any, qd: Any) -> list[list[Any]]:
             told, world = Section.of(section, self.n), v.tri(pose)
@@ -241,10 +236,10 @@ class BendingLink:
                 moved = v.add(moved, v.scale(qd[j], told.columns[j].linear))
             place = v.add(v.vec(pose, 9), v.matvec(world, told.position))
             velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
-            own = v.matvec(v.transpose(told.rotation), told.rate)
-            return [v.flat(v.matmul(world, told.rotation), place, velocity), own]
+            turned = v.matmul(world, told.rotation)
+            return [v.flat(turned, place, velocity), v.flat(world, place, velocity)]
 
-        return Kernel(f"pose section {self.n}", (POSE, 3, self.frame, self.n), (POSE, 3), build)
+        return Kernel(f"pose section {self.n}", (POSE, 3, self.frame, self.n), (POSE, POSE), build)
 
     def elastic(self) -> Kernel:
         """(stiffness, damping, q, qd) -> (spring and damper forces on the coordinates, energy [J], power lost [W])."""
@@ -273,7 +268,7 @@ def _tip_motion(section: Section, root: Force, qdd: list[Any]) -> Force:
     motion = root.motion_at(section.position) + section.bias
     for column, acceleration in zip(section.columns, qdd, strict=True):
         motion = motion + column.scaled(acceleration)
-    return motion.turned(v.transpose(section.rotation))
+    return motion
 
 
 def _factor(matrix: list[list[Any]]) -> tuple[list[list[Any]], list[Any]]:
@@ -309,37 +304,43 @@ def _forward(lower: list[list[Any]], right: list[list[Any]]) -> list[list[Any]]:
     return result
 
 
-def body_kernel() -> Kernel:
-    """(body, rate) -> (its inertia and bias force about the frame's origin)."""
+def body_kernel(*, on_section: bool) -> Kernel:
+    """(body, rotation of its frame, rate) -> (its inertia and bias force about the frame's origin, in the link's axes)."""
 
-    def build(body: Any, rate: Any) -> list[list[Any]]:
+    def build(body: Any, rotation: Any, rate: Any) -> list[list[Any]]:
         moment, inertia = v.vec(body, 1), v.symmetric(body, 4)
-        return [
-            body_inertia(body[0], moment, inertia).packed(), body_bias(moment, inertia, v.vec(rate)).packed()
-        ]  # fmt: skip
+        if on_section:
+            turned = v.tri(rotation)
+            moment, inertia = v.matvec(turned, moment), v.turn(turned, inertia, is_symmetric=True)
+        bias = body_bias(moment, inertia, v.vec(rate))
+        return [body_inertia(body[0], moment, inertia).packed(), bias.packed()]
 
-    return Kernel("body", (BODY, 3), (INERTIA, FORCE), build)
+    return Kernel(f"body{' on section' * on_section}", (BODY, 9, 3), (INERTIA, FORCE), build)
 
 
-def push_kernel() -> Kernel:
-    """(pose of a frame, arm in its axes, wrench on the point in world axes, bias force) -> bias force less the wrench."""
+def push_kernel(*, on_section: bool) -> Kernel:
+    """(pose of the link's axes, rotation of the frame, arm in it, wrench in world axes, bias force) -> less the wrench."""
 
-    def build(pose: Any, arm: Any, wrench: Any, bias: Any) -> list[list[Any]]:
+    def build(pose: Any, rotation: Any, arm: Any, wrench: Any, bias: Any) -> list[list[Any]]:
         back = v.transpose(v.tri(pose))
-        push = Force(v.matvec(back, v.vec(wrench, 3)), v.matvec(back, v.vec(wrench))).force_at(v.vec(arm))
+        lever = v.matvec(v.tri(rotation), v.vec(arm)) if on_section else v.vec(arm)
+        push = Force(v.matvec(back, v.vec(wrench, 3)), v.matvec(back, v.vec(wrench))).force_at(lever)
         return [(Force.of(bias) - push).packed()]
 
-    return Kernel("push", (POSE, 3, 6, FORCE), (FORCE,), build)
+    return Kernel(f"push{' on section' * on_section}", (POSE, 9, 3, 6, FORCE), (FORCE,), build)
 
 
-def point_kernel() -> Kernel:
-    """(pose, rate and acceleration of a frame in its axes, offset) -> (pose, rate, acceleration of a point, world axes).
+def point_kernel(*, on_section: bool) -> Kernel:
+    """Motion of a point in world axes: (pose of its frame, rotation of that in the link, rate, acceleration, offset).
 
-    The rate and the angular acceleration are in world axes; accelerations as [linear; angular].
+    -> (pose, rate, [linear; angular] acceleration). Rate and acceleration of the frame are in the link's axes.
     """
 
-    def build(pose: Any, rate: Any, motion: Any, offset: Any) -> list[list[Any]]:
+    def build(pose: Any, rotation: Any, rate: Any, motion: Any, offset: Any) -> list[list[Any]]:
         world, w, arm, move = v.tri(pose), v.vec(rate), v.vec(offset, 9), Force.of(motion)
+        if on_section:
+            back = v.transpose(v.tri(rotation))
+            w, move = v.matvec(back, w), move.turned(back)
         place = v.add(v.vec(pose, 9), v.matvec(world, arm))
         velocity = v.add(v.vec(pose, 12), v.matvec(world, v.cross(w, arm)))
         linear = v.add(move.motion_at(arm).linear, v.cross(w, v.cross(w, arm)))
@@ -348,4 +349,4 @@ def point_kernel() -> Kernel:
             [*v.matvec(world, linear), *v.matvec(world, move.angular)],
         ]  # fmt: skip
 
-    return Kernel("point", (POSE, 3, FORCE, PLACEMENT), (POSE, 3, 6), build)
+    return Kernel(f"point{' on section' * on_section}", (POSE, 9, 3, FORCE, PLACEMENT), (POSE, 3, 6), build)

@@ -64,7 +64,7 @@ class Parts:
     def __post_init__(self) -> None:
         chain = self.chain
         self.points = chain.points or (chain.tip,)
-        self.none = {size: self.numbers.block(np.zeros(size)) for size in (1, 3, FORCE, HELD, BODY, INERTIA)}
+        self.none = {size: self.numbers.block(np.zeros(size)) for size in (1, 3, FORCE, HELD, 9, BODY, INERTIA)}
         joints = [node.joint for node in chain.nodes]
         moving = [joint for joint in joints if joint.kind is not JointKind.FIXED]
         elastic = [joint for joint in moving if joint.drive is Drive.ELASTIC]
@@ -87,7 +87,9 @@ class Parts:
         joint, link = node.joint, node.link
         axis = _axis_of(joint.axis)
         moves = joint.kind is not JointKind.FIXED
-        hinge = Hinge(joint.kind, axis if moves else 2, joint.drive is Drive.PRESCRIBED and moves)
+        on_section = node.parent >= 0 and not isinstance(self.chain.nodes[node.parent].link, RigidLink)
+        driven, aside = joint.drive is Drive.PRESCRIBED and moves, bool(np.any(joint.placement.position))
+        hinge = Hinge(joint.kind, axis if moves else 2, driven, aside, on_section)
         placement = self.numbers.block([*joint.placement.rotation.ravel(), *joint.placement.position])
         kind = drive_kind(joint) if moves and joint.drive is not Drive.PRESCRIBED else None
         place = {name: names.index(joint.name) if moves and joint.name in names else -1

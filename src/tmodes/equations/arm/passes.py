@@ -29,10 +29,11 @@ class _Way:
     tip_rate: Slot
     root_pose: Slot | None = None
     tip_pose: Slot | None = None
+    carried_pose: Slot | None = None
     terms: Slot | None = None
     tip: Slot | None = None
     sections: tuple[Slot, ...] = ()
-    section_poses: list[tuple[Slot, Slot]] = field(default_factory=list)
+    section_poses: list[Slot] = field(default_factory=list)
 
 
 class Passes:
@@ -79,45 +80,49 @@ class Passes:
             parent = self.parent(part)
             rate = parent.tip_rate if parent else self.base.part(FORCE, 3)
             angle, speed = self.angle(part)
-            hinge, root_rate = call(part.hinge.inward(), part.placement, part.axis, rate, angle, speed)
+            tip = parent.tip.part(0, 9) if parent and parent.tip else self.none[9]
+            hinge, root_rate = call(part.hinge.inward(), part.placement, tip, part.axis, rate, angle, speed)
             way = _Way(hinge, root_rate, root_rate)
             if self.posed:
-                pose = parent.tip_pose if parent else self.base.part(FORCE + 3, POSE)
+                pose = parent.carried_pose if parent else self.base.part(FORCE + 3, POSE)
                 assert pose is not None  # noqa: S101
                 (way.root_pose,) = call(part.hinge.pose(), pose, rate, hinge, part.axis, speed)
-                way.tip_pose = way.root_pose
+                way.tip_pose = way.carried_pose = way.root_pose
             if part.link:
                 self._bend_outwards(part.link, way)
             self.ways.append(way)
 
     def _bend_outwards(self, link: LinkPart, way: _Way) -> None:
         q, v = self.bend(link, self.q), self.bend(link, self.v)
-        way.terms, way.tip, way.tip_rate, *sections = self.schedule.call(
-            link.kernels.inward(), link.tables, way.root_rate, q, v
-        )
-        way.sections = tuple(sections)
+        blocks = (link.tables, way.root_rate, q, v)
+        way.terms, way.tip, *sections = self.schedule.call(link.kernels.inward(), *blocks)
+        way.tip_rate, way.sections = way.tip.part(12, 3), tuple(sections)
         if way.root_pose:
-            pose = link.kernels.pose()
-            way.tip_pose, _ = self.schedule.call(pose, way.root_pose, way.root_rate, way.tip, v)
-            way.section_poses = [
-                self.schedule.call(pose, way.root_pose, way.root_rate, section, v) for section in way.sections
-            ]  # type: ignore[assignment]
+            pose, root = link.kernels.pose(), (way.root_pose, way.root_rate)
+            way.tip_pose, way.carried_pose = self.schedule.call(pose, *root, way.tip, v)
+            way.section_poses = [self.schedule.call(pose, *root, section, v)[0] for section in way.sections]
 
     def load_of_tip(self, index: int) -> tuple[Slot, Slot]:
         """Inertia and bias force of what is fixed to a node's tip, less the forces on its points."""
         part, way = self.parts.nodes[index], self.ways[index]
         inertia, bias = self.none[21], self.none[FORCE]
         if part.tip_body:
-            inertia, bias = self.schedule.call(body_kernel(), part.tip_body, way.tip_rate)
+            kernel = body_kernel(on_section=way.tip is not None)
+            inertia, bias = self.schedule.call(kernel, part.tip_body, self.frame(way.tip), way.tip_rate)
         for k, point in enumerate(self.parts.points if self.loaded else ()):
             if point.node == index and self.parts.station(point) is None:
-                bias = self._pushed(k, way.tip_pose, bias)
+                bias = self._pushed(k, way, way.tip, bias)
         return inertia, bias
 
-    def _pushed(self, k: int, pose: Slot | None, bias: Slot) -> Slot:
-        assert pose is not None  # noqa: S101
-        arm = self.parts.offsets[k].part(9, 3)
-        return self.schedule.call(push_kernel(), pose, arm, self.wrenches.part(6 * k, 6), bias)[0]
+    def frame(self, section: Slot | None) -> Slot:
+        """Rotation of a section in its link."""
+        return section.part(0, 9) if section else self.none[9]
+
+    def _pushed(self, k: int, way: _Way, section: Slot | None, bias: Slot) -> Slot:
+        assert way.root_pose is not None  # noqa: S101
+        arm, wrench = self.parts.offsets[k].part(9, 3), self.wrenches.part(6 * k, 6)
+        kernel = push_kernel(on_section=section is not None)
+        return self.schedule.call(kernel, way.root_pose, self.frame(section), arm, wrench, bias)[0]
 
     def terms_with_stations(self, index: int) -> Slot:
         """Inertia terms of a bending link with the bodies at its stations, less the forces on its points there."""
@@ -128,7 +133,7 @@ class Passes:
             force = self.none[FORCE]
             for k, point in enumerate(self.parts.points if self.loaded else ()):
                 if point.node == index and self.parts.station(point) == number:
-                    force = self._pushed(k, way.section_poses[number][0], force)
+                    force = self._pushed(k, way, section, force)
             if body or force is not self.none[FORCE]:
                 (terms,) = self.schedule.call(link.kernels.station_load(), terms, section, body or self.none[10], force)
         return terms
@@ -297,13 +302,14 @@ def _points(way: Passes, a: Slot, roots: list[Slot], tips: list[Slot]) -> None:
     for point, offset in zip(way.parts.points, way.parts.offsets, strict=True):
         found, link = way.ways[point.node], way.parts.nodes[point.node].link
         number = way.parts.station(point)
-        pose, rate, motion = found.tip_pose, found.tip_rate, tips[point.node]
+        pose, section, motion = found.tip_pose, found.tip, tips[point.node]
         if number is not None and link:
-            pose, rate = found.section_poses[number]
-            section = found.sections[number]
+            pose, section = found.section_poses[number], found.sections[number]
             (motion,) = way.schedule.call(link.kernels.motion(), roots[point.node], section, way.bend(link, a))
         assert pose is not None  # noqa: S101
-        told += way.schedule.call(point_kernel(), pose, rate, motion, offset)
+        rate = section.part(12, 3) if section else found.tip_rate
+        kernel = point_kernel(on_section=section is not None)
+        told += way.schedule.call(kernel, pose, way.frame(section), rate, motion, offset)
     way.schedule.output("points", *told)
 
 

@@ -21,8 +21,8 @@ from tmodes.equations.arm.strain_shape import StrainShape, TableReader
 
 __all__ = ["strain_link"]
 
-_TERMS = 8
-"""Terms of the series of the rotation: 1e-15 up to one radian between points, 1e-12 up to 1.6."""
+_TERMS = 7
+"""Terms of the series of the rotation: 1e-15 up to 0.6 radian between two points, 1e-12 up to 1.0, 1e-9 up to 1.6."""
 
 
 @dataclass
