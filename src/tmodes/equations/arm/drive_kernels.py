@@ -13,9 +13,10 @@ from typing import Any
 import casadi as ca
 
 from tmodes.chain import Drive, Friction, Gear, Joint, Motor
+from tmodes.equations.arm import vectors as v
 from tmodes.equations.arm.kernel import Kernel
 
-__all__ = ["FRICTION", "DriveKind", "drive_kind", "drive_numbers"]
+__all__ = ["FRICTION", "DriveKind", "drive_kind", "drive_numbers", "mixing_kernel"]
 
 FRICTION = 5
 """Numbers of a friction law."""
@@ -97,6 +98,50 @@ class DriveKind:
             return [[joint - torque, torque + motor], [law.stored(angle - ga[0])], lost]
 
         return Kernel(f"elastic {self.key}", (self.size, 1, 1, 1, 1), (2, 1, 2), build)
+
+
+    def coupled(self) -> Kernel:
+        """Gear of a coupled drive, explicit: (parameters, input angle, its rate, ga, ga') -> (effort, gear torque)."""
+
+        def build(p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
+            law = _Law(self, p)
+            torque = law.spring(angle[0] - ga[0])[0] + law.damping * (speed[0] - gad[0])
+            return [[torque - law.joint_friction(gad[0])[0]], [torque]]
+
+        return Kernel(f"coupled {self.key}", (self.size, 1, 1, 1, 1), (1, 1), build)
+
+    def coupled_motor(self) -> Kernel:
+        """(parameters, th', effort, load of all gears on this motor) -> (motor (3), force on th from load and friction)."""
+
+        def build(p: Any, thd: Any, effort: Any, load: Any) -> list[list[Any]]:
+            law = _Law(self, p)
+            held = load[0] + law.motor_friction(thd[0])[0]
+            return [[effort[0] - held, 0.0, 1 / law.inertia], [held], [law.motor_friction(thd[0])[0] * thd[0]]]
+
+        return Kernel(f"coupled motor {self.key}", (self.size, 1, 1, 1), (3, 1, 1), build)
+
+    def coupled_elastic(self) -> Kernel:
+        """(parameters, input angle, its rate, ga, ga') -> (force on ga, energy, power lost in the gear and the joint)."""
+
+        def build(p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
+            law = _Law(self, p)
+            rate, joint = speed[0] - gad[0], law.joint_friction(gad[0])[0]
+            torque = law.spring(angle[0] - ga[0])[0] + law.damping * rate
+            lost = [law.damping * rate * rate, joint * gad[0]]
+            return [[joint - torque], [law.stored(angle[0] - ga[0])], lost]
+
+        return Kernel(f"coupled elastic {self.key}", (self.size, 1, 1, 1, 1), (1, 1, 2), build)
+
+
+def mixing_kernel(count: int, *, transposed: bool) -> Kernel:
+    """(matrix (count, count), count numbers) -> count numbers: the matrix, or its transpose, times them."""
+
+    def build(matrix: Any, *values: Any) -> list[list[Any]]:
+        place = (lambda i, j: j * count + i) if transposed else (lambda i, j: i * count + j)
+        return [[v.total([matrix[place(i, j)] * values[j][0] for j in range(count)])] for i in range(count)]
+
+    name = f"mixing {count}{' transposed' * transposed}"
+    return Kernel(name, (count * count, *(1,) * count), (1,) * count, build)
 
 
 class _Law:

@@ -8,6 +8,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
+from tmodes.equations.arm.drive_kernels import mixing_kernel
 from tmodes.equations.arm.hinge import HELD, POSE
 from tmodes.equations.arm.link_kernels import body_kernel, point_kernel, push_kernel
 from tmodes.equations.arm.parts import LinkPart, NodePart, Parts
@@ -138,6 +139,24 @@ class Passes:
                 (terms,) = self.schedule.call(link.kernels.station_load(), terms, section, body or self.none[10], force)
         return terms
 
+    def coupled_inputs(self) -> dict[int, tuple[Slot, Slot]]:
+        """Angle and rate at the input of each coupled gear, by the index of its motor; empty without couplings."""
+        matrix, motors = self.parts.couplings, self.parts.motors
+        if matrix is None:
+            return {}
+        mix = mixing_kernel(len(motors), transposed=False)
+        angles = self.schedule.call(mix, matrix, *(self.q.part(i, 1) for i in motors))
+        rates = self.schedule.call(mix, matrix, *(self.v.part(i, 1) for i in motors))
+        return dict(zip(motors, zip(angles, rates, strict=True), strict=True))
+
+    def coupled_loads(self, torques: dict[int, Slot]) -> dict[int, Slot]:
+        """Load of all coupled gears on each motor, by the motor's index."""
+        matrix, motors = self.parts.couplings, self.parts.motors
+        if matrix is None:
+            return {}
+        mix = mixing_kernel(len(motors), transposed=True)
+        return dict(zip(motors, self.schedule.call(mix, matrix, *(torques[i] for i in motors)), strict=True))
+
     def by_coordinate(self, motors: dict[int, Slot], joints: dict[int, Slot], links: dict[int, Slot]) -> list[Slot]:
         """Blocks of the coordinates in their order: motors, joints, links."""
         none = self.none[1]
@@ -169,11 +188,14 @@ class _Recursion:
         self.held: dict[int, Slot] = {}
         self.solved: dict[int, Slot] = {}
         self.motor_terms: dict[int, Slot] = {}
+        self.coupled = way.coupled_inputs()
+        self.torques: dict[int, Slot] = {}
 
     def run(self) -> Schedule:
         self.loads = [self.way.load_of_tip(i) for i in range(len(self.parts.nodes))]
         for index in reversed(range(len(self.parts.nodes))):
             self._inwards(index)
+        self._couple_motors()
         self._outwards()
         return self.schedule
 
@@ -202,10 +224,22 @@ class _Recursion:
         none = self.way.none[1]
         if part.drive is None or part.drive_numbers is None:
             return self._given(part), none
+        if part.motor in self.coupled:
+            blocks = (part.drive_numbers, *self.coupled[part.motor], *self.way.angle(part))
+            effort, self.torques[part.motor] = self.schedule.call(part.drive.coupled(), *blocks)
+            return effort, none
         effort = self.effort.part(part.effort, 1) if part.effort >= 0 else none
         blocks = (part.drive_numbers, *self.way.motor(part), *self.way.angle(part), effort, self.step)
         effort, own, self.motor_terms[index] = self.schedule.call(part.drive.forward(), *blocks)
         return effort, own
+
+    def _couple_motors(self) -> None:
+        loads = self.way.coupled_loads(self.torques)
+        for index, part in enumerate(self.parts.nodes):
+            if part.motor in loads and part.drive and part.drive_numbers:
+                effort = self.effort.part(part.effort, 1)
+                blocks = (part.drive_numbers, self.way.motor(part)[1], effort, loads[part.motor])
+                self.motor_terms[index] = self.schedule.call(part.drive.coupled_motor(), *blocks)[0]
 
     def _outwards(self) -> None:
         tips: list[Slot] = []
@@ -353,10 +387,16 @@ def elastic_forces(parts: Parts) -> Schedule:
     links: dict[int, Slot] = {}
     energies: list[Slot] = []
     losses: list[Slot] = []
+    coupled = way.coupled_inputs()
+    torques: dict[int, Slot] = {}
     for part in parts.nodes:
         none = way.none[1]
         energy, lost, bend_energy, bend_lost = none, way.none[3].part(0, 2), none, none
-        if part.drive and part.drive_numbers:
+        if part.motor in coupled and part.drive and part.drive_numbers:
+            blocks = (part.drive_numbers, *coupled[part.motor], *way.angle(part))
+            joints[part.angle], energy, lost = schedule.call(part.drive.coupled_elastic(), *blocks)
+            torques[part.motor] = schedule.call(part.drive.coupled(), *blocks)[1]
+        elif part.drive and part.drive_numbers:
             blocks = (part.drive_numbers, *way.motor(part), *way.angle(part))
             forces, energy, lost = schedule.call(part.drive.elastic(), *blocks)
             joints[part.angle] = forces.part(0, 1)
@@ -367,7 +407,20 @@ def elastic_forces(parts: Parts) -> Schedule:
             links[link.first], bend_energy, bend_lost = schedule.call(link.kernels.elastic(), *blocks)
         energies += [energy, bend_energy]
         losses += [lost, bend_lost]
+    losses += _coupled_motors(way, torques, motors)
     schedule.output("forces", *way.by_coordinate(motors, joints, links))
     schedule.output("energies", *energies)
     schedule.output("losses", *losses)
     return schedule
+
+
+def _coupled_motors(way: Passes, torques: dict[int, Slot], motors: dict[int, Slot]) -> list[Slot]:
+    """Forces on coupled motors, put among ``motors``; the friction they lose, as losses of further parts."""
+    loads = way.coupled_loads(torques)
+    lost: list[Slot] = []
+    for part in way.parts.nodes:
+        if part.motor in loads and part.drive and part.drive_numbers:
+            blocks = (part.drive_numbers, way.motor(part)[1], way.none[1], loads[part.motor])
+            _, motors[part.motor], friction = way.schedule.call(part.drive.coupled_motor(), *blocks)
+            lost += [way.none[1], friction, way.none[1]]
+    return lost
