@@ -10,9 +10,11 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.chain import Chain
-from tmodes.compile import kernels
+from tmodes.equations.arm.elastic import elastic_forces
+from tmodes.equations.arm.forward import forward_dynamics
+from tmodes.equations.arm.inertia import inertia_forces
 from tmodes.equations.arm.parts import Parts
-from tmodes.equations.arm.passes import elastic_forces, forward_dynamics, inertia_forces
+from tmodes.evaluator import Rows, derivatives, evaluate
 
 __all__ = ["ArmModel", "PointMotion"]
 
@@ -99,30 +101,36 @@ class ArmModel:
     ) -> Array:
         """Accelerations of all coordinates, shape of q [SI].
 
-        ``effort`` (n, efforts): joint effort, or motor torque after the reducer; ``given`` (n, prescribed joints): their
-        accelerations; ``step`` h: those of a linearly implicit Euler step of h [s].
+        ``effort`` (n, efforts): joint effort, or motor torque after the reducer; ``given`` (n, prescribed joints):
+        their accelerations; ``step`` h: those of a linearly implicit Euler step of h [s].
         """
         parts = self.parts
         schedule = self._schedule("forward", loaded=wrenches is not None)
-        rows = _Rows(q, v, parts.size)
+        rows = Rows(q, v, parts.size)
         blocks = {
             "effort": rows.of(effort, len(parts.efforts)), "given": rows.of(given, len(parts.given)),
             "step": rows.of(step, 1), **self._common(rows, base, wrenches),
         }  # fmt: skip
-        return rows.shaped(self._run(schedule, "double", blocks, rows.count)["a"])
+        return rows.shaped(evaluate(self.parameters, schedule, blocks, rows.count)["a"])
 
     def inverse_dynamics(
-        self, q: ArrayLike, v: ArrayLike, a: ArrayLike, *, wrenches: ArrayLike | None = None, base: ArrayLike | None = None
+        self,
+        q: ArrayLike,
+        v: ArrayLike,
+        a: ArrayLike,
+        *,
+        wrenches: ArrayLike | None = None,
+        base: ArrayLike | None = None,
     ) -> Array:
         """Generalized forces that must be applied along all coordinates, shape of q [N*m, N]."""
-        rows = _Rows(q, v, self.nq)
+        rows = Rows(q, v, self.nq)
         return rows.shaped(self._inertial(rows, a, base, wrenches)["forces"] + self._elastic(rows)["forces"])
 
     def mass_matrix(self, q: ArrayLike) -> Array:
         """M(q), shape (n, nq, nq) or (nq, nq) [SI]."""
-        rows = _Rows(q, np.zeros_like(np.asarray(q, dtype=float)), self.nq)
+        rows = Rows(q, np.zeros_like(np.asarray(q, dtype=float)), self.nq)
         n = self.nq
-        many = _Rows(np.repeat(rows.q, n, axis=0), np.zeros((rows.count * n, n)), n)
+        many = Rows(np.repeat(rows.q, n, axis=0), np.zeros((rows.count * n, n)), n)
         units = np.tile(np.eye(n), (rows.count, 1))
         columns = self._inertial(many, units, self._base(gravity=False), None)["forces"]
         matrix = columns.reshape(rows.count, n, n)
@@ -131,7 +139,7 @@ class ArmModel:
 
     def bias(self, q: ArrayLike, v: ArrayLike, *, base: ArrayLike | None = None) -> Array:
         """Coriolis, centrifugal and gravity forces h(q, v), shape of q."""
-        rows = _Rows(q, v, self.nq)
+        rows = Rows(q, v, self.nq)
         return rows.shaped(self._inertial(rows, 0.0, base, None)["forces"])
 
     def gravity_forces(self, q: ArrayLike) -> Array:
@@ -140,13 +148,13 @@ class ArmModel:
 
     def elastic_forces(self, q: ArrayLike, v: ArrayLike) -> Array:
         """Forces of springs, dampers and friction, as they stand on the left side, shape of q."""
-        rows = _Rows(q, v, self.nq)
+        rows = Rows(q, v, self.nq)
         return rows.shaped(self._elastic(rows)["forces"])
 
     def energies(self, q: ArrayLike, v: ArrayLike) -> dict[str, Array]:
         """Energies [J] of shape (n,): kinetic, gravity (zero at the world's origin), elastic_gear, elastic_link."""
-        rows = _Rows(q, v, self.nq)
-        still = _Rows(rows.q, np.zeros_like(rows.v), self.nq)
+        rows = Rows(q, v, self.nq)
+        still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
         momentum = self._inertial(still, rows.v, self._base(gravity=False), None)
         elastic = self._elastic(rows)["energies"].reshape(rows.count, -1, 2)
         found = {
@@ -159,7 +167,7 @@ class ArmModel:
 
     def losses(self, q: ArrayLike, v: ArrayLike) -> dict[str, Array]:
         """Power lost [W], shape (n,): gear_damping, friction, link_damping."""
-        rows = _Rows(q, v, self.nq)
+        rows = Rows(q, v, self.nq)
         lost = self._elastic(rows)["losses"].reshape(rows.count, -1, 3).sum(axis=1)
         names = ("gear_damping", "friction", "link_damping")
         return {name: lost[0, k] if rows.single else lost[:, k] for k, name in enumerate(names)}
@@ -170,8 +178,8 @@ class ArmModel:
 
     def momentum(self, q: ArrayLike, v: ArrayLike) -> tuple[Array, Array]:
         """Linear momentum [kg*m/s] and angular momentum about the world's origin [kg*m^2/s], world axes, (n, 3)."""
-        rows = _Rows(q, v, self.nq)
-        still = _Rows(rows.q, np.zeros_like(rows.v), self.nq)
+        rows = Rows(q, v, self.nq)
+        still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
         told = self._inertial(still, rows.v, self._base(gravity=False), None)["base_force"]
         placed = self.chain.base
         linear, about_base = told[:, 3:] @ placed.rotation.T, told[:, :3] @ placed.rotation.T
@@ -182,7 +190,7 @@ class ArmModel:
         self, q: ArrayLike, v: ArrayLike = 0.0, a: ArrayLike = 0.0, *, base: ArrayLike | None = None
     ) -> PointMotion:
         """Motion of the named points; the acceleration is that of the coordinates ``a`` without gravity."""
-        rows = _Rows(q, v, self.nq)
+        rows = Rows(q, v, self.nq)
         base = self._base(gravity=False) if base is None else base
         told = self._inertial(rows, a, base, None)["points"].reshape(rows.count, -1, _POINT)
         shape = told.shape[:2]
@@ -197,7 +205,7 @@ class ArmModel:
 
     def jacobian(self, q: ArrayLike) -> Array:
         """(n, points, 6, nq): linear then angular velocity of the named points per rate, world axes."""
-        rows = _Rows(q, 0.0, self.nq)
+        rows = Rows(q, 0.0, self.nq)
         n = self.nq
         many = np.repeat(rows.q, n, axis=0)
         motion = self.points(many, 0.0, np.tile(np.eye(n), (rows.count, 1)))
@@ -206,8 +214,13 @@ class ArmModel:
         return jacobian[0] if rows.single else jacobian
 
     def linearised(
-        self, q: ArrayLike, v: ArrayLike | None = None, a: ArrayLike | None = None, *,
-        wrenches: ArrayLike | None = None, base: ArrayLike | None = None,
+        self,
+        q: ArrayLike,
+        v: ArrayLike | None = None,
+        a: ArrayLike | None = None,
+        *,
+        wrenches: ArrayLike | None = None,
+        base: ArrayLike | None = None,
     ) -> tuple[Array, Array, Array]:
         """M, D, K (nq, nq) about one state q (nq,), with exact derivatives: M a' + D v' + K q' = applied forces'.
 
@@ -219,20 +232,27 @@ class ArmModel:
         acceleration = np.zeros(n) if a is None else np.asarray(a, dtype=float).reshape(n)
         sides = []
         for side in range(2):
-            directions = {"q": np.eye(n) if side == 0 else np.zeros((n, n)), "v": np.eye(n) if side else np.zeros((n, n))}
-            rows = _Rows(np.tile(state[0], (n, 1)), np.tile(state[1], (n, 1)), n)
+            directions = {
+                "q": np.eye(n) if side == 0 else np.zeros((n, n)),
+                "v": np.eye(n) if side else np.zeros((n, n)),
+            }
+            rows = Rows(np.tile(state[0], (n, 1)), np.tile(state[1], (n, 1)), n)
             schedule = self._schedule("inertia", loaded=wrenches is not None)
             blocks = {"a": rows.of(acceleration, n), **self._common(rows, base, wrenches)}
-            slopes = self._run_derivative(schedule, blocks, directions, n)["forces"]
-            elastic = self._run_derivative(self._schedule("elastic"), self._common(rows, None, None), directions, n)
+            slopes = derivatives(self.parameters, schedule, blocks, directions, n)["forces"]
+            elastic = derivatives(
+                self.parameters, self._schedule("elastic"), self._common(rows, None, None), directions, n
+            )
             sides.append((slopes + elastic["forces"]).T)
         return self.mass_matrix(q), sides[1], sides[0]
 
-    def _inertial(self, rows: _Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> dict[str, Array]:
+    def _inertial(
+        self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
+    ) -> dict[str, Array]:
         schedule = self._schedule("inertia", loaded=wrenches is not None)
         acceleration = rows.of(a, self.nq)
         blocks = {"a": acceleration, **self._common(rows, base, wrenches)}
-        found = self._run(schedule, "double", blocks, rows.count)
+        found = evaluate(self.parameters, schedule, blocks, rows.count)
         return found | {"forces": found["forces"] + acceleration * self.rotor_inertias}
 
     @cached_property
@@ -245,8 +265,8 @@ class ArmModel:
                 rotors[part.motor if part.motor >= 0 else part.angle] += motor.inertia if part.effort >= 0 else 0.0
         return rotors
 
-    def _elastic(self, rows: _Rows) -> dict[str, Array]:
-        return self._run(self._schedule("elastic"), "double", self._common(rows, None, None), rows.count)
+    def _elastic(self, rows: Rows) -> dict[str, Array]:
+        return evaluate(self.parameters, self._schedule("elastic"), self._common(rows, None, None), rows.count)
 
     def _base(self, *, gravity: bool = True) -> Array:
         """The base at rest."""
@@ -254,7 +274,7 @@ class ArmModel:
         pull = placed.rotation.T @ np.asarray(self.chain.gravity, dtype=float) if gravity else np.zeros(3)
         return np.concatenate([np.zeros(3), -pull, np.zeros(3), placed.rotation.ravel(), placed.position, np.zeros(3)])
 
-    def _common(self, rows: _Rows, base: ArrayLike | None, wrenches: ArrayLike | None) -> dict[str, Array]:
+    def _common(self, rows: Rows, base: ArrayLike | None, wrenches: ArrayLike | None) -> dict[str, Array]:
         blocks = {"q": rows.q, "v": rows.v, "base": rows.of(self._base() if base is None else base, _ROW)}
         if wrenches is not None:
             size = 6 * len(self.parts.points)
@@ -267,59 +287,3 @@ class ArmModel:
             make = {"forward": forward_dynamics, "inertia": inertia_forces}.get(name)
             self.__dict__[label] = make(self.parts, loaded=loaded) if make else elastic_forces(self.parts)
         return self.__dict__[label]
-
-    def _run(self, schedule: Any, arithmetic: str, blocks: dict[str, Array], count: int) -> dict[str, Array]:
-        """Outputs of a schedule at ``count`` samples, by name."""
-        library = kernels.schedule_function("arm", schedule.key, lambda: schedule, arithmetic)
-        packed = np.ascontiguousarray(np.concatenate([blocks[name] for name in schedule.inputs], axis=1))
-        out = np.empty((count, schedule.output_size))
-        parameters, workspace = self.parameters, np.zeros(schedule.workspace)
-        arrays = [parameters, workspace, packed, out]
-        library["run"](count, 0, *(array.ctypes.data for array in arrays))
-        return _split(out, schedule)
-
-    def _run_derivative(
-        self, schedule: Any, blocks: dict[str, Array], directions: dict[str, Array], count: int
-    ) -> dict[str, Array]:
-        """Derivatives of the outputs at ``count`` samples along a direction each."""
-        library = kernels.schedule_function("arm", schedule.key, lambda: schedule, "derivative", level=0)
-        values = np.concatenate([blocks[name] for name in schedule.inputs], axis=1)
-        slopes = [directions.get(name, np.zeros_like(blocks[name])) for name in schedule.inputs]
-        packed = np.ascontiguousarray(np.stack([values, np.concatenate(slopes, axis=1)], axis=1))
-        out = np.empty((count, 2, schedule.output_size))
-        parameters, workspace = self.parameters, np.zeros(2 * schedule.workspace)
-        arrays = [parameters, workspace, packed, out]
-        library["run"](count, 0, *(array.ctypes.data for array in arrays))
-        return _split(np.ascontiguousarray(out[:, 1]), schedule)
-
-
-class _Rows:
-    """States as rows, one or many."""
-
-    def __init__(self, q: ArrayLike, v: ArrayLike, size: int) -> None:
-        given = np.asarray(q, dtype=float)
-        self.single = given.ndim == 1
-        self.q = np.atleast_2d(given).reshape(-1, size)
-        self.count = len(self.q)
-        self.v = self.of(v, size)
-
-    def of(self, values: ArrayLike, width: int) -> Array:
-        """Values as rows of ``width`` numbers, one for each state."""
-        array = np.asarray(values, dtype=float)
-        if array.ndim == 2 and array.shape[0] == 1:
-            array = array[0]
-        return np.broadcast_to(array, (self.count, width)).copy()
-
-    def shaped(self, values: Array) -> Array:
-        """Rows as the states were given."""
-        return values[0] if self.single else values
-
-
-def _split(out: Array, schedule: Any) -> dict[str, Array]:
-    parts: dict[str, Array] = {}
-    start = 0
-    for name, slots in schedule.outputs.items():
-        size = sum(slot.size for slot in slots)
-        parts[name] = out[:, start : start + size]
-        start += size
-    return parts

@@ -18,6 +18,8 @@ from enum import StrEnum
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.frame import Placement
+
 __all__ = [
     "Beam",
     "BeamPiece",
@@ -40,24 +42,8 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Placement:
-    """Where a frame is and which way it looks: ``rotation`` (3, 3), columns = its axes; ``position`` (3,) [m]."""
-
-    rotation: Array = field(default_factory=lambda: np.eye(3))
-    position: Array = field(default_factory=lambda: np.zeros(3))
-
-    def __matmul__(self, other: Placement) -> Placement:
-        """The placement of a frame that is given in this one."""
-        return Placement(self.rotation @ other.rotation, self.rotation @ other.position + self.position)
-
-    def inverse(self) -> Placement:
-        """This frame's parent as seen from it."""
-        return Placement(self.rotation.T, -self.rotation.T @ self.position)
-
-
-@dataclass(frozen=True, eq=False)
 class Body:
-    """A rigid body in the axes of the frame that carries it; ``inertia`` (3, 3) [kg*m^2] is about its center of mass."""
+    """A rigid body in its frame's axes; ``inertia`` (3, 3) [kg*m^2] is about its center of mass."""
 
     mass: float
     center: Array = field(default_factory=lambda: np.zeros(3))
@@ -165,7 +151,7 @@ class BeamPiece:
     torsion: tuple[float, float]
     axial: tuple[float, float]
     mass: tuple[float, float]
-    inertia: tuple[tuple[float, float], tuple[float, float], tuple[float, float]] = ((0.0, 0.0),) * 3
+    inertia: tuple[tuple[float, float], tuple[float, float], tuple[float, float]] = ((0.0, 0.0), (0.0, 0.0), (0.0, 0.0))
 
 
 @dataclass(frozen=True, eq=False)
@@ -199,8 +185,8 @@ class Beam:
 class Segment:
     """The paper's mode as a link: a chord of fixed length with the mass of Eq. (13) at its tip (LMA).
 
-    The chord turns by th about z, then by th about y (``bend_y``/``bend_z``: which of them are free), the tip's tangent
-    by 3/2 th. ``stiffness`` Cs [N/m] and ``damping`` Bs [N*s/m] act on the tip's deflection; ``bodies`` in the tip frame.
+    The chord turns by th about z, then about y (``bend_y``, ``bend_z``: which are free), the tip's tangent by 3/2 th.
+    ``stiffness`` Cs [N/m] and ``damping`` Bs [N*s/m] act on the tip's deflection; ``bodies`` in the tip frame.
     """
 
     length: float
@@ -237,7 +223,7 @@ class Point:
 class Chain:
     """The whole tree. ``base`` places it in the world; ``gravity`` (3,) [m/s^2] in world axes; ``tip`` is a Point.
 
-    ``couplings`` (joints with an elastic drive, same number): gear inputs = couplings @ motor angles; None: each its own.
+    ``couplings`` (square, one row per elastic drive): gear inputs = couplings @ motor angles; None: each its own.
     """
 
     name: str

@@ -7,6 +7,7 @@ second set of equations.
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
+from collections.abc import Callable
 from typing import Any, NamedTuple
 
 from llvmlite import ir
@@ -49,6 +50,19 @@ class Arithmetic(ABC):
         """The result of an operation of a program."""
 
 
+_PLAIN: dict[str, Callable[..., Any]] = {
+    "add": lambda b, x, y, _: b.fadd(x, y, flags=_FUSE),
+    "sub": lambda b, x, y, _: b.fsub(x, y, flags=_FUSE),
+    "mul": lambda b, x, y, _: b.fmul(x, y, flags=_FUSE),
+    "sq": lambda b, x, _, __: b.fmul(x, x, flags=_FUSE),
+    "twice": lambda b, x, _, constant: b.fmul(x, constant(2.0), flags=_FUSE),
+    "div": lambda b, x, y, _: b.fdiv(x, y),
+    "inv": lambda b, x, _, constant: b.fdiv(constant(1.0), x),
+    "neg": lambda b, x, _, __: b.fneg(x),
+    "copy": lambda b, x, _, __: x,
+}
+
+
 class Double(Arithmetic):
     """One double."""
 
@@ -57,39 +71,31 @@ class Double(Arithmetic):
     kind: Any = F64
 
     def load(self, b: Any, base: Any, index: int) -> Any:
+        """Number ``index`` of a block."""
         return b.load(self._place(b, base, index), align=8, typ=self.kind)
 
     def store(self, b: Any, value: Any, base: Any, index: int) -> None:
+        """Keep a number in a block."""
         b.store(value, self._place(b, base, index), align=8)
 
     def _place(self, b: Any, base: Any, index: int) -> Any:
         return at(b, base, index * self.stride)
 
     def constant(self, value: float) -> Any:
+        """A number known beforehand."""
         return number(value)
 
     def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine."""
         pair = b.call(sine_and_cosine(self.module), [angle])
         return b.extract_value(pair, 0), b.extract_value(pair, 1)
 
     def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
-        match kind:
-            case "sqrt" | "fabs":
-                return b.call(self._intrinsic(kind), [x])
-            case "add" | "sub" | "mul":
-                return getattr(b, f"f{kind}")(x, y, flags=_FUSE)
-            case "sq":
-                return b.fmul(x, x, flags=_FUSE)
-            case "twice":
-                return b.fmul(x, self.constant(2.0), flags=_FUSE)
-            case "div":
-                return b.fdiv(x, y)
-            case "inv":
-                return b.fdiv(self.constant(1.0), x)
-            case "neg":
-                return b.fneg(x)
-            case "copy":
-                return x
+        """The result of an operation of a program."""
+        if kind in ("sqrt", "fabs"):
+            return b.call(self._intrinsic(kind), [x])
+        if kind in _PLAIN:
+            return _PLAIN[kind](b, x, y, self.constant)
         return self._condition(b, kind, x, y)
 
     def _intrinsic(self, kind: str) -> Any:
@@ -113,6 +119,7 @@ class Lanes(Double):
     kind: Any = ir.VectorType(F64, 4)
 
     def constant(self, value: float) -> Any:
+        """A number known beforehand."""
         return ir.Constant(self.kind, [value] * self.stride)
 
     def _intrinsic(self, kind: str) -> Any:
@@ -124,6 +131,7 @@ class Lanes(Double):
         return b.bitcast(at(b, base, index * self.stride), self.kind.as_pointer())
 
     def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine."""
         sine, cosine = self.constant(0.0), self.constant(0.0)
         for lane in range(self.stride):
             place = ir.Constant(I64, lane)
@@ -140,6 +148,18 @@ class _Pair(NamedTuple):
     slope: Any
 
 
+_SLOPES: dict[str, Callable[[Any, Any, Any], Any]] = {
+    "neg": lambda b, _, x: b.fneg(x.slope),
+    "copy": lambda b, _, x: x.slope,
+    "twice": lambda b, _, x: b.fmul(number(2.0), x.slope),
+    "sq": lambda b, _, x: b.fmul(b.fmul(number(2.0), x.value), x.slope),
+    "inv": lambda b, value, x: b.fneg(b.fmul(b.fmul(value, value), x.slope)),
+    "sqrt": lambda b, value, x: b.fdiv(b.fmul(number(0.5), x.slope), value),
+    "fabs": lambda b, _, x: b.select(b.fcmp_ordered("<", x.value, number(0.0)), b.fneg(x.slope), x.slope),
+}
+"""Slope of a function of one number: of (its value, the number)."""
+
+
 class Derivative(Arithmetic):
     """A value with its derivative in one direction: forward differentiation, exact."""
 
@@ -151,16 +171,20 @@ class Derivative(Arithmetic):
         self._plain = Double(module)
 
     def load(self, b: Any, base: Any, index: int) -> Any:
+        """Number ``index`` of a block."""
         return _Pair(self._plain.load(b, base, 2 * index), self._plain.load(b, base, 2 * index + 1))
 
     def store(self, b: Any, value: Any, base: Any, index: int) -> None:
+        """Keep a number in a block."""
         self._plain.store(b, value.value, base, 2 * index)
         self._plain.store(b, number(0.0) if value.slope is None else value.slope, base, 2 * index + 1)
 
     def constant(self, value: float) -> Any:
+        """A number known beforehand."""
         return _Pair(number(value), None)
 
     def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine."""
         sine, cosine = self._plain.turn(b, angle.value)
         slope = angle.slope
         if slope is None:
@@ -168,46 +192,29 @@ class Derivative(Arithmetic):
         return _Pair(sine, self._times(b, cosine, slope)), _Pair(cosine, b.fneg(self._times(b, sine, slope)))
 
     def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
+        """The result of an operation of a program."""
         value = self._plain.operation(b, kind, x.value, y.value if y else None)
         return _Pair(value, self._slope(b, kind, value, x, y))
 
     def _slope(self, b: Any, kind: str, value: Any, x: Any, y: Any) -> Any:
-        match kind:
-            case "add":
-                return self._plus(b, x.slope, y.slope)
-            case "sub":
-                return self._plus(b, x.slope, None if y.slope is None else b.fneg(y.slope))
-            case "mul":
-                return self._plus(b, self._times(b, x.slope, y.value), self._times(b, y.slope, x.value))
-            case "div":
-                over = self._times(b, y.slope, value)
-                top = self._plus(b, x.slope, None if over is None else b.fneg(over))
-                return None if top is None else b.fdiv(top, y.value)
-            case "if_else_zero":
-                return None if y.slope is None else self._plain.operation(b, kind, x.value, y.slope)
-            case "lt" | "le" | "not":
-                return None
-        return None if x.slope is None else self._one(b, kind, value, x)
-
-    def _one(self, b: Any, kind: str, value: Any, x: Any) -> Any:
-        """Slope of a function of one number."""
-        match kind:
-            case "neg":
-                return b.fneg(x.slope)
-            case "twice":
-                return b.fmul(number(2.0), x.slope)
-            case "sq":
-                return b.fmul(b.fmul(number(2.0), x.value), x.slope)
-            case "inv":
-                return b.fneg(b.fmul(b.fmul(value, value), x.slope))
-            case "sqrt":
-                return b.fdiv(b.fmul(number(0.5), x.slope), value)
-            case "fabs":
-                return b.select(b.fcmp_ordered("<", x.value, number(0.0)), b.fneg(x.slope), x.slope)
-        return x.slope
+        if kind in ("lt", "le", "not"):
+            return None
+        if kind == "if_else_zero":
+            return None if y.slope is None else self._plain.operation(b, kind, x.value, y.slope)
+        if kind == "div":
+            top = self._plus(b, x.slope, self._less(b, self._times(b, y.slope, value)))
+            return None if top is None else b.fdiv(top, y.value)
+        if kind == "mul":
+            return self._plus(b, self._times(b, x.slope, y.value), self._times(b, y.slope, x.value))
+        if kind in ("add", "sub"):
+            return self._plus(b, x.slope, y.slope if kind == "add" else self._less(b, y.slope))
+        return None if x.slope is None else _SLOPES[kind](b, value, x)
 
     def _times(self, b: Any, slope: Any, factor: Any) -> Any:
         return None if slope is None else b.fmul(slope, factor, flags=_FUSE)
+
+    def _less(self, b: Any, slope: Any) -> Any:
+        return None if slope is None else b.fneg(slope)
 
     def _plus(self, b: Any, one: Any, other: Any) -> Any:
         if one is None or other is None:

@@ -122,7 +122,7 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
     main = write_main(module, schedule, arithmetic, f"{name}.main")
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
     b = ir.IRBuilder(prepare.append_basic_block("entry"))
-    _spread_parameters(b, *prepare.args, schedule.parameters, 1)
+    _spread_parameters(b, prepare.args[0], prepare.args[1], schedule.parameters, 1)
     b.ret_void()
     kinds = [("time", F64), ("state", POINTER), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
     call = declare(module, f"{name}.call", VOID, kinds, private=True)

@@ -74,9 +74,13 @@ def beam_tables(beam: Beam, stations: tuple[float, ...] = ()) -> BeamTables:
     to_station = beam.length * _lagrange_integrals(points, np.array(stations))
     gram = to_point.T @ (masses[:, None] * to_point)
     root = np.linalg.cholesky(gram).T
-    curvature = np.array([_interval_integrals(beam.basis, j, edges) for j in _orders(shape)]).reshape(-1, 2, len(edges) - 1)
+    curvature = np.array([_interval_integrals(beam.basis, j, edges) for j in _orders(shape)]).reshape(
+        -1, 2, len(edges) - 1
+    )
     rest = np.diff(edges)[:, None] * beam.length * np.asarray(beam.rest_curvature)
-    stretch = np.array([basis_values(beam.basis, j, points) for j in range(shape.stretch)]).reshape(shape.stretch, len(points))
+    stretch = np.array([basis_values(beam.basis, j, points) for j in range(shape.stretch)]).reshape(
+        shape.stretch, len(points)
+    )
     tables = {
         "alpha": curvature[:, 0].T,
         "beta": curvature[:, 1].T if shape.planar is None else np.empty(0),
@@ -111,13 +115,13 @@ def _series(basis: str, order: int) -> tuple[float, ...]:
 
 def basis_values(basis: str, order: int, s: Array) -> Array:
     """Values of a basis function: P_j(2 s - 1), or (1 - s) P_j(2 s - 1)."""
-    return legendre.legval(2 * np.asarray(s) - 1, _series(basis, order))
+    return np.asarray(legendre.legval(2 * np.asarray(s) - 1, _series(basis, order)), dtype=np.float64)
 
 
 def _integral(basis: str, order: int, s: Array) -> Array:
     """Integral of a basis function from 0 to s."""
     primitive = legendre.legint(np.array(_series(basis, order)), lbnd=-1) / 2
-    return legendre.legval(2 * np.asarray(s) - 1, primitive)
+    return np.asarray(legendre.legval(2 * np.asarray(s) - 1, primitive), dtype=np.float64)
 
 
 def _interval_integrals(basis: str, order: int, edges: Array) -> Array:
@@ -136,7 +140,9 @@ def _lagrange_integrals(points: Array, until: Array) -> Array:
     orders = range(len(points))
     values = np.array([basis_values("legendre", j, points) for j in orders])
     integrals = np.array([_integral("legendre", j, until) for j in orders])
-    return np.linalg.solve(values, integrals).T if len(until) else np.empty((0, len(points)))
+    if not len(until):
+        return np.empty((0, len(points)))
+    return np.asarray(np.linalg.solve(values, integrals).T, dtype=np.float64)
 
 
 def _between(piece: BeamPiece, start: float, value: tuple[float, float], s: Array) -> Array:
@@ -195,7 +201,12 @@ def _rotary(beam: Beam, shape: StrainShape, points: Array) -> Array:
 def _stiffness(beam: Beam, shape: StrainShape) -> Array:
     """K = 1/L int EI b_i b_j ds by direction: diagonals, or lower triangles row by row [N*m]; stretch: L EA [N*m]."""
     packed: list[float] = []
-    quantities = (("torsion", shape.twist), ("bend_y", shape.bend_y), ("bend_z", shape.bend_z), ("axial", shape.stretch))
+    quantities = (
+        ("torsion", shape.twist),
+        ("bend_y", shape.bend_y),
+        ("bend_z", shape.bend_z),
+        ("axial", shape.stretch),
+    )
     for quantity, count in quantities:
         s, w, value = _fine_rule(beam, quantity)
         scale = beam.length if quantity == "axial" else 1 / beam.length

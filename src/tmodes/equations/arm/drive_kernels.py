@@ -1,8 +1,8 @@
 """Kernels of a joint's drive: motor, elastic gear, friction. Everything after the reducer.
 
-Motor row, Eq. (39) of Filipovic & Djuric 2010 with its sign of the gear torque turned: I th'' = u - friction - tg and
-tg = C(xi) + B xi', xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control of
-elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2). A step h adds hB + h^2 C to the joint's own inertia.
+Motor row, Eq. (39) of Filipovic & Djuric 2010, the sign of the gear torque turned: I th'' = u - friction - tg,
+tg = C(xi) + B xi', xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control
+of elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2). A step h adds hB + h^2 C to the joint's own inertia.
 """
 
 from __future__ import annotations
@@ -10,16 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-import casadi as ca
-
 from tmodes.chain import Drive, Friction, Gear, Joint, Motor
 from tmodes.equations.arm import vectors as v
+from tmodes.equations.arm.drive_law import FRICTION, DriveLaw
 from tmodes.equations.arm.kernel import Kernel
 
-__all__ = ["FRICTION", "DriveKind", "drive_kind", "drive_numbers", "mixing_kernel"]
-
-FRICTION = 5
-"""Numbers of a friction law."""
+__all__ = ["DriveKind", "drive_kind", "drive_numbers", "mixing_kernel"]
 
 
 @dataclass(frozen=True)
@@ -46,19 +42,28 @@ class DriveKind:
         """Numbers of its parameters."""
         return 2 * FRICTION + 2 + (2 * self.ranges + 2 if self.ranges else 0)
 
-    def forward(self) -> Kernel:
-        """(parameters, th, th', ga, ga', effort, h) -> (effort on the joint, own inertia of the joint, motor (3)).
+    def _law(self, p: Any) -> DriveLaw:
+        return DriveLaw(
+            p, ranges=self.ranges, dead_zone=self.dead_zone, dry_motor=self.dry_motor, dry_joint=self.dry_joint
+        )
 
-        ``motor``: th'' = motor[2] (motor[0] + motor[1] ga''), of an elastic drive.
+    def forward(self) -> Kernel:
+        """(parameters, th, th', ga, ga', effort, feedback, h) -> (effort on the joint, own inertia, motor (3)).
+
+        ``motor``: th'' = motor[2] (motor[0] + motor[1] ga''), of an elastic drive. ``feedback``: by how much the effort
+        falls per angle and per rate of the motor; it is in the effort already, and helps an implicit step alone.
         """
 
-        def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any, effort: Any, step: Any) -> list[list[Any]]:
-            law, h = _Law(self, p), step[0]
+        def build(
+            p: Any, th: Any, thd: Any, ga: Any, gad: Any, effort: Any, feedback: Any, step: Any
+        ) -> list[list[Any]]:
+            law, h = self._law(p), step[0]
+            held, swing = h * feedback[1] + h * h * feedback[0], h * feedback[0]
             joint, joint_slope = law.joint_friction(gad[0])
             if self.drive is Drive.EFFORT:
                 motor, motor_slope = law.motor_friction(gad[0])
-                inertia = law.inertia + h * (joint_slope + motor_slope)
-                return [[effort[0] - joint - motor], [inertia], [0.0, 0.0, 0.0]]
+                inertia = law.inertia + h * (joint_slope + motor_slope) + held
+                return [[effort[0] - joint - motor - swing * gad[0]], [inertia], [0.0, 0.0, 0.0]]
             angle, speed = (th[0], thd[0]) if self.drive is Drive.ELASTIC else (law.rest, 0.0)
             torque, stiffness = law.spring(angle - ga[0])
             torque = torque + law.damping * (speed - gad[0]) + h * stiffness * (speed - gad[0])
@@ -66,16 +71,30 @@ class DriveKind:
             if self.drive is Drive.SPRING:
                 return [[torque - joint], [added + h * joint_slope], [0.0, 0.0, 0.0]]
             motor, motor_slope = law.motor_friction(speed)
-            share = 1 / (law.inertia + h * motor_slope + added)
-            rest = effort[0] - torque - motor
+            share = 1 / (law.inertia + h * motor_slope + held + added)
+            rest = effort[0] - torque - motor - swing * speed
             own = added - added * added * share + h * joint_slope
             return [[torque - joint + added * share * rest], [own], [rest, added, share]]
 
-        return Kernel(f"drive {self.key}", (self.size, 1, 1, 1, 1, 1, 1), (1, 1, 3), build)
+        return Kernel(f"drive {self.key}", (self.size, 1, 1, 1, 1, 1, 2, 1), (1, 1, 3), build)
 
     def motor(self) -> Kernel:
         """(motor, ga'') -> th''."""
         return Kernel("motor", (3, 1), (1,), lambda motor, joint: [[motor[2] * (motor[0] + motor[1] * joint[0])]])
+
+    def followed(self) -> Kernel:
+        """(parameters, th, th', ga, ga', th'', h) -> (effort on the joint, own inertia): the motor's motion is given."""
+
+        def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any, thdd: Any, step: Any) -> list[list[Any]]:
+            law, h = self._law(p), step[0]
+            joint, joint_slope = law.joint_friction(gad[0])
+            torque, stiffness = law.spring(th[0] - ga[0])
+            rate = thd[0] - gad[0]
+            added = h * law.damping + h * h * stiffness
+            torque = torque + law.damping * rate + h * stiffness * rate + added * thdd[0]
+            return [[torque - joint], [added + h * joint_slope]]
+
+        return Kernel(f"followed {self.key}", (self.size, 1, 1, 1, 1, 1, 1), (1, 1), build)
 
     def elastic(self) -> Kernel:
         """Forces of springs, dampers and friction on (ga, th), energy [J], power lost in gear and in friction [W].
@@ -84,7 +103,7 @@ class DriveKind:
         """
 
         def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any) -> list[list[Any]]:
-            law = _Law(self, p)
+            law = self._law(p)
             joint, _ = law.joint_friction(gad[0])
             if self.drive is Drive.EFFORT:
                 motor, _ = law.motor_friction(gad[0])
@@ -99,32 +118,31 @@ class DriveKind:
 
         return Kernel(f"elastic {self.key}", (self.size, 1, 1, 1, 1), (2, 1, 2), build)
 
-
     def coupled(self) -> Kernel:
         """Gear of a coupled drive, explicit: (parameters, input angle, its rate, ga, ga') -> (effort, gear torque)."""
 
         def build(p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
-            law = _Law(self, p)
+            law = self._law(p)
             torque = law.spring(angle[0] - ga[0])[0] + law.damping * (speed[0] - gad[0])
             return [[torque - law.joint_friction(gad[0])[0]], [torque]]
 
         return Kernel(f"coupled {self.key}", (self.size, 1, 1, 1, 1), (1, 1), build)
 
     def coupled_motor(self) -> Kernel:
-        """(parameters, th', effort, load of all gears on this motor) -> (motor (3), force on th from load and friction)."""
+        """(parameters, th', effort, load of all gears on it) -> (motor (3), force on th of load and friction, loss)."""
 
         def build(p: Any, thd: Any, effort: Any, load: Any) -> list[list[Any]]:
-            law = _Law(self, p)
+            law = self._law(p)
             held = load[0] + law.motor_friction(thd[0])[0]
             return [[effort[0] - held, 0.0, 1 / law.inertia], [held], [law.motor_friction(thd[0])[0] * thd[0]]]
 
         return Kernel(f"coupled motor {self.key}", (self.size, 1, 1, 1), (3, 1, 1), build)
 
     def coupled_elastic(self) -> Kernel:
-        """(parameters, input angle, its rate, ga, ga') -> (force on ga, energy, power lost in the gear and the joint)."""
+        """(parameters, input angle, its rate, ga, ga') -> (force on ga, energy, power lost in gear and joint)."""
 
         def build(p: Any, angle: Any, speed: Any, ga: Any, gad: Any) -> list[list[Any]]:
-            law = _Law(self, p)
+            law = self._law(p)
             rate, joint = speed[0] - gad[0], law.joint_friction(gad[0])[0]
             torque = law.spring(angle[0] - ga[0])[0] + law.damping * rate
             lost = [law.damping * rate * rate, joint * gad[0]]
@@ -142,75 +160,6 @@ def mixing_kernel(count: int, *, transposed: bool) -> Kernel:
 
     name = f"mixing {count}{' transposed' * transposed}"
     return Kernel(name, (count * count, *(1,) * count), (1,) * count, build)
-
-
-class _Law:
-    """The parameters of a drive by name, and the laws that they are in."""
-
-    def __init__(self, kind: DriveKind, p: Any) -> None:
-        self.kind = kind
-        self.inertia, self.rest = p[0], p[1]
-        self._motor, self._joint = [p[2 + i] for i in range(5)], [p[7 + i] for i in range(5)]
-        r = kind.ranges
-        if r:
-            self.stiffness = [p[12 + i] for i in range(r)]
-            self.ends = [p[12 + r + i] for i in range(r - 1)]
-            self.damping, self.backlash, self.rounding = p[11 + 2 * r], p[12 + 2 * r], p[13 + 2 * r]
-
-    def motor_friction(self, rate: Any) -> tuple[Any, Any]:
-        """Torque and its derivative by the rate."""
-        return _friction(self._motor, rate, dry=self.kind.dry_motor)
-
-    def joint_friction(self, rate: Any) -> tuple[Any, Any]:
-        """Effort and its derivative by the rate."""
-        return _friction(self._joint, rate, dry=self.kind.dry_joint)
-
-    def spring(self, deflection: Any) -> tuple[Any, Any]:
-        """Torque of the spring and its stiffness at a deflection (the rounding of a dead zone's edges aside)."""
-        x, slope = self._free(deflection)
-        torque, stiffness = self.stiffness[0] * x, self.stiffness[0]
-        side = (x > 0) - (x < 0) if self.ends else 0.0
-        for end, step in self._steps():
-            over = side * x - end
-            beyond = over > 0
-            torque = torque + side * beyond * step * over
-            stiffness = stiffness + beyond * step
-        return torque * slope, stiffness * slope * slope
-
-    def stored(self, deflection: Any) -> Any:
-        """Energy of the spring."""
-        x, _ = self._free(deflection)
-        energy = self.stiffness[0] * x * x / 2
-        for end, step in self._steps():
-            over = ca.fabs(x) - end
-            energy = energy + (over > 0) * step * over * over / 2
-        return energy
-
-    def _steps(self) -> list[tuple[Any, Any]]:
-        """Deflection at which each further range begins, and by how much the stiffness changes there."""
-        return [(end, self.stiffness[i + 1] - self.stiffness[i]) for i, end in enumerate(self.ends)]
-
-    def _free(self, deflection: Any) -> tuple[Any, Any]:
-        """What is left of a deflection outside the dead zone, smooth, and its slope."""
-        if not self.kind.dead_zone:
-            return deflection, 1.0
-        ahead, behind = deflection - self.backlash, deflection + self.backlash
-        near, far = ca.sqrt(ahead**2 + self.rounding**2), ca.sqrt(behind**2 + self.rounding**2)
-        return deflection + (near - far) / 2, 1 + (ahead / near - behind / far) / 2
-
-
-def _friction(p: list[Any], rate: Any, *, dry: bool) -> tuple[Any, Any]:
-    """Viscous, Coulomb and Stribeck friction, smooth at rest; and its derivative."""
-    viscous, coulomb, extra, stribeck, smoothing = p
-    if not dry:
-        return viscous * rate, viscous
-    root = ca.sqrt(rate * rate + smoothing * smoothing)
-    side = rate / root
-    ratio = rate / stribeck
-    fall = 1 / (1 + ratio * ratio)
-    level = coulomb + extra * fall
-    slope = level * smoothing * smoothing / (root * root * root) - 2 * extra * fall * fall * ratio / stribeck * side
-    return viscous * rate + level * side, viscous + slope
 
 
 def drive_kind(joint: Joint) -> DriveKind:

@@ -76,7 +76,7 @@ class Hinge:
         return Force(e, v.zero()) if self.kind is JointKind.REVOLUTE else Force(v.zero(), e)
 
     def inward(self) -> Kernel:
-        """(placement, rotation of the parent's tip, axis, its rate, angle, speed) -> (hinge, rate of the link's root)."""
+        """(placement, rotation of the parent's tip, axis, its rate, angle, speed) -> (hinge, rate of the root)."""
 
         def build(placement: Any, tip: Any, axis: Any, parent_rate: Any, angle: Any, speed: Any) -> list[list[Any]]:
             frame, place, w = v.tri(placement), self._arm(placement, 9), v.vec(parent_rate)
@@ -133,7 +133,7 @@ class Hinge:
         return Kernel(f"outward {self.key}", inputs, (INERTIA, FORCE, HELD), build)
 
     def onward(self) -> Kernel:
-        """(acceleration of the parent's tip, hinge, axis, held, given acceleration) -> (that of the root, the joint's)."""
+        """(acceleration of the parent's tip, hinge, axis, held, a given one) -> (that of the root, the joint's)."""
 
         def build(parent: Any, hinge: Any, axis: Any, held: Any, given: Any) -> list[list[Any]]:
             turned, drift = v.tri(hinge), Force.of(hinge, 12)

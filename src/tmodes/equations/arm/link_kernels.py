@@ -10,69 +10,16 @@ from dataclasses import dataclass
 from typing import Any
 
 from tmodes.equations.arm import vectors as v
-from tmodes.equations.arm.hinge import PLACEMENT, POSE
+from tmodes.equations.arm.body_kernels import BODY
+from tmodes.equations.arm.hinge import POSE
 from tmodes.equations.arm.kernel import Kernel
+from tmodes.equations.arm.link_kinds import SegmentKind, StrainKind
 from tmodes.equations.arm.link_terms import LinkTerms, Section
-from tmodes.equations.arm.segment_link import segment_link
 from tmodes.equations.arm.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
-from tmodes.equations.arm.strain_link import strain_link
-from tmodes.equations.arm.strain_shape import StrainShape, frame_size
+from tmodes.equations.arm.strain_shape import frame_size
+from tmodes.equations.arm.triangular import factor, forward_substitution
 
-__all__ = ["BODY", "BendingLink", "SegmentKind", "StrainKind", "body_kernel", "point_kernel", "push_kernel"]
-
-BODY = 10
-"""Numbers of a rigid body: mass, first moment m c (3), inertia about the frame's origin (xx, yy, zz, xy, xz, yz)."""
-
-
-@dataclass(frozen=True)
-class SegmentKind:
-    """A segment of the paper: it bends about y, about z, or both; its inertia sits at its tip, as a body."""
-
-    bend_y: bool
-    bend_z: bool
-
-    own_terms = False
-    full = False
-    table_size = 1
-    stations: tuple[int, ...] = ()
-    terms_size = 1
-
-    @property
-    def size(self) -> int:
-        """Number of coordinates."""
-        return int(self.bend_y) + int(self.bend_z)
-
-    @property
-    def stiffness_sizes(self) -> tuple[int, ...]:
-        """One coordinate per direction."""
-        return (1,) * self.size
-
-    stiffness_size = size
-
-    @property
-    def key(self) -> str:
-        """The structure in words."""
-        return f"segment {'y' * self.bend_y}{'z' * self.bend_z}"
-
-    def sections(self, tables: Any, rate: Any, q: Any, qd: Any) -> tuple[list[Any], list[list[Any]]]:
-        """No inertia terms of its own, and the section at the tip."""
-        return [0.0], [segment_link(self.bend_y, self.bend_z, tables[0], rate, q, qd)]
-
-
-@dataclass(frozen=True)
-class StrainKind:
-    """A beam of the shape given."""
-
-    shape: StrainShape
-
-    own_terms = True
-
-    def __getattr__(self, name: str) -> Any:
-        return getattr(object.__getattribute__(self, "shape"), name)
-
-    def sections(self, tables: Any, rate: Any, q: Any, qd: Any) -> tuple[list[Any], list[list[Any]]]:
-        """Inertia terms, and the sections at the tip and the stations."""
-        return strain_link(self.shape, tables, rate, q, qd)
+__all__ = ["BendingLink"]
 
 
 @dataclass(frozen=True)
@@ -148,7 +95,8 @@ class BendingLink:
     def outward(self) -> Kernel:
         """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia (linearly implicit Euler).
 
-        (terms, section at the tip, I and p of the tip in the link's axes, stiffness, damping, q, qd, h) -> (I, p at the root, solved).
+        (terms, section at the tip, I and p of the tip in the link's axes, stiffness, damping, q, qd, h)
+        -> (I and p at the root, solved).
         """
 
         def build(*packed: Any) -> list[list[Any]]:
@@ -163,13 +111,15 @@ class BendingLink:
                 for (j, k), (_, d) in zip(k_row, d_row, strict=True):
                     if j <= i:
                         mass[i][j] = mass[i][j] + h * (d + h * k)
-            lower, share = _factor(mass)
-            columns = _forward(lower, [[*c.packed(), f] for c, f in zip(coupling, free, strict=True)])
+            lower, share = factor(mass)
+            columns = forward_substitution(lower, [[*c.packed(), f] for c, f in zip(coupling, free, strict=True)])
             parts = [Force.of(column) for column in columns]
             root = base.less(parts, [p.scaled(s) for p, s in zip(parts, share, strict=True)])
             for part, column, s in zip(parts, columns, share, strict=True):
                 bias_b = bias_b + part.scaled(s * column[6])
-            kept = v.flat([row[:i] for i, row in enumerate(lower)], share, [c[:6] for c in columns], [c[6] for c in columns])
+            kept = v.flat(
+                [row[:i] for i, row in enumerate(lower)], share, [c[:6] for c in columns], [c[6] for c in columns]
+            )
             return [root.packed(), bias_b.packed(), kept]
 
         k, n = self.kind.stiffness_size, self.n
@@ -184,9 +134,7 @@ class BendingLink:
             start = n * (n - 1) // 2
             lower = [[solved[i * (i - 1) // 2 + j] for j in range(i)] for i in range(n)]
             columns = [Force.of(solved, start + n + 6 * j) for j in range(n)]
-            result = [
-                solved[start + j] * (solved[start + 7 * n + j] - columns[j].dot(motion)) for j in range(n)
-            ]
+            result = [solved[start + j] * (solved[start + 7 * n + j] - columns[j].dot(motion)) for j in range(n)]
             for i in reversed(range(n)):
                 for k in range(i + 1, n):
                     result[i] = result[i] - lower[k][i] * result[k]
@@ -269,84 +217,3 @@ def _tip_motion(section: Section, root: Force, qdd: list[Any]) -> Force:
     for column, acceleration in zip(section.columns, qdd, strict=True):
         motion = motion + column.scaled(acceleration)
     return motion
-
-
-def _factor(matrix: list[list[Any]]) -> tuple[list[list[Any]], list[Any]]:
-    """L (rows below its unit diagonal) and 1/d of a matrix given by its lower triangle: L diag(d) L^T."""
-    n = len(matrix)
-    lower: list[list[Any]] = [[0.0] * i for i in range(n)]
-    share: list[Any] = []
-    pivots: list[Any] = []
-    for i in range(n):
-        scaled: list[Any] = []
-        for j in range(i):
-            value = matrix[i][j]
-            for k in range(j):
-                value = value - scaled[k] * lower[j][k]
-            scaled.append(value)
-        lower[i] = [value * share[j] for j, value in enumerate(scaled)]
-        pivot = matrix[i][i]
-        for j, value in enumerate(scaled):
-            pivot = pivot - value * lower[i][j]
-        pivots.append(pivot)
-        share.append(1 / pivot)
-    return lower, share
-
-
-def _forward(lower: list[list[Any]], right: list[list[Any]]) -> list[list[Any]]:
-    """L^-1 times the rows of a right-hand side."""
-    result: list[list[Any]] = []
-    for i, row in enumerate(right):
-        values = list(row)
-        for j, factor in enumerate(lower[i]):
-            values = [value - factor * other for value, other in zip(values, result[j], strict=True)]
-        result.append(values)
-    return result
-
-
-def body_kernel(*, on_section: bool) -> Kernel:
-    """(body, rotation of its frame, rate) -> (its inertia and bias force about the frame's origin, in the link's axes)."""
-
-    def build(body: Any, rotation: Any, rate: Any) -> list[list[Any]]:
-        moment, inertia = v.vec(body, 1), v.symmetric(body, 4)
-        if on_section:
-            turned = v.tri(rotation)
-            moment, inertia = v.matvec(turned, moment), v.turn(turned, inertia, is_symmetric=True)
-        bias = body_bias(moment, inertia, v.vec(rate))
-        return [body_inertia(body[0], moment, inertia).packed(), bias.packed()]
-
-    return Kernel(f"body{' on section' * on_section}", (BODY, 9, 3), (INERTIA, FORCE), build)
-
-
-def push_kernel(*, on_section: bool) -> Kernel:
-    """(pose of the link's axes, rotation of the frame, arm in it, wrench in world axes, bias force) -> less the wrench."""
-
-    def build(pose: Any, rotation: Any, arm: Any, wrench: Any, bias: Any) -> list[list[Any]]:
-        back = v.transpose(v.tri(pose))
-        lever = v.matvec(v.tri(rotation), v.vec(arm)) if on_section else v.vec(arm)
-        push = Force(v.matvec(back, v.vec(wrench, 3)), v.matvec(back, v.vec(wrench))).force_at(lever)
-        return [(Force.of(bias) - push).packed()]
-
-    return Kernel(f"push{' on section' * on_section}", (POSE, 9, 3, 6, FORCE), (FORCE,), build)
-
-
-def point_kernel(*, on_section: bool) -> Kernel:
-    """Motion of a point in world axes: (pose of its frame, rotation of that in the link, rate, acceleration, offset).
-
-    -> (pose, rate, [linear; angular] acceleration). Rate and acceleration of the frame are in the link's axes.
-    """
-
-    def build(pose: Any, rotation: Any, rate: Any, motion: Any, offset: Any) -> list[list[Any]]:
-        world, w, arm, move = v.tri(pose), v.vec(rate), v.vec(offset, 9), Force.of(motion)
-        if on_section:
-            back = v.transpose(v.tri(rotation))
-            w, move = v.matvec(back, w), move.turned(back)
-        place = v.add(v.vec(pose, 9), v.matvec(world, arm))
-        velocity = v.add(v.vec(pose, 12), v.matvec(world, v.cross(w, arm)))
-        linear = v.add(move.motion_at(arm).linear, v.cross(w, v.cross(w, arm)))
-        return [
-            v.flat(v.matmul(world, v.tri(offset)), place, velocity), v.matvec(world, w),
-            [*v.matvec(world, linear), *v.matvec(world, move.angular)],
-        ]  # fmt: skip
-
-    return Kernel(f"point{' on section' * on_section}", (POSE, 9, 3, FORCE, PLACEMENT), (POSE, 3, 6), build)

@@ -86,7 +86,9 @@ class LinkTerms:
         mass = [[self.total if i == j else 0.0 for j in range(3)] for i in range(3)]
         return Inertia(self.angular, v.skew(self.moment), mass)
 
-    def with_load(self, section: Section, inertia: Inertia, force: Force) -> tuple[list[list[Any]], list[Force], Inertia, list[Any], Force]:
+    def with_load(
+        self, section: Section, inertia: Inertia, force: Force
+    ) -> tuple[list[list[Any]], list[Force], Inertia, list[Any], Force]:
         """M_qq, M_bq, M_bb, p_q, p_b with what hangs on a section: its inertia and bias force, in link axes."""
         carried = [inertia.times(column) for column in section.columns]
         mass = [

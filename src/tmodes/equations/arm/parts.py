@@ -9,9 +9,11 @@ from numpy.typing import NDArray
 
 from tmodes.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Point, RigidLink, Segment
 from tmodes.equations.arm.beam_tables import beam_tables, stations_of
+from tmodes.equations.arm.body_kernels import BODY
 from tmodes.equations.arm.drive_kernels import DriveKind, drive_kind, drive_numbers
 from tmodes.equations.arm.hinge import HELD, Hinge
-from tmodes.equations.arm.link_kernels import BODY, BendingLink, SegmentKind, StrainKind
+from tmodes.equations.arm.link_kernels import BendingLink
+from tmodes.equations.arm.link_kinds import SegmentKind, StrainKind
 from tmodes.equations.arm.schedule import Numbers, Slot
 from tmodes.equations.arm.spatial import FORCE, INERTIA
 
@@ -64,7 +66,7 @@ class Parts:
     def __post_init__(self) -> None:
         chain = self.chain
         self.points = chain.points or (chain.tip,)
-        self.none = {size: self.numbers.block(np.zeros(size)) for size in (1, 3, FORCE, HELD, 9, BODY, INERTIA)}
+        self.none = {size: self.numbers.block(np.zeros(size)) for size in (1, 2, 3, FORCE, HELD, 9, BODY, INERTIA)}
         joints = [node.joint for node in chain.nodes]
         moving = [joint for joint in joints if joint.kind is not JointKind.FIXED]
         elastic = [joint for joint in moving if joint.drive is Drive.ELASTIC]
@@ -121,7 +123,8 @@ class Parts:
         for s in stations:
             there = tuple(body for at, body in link.bodies if at == s)
             bodies.append((s, self.numbers.block(packed_bodies(there)) if there else None))
-        blocks = [self.numbers.block(values) for values in (tables.packed, tables.stiffness, tables.damping)]
+        block = self.numbers.block
+        blocks = (block(tables.packed), block(tables.stiffness), block(tables.damping))
         return LinkPart(BendingLink(StrainKind(tables.shape)), *blocks, tuple(bodies), first, names)
 
     def _segment(self, name: str, link: Segment, first: int) -> LinkPart:
@@ -130,9 +133,9 @@ class Parts:
         free = [plane for plane in planes if plane[0]]
         names = tuple(f"{name}.{plane[1]}" for plane in free)
         self.names += names
-        square = link.length**2
-        blocks = [self.numbers.block(values) for values in (
-            [link.length], [plane[2] * square for plane in free], [plane[3] * square for plane in free])]  # fmt: skip
+        square, block = link.length**2, self.numbers.block
+        springs, dampers = [plane[2] * square for plane in free], [plane[3] * square for plane in free]
+        blocks = (block([link.length]), block(springs), block(dampers))
         return LinkPart(BendingLink(SegmentKind(link.bend_y, link.bend_z)), *blocks, (), first, names)
 
     def _tip_body(self, link: RigidLink | Beam | Segment) -> Slot | None:

@@ -102,5 +102,8 @@ class Schedule:
     def key(self) -> str:
         """All of the structure, as a digest: same key, same code."""
         told = [f"{self.parameters} {self.changing}", repr(list(self.inputs.items())), repr(list(self.outputs.items()))]
-        told += [f"{kernel.key} {kernel.inputs} {kernel.outputs} {inputs} {outputs}" for kernel, inputs, outputs in self.calls]
+        told += [
+            f"{kernel.key} {kernel.inputs} {kernel.outputs} {inputs} {outputs}"
+            for kernel, inputs, outputs in self.calls
+        ]
         return hashlib.sha256("\n".join(told).encode()).hexdigest()

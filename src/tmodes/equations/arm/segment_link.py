@@ -30,9 +30,7 @@ def segment_link(bend_y: bool, bend_z: bool, length: Any, rate: Any, q: Any, qd:
     turns = [v.scale(1.5, column) for column in tangent.columns]
     free = [k for k, bends in enumerate((bend_y, bend_z)) if bends]
     columns = [Force(turns[k], move[k]) for k in free]
-    bias = Force(
-        tangent.bias, v.add(v.cross(chord.bias, place), v.cross(chord.rate, v.cross(chord.rate, place)))
-    )
+    bias = Force(tangent.bias, v.add(v.cross(chord.bias, place), v.cross(chord.rate, v.cross(chord.rate, place))))
     return Section(tangent.rotation, place, tangent.rate, columns, bias).packed()
 
 

@@ -112,9 +112,7 @@ class Inertia:
         # A + r^ H^T - (H + r^ B) r^ = A + r^ H^T + (r^ (H + r^ B)^T)^T, symmetric: only its upper half is needed.
         first = v.matmul(lever, v.transpose(self.coupling))
         second = v.matmul(lever, v.transpose(coupling))
-        upper = {
-            (i, j): self.angular[i][j] + first[i][j] + second[j][i] for i in range(3) for j in range(i, 3)
-        }
+        upper = {(i, j): self.angular[i][j] + first[i][j] + second[j][i] for i in range(3) for j in range(i, 3)}
         angular = [[upper[min(i, j), max(i, j)] for j in range(3)] for i in range(3)]
         return Inertia(angular, coupling, self.linear)
 

@@ -1,46 +1,21 @@
-"""Kinematics and inertia of a strain link: curvature is a coordinate, the line is its integral, the tip is its end.
+"""Inertia of a strain link: positions by spectral integration of the tangents, mass at Gauss points.
 
-The frame is integrated from point to point by the fourth-order Magnus step (exact where curvature keeps its plane), the
-position by spectral integration of the tangents, and mass sits at Gauss points. Everything is in the axes of the
-link's root. The geometric variable-strain approach: Boyer, Lebastard, Candelier, Renda, "Dynamics of continuum and soft
-robots: a strain parameterization based approach", IEEE Trans. Robotics 37(3), 2021.
+Everything is in the axes of the link's root. The geometric variable-strain approach: Boyer, Lebastard, Candelier,
+Renda, "Dynamics of continuum and soft robots: a strain parameterization based approach", IEEE Trans. Robotics 37(3),
+2021.
 """
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field
-from math import factorial
 from typing import Any
-
-import casadi as ca
 
 from tmodes.equations.arm import vectors as v
 from tmodes.equations.arm.link_terms import LinkTerms, Section
 from tmodes.equations.arm.spatial import Force
+from tmodes.equations.arm.strain_line import SectionState, StrainLine, strain_line
 from tmodes.equations.arm.strain_shape import StrainShape, TableReader
 
 __all__ = ["strain_link"]
-
-_TERMS = 7
-"""Terms of the series of the rotation: 1e-15 up to 0.6 radian between two points, 1e-12 up to 1.0, 1e-9 up to 1.6."""
-
-
-@dataclass
-class _State:
-    """A section on the way from root to tip."""
-
-    rotation: v.Matrix
-    rate: v.Vector
-    bias: v.Vector
-    columns: list[v.Vector]
-
-
-@dataclass
-class _Line:
-    """The sections at the Gauss points, and at the stations and the tip by name."""
-
-    points: list[_State] = field(default_factory=list)
-    others: dict[tuple[str, int], _State] = field(default_factory=dict)
 
 
 def strain_link(shape: StrainShape, tables: Any, rate: Any, q: Any, qd: Any) -> tuple[list[Any], list[list[Any]]]:
@@ -50,135 +25,14 @@ def strain_link(shape: StrainShape, tables: Any, rate: Any, q: Any, qd: Any) -> 
     :func:`tmodes.equations.arm.beam_tables.beam_tables`.
     """
     table = TableReader(shape, tables)
-    line = _planar_line(shape, table, v.vec(rate), q, qd)
-    if line is None:
-        line = _spatial_line(shape, table, v.vec(rate), q, qd)
+    line = strain_line(shape, table, v.vec(rate), q, qd)
     return _Assembly(shape, table, line, q, qd).results()
-
-
-def _planar_line(shape: StrainShape, table: TableReader, rate: v.Vector, q: Any, qd: Any) -> _Line | None:
-    """One direction only: angles add up, so the rotation is exact."""
-    if shape.planar is None:
-        return None
-    axis = v.unit(shape.planar)
-    angle: Any = 0.0
-    speed: Any = 0.0
-    slopes: list[Any] = [0.0] * shape.turning
-    line = _Line()
-    for interval, place in enumerate(shape.breaks):
-        alphas = [table("alpha", interval * shape.turning + j) for j in range(shape.turning)]
-        slopes = [slope + alpha for slope, alpha in zip(slopes, alphas, strict=True)]
-        angle = angle + v.total([alpha * q[j] for j, alpha in enumerate(alphas)])
-        speed = speed + v.total([alpha * qd[j] for j, alpha in enumerate(alphas)])
-        turned = v.scale(speed, axis)
-        state = _State(
-            _rotation(shape.planar, angle), v.add(rate, turned), v.cross(rate, turned), [v.scale(s, axis) for s in slopes]
-        )
-        _keep(line, place, state)
-    return line
-
-
-def _rotation(axis: int, angle: Any) -> v.Matrix:
-    c, s = ca.cos(angle), ca.sin(angle)
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    matrix = v.identity()
-    matrix[i][i], matrix[j][j], matrix[i][j], matrix[j][i] = c, c, -s, s
-    return matrix
-
-
-def _keep(line: _Line, place: tuple[str, int], state: _State) -> None:
-    if place[0] == "point":
-        line.points.append(state)
-    else:
-        line.others[place] = state
-
-
-def _spatial_line(shape: StrainShape, table: TableReader, rate: v.Vector, q: Any, qd: Any) -> _Line:
-    state = _State(v.identity(), rate, v.zero(), [v.zero() for _ in range(shape.turning)])
-    line = _Line()
-    for interval, place in enumerate(shape.breaks):
-        state = _magnus_step(shape, table, interval, state, q, qd)
-        _keep(line, place, state)
-    return line
-
-
-def _magnus_step(shape: StrainShape, table: TableReader, interval: int, old: _State, q: Any, qd: Any) -> _State:
-    """From one section to the next: rotation, angular velocity, its bias acceleration, and its columns."""
-    n = shape.turning
-    alpha = [table("alpha", interval * n + j) for j in range(n)]
-    beta = [table("beta", interval * n + j) for j in range(n)]
-    a, b = _sums(shape, alpha, q), _sums(shape, beta, q)
-    if shape.curved:
-        a = v.add(a, [table("rest", interval * 3 + c) for c in range(3)])
-    ad, bd = _sums(shape, alpha, qd), _sums(shape, beta, qd)
-    turn = v.add(a, v.cross(a, b))
-    turn_rate = v.add(ad, v.cross(ad, b), v.cross(a, bd))
-    turn_bias = v.scale(2, v.cross(ad, bd))
-    z = v.dot(turn, turn)
-    f1, f2, f3 = _series(z, 1), _series(z, 2), _series(z, 3)
-    once = [v.cross(row, turn) for row in old.rotation]
-    twice = [v.cross(row, turn) for row in once]
-    spread = _mix(old.rotation, (f2, once), (f3, twice))
-    gained = v.matvec(spread, turn_rate)
-    c1 = v.cross(turn, turn_rate)
-    inner = v.add(
-        v.scale(2 * v.dot(turn, turn_rate), v.add(v.scale(_slope(z, 2), c1), v.scale(_slope(z, 3), v.cross(turn, c1)))),
-        v.scale(f3, v.cross(turn_rate, c1)),
-    )
-    bias = v.add(
-        old.bias, v.cross(old.rate, gained), v.matvec(old.rotation, inner), v.matvec(spread, turn_bias)
-    )
-    columns = _columns(shape, spread, a, b, alpha, beta, old.columns)
-    return _State(_mix(old.rotation, (f1, once), (f2, twice)), v.add(old.rate, gained), bias, columns)
-
-
-def _sums(shape: StrainShape, weights: list[Any], q: Any) -> v.Vector:
-    """Sum of weight times coordinate for each component of curvature."""
-    sums = v.zero()
-    for j, direction in enumerate(shape.directions):
-        sums[direction] = sums[direction] + weights[j] * q[j]
-    return sums
-
-
-def _series(z: Any, first: int) -> Any:
-    """Sum of (-z)^k/(2k + first)!: sin(x)/x for first = 1, (1 - cos x)/x^2 for 2, (x - sin x)/x^3 for 3; z = x^2."""
-    value: Any = 0.0
-    for k in reversed(range(_TERMS)):
-        value = value * z + (-1) ** k / factorial(2 * k + first)
-    return value
-
-
-def _slope(z: Any, first: int) -> Any:
-    """Derivative of the series by z."""
-    value: Any = 0.0
-    for k in reversed(range(1, _TERMS)):
-        value = value * z + k * (-1) ** k / factorial(2 * k + first)
-    return value
-
-
-def _mix(base: v.Matrix, *terms: tuple[Any, v.Matrix]) -> v.Matrix:
-    return [
-        [v.total([base[i][j], *(factor * matrix[i][j] for factor, matrix in terms)]) for j in range(3)]
-        for i in range(3)
-    ]
-
-
-def _columns(
-    shape: StrainShape, spread: v.Matrix, a: v.Vector, b: v.Vector, alpha: list[Any], beta: list[Any], old: list[v.Vector]
-) -> list[v.Vector]:
-    """Angular velocity of the section per rate of each coordinate."""
-    by_b = [v.sub(row, v.cross(row, b)) for row in spread]
-    by_a = [v.cross(row, a) for row in spread]
-    return [
-        [old[j][i] + alpha[j] * by_b[i][c] + beta[j] * by_a[i][c] for i in range(3)]
-        for j, c in enumerate(shape.directions)
-    ]
 
 
 class _Assembly:
     """Sums over the Gauss points; the bias acceleration is one more column."""
 
-    def __init__(self, shape: StrainShape, table: TableReader, line: _Line, q: Any, qd: Any) -> None:
+    def __init__(self, shape: StrainShape, table: TableReader, line: StrainLine, q: Any, qd: Any) -> None:
         self.shape, self.table, self.line = shape, table, line
         points = line.points
         g = shape.points
@@ -244,7 +98,7 @@ class _Assembly:
                 self._add_rotary(terms, state, axis, self.table("rotary", m * self.shape.rotary + axis))
         return terms
 
-    def _add_rotary(self, terms: LinkTerms, state: _State, axis: int, inertia: Any) -> None:
+    def _add_rotary(self, terms: LinkTerms, state: SectionState, axis: int, inertia: Any) -> None:
         """Inertia of the section about one of its own axes d: 1/2 I (d.W)^2."""
         d = [row[axis] for row in state.rotation]
         turns = [v.dot(d, phi) for phi in state.columns]
@@ -254,7 +108,9 @@ class _Assembly:
         for i, turn in enumerate(turns):
             for j in range(i + 1):
                 terms.mass[i][j] = terms.mass[i][j] + turn * weighted[j]
-            terms.coupling[i] = Force(v.add(terms.coupling[i].angular, v.scale(weighted[i], d)), terms.coupling[i].linear)
+            terms.coupling[i] = Force(
+                v.add(terms.coupling[i].angular, v.scale(weighted[i], d)), terms.coupling[i].linear
+            )
             terms.bias_q[i] = terms.bias_q[i] + v.dot(state.columns[i], bias)
         square = v.outer(d, v.scale(inertia, d))
         terms.angular = [[terms.angular[i][j] + square[i][j] for j in range(3)] for i in range(3)]

@@ -126,4 +126,5 @@ class TableReader:
             start += size
 
     def __call__(self, name: str, index: int = 0) -> Any:
+        """Entry ``index`` of a table."""
         return self._packed[self._start[name] + index]

@@ -1,0 +1,127 @@
+"""Forward dynamics: rates outwards, inertias inwards, accelerations outwards again. One pass is a step's whole cost."""
+
+from __future__ import annotations
+
+from tmodes.equations.arm.parts import NodePart, Parts
+from tmodes.equations.arm.passes import Passes
+from tmodes.equations.arm.schedule import Schedule, Slot
+from tmodes.equations.arm.spatial import FORCE
+
+__all__ = ["Recursion", "forward_dynamics"]
+
+
+def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
+    """(q, v, base, wrenches, effort, given, step) -> accelerations of all coordinates.
+
+    ``given`` are the accelerations of prescribed joints; ``step`` h > 0 gives those of a linearly implicit Euler step.
+    """
+    way = Passes(parts, posed=False, loaded=loaded)
+    way.take_wrenches()
+    schedule = way.schedule
+    effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
+    step = schedule.input("step", 1)
+    way.outwards()
+    schedule.output("a", *Recursion(way, effort, given, step).run())
+    return schedule
+
+
+class Recursion:
+    """The way in and the way out again of the articulated-body recursion.
+
+    After the run: ``roots`` and ``tips``, accelerations of both ends of each link; ``hung``, inertia and bias force at
+    each root; ``at_base``, those of all that hangs on the base.
+    """
+
+    def __init__(self, way: Passes, effort: Slot, given: Slot, step: Slot, feedback: Slot | None = None) -> None:
+        """``feedback`` (2 per effort): see :meth:`DriveKind.forward`."""
+        self.way, self.effort, self.given, self.step, self.feedback = way, effort, given, step, feedback
+        self.followed: dict[int, Slot] = {}  # index of a motor that keeps a given motion -> its acceleration
+        self.hung: dict[int, tuple[Slot, Slot]] = {}
+        self.at_base = (way.none[21], way.none[FORCE])
+        self.roots: list[Slot] = []
+        self.tips: list[Slot] = []
+        self.schedule, self.parts = way.schedule, way.parts
+        self.loads: list[tuple[Slot, Slot]] = []
+        self.held: dict[int, Slot] = {}
+        self.solved: dict[int, Slot] = {}
+        self.motor_terms: dict[int, Slot] = {}
+        self.coupled = way.coupled_inputs()
+        self.torques: dict[int, Slot] = {}
+
+    def run(self) -> list[Slot]:
+        """Add all calls; the accelerations of the coordinates, in their order."""
+        self.loads = [self.way.load_of_tip(i) for i in range(len(self.parts.nodes))]
+        for index in reversed(range(len(self.parts.nodes))):
+            self._inwards(index)
+        self._couple_motors()
+        return self._outwards()
+
+    def _given(self, part: NodePart) -> Slot:
+        return self.given.part(part.given, 1) if part.given >= 0 else self.way.none[1]
+
+    def _inwards(self, index: int) -> None:
+        part, way = self.parts.nodes[index], self.way.ways[index]
+        inertia, bias = self.loads[index]
+        if part.link and way.tip:
+            link = part.link
+            q, v = self.way.bend(link, self.way.q), self.way.bend(link, self.way.v)
+            terms = self.way.terms_with_stations(index)
+            blocks = (terms, way.tip, inertia, bias, link.stiffness, link.damping, q, v, self.step)
+            inertia, bias, self.solved[index] = self.schedule.call(link.kernels.outward(), *blocks)
+        self.hung[index] = (inertia, bias)
+        effort, own = self._drive(index, part)
+        parent = part.node.parent
+        sums = self.loads[parent] if parent >= 0 else self.at_base
+        *more, self.held[index] = self.schedule.call(
+            part.hinge.outward(), inertia, bias, way.hinge, part.axis, effort, own, *sums
+        )
+        if parent >= 0:
+            self.loads[parent] = (more[0], more[1])
+        else:
+            self.at_base = (more[0], more[1])
+
+    def _drive(self, index: int, part: NodePart) -> tuple[Slot, Slot]:
+        none = self.way.none[1]
+        if part.drive is None or part.drive_numbers is None:
+            return self._given(part), none
+        if part.motor in self.coupled:
+            blocks = (part.drive_numbers, *self.coupled[part.motor], *self.way.angle(part))
+            effort, self.torques[part.motor] = self.schedule.call(part.drive.coupled(), *blocks)
+            return effort, none
+        if part.motor in self.followed:
+            blocks = (part.drive_numbers, *self.way.motor(part), *self.way.angle(part))
+            effort, own = self.schedule.call(part.drive.followed(), *blocks, self.followed[part.motor], self.step)
+            return effort, own
+        effort = self.effort.part(part.effort, 1) if part.effort >= 0 else none
+        feedback = self.feedback.part(2 * part.effort, 2) if self.feedback and part.effort >= 0 else self.way.none[2]
+        blocks = (part.drive_numbers, *self.way.motor(part), *self.way.angle(part), effort, feedback, self.step)
+        effort, own, self.motor_terms[index] = self.schedule.call(part.drive.forward(), *blocks)
+        return effort, own
+
+    def _couple_motors(self) -> None:
+        loads = self.way.coupled_loads(self.torques)
+        for index, part in enumerate(self.parts.nodes):
+            if part.motor in loads and part.drive and part.drive_numbers:
+                effort = self.effort.part(part.effort, 1)
+                blocks = (part.drive_numbers, self.way.motor(part)[1], effort, loads[part.motor])
+                self.motor_terms[index] = self.schedule.call(part.drive.coupled_motor(), *blocks)[0]
+
+    def _outwards(self) -> list[Slot]:
+        motors: dict[int, Slot] = dict(self.followed)
+        joints: dict[int, Slot] = {}
+        links: dict[int, Slot] = {}
+        for index, (part, way) in enumerate(zip(self.parts.nodes, self.way.ways, strict=True)):
+            parent = part.node.parent
+            before = self.tips[parent] if parent >= 0 else self.way.base.part(0, FORCE)
+            blocks = (before, way.hinge, part.axis, self.held[index], self._given(part))
+            root, joint = self.schedule.call(part.hinge.onward(), *blocks)
+            if part.angle >= 0:
+                joints[part.angle] = joint
+            if part.motor >= 0 and part.motor not in self.followed and part.drive:
+                (motors[part.motor],) = self.schedule.call(part.drive.motor(), self.motor_terms[index], joint)
+            self.roots.append(root)
+            if part.link and way.tip:
+                found = self.schedule.call(part.link.kernels.onward(), root, self.solved[index], way.tip)
+                links[part.link.first], root = found
+            self.tips.append(root)
+        return self.way.by_coordinate(motors, joints, links)

@@ -1,0 +1,28 @@
+"""Where a frame is, and which way it looks."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Placement"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Placement:
+    """Where a frame is and which way it looks: ``rotation`` (3, 3), columns = its axes; ``position`` (3,) [m]."""
+
+    rotation: Array = field(default_factory=lambda: np.eye(3))
+    position: Array = field(default_factory=lambda: np.zeros(3))
+
+    def __matmul__(self, other: Placement) -> Placement:
+        """The placement of a frame that is given in this one."""
+        return Placement(self.rotation @ other.rotation, self.rotation @ other.position + self.position)
+
+    def inverse(self) -> Placement:
+        """The frame that this one is given in, as seen from this one."""
+        return Placement(self.rotation.T, -self.rotation.T @ self.position)
