@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass
 from typing import Any
 
 from llvmlite import ir
@@ -10,7 +11,7 @@ from tmodes.compile.arithmetic import Arithmetic
 from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
 from tmodes.compile.program import BlockProgram, block_program
 
-__all__ = ["write_main", "write_rate", "write_samples"]
+__all__ = ["ScheduleRate", "write_main", "write_rate", "write_samples"]
 
 
 def _write_kernel(module: Any, arithmetic: Arithmetic, program: BlockProgram, name: str) -> Any:
@@ -114,15 +115,33 @@ def _copy_rows(b: Any, rows: Any, workspace: Any, blocks: list[tuple[int, int]],
         first += size
 
 
-def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> tuple[Any, Any]:
+@dataclass(frozen=True)
+class ScheduleRate:
+    """A schedule as the right-hand side of the time loops: what :class:`tmodes.compile.lower.Lowered` is to a program.
+
+    ``step_offset``: where in the held memory the length of an implicit step is put, None where there is none.
+    """
+
+    prepare: Any
+    call: Any
+    held_size: int
+    size: int
+    row: int
+    step_offset: int | None
+
+
+def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> ScheduleRate:
     """Functions ``prepare(parameters, held)`` and ``call(time, state, row, held, out)`` for the time loops.
 
-    The schedule has the inputs ``time`` (1), ``state`` and ``row``; ``held`` is its workspace.
+    The schedule has the inputs ``time`` (1), ``state``, ``row`` and, where its steps may be implicit, ``step`` (1); its
+    outputs are the rate of the state. ``held`` is its workspace.
     """
     main = write_main(module, schedule, arithmetic, f"{name}.main")
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
     b = ir.IRBuilder(prepare.append_basic_block("entry"))
     _spread_parameters(b, prepare.args[0], prepare.args[1], schedule.parameters, 1)
+    if "step" in schedule.inputs:
+        store(b, ir.Constant(F64, 0.0), prepare.args[1], schedule.offset(schedule.inputs["step"]))
     b.ret_void()
     kinds = [("time", F64), ("state", POINTER), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
     call = declare(module, f"{name}.call", VOID, kinds, private=True)
@@ -136,4 +155,6 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
     blocks = [(schedule.offset(slot), slot.size) for slots in schedule.outputs.values() for slot in slots]
     _copy_rows(b, out, held, blocks, 1, into=False)
     b.ret_void()
-    return prepare, call
+    row, step = schedule.inputs["row"].size, schedule.inputs.get("step")
+    offset = schedule.offset(step) if step else None
+    return ScheduleRate(prepare, call, schedule.workspace, schedule.output_size, row, offset)

@@ -8,12 +8,13 @@ from __future__ import annotations
 
 from typing import Any
 
+from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import F64, counted, declare, load, number, store
 from tmodes.compile.lower import Lowered
 from tmodes.compile.native import POWER
 from tmodes.compile.time_loop import Status, TimeLoop
 
-__all__ = ["B_ERROR", "DENSE", "A", "C", "write_dormand_prince_loop"]
+__all__ = ["B_ERROR", "DENSE", "A", "C", "mean_square", "power", "write_dormand_prince_loop"]
 
 C = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
 A = (
@@ -42,7 +43,7 @@ _SAFETY, _SMALLEST, _LARGEST, _BETA = 0.9, 0.2, 10.0, 0.04
 _STAGES = tuple(f"k{i}" for i in range(1, 8))
 
 
-def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered, guarded: int) -> None:
+def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
     """Write the loop: steps end exactly on the knots, where the first stage is taken anew."""
     loop = TimeLoop(module, name, lowered, (*_STAGES[1:], "probe", "new"), guarded)
     b = loop.builder
@@ -102,7 +103,8 @@ def _scale(loop: TimeLoop, i: Any, *states: str) -> Any:
     return b.fadd(loop.option("atol"), b.fmul(loop.option("rtol"), largest))
 
 
-def _mean_square(loop: TimeLoop, value_of: Any, *states: str) -> Any:
+def mean_square(loop: TimeLoop, value_of: Any, *states: str) -> Any:
+    """Root of the mean square of ``value_of(i)`` over the scale of each component."""
     b = loop.builder
     total = loop.cell["total"] = loop.cell.get("total") or _cell_in_entry(loop)
     b.store(number(0.0), total)
@@ -118,7 +120,7 @@ def _cell_in_entry(loop: TimeLoop) -> Any:
 
 
 def _norm(loop: TimeLoop, label: str, state: str) -> Any:
-    return _mean_square(loop, lambda i: load(loop.builder, loop.array[label], i), state)
+    return mean_square(loop, lambda i: load(loop.builder, loop.array[label], i), state)
 
 
 def _error(loop: TimeLoop, h: Any) -> Any:
@@ -131,19 +133,21 @@ def _error(loop: TimeLoop, h: Any) -> Any:
                 total = b.fadd(total, b.fmul(number(weight), load(b, loop.array[stage], i)))
         return b.fmul(h, total)
 
-    return _mean_square(loop, difference, "y", "new")
+    return mean_square(loop, difference, "y", "new")
 
 
-def _power(loop: TimeLoop, base: Any, exponent: float) -> Any:
+def power(loop: TimeLoop, base: Any, exponent: Any) -> Any:
+    """``base`` to the power ``exponent``, a number or a value."""
     module = loop.module
+    exponent = number(exponent) if isinstance(exponent, float) else exponent
     function = module.globals.get(POWER) or declare(module, POWER, F64, [("x", F64), ("y", F64)])
-    return loop.builder.call(function, [base, number(exponent)])
+    return loop.builder.call(function, [base, exponent])
 
 
 def _shrink(loop: TimeLoop, h: Any, error: Any) -> None:
     """After a rejected step; an error that is not a number shrinks the step most."""
     b = loop.builder
-    factor = b.fdiv(number(_SAFETY), _power(loop, error, 0.2 - 0.75 * _BETA))
+    factor = b.fdiv(number(_SAFETY), power(loop, error, 0.2 - 0.75 * _BETA))
     usable = b.fcmp_ordered(">", factor, number(_SMALLEST))
     loop.put("h", b.fmul(h, b.select(usable, factor, number(_SMALLEST))))
     loop.add("rejected", 1.0)
@@ -152,8 +156,8 @@ def _shrink(loop: TimeLoop, h: Any, error: Any) -> None:
 def _accept(loop: TimeLoop, wanted: Any, h: Any, error: Any, last: Any, time_after: Any) -> None:
     b = loop.builder
     error = loop.intrinsic("maxnum", error, number(1e-10))
-    old = _power(loop, loop.get("old_error"), _BETA)
-    factor = b.fdiv(b.fmul(number(_SAFETY), old), _power(loop, error, 0.2 - 0.75 * _BETA))
+    old = power(loop, loop.get("old_error"), _BETA)
+    factor = b.fdiv(b.fmul(number(_SAFETY), old), power(loop, error, 0.2 - 0.75 * _BETA))
     factor = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(_SMALLEST)), number(_LARGEST))
     grown = b.fmul(h, factor)
     # A step cut short by a knot says little about the next: keep the longer wish.

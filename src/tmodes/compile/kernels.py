@@ -9,7 +9,7 @@ from typing import Any
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["sample_functions", "schedule_function", "time_loops"]
+__all__ = ["sample_functions", "schedule_function", "schedule_loops", "time_loops"]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -97,3 +97,30 @@ def schedule_function(name: str, key: str, make: Callable[[], Any], arithmetic: 
         return module
 
     return _library(f"{name}.{arithmetic}", key, write, {"run": 6}, level)
+
+
+def schedule_loops(name: str, key: str, make: Callable[[], Any], guarded: int, pairs: int) -> Library:
+    """The native time loops around a schedule whose inputs are time, state, row and step, its output the state's rate.
+
+    The state begins with ``pairs`` coordinates and as many rates. Loops: rk4, dormand_prince, extrapolation.
+    """
+    from tmodes.compile.time_loop import ARGUMENTS
+
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.arithmetic import Double
+        from tmodes.compile.block import write_rate
+        from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
+        from tmodes.compile.extrapolation_loop import write_extrapolation_loop
+        from tmodes.compile.rk4_loop import write_rk4_loop
+
+        module = ir.Module(name)
+        rate = write_rate(module, make(), Double(module), "rate")
+        write_rk4_loop(module, "rk4", rate, guarded)
+        write_dormand_prince_loop(module, "dormand_prince", rate, guarded)
+        write_extrapolation_loop(module, "extrapolation", rate, guarded, pairs=pairs)
+        return module
+
+    methods = ("rk4", "dormand_prince", "extrapolation")
+    return _library(name, key, write, {method: len(ARGUMENTS) for method in methods}, level=1)

@@ -26,6 +26,16 @@ class Lowered:
     call: Any
     held_size: int
 
+    @property
+    def size(self) -> int:
+        """Numbers of the output."""
+        return self.program.output_size
+
+    @property
+    def row(self) -> int:
+        """Numbers of a row of the reference, the third argument of a right-hand side."""
+        return self.program.sizes[2]
+
 
 def lower(module: Any, program: Program) -> Lowered:
     """Write both functions into the module. An argument of one number is passed by value, a longer one by pointer."""

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import F64, counted, load, number, store
 from tmodes.compile.lower import Lowered
 from tmodes.compile.time_loop import Status, TimeLoop
@@ -11,7 +12,7 @@ from tmodes.compile.time_loop import Status, TimeLoop
 __all__ = ["write_rk4_loop"]
 
 
-def write_rk4_loop(module: Any, name: str, lowered: Lowered, guarded: int) -> None:
+def write_rk4_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
     """Write the loop: each segment is parted into equal steps not longer than the option ``step``.
 
     Samples between steps come from the cubic Hermite polynomial, whose error is of the method's own order.

@@ -12,6 +12,7 @@ from typing import Any
 
 from llvmlite import ir
 
+from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, scratch, store, whole
 from tmodes.compile.lower import Lowered
 
@@ -39,10 +40,12 @@ class Status(IntEnum):
 class TimeLoop:
     """The frame of a time loop: arguments, mutable cells, scratch arrays, and the blocks ``again`` and ``leave``."""
 
-    def __init__(self, module: Any, name: str, lowered: Lowered, scratch_arrays: Sequence[str], guarded: int) -> None:
+    def __init__(
+        self, module: Any, name: str, lowered: Lowered | ScheduleRate, scratch_arrays: Sequence[str], guarded: int
+    ) -> None:
         """``guarded``: how many of the first components of the state are watched for divergence."""
         self.module, self.lowered, self.guarded = module, lowered, guarded
-        self.size = lowered.program.output_size
+        self.size = lowered.size
         kinds = [(label, I64 if label in ("segments", "samples") else POINTER) for label in ARGUMENTS]
         self.function = declare(module, name, VOID, kinds)
         self.argument = dict(zip(ARGUMENTS, self.function.args, strict=True))
@@ -104,7 +107,7 @@ class TimeLoop:
 
     def row(self) -> Any:
         """Address of the reference's row of the current segment."""
-        length = self.lowered.program.sizes[2]
+        length = self.lowered.row
         return at(self.builder, self.argument["rows"], self.builder.mul(self.integer("segment"), whole(length)))
 
     def knot(self, ahead: int) -> Any:

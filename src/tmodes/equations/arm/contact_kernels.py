@@ -84,26 +84,28 @@ class Touch:
         return normal, force
 
     def wrench(self) -> Kernel:
-        """(pose of the frame, its rate in the world, offset, numbers, sum of wrenches) -> sum with the surface's push."""
+        """(pose of the frame, pose of the link's axes, rate in them, offset, numbers, sum of wrenches) -> sum.
 
-        def build(pose: Any, rate: Any, offset: Any, p: Any, sum_: Any) -> list[list[Any]]:
-            place, velocity, _ = _point(pose, rate, offset)
+        The sum has the surface's push in it then.
+        """
+
+        def build(pose: Any, axes: Any, rate: Any, offset: Any, p: Any, sum_: Any) -> list[list[Any]]:
+            place, velocity, *_ = _point(pose, axes, rate, offset)
             force = self._force(p, self._meeting(p, place, velocity), velocity)[1]
             return [[*(sum_[i] - force[i] for i in range(3)), *(sum_[3 + i] for i in range(3))]]
 
-        return Kernel(f"touch {self.key}", (POSE, 3, PLACEMENT, TOUCH, FORCE), (FORCE,), build)
+        return Kernel(f"touch {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH, FORCE), (FORCE,), build)
 
     def inertia(self) -> Kernel:
-        """(pose of the frame, its rate in the world, offset, numbers, pose of the link's axes) -> (inertia, bias force).
+        """(pose of the frame, pose of the link's axes, rate in them, offset, numbers) -> (inertia, bias force).
 
         Of the surface's mass, about the frame's origin in the link's axes. The recursion's accelerations have gravity
         in them, which does not act on the surface.
         """
 
-        def build(pose: Any, rate: Any, offset: Any, p: Any, axes: Any) -> list[list[Any]]:
-            place, velocity, arm = _point(pose, rate, offset)
-            met = self._meeting(p, place, velocity)
-            back, spin = v.transpose(v.tri(axes)), v.vec(rate)
+        def build(pose: Any, axes: Any, rate: Any, offset: Any, p: Any) -> list[list[Any]]:
+            place, velocity, arm, spin = _point(pose, axes, rate, offset)
+            met, back = self._meeting(p, place, velocity), v.transpose(v.tri(axes))
             direction, lever = v.matvec(back, met.direction), v.matvec(back, arm)
             none = [[0.0] * 3 for _ in range(3)]
             mass = Inertia(none, none, v.outer(v.scale(p[4], direction), direction)).at(lever)
@@ -111,7 +113,7 @@ class Touch:
             push = p[4] * (met.curving + v.dot(met.direction, drift))
             return [mass.packed(), Force(v.zero(), v.scale(push, direction)).force_at(lever).packed()]
 
-        return Kernel(f"touch mass {self.key}", (POSE, 3, PLACEMENT, TOUCH, POSE), (INERTIA, FORCE), build)
+        return Kernel(f"touch mass {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH), (INERTIA, FORCE), build)
 
     def told(self) -> Kernel:
         """(pose of the point, [linear; angular] acceleration of it less gravity, numbers) -> (told (6), power taken)."""
@@ -128,10 +130,10 @@ class Touch:
         return Kernel(f"touch told {self.key}", (POSE, FORCE, TOUCH), (CONTACT_TOLD, 1), build)
 
 
-def _point(pose: Any, rate: Any, offset: Any) -> tuple[v.Vector, v.Vector, v.Vector]:
-    """Position and velocity of a point of a frame, and its arm, all in world axes."""
-    arm = v.matvec(v.tri(pose), v.vec(offset, 9))
-    return v.add(v.vec(pose, 9), arm), v.add(v.vec(pose, 12), v.cross(v.vec(rate), arm)), arm
+def _point(pose: Any, axes: Any, rate: Any, offset: Any) -> tuple[v.Vector, v.Vector, v.Vector, v.Vector]:
+    """Position and velocity of a point of a frame, its arm, and the frame's rate, all in world axes."""
+    arm, spin = v.matvec(v.tri(pose), v.vec(offset, 9)), v.matvec(v.tri(axes), v.vec(rate))
+    return v.add(v.vec(pose, 9), arm), v.add(v.vec(pose, 12), v.cross(spin, arm)), arm, spin
 
 
 def load_kernel(*, follower: bool) -> Kernel:
