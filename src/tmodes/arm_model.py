@@ -4,24 +4,19 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.arm_passes import ArmPasses
 from tmodes.chain import Chain
-from tmodes.equations.arm.elastic import elastic_forces
-from tmodes.equations.arm.forward import forward_dynamics
-from tmodes.equations.arm.inertia import inertia_forces
 from tmodes.equations.arm.parts import Parts
-from tmodes.evaluator import Rows, derivatives, evaluate
+from tmodes.evaluator import Rows
 
 __all__ = ["ArmModel", "PointMotion"]
 
 Array = NDArray[np.float64]
-
-_ROW = 24
-"""Numbers of the base: acceleration less gravity (6), rate (3), pose (15)."""
 
 _POINT = 24
 """Numbers told of a point: pose (15), rate (3), acceleration (6)."""
@@ -49,9 +44,14 @@ class ArmModel:
     chain: Chain
 
     @cached_property
+    def passes(self) -> ArmPasses:
+        """The recursion's schedules with this chain's numbers."""
+        return ArmPasses(Parts(self.chain))
+
+    @property
     def parts(self) -> Parts:
         """The chain as kernels and numbers."""
-        return Parts(self.chain)
+        return self.passes.parts
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -86,7 +86,16 @@ class ArmModel:
     @property
     def parameters(self) -> Array:
         """The numbers of the chain, as the compiled code reads them."""
-        return self.parts.numbers.vector
+        return self.passes.parameters
+
+    @property
+    def rotor_inertias(self) -> Array:
+        """Inertia of the rotors along each coordinate, a diagonal of the mass matrix, shape (nq,)."""
+        return self.passes.rotor_inertias
+
+    def at_rest(self, *, gravity: bool = True) -> Array:
+        """The row (24) of a base at rest: acceleration less gravity (6), rate (3), pose and velocity in the world."""
+        return self.passes.at_rest(gravity=gravity)
 
     def forward_dynamics(
         self,
@@ -104,14 +113,13 @@ class ArmModel:
         ``effort`` (n, efforts): joint effort, or motor torque after the reducer; ``given`` (n, prescribed joints):
         their accelerations; ``step`` h: those of a linearly implicit Euler step of h [s].
         """
-        parts = self.parts
-        schedule = self._schedule("forward", loaded=wrenches is not None)
-        rows = Rows(q, v, parts.size)
-        blocks = {
-            "effort": rows.of(effort, len(parts.efforts)), "given": rows.of(given, len(parts.given)),
-            "step": rows.of(step, 1), **self._common(rows, base, wrenches),
-        }  # fmt: skip
-        return rows.shaped(evaluate(self.parameters, schedule, blocks, rows.count)["a"])
+        rows, parts = Rows(q, v, self.nq), self.parts
+        inputs = {
+            "effort": rows.of(effort, len(parts.efforts)),
+            "given": rows.of(given, len(parts.given)),
+            "step": rows.of(step, 1),
+        }
+        return rows.shaped(self.passes.forward(rows, inputs, base, wrenches))
 
     def inverse_dynamics(
         self,
@@ -124,7 +132,7 @@ class ArmModel:
     ) -> Array:
         """Generalized forces that must be applied along all coordinates, shape of q [N*m, N]."""
         rows = Rows(q, v, self.nq)
-        return rows.shaped(self._inertial(rows, a, base, wrenches)["forces"] + self._elastic(rows)["forces"])
+        return rows.shaped(self.passes.inertia(rows, a, base, wrenches)["forces"] + self.passes.elastic(rows)["forces"])
 
     def mass_matrix(self, q: ArrayLike) -> Array:
         """M(q), shape (n, nq, nq) or (nq, nq) [SI]."""
@@ -132,7 +140,7 @@ class ArmModel:
         n = self.nq
         many = Rows(np.repeat(rows.q, n, axis=0), np.zeros((rows.count * n, n)), n)
         units = np.tile(np.eye(n), (rows.count, 1))
-        columns = self._inertial(many, units, self._base(gravity=False), None)["forces"]
+        columns = self.passes.inertia(many, units, self.passes.at_rest(gravity=False), None)["forces"]
         matrix = columns.reshape(rows.count, n, n)
         matrix = (matrix + matrix.transpose(0, 2, 1)) / 2
         return matrix[0] if rows.single else matrix
@@ -140,7 +148,7 @@ class ArmModel:
     def bias(self, q: ArrayLike, v: ArrayLike, *, base: ArrayLike | None = None) -> Array:
         """Coriolis, centrifugal and gravity forces h(q, v), shape of q."""
         rows = Rows(q, v, self.nq)
-        return rows.shaped(self._inertial(rows, 0.0, base, None)["forces"])
+        return rows.shaped(self.passes.inertia(rows, 0.0, base, None)["forces"])
 
     def gravity_forces(self, q: ArrayLike) -> Array:
         """Forces of gravity g(q), shape of q."""
@@ -149,14 +157,14 @@ class ArmModel:
     def elastic_forces(self, q: ArrayLike, v: ArrayLike) -> Array:
         """Forces of springs, dampers and friction, as they stand on the left side, shape of q."""
         rows = Rows(q, v, self.nq)
-        return rows.shaped(self._elastic(rows)["forces"])
+        return rows.shaped(self.passes.elastic(rows)["forces"])
 
     def energies(self, q: ArrayLike, v: ArrayLike) -> dict[str, Array]:
         """Energies [J] of shape (n,): kinetic, gravity (zero at the world's origin), elastic_gear, elastic_link."""
         rows = Rows(q, v, self.nq)
         still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
-        momentum = self._inertial(still, rows.v, self._base(gravity=False), None)
-        elastic = self._elastic(rows)["energies"].reshape(rows.count, -1, 2)
+        momentum = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=False), None)
+        elastic = self.passes.elastic(rows)["energies"].reshape(rows.count, -1, 2)
         found = {
             "kinetic": (momentum["forces"] * rows.v).sum(axis=1) / 2,
             "gravity": -momentum["moment"] @ np.asarray(self.chain.gravity, dtype=float),
@@ -168,7 +176,7 @@ class ArmModel:
     def losses(self, q: ArrayLike, v: ArrayLike) -> dict[str, Array]:
         """Power lost [W], shape (n,): gear_damping, friction, link_damping."""
         rows = Rows(q, v, self.nq)
-        lost = self._elastic(rows)["losses"].reshape(rows.count, -1, 3).sum(axis=1)
+        lost = self.passes.elastic(rows)["losses"].reshape(rows.count, -1, 3).sum(axis=1)
         names = ("gear_damping", "friction", "link_damping")
         return {name: lost[0, k] if rows.single else lost[:, k] for k, name in enumerate(names)}
 
@@ -180,7 +188,7 @@ class ArmModel:
         """Linear momentum [kg*m/s] and angular momentum about the world's origin [kg*m^2/s], world axes, (n, 3)."""
         rows = Rows(q, v, self.nq)
         still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
-        told = self._inertial(still, rows.v, self._base(gravity=False), None)["base_force"]
+        told = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=False), None)["base_force"]
         placed = self.chain.base
         linear, about_base = told[:, 3:] @ placed.rotation.T, told[:, :3] @ placed.rotation.T
         angular = about_base + np.cross(placed.position, linear)
@@ -191,8 +199,8 @@ class ArmModel:
     ) -> PointMotion:
         """Motion of the named points; the acceleration is that of the coordinates ``a`` without gravity."""
         rows = Rows(q, v, self.nq)
-        base = self._base(gravity=False) if base is None else base
-        told = self._inertial(rows, a, base, None)["points"].reshape(rows.count, -1, _POINT)
+        base = self.passes.at_rest(gravity=False) if base is None else base
+        told = self.passes.inertia(rows, a, base, None)["points"].reshape(rows.count, -1, _POINT)
         shape = told.shape[:2]
         parts = (told[..., 9:12], told[..., :9].reshape(*shape, 3, 3), told[..., 12:15], told[..., 15:18],
                  told[..., 18:21], told[..., 21:24])  # fmt: skip
@@ -227,63 +235,8 @@ class ArmModel:
         K and D hold what the rates ``v``, the accelerations ``a`` and dead wrenches contribute.
         """  # fmt: skip
         n = self.nq
-        q = np.asarray(q, dtype=float).reshape(n)
-        state = [q, np.zeros(n) if v is None else np.asarray(v, dtype=float).reshape(n)]
-        acceleration = np.zeros(n) if a is None else np.asarray(a, dtype=float).reshape(n)
-        sides = []
-        for side in range(2):
-            directions = {
-                "q": np.eye(n) if side == 0 else np.zeros((n, n)),
-                "v": np.eye(n) if side else np.zeros((n, n)),
-            }
-            rows = Rows(np.tile(state[0], (n, 1)), np.tile(state[1], (n, 1)), n)
-            schedule = self._schedule("inertia", loaded=wrenches is not None)
-            blocks = {"a": rows.of(acceleration, n), **self._common(rows, base, wrenches)}
-            slopes = derivatives(self.parameters, schedule, blocks, directions, n)["forces"]
-            elastic = derivatives(
-                self.parameters, self._schedule("elastic"), self._common(rows, None, None), directions, n
-            )
-            sides.append((slopes + elastic["forces"]).T)
-        return self.mass_matrix(q), sides[1], sides[0]
-
-    def _inertial(
-        self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
-    ) -> dict[str, Array]:
-        schedule = self._schedule("inertia", loaded=wrenches is not None)
-        acceleration = rows.of(a, self.nq)
-        blocks = {"a": acceleration, **self._common(rows, base, wrenches)}
-        found = evaluate(self.parameters, schedule, blocks, rows.count)
-        return found | {"forces": found["forces"] + acceleration * self.rotor_inertias}
-
-    @cached_property
-    def rotor_inertias(self) -> Array:
-        """Inertia of the rotors along each coordinate, a diagonal of the mass matrix."""
-        rotors = np.zeros(self.nq)
-        for part in self.parts.nodes:
-            motor = part.node.joint.motor
-            if motor and part.angle >= 0 and part.drive:
-                rotors[part.motor if part.motor >= 0 else part.angle] += motor.inertia if part.effort >= 0 else 0.0
-        return rotors
-
-    def _elastic(self, rows: Rows) -> dict[str, Array]:
-        return evaluate(self.parameters, self._schedule("elastic"), self._common(rows, None, None), rows.count)
-
-    def _base(self, *, gravity: bool = True) -> Array:
-        """The base at rest."""
-        placed = self.chain.base
-        pull = placed.rotation.T @ np.asarray(self.chain.gravity, dtype=float) if gravity else np.zeros(3)
-        return np.concatenate([np.zeros(3), -pull, np.zeros(3), placed.rotation.ravel(), placed.position, np.zeros(3)])
-
-    def _common(self, rows: Rows, base: ArrayLike | None, wrenches: ArrayLike | None) -> dict[str, Array]:
-        blocks = {"q": rows.q, "v": rows.v, "base": rows.of(self._base() if base is None else base, _ROW)}
-        if wrenches is not None:
-            size = 6 * len(self.parts.points)
-            blocks["wrenches"] = rows.of(np.asarray(wrenches, dtype=float).reshape(-1, size), size)
-        return blocks
-
-    def _schedule(self, name: str, *, loaded: bool = False) -> Any:
-        label = f"_schedule_{name}{'_loaded' * loaded}"
-        if label not in self.__dict__:
-            make = {"forward": forward_dynamics, "inertia": inertia_forces}.get(name)
-            self.__dict__[label] = make(self.parts, loaded=loaded) if make else elastic_forces(self.parts)
-        return self.__dict__[label]
+        here = [np.zeros(n) if x is None else np.asarray(x, dtype=float).reshape(n) for x in (q, v, a)]
+        rows = Rows(np.tile(here[0], (n, 1)), np.tile(here[1], (n, 1)), n)
+        stiffness = self.passes.slopes(rows, here[2], base, wrenches, {"q": np.eye(n)})
+        damping = self.passes.slopes(rows, here[2], base, wrenches, {"v": np.eye(n)})
+        return self.mass_matrix(here[0]), damping.T, stiffness.T

@@ -1,0 +1,98 @@
+"""The recursion's schedules with the numbers of one chain, evaluated at rows of states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.equations.arm.elastic import elastic_forces
+from tmodes.equations.arm.forward import forward_dynamics
+from tmodes.equations.arm.inertia import inertia_forces
+from tmodes.equations.arm.parts import Parts
+from tmodes.equations.arm.passes import BASE
+from tmodes.equations.arm.schedule import Schedule
+from tmodes.evaluator import Blocks, Rows, derivatives, evaluate
+
+__all__ = ["ArmPasses"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class ArmPasses:
+    """Forward dynamics, forces of inertia, elastic forces; each schedule is made at its first use.
+
+    ``base`` is a row of 24 numbers (None: at rest), ``wrenches`` (n, points, 6) or None: no force on any point.
+    """
+
+    parts: Parts
+
+    @cached_property
+    def parameters(self) -> Array:
+        """All numbers of the chain."""
+        return self.parts.numbers.vector
+
+    @cached_property
+    def _schedules(self) -> dict[tuple[str, bool], Schedule]:
+        return {}
+
+    def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
+        """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
+        if (name, loaded) not in self._schedules:
+            make = {"forward": forward_dynamics, "inertia": inertia_forces}.get(name)
+            made = make(self.parts, loaded=loaded) if make else elastic_forces(self.parts)
+            self._schedules[name, loaded] = made
+        return self._schedules[name, loaded]
+
+    def forward(self, rows: Rows, inputs: Blocks, base: ArrayLike | None, wrenches: ArrayLike | None) -> Array:
+        """Accelerations of the coordinates; ``inputs``: effort, given, step."""
+        schedule = self.schedule("forward", loaded=wrenches is not None)
+        return evaluate(self.parameters, schedule, inputs | self._common(rows, base, wrenches), rows.count)["a"]
+
+    def inertia(self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+        """Outputs of :func:`tmodes.equations.arm.inertia.inertia_forces`, the rotors among the forces."""
+        schedule, acceleration = self.schedule("inertia", loaded=wrenches is not None), rows.of(a, self.parts.size)
+        blocks = {"a": acceleration, **self._common(rows, base, wrenches)}
+        found = evaluate(self.parameters, schedule, blocks, rows.count)
+        return found | {"forces": found["forces"] + acceleration * self.rotor_inertias}
+
+    def elastic(self, rows: Rows) -> Blocks:
+        """Outputs of :func:`tmodes.equations.arm.elastic.elastic_forces`."""
+        return evaluate(self.parameters, self.schedule("elastic"), self._common(rows, None, None), rows.count)
+
+    def slopes(
+        self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None, directions: Blocks
+    ) -> Array:
+        """Derivatives of all forces along one direction of q or v for each row, exact, shape (n, nq)."""
+        schedule, size = self.schedule("inertia", loaded=wrenches is not None), rows.count
+        blocks = {"a": rows.of(a, self.parts.size), **self._common(rows, base, wrenches)}
+        inertial = derivatives(self.parameters, schedule, blocks, directions, size)["forces"]
+        common = self._common(rows, None, None)
+        return inertial + derivatives(self.parameters, self.schedule("elastic"), common, directions, size)["forces"]
+
+    @cached_property
+    def rotor_inertias(self) -> Array:
+        """Inertia of the rotors along each coordinate."""
+        rotors = np.zeros(self.parts.size)
+        for part in self.parts.nodes:
+            motor = part.node.joint.motor
+            if motor and part.effort >= 0:
+                rotors[part.motor if part.motor >= 0 else part.angle] += motor.inertia
+        return rotors
+
+    def at_rest(self, *, gravity: bool = True) -> Array:
+        """The row of a base at rest."""
+        placed, pull = self.parts.chain.base, np.zeros(3)
+        if gravity:
+            pull = placed.rotation.T @ np.asarray(self.parts.chain.gravity, dtype=float)
+        return np.concatenate([np.zeros(3), -pull, np.zeros(3), placed.rotation.ravel(), placed.position, np.zeros(3)])
+
+    def _common(self, rows: Rows, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+        blocks = {"q": rows.q, "v": rows.v, "base": rows.of(self.at_rest() if base is None else base, BASE)}
+        if wrenches is not None:
+            size = 6 * len(self.parts.points)
+            blocks["wrenches"] = rows.of(np.asarray(wrenches, dtype=float).reshape(-1, size), size)
+        return blocks
