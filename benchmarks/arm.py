@@ -65,7 +65,7 @@ class Arm:
 
     def contender(self, arithmetic: str) -> Callable[[], float]:
         """Seconds per state."""
-        library = kernels.schedule_function("arm", self.schedule.key, lambda: self.schedule, arithmetic)
+        library = kernels.schedule_function("arm", self.schedule, arithmetic)
         width = 4 if arithmetic == "lanes" else 1
         parameters, workspace = self.model.parameters, np.zeros(self.schedule.workspace * width)
 
@@ -145,7 +145,7 @@ def main() -> None:
     print(f"forward dynamics, medians of {chosen.rounds} rounds; {platform.processor() or platform.machine()}")
     for name, seconds in medians.items():
         print(f"{name:<62}{seconds * 1e6:9.2f} us   ratio {seconds / medians[ours]:6.3f}")
-    print(f"residual of our equations of motion {error:.1e}; ready with an empty cache in {ready:.2f} s of processor time")
+    print(f"residual of the equations of motion {error:.1e}; with an empty cache ready in {ready:.2f} s (processor)")
     if chosen.json:
         told = {"microseconds": {k: 1e6 * s for k, s in medians.items()}, "residual": error, "ready_s": ready}
         Path(chosen.json).write_text(json.dumps(told, indent=1))

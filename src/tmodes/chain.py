@@ -125,7 +125,7 @@ class Joint:
     gear: Gear | None = None
     friction: Friction = Friction()
     rest: float = 0.0
-    """Motor angle of SPRING, or the angle at which ``placement`` is not yet turned [rad or m]."""
+    """Where the locked motor of SPRING stands [rad or m]."""
     lower: float = -np.inf
     upper: float = np.inf
 

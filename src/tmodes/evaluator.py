@@ -17,7 +17,7 @@ Blocks = dict[str, Array]
 
 def evaluate(parameters: Array, schedule: Any, blocks: Blocks, count: int) -> Blocks:
     """Outputs of a schedule at ``count`` samples by name, each (count, numbers); ``blocks`` are its inputs by name."""
-    library = kernels.schedule_function("arm", schedule.key, lambda: schedule, "double")
+    library = kernels.schedule_function("arm", schedule, "double")
     packed = np.ascontiguousarray(np.concatenate([blocks[name] for name in schedule.inputs], axis=1))
     out, workspace = np.empty((count, schedule.output_size)), np.zeros(schedule.workspace)
     library["run"](count, 0, *(array.ctypes.data for array in (parameters, workspace, packed, out)))
@@ -26,8 +26,7 @@ def evaluate(parameters: Array, schedule: Any, blocks: Blocks, count: int) -> Bl
 
 def derivatives(parameters: Array, schedule: Any, blocks: Blocks, directions: Blocks, count: int) -> Blocks:
     """Exact derivatives of the outputs at ``count`` samples, each along its own direction of the inputs named."""
-    # Differentiated code is twice as long and seldom called: quicker to compile is worth more than quicker to run.
-    library = kernels.schedule_function("arm", schedule.key, lambda: schedule, "derivative", level=0)
+    library = kernels.schedule_function("arm", schedule, "derivative")
     values = np.concatenate([blocks[name] for name in schedule.inputs], axis=1)
     slopes = [directions.get(name, np.zeros_like(blocks[name])) for name in schedule.inputs]
     packed = np.ascontiguousarray(np.stack([values, np.concatenate(slopes, axis=1)], axis=1))

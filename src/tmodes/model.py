@@ -31,6 +31,11 @@ class Model:
 
     mechanism: Mechanism
 
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates, in the order of a state."""
+        return COORDINATES
+
     def evaluate(self, phi: ArrayLike, phid: ArrayLike, voltage: ArrayLike, parameters: Parameters) -> dict[str, Array]:
         """All terms of the equations at n states: phi (n, 6) [rad], phid (n, 6) [rad/s], voltage (n,) [V].
 

@@ -1,6 +1,7 @@
 """Result: the frozen, self-describing record of one run.
 
 Every series is a labelled variable with its unit; the attributes tell the robot, the settings and how the run ended.
+What results of all kinds of robots share is a :class:`RunRecord`; the attribute ``kind`` tells one kind from another.
 """
 
 from __future__ import annotations
@@ -9,32 +10,40 @@ import json
 import os
 from dataclasses import dataclass
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from tmodes.io.atomic import file_error
+from tmodes.io.words import shown
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
     from tmodes.robot import Robot
 
-__all__ = ["RESULT_FORMAT", "STATUSES", "Result"]
+__all__ = ["RESULT_FORMAT", "STATUSES", "Result", "RunRecord", "kind_of", "read_record"]
 
 RESULT_FORMAT = 1
 """Version of the names and meanings in a result (of the file's bytes: ``io.resultfile.FORMAT_VERSION``)."""
 
-_NEEDED = ("robot", "status", "message", "frequencies", "statistics", "warnings", "parameters", "versions", "reading")
-_SERIES = ("time", "q", "v", "tip", "deviation", "deformation", "energy", "work", "bending_moment", "line")
+_NEEDED = ("robot", "status", "message", "frequencies", "statistics", "warnings", "versions")
+_SERIES = ("time", "q", "v", "tip", "energy", "work", "energy_balance")
 """What every result of a run holds."""
+
+KINDS = {"robot": "the robot of the 2010 paper (Result.load)", "arm": "an arm (ArmResult.load)"}
+"""The kinds of results, and who reads them; a result that does not tell its kind is of the first."""
 
 STATUSES = ("finished", "diverged", "stopped", "interrupted")
 
 
 @dataclass(frozen=True, eq=False)
-class Result:
-    """What a run gave, as an xarray Dataset: ``result.data["tip"].sel(axis="z")``."""
+class RunRecord:
+    """What a run gave, as an xarray Dataset, whatever ran."""
 
     data: Dataset
+
+    kind: ClassVar[str] = ""
+    needed: ClassVar[tuple[str, ...]] = _NEEDED
+    series: ClassVar[tuple[str, ...]] = _SERIES
 
     @property
     def status(self) -> str:
@@ -50,13 +59,6 @@ class Result:
     def message(self) -> str:
         """How the run ended, in a sentence."""
         return self._attribute("message")
-
-    @property
-    def robot(self) -> Robot:
-        """The robot that ran, rebuilt from its data sheet and checked again."""
-        from tmodes.io.check import robot_from_data
-
-        return robot_from_data(self._json("robot"))
 
     @property
     def warnings(self) -> tuple[str, ...]:
@@ -76,15 +78,6 @@ class Result:
         """What the integration took: steps, rejected steps, evaluations, dt times the highest frequency."""
         return self._json("statistics")
 
-    def summary(self, band: float = 0.05) -> dict[str, Any]:
-        """The numbers a reader asks first; see :func:`tmodes.analysis.summary.summarise`.
-
-        Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
-        """
-        from tmodes.analysis.summary import summarise
-
-        return summarise(self.data, band)
-
     def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
         """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.
 
@@ -102,23 +95,27 @@ class Result:
         return path
 
     @classmethod
-    def load(cls, path: str | os.PathLike[str]) -> Result:
+    def load(cls, path: str | os.PathLike[str]) -> Self:
         """Read a result back, whole and checked.
 
-        Raises :class:`tmodes.errors.ResultFileError` when the file is damaged, foreign or of another version.
+        Raises :class:`tmodes.errors.ResultFileError` when the file is damaged, foreign, of another version, or of
+        another kind of robot.
         """
-        from tmodes.io.resultfile import read_sealed
+        return cls.of(read_record(path), path)
 
-        data = read_sealed(path)
-        version, status = data.attrs.get("tmodes_format"), data.attrs.get("status")
-        if version != RESULT_FORMAT:
-            mend = "read it with the tmodes that wrote it, or run the robot again"
-            raise file_error(f"{path}, tmodes_format", repr(version), str(RESULT_FORMAT), mend)
-        missing = [name for name in _NEEDED if name not in data.attrs] + [name for name in _SERIES if name not in data]
+    @classmethod
+    def of(cls, data: Dataset, path: object) -> Self:
+        """The result that a dataset holds; ``path`` names it in errors, which are those of :meth:`load`."""
+        if (kind := kind_of(data)) != cls.kind:
+            got, expected = (f"a result of {KINDS.get(name, shown(name))}" for name in (kind, cls.kind))
+            raise file_error(path, got, expected, "read it with the other, or with tmodes.arm_result.load_result")
+        missing = [name for name in cls.needed if name not in data.attrs]
+        missing += [name for name in cls.series if name not in data]
         if missing:
             raise file_error(f"{path}, {missing[0]}", "nothing", "a result of a run", "run the robot again")
-        if status not in STATUSES:
-            raise file_error(f"{path}, status", repr(status), f"one of {STATUSES}", "run the robot again")
+        if data.attrs["status"] not in STATUSES:
+            got, expected = repr(data.attrs["status"]), f"one of {STATUSES}"
+            raise file_error(f"{path}, status", got, expected, "run the robot again")
         return cls(data)
 
     def _repr_html_(self) -> str:
@@ -142,3 +139,48 @@ class Result:
             if variable.dtype.kind == "f" and not np.isfinite(variable.values).all():
                 mend = "keep only what is before it: result.data.isel(time=slice(None, n))"
                 raise file_error(f"variable {name}", "a number that is not finite", "finite numbers", mend)
+
+
+@dataclass(frozen=True, eq=False)
+class Result(RunRecord):
+    """What a run of the 2010 paper's robot gave: ``result.data["tip"].sel(axis="z")``."""
+
+    kind: ClassVar[str] = "robot"
+    needed: ClassVar[tuple[str, ...]] = (*_NEEDED, "parameters", "reading")
+    series: ClassVar[tuple[str, ...]] = (*_SERIES, "deviation", "deformation", "bending_moment", "line")
+
+    @property
+    def robot(self) -> Robot:
+        """The robot that ran, rebuilt from its data sheet and checked again."""
+        from tmodes.io.check import robot_from_data
+
+        return robot_from_data(self._json("robot"))
+
+    def summary(self, band: float = 0.05) -> dict[str, Any]:
+        """The numbers a reader asks first; see :func:`tmodes.analysis.summary.summarise`.
+
+        Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
+        """
+        from tmodes.analysis.summary import summarise
+
+        return summarise(self.data, band)
+
+
+def kind_of(data: Dataset) -> str:
+    """What ran: one of ``robot`` (the 2010 paper's) and ``arm``."""
+    return str(data.attrs.get("kind", "robot"))
+
+
+def read_record(path: str | os.PathLike[str]) -> Dataset:
+    """The dataset of a result file of any kind, whole, of the version that is known here.
+
+    Raises :class:`tmodes.errors.ResultFileError` as :meth:`RunRecord.load`.
+    """
+    from tmodes.io.resultfile import read_sealed
+
+    data = read_sealed(path)
+    version = data.attrs.get("tmodes_format")
+    if version != RESULT_FORMAT:
+        mend = "read it with the tmodes that wrote it, or run the robot again"
+        raise file_error(f"{path}, tmodes_format", repr(version), str(RESULT_FORMAT), mend)
+    return data

@@ -7,7 +7,7 @@ from collections.abc import Callable
 from importlib.metadata import version
 from pathlib import Path
 from types import TracebackType
-from typing import Any, Self
+from typing import TYPE_CHECKING, Any, Self
 
 from tmodes.compile.cache import source_digest
 from tmodes.compile.native import host
@@ -16,8 +16,11 @@ from tmodes.io.atomic import FolderLock, check_writable, remove_orphans
 from tmodes.io.checkpoint import run_identity
 from tmodes.io.journal import RunJournal
 from tmodes.result import Result
-from tmodes.robot import Robot
 from tmodes.trajectory import sample_times
+
+if TYPE_CHECKING:
+    from tmodes.integrate.settings import Integration
+    from tmodes.plot.save import Drawing
 
 __all__ = ["RunFolder"]
 
@@ -29,21 +32,21 @@ Progress = Callable[[str, float], None]
 class RunFolder:
     """The folder of one run: ``result.nc``, ``report.html``, ``figures/``.
 
+    What is of one kind of robot is in ``_sheet``, ``_bytes``, ``_load``, ``_computed``, ``_drawn``, ``_write_report``.
     Used as a context; raises :class:`tmodes.errors.ResultFileError` on entry where the run could not be stored: no
     permission, no room, another writer, a result that is there already.
     """
 
-    def __init__(self, path: Path, robot: Robot, overwrite: bool = False) -> None:
+    def __init__(self, path: Path, robot: Any, overwrite: bool = False) -> None:
         self.path, self.robot, self.overwrite = path, robot, overwrite
         self.result_file, self.report_file, self.figures = path / "result.nc", path / "report.html", path / "figures"
         self.continues = False
-        self._done: Result | None = None
+        self._done: Any = None
         self._lock = FolderLock(path)
         self._journals: dict[str, RunJournal] = {}
 
     def __enter__(self) -> Self:
-        samples = len(sample_times(self.robot.integration))
-        check_writable(self.path, samples * self.robot.integration.bytes_per_sample + _ROOM_FOR_FIGURES)
+        check_writable(self.path, self._bytes() + _ROOM_FOR_FIGURES)
         self._check_kinds()
         self._lock.__enter__()
         remove_orphans(self.figures)
@@ -83,13 +86,13 @@ class RunFolder:
                 "replaces it, --out names another folder"
             )
 
-    def _earlier(self) -> Result | None:
+    def _earlier(self) -> Any:
         """The result that is there, when it is whole and of the same data sheet."""
         try:
-            earlier = Result.load(self.result_file)
+            earlier = self._load()
         except ResultFileError:
             return None
-        same_sheet = earlier.data.attrs.get("robot") == self.robot.model_dump_json()
+        same_sheet = earlier.data.attrs.get("robot") == self._sheet()
         same_program = json.loads(earlier.data.attrs.get("versions", "{}")).get("tmodes") == version("tmodes")
         return earlier if same_sheet and same_program else None
 
@@ -100,32 +103,56 @@ class RunFolder:
             journal.close()
         self._lock.__exit__(kind, value, trace)
 
-    def simulate(self, progress: Progress) -> Result:
+    def simulate(self, progress: Progress) -> Any:
         """Run, store the result, and drop the checkpoints that it replaces."""
-        from tmodes.simulate import simulate
-
         if self._done:
             return self._done
-        result = simulate(self.robot, progress=progress, journals=self._journal)
+        result = self._computed(progress)
         result.save(self.result_file, overwrite=self.overwrite)
         if result.status != "interrupted":
             for journal in self._journals.values():
                 journal.remove()
         return result
 
-    def illustrate(self, result: Result, progress: Progress) -> None:
+    def illustrate(self, result: Any, progress: Progress) -> None:
         """Draw the figures and write the report."""
-        from tmodes.plot import drawings, save_figures
-        from tmodes.report import write_report
+        from tmodes.plot import save_figures
 
-        pictures = drawings(result)
+        pictures = self._drawn(result)
         self.figures.mkdir(exist_ok=True)
         save_figures(
             result, self.figures, progress=lambda done, total, name: progress("figures", done / total), figures=pictures
         )
+        self._write_report(result, pictures)
+
+    def _sheet(self) -> str:
+        """The data sheet as JSON: what makes two runs the same."""
+        return self.robot.model_dump_json()
+
+    def _bytes(self) -> int:
+        """Size of the result [bytes], about."""
+        settings: Integration = self.robot.integration
+        return len(sample_times(settings)) * settings.bytes_per_sample
+
+    def _load(self) -> Any:
+        return Result.load(self.result_file)
+
+    def _computed(self, progress: Progress) -> Any:
+        from tmodes.simulate import simulate
+
+        return simulate(self.robot, progress=progress, journals=self._journal)
+
+    def _drawn(self, result: Any) -> dict[str, Drawing]:
+        from tmodes.plot import drawings
+
+        return drawings(result)
+
+    def _write_report(self, result: Any, pictures: dict[str, Drawing]) -> None:
+        from tmodes.report import write_report
+
         write_report(result, self.report_file, pictures)
 
-    def summary(self, result: Result) -> dict[str, Any]:
+    def summary(self, result: Any) -> dict[str, Any]:
         """What the run gave, for machines."""
         files = {"result": self.result_file, "report": self.report_file, "figures": self.figures}
         return {
@@ -139,6 +166,6 @@ class RunFolder:
         }
 
     def _journal(self, stage: str) -> RunJournal:
-        identity = run_identity(self.robot.model_dump_json(), stage, source_digest((".",)), host())
+        identity = run_identity(self._sheet(), stage, source_digest((".",)), host())
         self._journals[stage] = RunJournal(self.path / f".checkpoint-{stage}", identity)
         return self._journals[stage]

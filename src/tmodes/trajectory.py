@@ -6,19 +6,16 @@ import math
 import time as clock
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Protocol
+from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
-from tmodes.equations.layout import COORDINATES, STATE_SIZE
 from tmodes.integrate.settings import Integration, Method
-from tmodes.mechanism import Parameters
-from tmodes.model import Model
 from tmodes.reference.schedule import Schedule
 
-__all__ = ["BOUND", "Journal", "Trajectory", "integrate", "sample_times"]
+__all__ = ["BOUND", "Journal", "Moving", "Numbers", "Trajectory", "integrate", "sample_times"]
 
 BOUND = 1e8
 """A coordinate [rad] or rate [rad/s] beyond this is no motion any more: the run has diverged."""
@@ -39,9 +36,42 @@ class Journal(Protocol):
         ...
 
 
+class Numbers(Protocol):
+    """The numbers of a robot, as its compiled code reads them."""
+
+    @property
+    def vector(self) -> NDArray[np.float64]:
+        """All of them."""
+        ...
+
+
+class Moving(Protocol):
+    """What a run needs of a model: its native loops, its right-hand side, and the names of its coordinates.
+
+    A state holds the coordinates, then their rates, then what else is integrated.
+    """
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
+        ...
+
+    @property
+    def loops(self) -> Any:
+        """A native loop for each method."""
+        ...
+
+    def rate(self, time: Any, state: Any, row: Any, parameters: Any) -> NDArray[np.float64]:
+        """Derivative of the state by time, (n, size)."""
+        ...
+
+
 @dataclass
 class Trajectory:
-    """Samples of a run: ``times`` (n,) [s], ``states`` (n, 17); ``status`` finished, diverged, stopped, interrupted."""
+    """Samples of a run: ``times`` (n,) [s], ``states`` (n, size).
+
+    ``status``: finished, diverged, stopped, interrupted.
+    """
 
     times: NDArray[np.float64]
     states: NDArray[np.float64]
@@ -61,15 +91,15 @@ def sample_times(settings: Integration) -> NDArray[np.float64]:
 
 
 def integrate(
-    model: Model,
-    parameters: Parameters,
+    model: Moving,
+    parameters: Numbers,
     schedule: Schedule,
     state: NDArray[np.float64],
     settings: Integration,
     progress: Callable[[float], None] = lambda share: None,
     journal: Journal | None = None,
 ) -> Trajectory:
-    """Integrate from ``state`` (17,) over ``settings.duration``.
+    """Integrate from ``state`` (size,) over ``settings.duration``.
 
     ``progress`` is told the share of the time that is done. Ctrl-C ends the run with what it has (``interrupted``).
     Stopping, continuing from a journal, and the pieces in which the loop is called change no bit of the samples.
@@ -102,8 +132,8 @@ class _Run:
 
     def __init__(
         self,
-        model: Model,
-        parameters: Parameters,
+        model: Moving,
+        parameters: Numbers,
         schedule: Schedule,
         state: NDArray[np.float64],
         settings: Integration,
@@ -112,9 +142,9 @@ class _Run:
         self.times = sample_times(settings)
         self.knots = np.ascontiguousarray(schedule.knots)
         self.rows = np.ascontiguousarray(np.column_stack([schedule.knots[:-1], schedule.coefficients]))
-        self.memory, self.slope = np.zeros(len(CELLS)), np.zeros(STATE_SIZE)
+        self.memory, self.slope = np.zeros(len(CELLS)), np.zeros(len(state))
         self.state = np.array(state, dtype=float)
-        self.samples = np.zeros((len(self.times), STATE_SIZE))
+        self.samples = np.zeros((len(self.times), len(self.state)))
         self.samples[0] = self.state
         for name, value in {"sample": 1.0, "fresh": 1.0, "old_error": 1e-4}.items():
             self.memory[CELLS.index(name)] = value
@@ -173,11 +203,11 @@ class _Run:
 
     def _cause(self) -> str:
         """Where and in which coordinate the motion was lost."""
-        rates = self._rates_now()
-        wild = np.where(np.isfinite(rates), np.abs(rates), np.inf)
-        name = COORDINATES[int(np.argmax(wild[6:12]))]
-        where = f"diverged at t = {self.cell('t'):.6g} s in coordinate {name}"
-        value = f"its acceleration is {rates[6:12][int(np.argmax(wild[6:12]))]:.3g} rad/s^2"
+        names = self.model.coordinates
+        accelerations = self._rates_now()[len(names) : 2 * len(names)]
+        wildest = int(np.argmax(np.where(np.isfinite(accelerations), np.abs(accelerations), np.inf)))
+        where = f"diverged at t = {self.cell('t'):.6g} s in coordinate {names[wildest]}"
+        value = f"its acceleration is {accelerations[wildest]:.3g} rad/s^2"
         if self.status is Status.STEP_TOO_SMALL:
             return f"{where}: {value} and no step is small enough (last {self.cell('h'):.3g} s)"
         return f"{where}: {value}; its next step leaves {BOUND:g} rad or rad/s"

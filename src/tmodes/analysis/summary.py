@@ -14,7 +14,7 @@ from tmodes.errors import InputError
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["summarise"]
+__all__ = ["first_frequencies", "mean_over_time", "summarise", "told_energy"]
 
 Array = NDArray[np.float64]
 
@@ -31,18 +31,18 @@ def summarise(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     time = np.asarray(data["time"].values, dtype=float)
     return {
         "status": data.attrs["status"],
-        "first_frequency_Hz": _first_frequencies(data),
+        "first_frequency_Hz": first_frequencies(data),
         "deviation": _deviation(data, time),
         "settling": _settling(data, time, band),
         "deformations": _deformations(data, time),
         "largest_bending_moment": _largest_moment(data, time),
         "gear_torque": _largest_torque(data, time),
         "contact_force_radial": _contact(data, time),
-        "energy": _energy(data),
+        "energy": told_energy(data),
     }
 
 
-def _first_frequencies(data: Dataset) -> dict[str, float | None]:
+def first_frequencies(data: Dataset) -> dict[str, float | None]:
     """The lowest frequency [Hz] with the motor locked, and the lowest that rings under control."""
     told = json.loads(data.attrs["frequencies"])
     return {
@@ -82,11 +82,11 @@ def _deformations(data: Dataset, time: Array) -> dict[str, dict[str, float | Non
     names = [str(name) for name in data["deformation_kind"].values]
     told: dict[str, dict[str, float | None]] = {}
     for name, is_, should in zip(names, real.T, reference.T, strict=True):
-        size = np.sqrt(_mean(time, should**2))
+        size = np.sqrt(mean_over_time(time, should**2))
         told[name] = {
             "max_rad": float(np.abs(is_).max()),
             "max_reference_rad": float(np.abs(should).max()),
-            "rms_deviation_over_rms_reference": float(np.sqrt(_mean(time, (is_ - should) ** 2)) / size)
+            "rms_deviation_over_rms_reference": float(np.sqrt(mean_over_time(time, (is_ - should) ** 2)) / size)
             if size
             else None,
         }
@@ -117,16 +117,16 @@ def _contact(data: Dataset, time: Array) -> dict[str, float] | None:
     if "contact_force_radial" not in data:
         return None
     force = data["contact_force_radial"].values
-    return {"min_N": float(force.min()), "max_N": float(force.max()), "mean_N": _mean(time, force)}
+    return {"min_N": float(force.min()), "max_N": float(force.max()), "mean_N": mean_over_time(time, force)}
 
 
-def _energy(data: Dataset) -> dict[str, float | None]:
+def told_energy(data: Dataset) -> dict[str, float | None]:
     """Energy moved (the largest change of one energy, or one work), and the worst residual of the balance over it."""
     moved = largest_flow(data["energy"].values, data["work"].values)
     worst = float(np.abs(data["energy_balance"].values).max())
     return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}
 
 
-def _mean(time: Array, values: Array) -> float:
+def mean_over_time(time: Array, values: Array) -> float:
     """Mean over time; the last sample may follow a shorter step."""
     return float(np.trapezoid(values, time) / (time[-1] - time[0])) if len(time) > 1 else float(values[0])

@@ -6,30 +6,50 @@ from typing import Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, ReadingOption, RobotArgument, Settings, chosen_robot
+from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 
 __all__ = ["evaluate"]
 
 
 def evaluate(
-    robot: RobotArgument,
-    states: Annotated[str, typer.Option(help="JSON file: a list of records with phi (6), phid (6) and u.")],
+    robot: SheetArgument,
+    states: Annotated[
+        str,
+        typer.Option(
+            help="JSON file: a list of records with phi (6), phid (6) and u; of an arm with q, v and effort, lists or "
+            "numbers by name; or of an arm a .csv with columns NAME, NAME.rate, effort.JOINT."
+        ),
+    ],
     reading: ReadingOption = None,
     contact: Annotated[bool, typer.Option("--contact", help="With the tip on the environment.")] = False,
     nominal: Annotated[bool, typer.Option("--nominal", help="The robot as known, not the real one.")] = False,
     settings: Settings = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
     """Mass matrix, bias, forces, accelerations, tip, Jacobian and energies at given states.
 
     Of H phidd + h + f_el + f_di + J^T F = Q: SI units, coordinates q, delta, gamma, vt, e, theta; the real robot; u is
     the motor's voltage; h holds gravity; H is without the environment's mass (phidd has it); F acts by the tip.
+
+    Of an arm M a + h + f_el = effort, free of contact and loads, with gravity g, points, Jacobians, energies, losses.
     """
     from tmodes.analysis.evaluate import evaluate_states
+    from tmodes.arm import Arm
+    from tmodes.cli.arm_evaluate import evaluate_arm
     from tmodes.cli.output import print_json_list
+    from tmodes.errors import InputError
     from tmodes.io.states import read_states
 
-    pair = chosen_robot(robot, settings, reading, contact).pair()
+    sheet = chosen_sheet(robot, settings, reading, contact or None, roots=root, trust_paths=trust_paths)
+    if isinstance(sheet, Arm):
+        if contact:
+            raise InputError("--contact", "an arm", "no contact: its terms are those in free space", "leave it out")
+        pair = sheet.pair()
+        evaluate_arm(pair.nominal if nominal else pair.real, states, as_json=as_json)
+        return
+    pair = (sheet if contact else sheet.with_({"contact": False})).pair()
     records = read_states(states)
     answers = evaluate_states(pair.nominal if nominal else pair.real, records)
     if as_json:

@@ -12,11 +12,14 @@ from typing import Annotated
 import typer
 
 from tmodes.cli.check import check
+from tmodes.cli.describe import describe
 from tmodes.cli.evaluate import evaluate
+from tmodes.cli.ladder import ladder
 from tmodes.cli.modes import modes
 from tmodes.cli.robots import robots
 from tmodes.cli.run import run
 from tmodes.cli.schema import schema
+from tmodes.cli.static import static
 from tmodes.errors import TmodesError
 
 __all__ = ["app", "main"]
@@ -35,7 +38,8 @@ app = typer.Typer(
     "4 a file cannot be read or written, 5 compiler trouble, 70 a fault of tmodes, 130 interrupted.",
 )
 for command, name in (
-    (run, "run"), (robots, "robots"), (check, "check"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
+    (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
+    (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
 ):  # fmt: skip
     app.command(name)(command)
 

@@ -2,16 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, RobotArgument, Settings, chosen_robot
 from tmodes.errors import InputError
 
+if TYPE_CHECKING:
+    from tmodes.arm import Arm
+    from tmodes.mechanism import Reading
+
 __all__ = ["modes"]
 
 _MOST_ANGLE = 1000.0
+
+_UNITS = {"frequency_Hz": "Hz, natural", "damped_frequency_Hz": "Hz", "damping_ratio": "1", "share": "1"}
 
 _MOTOR = {
     "locked": "motor locked",
@@ -30,6 +36,7 @@ def modes(
 ) -> None:
     """Frequencies and damping about the sagged rest, for the real robot and for the robot as it is known.
 
+    Of an arm: under its loads, its motors at their first command.
     `natural` is the undamped frequency, `damped` the one at which it rings (- where it is over-damped).
     """
     from tmodes.analysis.modes import all_modes
@@ -38,20 +45,62 @@ def modes(
     if angle is not None and not abs(angle) <= _MOST_ANGLE:
         expected = f"an angle between -{_MOST_ANGLE:g} and {_MOST_ANGLE:g} rad"
         raise InputError("--angle", repr(angle), expected, "give the motor's angle in radians, or leave it out")
+    if arm := _arm(robot, settings, reading, angle):
+        _modes_of_arm(arm, contact=contact, as_json=as_json)
+        return
     pair = chosen_robot(robot, settings, reading).pair()
     found = {"real": all_modes(pair.real, contact=contact, theta=angle)}
     if pair.real is not pair.nominal:
         found["nominal"] = all_modes(pair.nominal, contact=contact, theta=angle)
     if as_json:
-        units = {"frequency_Hz": "Hz, natural", "damped_frequency_Hz": "Hz", "damping_ratio": "1", "share": "1"}
         print_json(
-            {"robot": pair.nominal.name, "reading": pair.nominal.reading, "contact": contact, "units": units, **found}
+            {"robot": pair.nominal.name, "reading": pair.nominal.reading, "contact": contact, "units": _UNITS, **found}
         )
         return
     for kind, states in found.items():
         whose = "real robot" if kind == "real" else "robot as known"
         for state, lines in states.items():
             _print(f"{pair.nominal.name}, {whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
+
+
+def _arm(robot: str, settings: list[str] | None, reading: Reading | None, angle: float | None) -> Arm | None:
+    """The arm that the command line names; None where it names a robot of the 2010 paper."""
+    from tmodes.arm import Arm
+    from tmodes.io.paths import parse_assignment
+    from tmodes.robots import names
+    from tmodes.robots.load import load_sheet
+
+    if reading is not None or robot in names():
+        return None
+    sheet = load_sheet(robot, dict(parse_assignment(text) for text in settings or []))
+    if not isinstance(sheet, Arm):
+        return None
+    if angle is not None:
+        mend = "set the start of its drives: --set drives.0.signal.start=0.5"
+        raise InputError("--angle", repr(angle), "no angle: an arm has several motors", mend)
+    return sheet
+
+
+def _modes_of_arm(arm: Arm, *, contact: bool, as_json: bool) -> None:
+    from tmodes.analysis.arm_modes_sheet import sheet_modes
+    from tmodes.cli.interrupt import heard
+    from tmodes.cli.output import print_json
+    from tmodes.cli.progress import Stages
+
+    if contact and arm.contact is None:
+        raise InputError("--contact", "an arm that touches nothing", "a sheet with `contact`", "leave --contact out")
+    pair = arm.pair()
+    with heard() as wish, Stages(wish) as tell:
+        found = {"real": sheet_modes(pair.real, contact=contact, progress=tell)}
+        if arm.real:
+            found["nominal"] = sheet_modes(pair.nominal, contact=contact, progress=tell)
+    if as_json:
+        print_json({"arm": arm.name, "contact": contact, "units": _UNITS, **found})
+        return
+    for kind, states in found.items():
+        whose = "" if len(found) == 1 else ", real arm" if kind == "real" else ", arm as known"
+        for state, lines in states.items():
+            _print(f"{arm.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
 
 
 def _print(title: str, lines: list[dict[str, Any]]) -> None:

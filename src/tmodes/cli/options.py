@@ -1,18 +1,46 @@
-"""Arguments and options that several commands share, and how they become a robot."""
+"""Arguments and options that several commands share, and how they become a robot or an arm."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tmodes.errors import InputError
 from tmodes.mechanism import Reading
 from tmodes.robot import Robot
 
-__all__ = ["AsJson", "Contact", "ReadingOption", "RobotArgument", "Settings", "chosen_robot"]
+if TYPE_CHECKING:
+    from tmodes.arm import Arm
+
+__all__ = [
+    "AsJson",
+    "Contact",
+    "Duration",
+    "IntegratorOption",
+    "ReadingOption",
+    "RobotArgument",
+    "Roots",
+    "Settings",
+    "SheetArgument",
+    "Tolerance",
+    "TrustPaths",
+    "chosen_robot",
+    "chosen_sheet",
+    "integration_changes",
+]
 
 RobotArgument = Annotated[
     str, typer.Argument(metavar="ROBOT|FILE", help="A published robot (see: tmodes robots), or a data sheet (.yaml).")
+]
+SheetArgument = Annotated[
+    str,
+    typer.Argument(
+        metavar="NAME|FILE",
+        help="A published robot or arm (see: tmodes robots), a data sheet or elasticity file or Denavit-Hartenberg "
+        "table (.yaml), or a .urdf, .xacro or MJCF .xml.",
+    ),
 ]
 Settings = Annotated[
     list[str] | None,
@@ -30,6 +58,20 @@ Contact = Annotated[
     typer.Option("--contact/--no-contact", help="Tip on the environment, or in free space; else the data sheet's."),
 ]
 AsJson = Annotated[bool, typer.Option("--json", help="Print JSON for machines.")]
+Roots = Annotated[
+    list[Path] | None,
+    typer.Option("--root", metavar="DIR", help="Folder of packages that a URDF may name; may be given often."),
+]
+TrustPaths = Annotated[
+    bool, typer.Option("--trust-paths", help="Let a robot's file name other files anywhere on this machine.")
+]
+IntegratorOption = Annotated[
+    str | None, typer.Option("--integrator", metavar="METHOD", help="integration.method: dormand_prince, rk4, ...")
+]
+Tolerance = Annotated[
+    float | None, typer.Option("--rtol", metavar="SHARE", help="integration.relative_tolerance, per step.")
+]
+Duration = Annotated[float | None, typer.Option(metavar="SECONDS", help="integration.duration, simulated time.")]
 
 
 def chosen_robot(
@@ -45,3 +87,63 @@ def chosen_robot(
     if contact is not None:
         changes["contact"] = contact
     return load_robot(robot, changes)
+
+
+def chosen_sheet(
+    robot: str,
+    settings: list[str] | None,
+    reading: Reading | None = None,
+    contact: bool | None = None,
+    *,
+    roots: list[Path] | None = None,
+    trust_paths: bool = False,
+    changes: dict[str, Any] | None = None,
+) -> Robot | Arm:
+    """The robot or arm that a command line names, with its changes; raises an InputError for any wrong part."""
+    from tmodes.io.paths import parse_assignment
+    from tmodes.robots.load import load_sheet
+
+    told = dict(parse_assignment(text) for text in settings or []) | (changes or {})
+    own = {"reading": reading and reading.value, "contact": contact}
+    own = {name: value for name, value in own.items() if value is not None}
+    if own and not _is_arm(robot):
+        return load_sheet(robot, told | own)
+    sheet = load_sheet(robot, told, roots=roots or (), trust_paths=trust_paths)
+    return sheet if isinstance(sheet, Robot) or not own else _as_wished(sheet, own)
+
+
+def integration_changes(integrator: str | None, rtol: float | None, duration: float | None) -> dict[str, Any]:
+    """The options of the command line as changes by path."""
+    told = {"method": integrator, "relative_tolerance": rtol, "duration": duration}
+    return {f"integration.{name}": value for name, value in told.items() if value is not None}
+
+
+def _is_arm(robot: str) -> bool:
+    """Whether a name or file is that of an arm; False too for what cannot be read, which is told by who reads it."""
+    from tmodes.io.yaml_file import read_yaml
+    from tmodes.robots import names
+    from tmodes.robots.load import FOREIGN, sheet_names
+
+    if robot in sheet_names():
+        return robot not in names()
+    path = Path(robot)
+    if path.suffix.lower() in FOREIGN:
+        return True
+    data = read_yaml(path)[0] if path.is_file() else {}
+    return "kind" in data or "urdf" in data
+
+
+def _as_wished(arm: Arm, own: dict[str, Any]) -> Arm:
+    """An arm in contact or not, as the command line says."""
+    from tmodes.io.arm_check import arm_data
+
+    if "reading" in own:
+        mend = "leave --reading out"
+        raise InputError("--reading", own["reading"], "no reading: it is of the robot of the 2010 paper", mend)
+    if own["contact"] == (arm.contact is not None):
+        return arm
+    if own["contact"]:
+        raise InputError("--contact", "an arm that touches nothing", "a sheet with `contact`", "add it to the sheet")
+    data = {key: value for key, value in arm_data(arm).items() if key != "contact"}
+    data["real"] = {path: factor for path, factor in arm.real.items() if not path.startswith("contact.")}
+    return type(arm).from_data(data)

@@ -1,33 +1,83 @@
-"""``tmodes robots``: the published robots, or the data sheet of one, to edit."""
+"""``tmodes robots``: the published robots and arms, or the data sheet of one, to edit."""
 
 from __future__ import annotations
 
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson
+from tmodes.cli.options import AsJson, Roots
+
+if TYPE_CHECKING:
+    from pathlib import Path
 
 __all__ = ["robots"]
 
 
 def robots(
-    name: Annotated[str | None, typer.Argument(help="Print this robot's data sheet (YAML).")] = None,
+    name: Annotated[str | None, typer.Argument(help="Print this one's data sheet (YAML).")] = None,
+    root: Roots = None,
     as_json: AsJson = False,
 ) -> None:
-    """List the published robots, or print one's data sheet, to edit.
+    """List the published robots and arms, or print one's data sheet, to edit.
 
     For example:  tmodes robots filipovic2010 > my.yaml
     """
-    from tmodes import robots as published
     from tmodes.cli.output import print_json, print_table
 
     if name is not None:
-        sheet = published.load_robot(name) if as_json else None
-        print_json(sheet.model_dump(mode="json")) if sheet else print(published.text(name), end="")
+        _print_sheet(name, root, as_json=as_json)
         return
-    known = {robot: published.load_robot(robot) for robot in published.names()}
+    known = _known()
     if as_json:
-        print_json([{"name": key, "title": sheet.title, "citation": sheet.citation} for key, sheet in known.items()])
+        print_json(known)
         return
-    print_table("Published robots", ["name", "what it is"], [[key, sheet.title] for key, sheet in known.items()])
+    rows = [[one["name"], one["kind"], one["title"]] for one in known]
+    print_table("Published robots and arms", ["name", "kind", "what it is"], rows)
+
+
+def _known() -> list[dict[str, str]]:
+    """Name, kind, title and citation of each, as its file tells them: not built, for an arm may need other files."""
+    from tmodes.io.yaml_file import parse_yaml
+    from tmodes.robots.load import sheet_names
+
+    found = []
+    for name in sheet_names():
+        data, _ = parse_yaml(_text(name), f"{name}.yaml")
+        told = {key: str(data.get(key, "")) for key in ("title", "citation")}
+        found.append({"name": name, "kind": _kind(data), **told})
+    return found
+
+
+def _kind(data: dict[str, Any]) -> str:
+    if "urdf" in data:
+        return "arm, with a URDF"
+    return str(data.get("kind", "robot"))
+
+
+def _text(name: str) -> str:
+    from importlib import resources
+
+    from tmodes.robots.load import FOLDERS
+
+    for folder in FOLDERS:
+        place = resources.files("tmodes.robots") / folder if folder else resources.files("tmodes.robots")
+        if (file := place / f"{name}.yaml").is_file():
+            return file.read_text(encoding="utf-8")
+    raise FileNotFoundError(name)
+
+
+def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
+    from tmodes.arm import Arm
+    from tmodes.cli.output import print_json
+    from tmodes.io.arm_check import arm_data
+    from tmodes.robots import text
+    from tmodes.robots.load import load_sheet, sheet_names
+
+    if name not in sheet_names():
+        text(name)  # raises what is wrong with the name
+    if not as_json:
+        print(_text(name), end="")
+        return
+    sheet = load_sheet(name, roots=root or ())
+    print_json(arm_data(sheet) if isinstance(sheet, Arm) else sheet.model_dump(mode="json"))

@@ -1,22 +1,45 @@
-"""``tmodes run``: the main job. A robot in, a result file, figures and one self-contained report out."""
+"""``tmodes run``: the main job. A robot or an arm in, a result file, figures and one self-contained report out."""
 
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Annotated
+from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, Contact, ReadingOption, RobotArgument, Settings, chosen_robot
+from tmodes.cli.options import (
+    AsJson,
+    Contact,
+    Duration,
+    IntegratorOption,
+    ReadingOption,
+    Roots,
+    Settings,
+    SheetArgument,
+    Tolerance,
+    TrustPaths,
+    chosen_sheet,
+    integration_changes,
+)  # fmt: skip
+
+if TYPE_CHECKING:
+    from tmodes.arm import Arm
+    from tmodes.robot import Robot
+    from tmodes.runs import RunFolder
 
 __all__ = ["run"]
 
 
 def run(
-    robot: RobotArgument,
+    robot: SheetArgument,
     reading: ReadingOption = None,
     contact: Contact = None,
     settings: Settings = None,
+    integrator: IntegratorOption = None,
+    rtol: Tolerance = None,
+    duration: Duration = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
     out: Annotated[Path | None, typer.Option(help="Folder for the output; else results/NAME.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a result that is there.")] = False,
     figures: Annotated[
@@ -27,35 +50,56 @@ def run(
     """Plan with the robot as known, run the real one under control, and show how it bends.
 
     Writes result.nc (NetCDF, all series with units), report.html (open it first) and figures/*.svg, *.png. A run that
-    was killed goes on where it was when the same command is given again.
+    was killed goes on where it was when the same command is given again. An arm needs `drives`, or an `initial` state
+    from which it runs freely.
     """
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.output import notice, print_json
-    from tmodes.cli.progress import Stages
-    from tmodes.cli.told import told
-    from tmodes.errors import SimulationError
-    from tmodes.io.plausible import implausible
+    changes = integration_changes(integrator, rtol, duration)
+    sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
+    folder = _folder(out or Path("results") / _folder_name(sheet.name), sheet, overwrite)
+    result = _computed(folder, sheet, figures)
+    _tell(result, folder, as_json)
+    if not result.success:
+        raise typer.Exit(130 if result.status == "interrupted" else 3)
+
+
+def _folder(path: Path, sheet: Robot | Arm, overwrite: bool) -> RunFolder:
+    from tmodes.arm import Arm
+    from tmodes.arm_runs import ArmRunFolder
     from tmodes.runs import RunFolder
 
-    sheet = chosen_robot(robot, settings, reading, contact)
-    folder = RunFolder(out or Path("results") / _folder_name(sheet.name), sheet, overwrite)
+    return ArmRunFolder(path, sheet, overwrite) if isinstance(sheet, Arm) else RunFolder(path, sheet, overwrite)
+
+
+def _computed(folder: RunFolder, sheet: Robot | Arm, figures: bool) -> Any:
+    from tmodes.cli.arm_doubts import doubts_about
+    from tmodes.cli.interrupt import heard
+    from tmodes.cli.output import notice
+    from tmodes.cli.progress import Stages
+    from tmodes.errors import SimulationError
+
     with heard() as wish, folder, Stages(wish) as progress:
         if folder.continues:
             notice(f"continuing what was begun in {folder.path}")
         try:
             result = folder.simulate(progress)
         except SimulationError:
-            for doubt in implausible(sheet):  # a wrong unit is the likely cause
+            for doubt in doubts_about(sheet):  # a wrong unit is the likely cause
                 notice(f"warning: {doubt}")
             raise
         if figures and result.status != "interrupted":
             folder.illustrate(result, progress)
+    return result
+
+
+def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
+    from tmodes.cli.output import notice, print_json
+    from tmodes.cli.told import told
+
     print_json(folder.summary(result)) if as_json else told(result, folder)
     for warning in result.warnings:
         notice(f"warning: {warning}")
     if not result.success:
         notice(f"tmodes: {result.message}")
-        raise typer.Exit(130 if result.status == "interrupted" else 3)
 
 
 def _folder_name(name: str) -> str:

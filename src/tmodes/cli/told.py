@@ -5,19 +5,25 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from tmodes.arm_result import ArmResult
     from tmodes.result import Result
     from tmodes.runs import RunFolder
 
 __all__ = ["told"]
 
 
-def told(result: Result, folder: RunFolder) -> None:
+def told(result: Result | ArmResult, folder: RunFolder) -> None:
     """Print the summary of a run as a table, and the files to open."""
+    from tmodes.arm_result import ArmResult
+    from tmodes.cli.arm_told import arm_rows
     from tmodes.cli.output import print_table
 
     summary = result.summary()
-    title = f"{result.robot.name}: {result.status} ({result.data.attrs['reading']} reading)"
-    print_table(title, ["quantity", "value", "where"], list(_rows(summary)))
+    if isinstance(result, ArmResult):
+        title, rows = f"{result.arm.name}: {result.status}", arm_rows(summary)
+    else:
+        title, rows = f"{result.robot.name}: {result.status} ({result.data.attrs['reading']} reading)", _rows(summary)
+    print_table(title, ["quantity", "value", "where"], list(rows))
     print(f"open    {folder.report_file}" if folder.report_file.exists() else "no report was written")
     print(f"data    {folder.result_file}")
 

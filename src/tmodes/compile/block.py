@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import hashlib
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,16 +10,23 @@ from llvmlite import ir
 
 from tmodes.compile.arithmetic import Arithmetic
 from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
-from tmodes.compile.program import BlockProgram, block_program
+from tmodes.compile.program import block_program
 
-__all__ = ["ScheduleRate", "write_main", "write_rate", "write_samples"]
+__all__ = ["ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_rate", "write_samples"]
 
 
-def _write_kernel(module: Any, arithmetic: Arithmetic, program: BlockProgram, name: str) -> Any:
-    """One function: pointers to the input blocks, then to the output blocks, which never overlap."""
+def kernel_symbol(kernel: Any, arithmetic: str) -> str:
+    """The name of a kernel's native function: the same for the same structure, everywhere."""
+    told = f"{kernel.key} {kernel.inputs} {kernel.outputs} {arithmetic}"
+    return f"kernel_{hashlib.sha256(told.encode()).hexdigest()[:32]}"
+
+
+def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:
+    """The exported function of a kernel: pointers to the input blocks, then to the output blocks, never overlapping."""
+    program = block_program(kernel.function())
     labels = [f"i{k}" for k in range(program.inputs)] + [f"o{k}" for k in range(program.outputs)]
-    function = declare(module, name, VOID, [(label, POINTER) for label in labels], private=True)
-    function.attributes.add("noinline")
+    name = kernel_symbol(kernel, arithmetic.name)
+    function = declare(module, name, VOID, [(label, POINTER) for label in labels])
     b = ir.IRBuilder(function.append_basic_block("entry"))
     values: list[Any] = []
     turned: dict[int, tuple[Any, Any]] = {}
@@ -40,20 +48,19 @@ def _write_kernel(module: Any, arithmetic: Arithmetic, program: BlockProgram, na
         value = arithmetic.constant(0.0) if index is None else values[index]
         arithmetic.store(b, value, function.args[program.inputs + output], element)
     b.ret_void()
-    return function
 
 
 def write_main(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> Any:
-    """The private function ``name(workspace)`` that makes all calls of a schedule, and the kernels that it needs."""
-    functions: dict[str, Any] = {}
+    """The private function ``name(workspace)`` that makes all calls of a schedule, to kernels of other libraries."""
     main = declare(module, name, VOID, [("workspace", POINTER)], private=True)
+    main.attributes.add("noinline")  # loops call it from many places, and the time is in the kernels
     b = ir.IRBuilder(main.append_basic_block("entry"))
     for kernel, inputs, outputs in schedule.calls:
-        if kernel.key not in functions:
-            label = f"{name}.k{len(functions)}"
-            functions[kernel.key] = _write_kernel(module, arithmetic, block_program(kernel.function()), label)
-        places = [at(b, main.args[0], schedule.offset(slot) * arithmetic.stride) for slot in (*inputs, *outputs)]
-        b.call(functions[kernel.key], places)
+        symbol = kernel_symbol(kernel, arithmetic.name)
+        slots = (*inputs, *outputs)
+        kinds = [(f"b{k}", POINTER) for k in range(len(slots))]
+        function = module.globals.get(symbol) or declare(module, symbol, VOID, kinds)
+        b.call(function, [at(b, main.args[0], schedule.offset(slot) * arithmetic.stride) for slot in slots])
     b.ret_void()
     return main
 
@@ -145,6 +152,7 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
     b.ret_void()
     kinds = [("time", F64), ("state", POINTER), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
     call = declare(module, f"{name}.call", VOID, kinds, private=True)
+    call.attributes.add("noinline")
     time, state, row, held, out = call.args
     b = ir.IRBuilder(call.append_basic_block("entry"))
     store(b, time, held, schedule.offset(schedule.inputs["time"]))

@@ -13,18 +13,25 @@ __all__ = ["sample_functions", "schedule_function", "schedule_loops", "time_loop
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
-_KEPT = 64
+_KEPT = 512
 
 
-def _library(name: str, key: str, write: Callable[[], Any], functions: dict[str, int], level: int) -> Library:
+def _library(
+    name: str,
+    key: str,
+    write: Callable[[], Any],
+    functions: dict[str, int],
+    level: int,
+    imports: Mapping[str, Library] | None = None,
+) -> Library:
     """The functions of one module: as loaded before, from the cache, or written, optimised and kept."""
     key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
     if key not in _loaded:
-        _loaded[key] = Library(name, _binary(key, write, level), functions)
+        _loaded[key] = Library(name, _binary(key, write, level), functions, imports)
         while len(_loaded) > _KEPT:
             _loaded.popitem(last=False)
     _loaded.move_to_end(key)
-    return _loaded[key]
+    return _loaded[key]  # fmt: skip
 
 
 def _binary(key: str, write: Callable[[], Any], level: int) -> bytes:
@@ -79,7 +86,36 @@ def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Li
     return _library(name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince")}, level=3)
 
 
-def schedule_function(name: str, key: str, make: Callable[[], Any], arithmetic: str, level: int = 1) -> Library:
+def _kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
+    """The libraries of all kernels that a schedule calls, by symbol; each is made once, whatever schedule needs it."""
+    from tmodes.compile.block import kernel_symbol
+
+    kernels = {kernel_symbol(kernel, arithmetic): kernel for kernel, _, _ in schedule.calls}
+    return {symbol: _kernel(symbol, kernel, arithmetic) for symbol, kernel in kernels.items()}
+
+
+def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.block import write_kernel
+
+        module = ir.Module(symbol)
+        write_kernel(module, kernel, _arithmetic(arithmetic)(module))
+        return module
+
+    # Differentiated code is twice as long and seldom called: quicker to compile is worth more than quicker to run.
+    level = 0 if arithmetic == "derivative" else 1
+    return _library(symbol, symbol, write, {symbol: len(kernel.inputs) + len(kernel.outputs)}, level)
+
+
+def _arithmetic(name: str) -> Any:
+    from tmodes.compile.arithmetic import Derivative, Double, Lanes
+
+    return {kind.name: kind for kind in (Double, Lanes, Derivative)}[name]
+
+
+def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
     """The function ``run(n, each, parameters, workspace, in, out)`` of a schedule of kernels over many samples.
 
     ``arithmetic``: ``double``, ``lanes`` (four samples at once) or ``derivative`` (each with a direction).
@@ -88,18 +124,16 @@ def schedule_function(name: str, key: str, make: Callable[[], Any], arithmetic: 
     def write() -> Any:
         from llvmlite import ir
 
-        from tmodes.compile.arithmetic import Derivative, Double, Lanes
         from tmodes.compile.block import write_samples
 
         module = ir.Module(name)
-        kind = {kind.name: kind for kind in (Double, Lanes, Derivative)}[arithmetic]
-        write_samples(module, make(), kind(module), "run")
+        write_samples(module, schedule, _arithmetic(arithmetic)(module), "run")
         return module
 
-    return _library(f"{name}.{arithmetic}", key, write, {"run": 6}, level)
+    return _library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, _kernels_of(schedule, arithmetic))
 
 
-def schedule_loops(name: str, key: str, make: Callable[[], Any], guarded: int, pairs: int) -> Library:
+def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Library:
     """The native time loops around a schedule whose inputs are time, state, row and step, its output the state's rate.
 
     The state begins with ``pairs`` coordinates and as many rates. Loops: rk4, dormand_prince, extrapolation.
@@ -109,18 +143,17 @@ def schedule_loops(name: str, key: str, make: Callable[[], Any], guarded: int, p
     def write() -> Any:
         from llvmlite import ir
 
-        from tmodes.compile.arithmetic import Double
         from tmodes.compile.block import write_rate
         from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
         from tmodes.compile.extrapolation_loop import write_extrapolation_loop
         from tmodes.compile.rk4_loop import write_rk4_loop
 
         module = ir.Module(name)
-        rate = write_rate(module, make(), Double(module), "rate")
+        rate = write_rate(module, schedule, _arithmetic("double")(module), "rate")
         write_rk4_loop(module, "rk4", rate, guarded)
         write_dormand_prince_loop(module, "dormand_prince", rate, guarded)
         write_extrapolation_loop(module, "extrapolation", rate, guarded, pairs=pairs)
         return module
 
-    methods = ("rk4", "dormand_prince", "extrapolation")
-    return _library(name, key, write, {method: len(ARGUMENTS) for method in methods}, level=1)
+    functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince", "extrapolation"), len(ARGUMENTS))
+    return _library(name, schedule.key, write, functions, 1, _kernels_of(schedule, "double"))

@@ -5,6 +5,7 @@ from __future__ import annotations
 import ctypes
 import itertools
 import sys
+from collections.abc import Mapping
 from functools import cache
 from importlib.metadata import version
 from typing import Any
@@ -83,11 +84,19 @@ def _address_in_c(name: str) -> int:
 class Library:
     """Native functions loaded from one object file; they are freed with this object."""
 
-    def __init__(self, name: str, binary: bytes, functions: dict[str, int]) -> None:
-        """``functions`` maps each exported name to its number of arguments; all are int64 or pointers."""
+    def __init__(
+        self, name: str, binary: bytes, functions: dict[str, int], imports: Mapping[str, Library] | None = None
+    ) -> None:
+        """``functions`` maps each exported name to its number of arguments; all are int64 or pointers.
+
+        ``imports`` holds the library of each foreign symbol that the code calls; it exports that symbol.
+        """
+        self._imports = dict(imports or {})  # kept alive: our code jumps into theirs
         builder = llvm.JITLibraryBuilder().add_object_img(binary)
         for symbol, in_c in _SYMBOLS.items():
             builder.import_symbol(symbol, _address_in_c(in_c))
+        for symbol, library in self._imports.items():
+            builder.import_symbol(symbol, library.address(symbol))
         for symbol in functions:
             builder.export_symbol(symbol)
         try:
@@ -101,3 +110,7 @@ class Library:
 
     def __getitem__(self, name: str) -> Any:
         return self._functions[name]
+
+    def address(self, name: str) -> int:
+        """Where an exported function is."""
+        return self._tracker[name]

@@ -10,17 +10,19 @@ from pydantic import Field, model_validator
 
 from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
 
-__all__ = ["MOST_BYTES", "Integration", "Method"]
+__all__ = ["MOST_BYTES", "ArmIntegration", "Integration", "Method"]
 
 MOST_BYTES = 1_800_000_000
 """Size of the largest result on disk [bytes]; gathering it takes about three times that in memory."""
 
 
 class Method(StrEnum):
-    """The integrators that files and the command line can name."""
+    """The integrators that files and the command line can name; ``auto`` and ``extrapolation`` are for arms."""
 
     DORMAND_PRINCE = "dormand_prince"
     RK4 = "rk4"
+    EXTRAPOLATION = "extrapolation"
+    AUTO = "auto"
 
 
 class Integration(DataSheet):
@@ -92,3 +94,15 @@ class Integration(DataSheet):
 
     def _size(self, samples: float) -> str:
         return f"{samples:.3g} samples, about {samples * self.bytes_per_sample / 1e9:.3g} GB"
+
+
+class ArmIntegration(Integration):
+    """The same settings for an arm, whose integrator is chosen by its stiffness unless one is named."""
+
+    method: Method = Field(default=Method.AUTO, strict=False, description="which integrator; auto: by the stiffness")
+    relative_tolerance: float = positive(
+        "-", "rtol", "error allowed per step, relative (adaptive methods)", default=1e-7, at_most=1e-2, smallest=1e-13
+    )
+    absolute_tolerance: float = positive(
+        "rad", "atol", "error allowed per step, absolute (adaptive methods)", default=1e-9, at_most=1e-2, smallest=1e-18
+    )

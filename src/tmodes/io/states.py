@@ -13,7 +13,7 @@ from tmodes.errors import InputError
 from tmodes.io.files import read_bytes
 from tmodes.io.words import nearest, shown, shown_path
 
-__all__ = ["read_states"]
+__all__ = ["MOST_BYTES", "check_keys", "is_number", "parsed_json", "read_states"]
 
 MOST_BYTES = 50_000_000
 MOST_RECORDS = 100_000
@@ -43,11 +43,12 @@ def read_states(path: str | os.PathLike[str], coordinates: int = 6) -> list[dict
     :class:`tmodes.errors.InputError` that names the record and the field of the first wrong value.
     """
     source = shown_path(path)
-    records = _records(_parsed(read_bytes(path, MOST_BYTES), source), source)
+    records = _records(parsed_json(read_bytes(path, MOST_BYTES), source), source)
     return [_Record(record, index, source).read(coordinates) for index, record in enumerate(records)]
 
 
-def _parsed(content: bytes, source: str) -> Any:
+def parsed_json(content: bytes, source: str) -> Any:
+    """JSON of a file that may be hostile; raises :class:`tmodes.errors.InputError` that tells the line."""
     if content.count(b"[") + content.count(b"{") > MOST_BRACKETS:
         most = f"at most {MOST_BRACKETS} lists and objects"
         raise InputError("the file", "a flood of brackets", most, "check that this is the file you mean", source)
@@ -79,7 +80,7 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
 
 def _records(data: Any, source: str) -> list[Any]:
     if isinstance(data, Mapping) and not {"phi", "phid", "u"} & set(data):
-        _check_keys(data, ("states",), (), "the file", source)
+        check_keys(data, ("states",), (), "the file", source)
         data = data["states"]
     if not isinstance(data, list) or not data:
         got = "an empty list" if data == [] else "one record" if isinstance(data, Mapping) else shown(data)
@@ -93,7 +94,8 @@ def _records(data: Any, source: str) -> list[Any]:
 Names = tuple[str, ...]
 
 
-def _check_keys(record: Mapping[str, Any], must: Names, may: Names, which: str, source: str) -> None:
+def check_keys(record: Mapping[str, Any], must: Names, may: Names, which: str, source: str) -> None:
+    """Raise an InputError for a key that stands twice, is not known, or is missing."""
     if isinstance(record, _Repeated):
         name = shown(record.key)
         raise InputError(f"{which}: {name}", "a key that stands twice", "each key once", "remove one", source)
@@ -125,10 +127,10 @@ class _Record:
             expected, mend = "a record with the keys phi, phid, u", 'write {"phi": [...], "phid": [...], "u": 0.0}'
             raise self.error("", shown(self.data), expected, mend)
         if isinstance(self.data, _Repeated) or self.data.keys() != NEEDED:
-            _check_keys(self.data, GIVEN, ANSWERS, f"record {self.index}", self.source)
+            check_keys(self.data, GIVEN, ANSWERS, f"record {self.index}", self.source)
             self._check_answers()
         phi, phid = self._list("phi", coordinates), self._list("phid", coordinates)
-        if not _is_number(self.data["u"]):
+        if not is_number(self.data["u"]):
             raise self._no_number("u", self.data["u"])
         return {"phi": phi, "phid": phid, "u": float(self.data["u"])}
 
@@ -137,7 +139,7 @@ class _Record:
         if not isinstance(values, list) or len(values) != length:
             raise self.error(key, shown(values), f"a list of {length} numbers", "give one number per coordinate")
         for index, value in enumerate(values):
-            if not _is_number(value):
+            if not is_number(value):
                 raise self._no_number(f"{key}[{index}]", value)
         return [*map(float, values)]
 
@@ -152,7 +154,8 @@ class _Record:
                     raise self.error(key, shown(value), "finite numbers", "write finite ones, or leave the field out")
 
 
-def _is_number(value: Any) -> bool:
+def is_number(value: Any) -> bool:
+    """True for a number that is finite and of a size that a robot may have."""
     return type(value) in (float, int) and -LARGEST <= value <= LARGEST
 
 

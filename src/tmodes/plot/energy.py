@@ -15,7 +15,7 @@ if TYPE_CHECKING:
 
     from tmodes.result import Result
 
-__all__ = ["energies"]
+__all__ = ["draw_residual", "energies"]
 
 DECADES = 6
 """Where the residual changes its sign its logarithm has no floor; what lies further below the largest is cut off."""
@@ -31,7 +31,7 @@ def energies(result: Result, ax: AxesLike = None) -> list[Axes]:
     data = result.data
     _kinds(axes[0], data, "energy", "energy_kind")
     _kinds(axes[1], data, "work", "work_kind")
-    _residual(axes[2], data)
+    draw_residual(axes[2], data)
     time_axis(axes[2], data["time"].values)
     letter(axes, ("Energy", "Work since the start (motor: brought in; others: taken out)", "Residual, absolute"))
     return axes
@@ -46,7 +46,7 @@ def _kinds(panel: Axes, data: Any, name: str, kind: str) -> None:
     side_legend(panel)
 
 
-def _residual(panel: Axes, data: Any) -> None:
+def draw_residual(panel: Axes, data: Any) -> None:
     """A logarithm has no place for zero: exact zeros are left out, and told when there is nothing else."""
     residual = np.abs(data["energy_balance"].values)
     shown = residual > 0

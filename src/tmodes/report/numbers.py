@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 from tmodes.plot.units import readable
 from tmodes.report.markup import Markup, tag
 from tmodes.report.tables import table
 
-__all__ = ["cards", "deformation_table", "frequency_tables", "power_of_ten", "written"]
+__all__ = [
+    "card_list", "cards", "deformation_table", "deviation_card", "energy_card", "first_frequency_card",
+    "frequency_tables", "power_of_ten", "settling_card", "written",
+]  # fmt: skip
 
 PLACES = {
     "th11q": ("mode 1, horizontal", "ϑ", "1,1q"),
@@ -33,15 +37,20 @@ def written(value: float, unit: str, digits: int = 3) -> str:
 def cards(told: dict[str, Any]) -> Markup:
     """The first numbers of a summary, each with its unit and a word on when or where."""
     facts = (
-        _deviation(told["deviation"]),
-        _settling(told["settling"]),
-        _first_frequency(told["first_frequency_Hz"]),
+        deviation_card(told["deviation"]),
+        settling_card(told["settling"]),
+        first_frequency_card(told["first_frequency_Hz"]),
         _angle(told["deformations"]),
         _moment(told["largest_bending_moment"]),
         _torque(told["gear_torque"]),
         _contact(told["contact_force_radial"]),
-        _energy(told["energy"]),
+        energy_card(told["energy"]),
     )
+    return card_list(facts)
+
+
+def card_list(facts: Iterable[tuple[str, str, str] | None]) -> Markup:
+    """Cards of name, value and note; None is left out."""
     entries = (
         tag("div", tag("dt", name), tag("dd", tag("strong", value), tag("span", note)), class_="card")
         for name, value, note in filter(None, facts)
@@ -49,12 +58,14 @@ def cards(told: dict[str, Any]) -> Markup:
     return tag("dl", *entries, class_="cards")
 
 
-def _deviation(told: dict[str, float]) -> tuple[str, str, str]:
+def deviation_card(told: dict[str, float]) -> tuple[str, str, str]:
+    """How far the tip is from its reference."""
     note = f"at {told['time_of_max_s']:.3g} s; {written(told['end_m'], 'm')} at the end of the run"
     return "Largest deviation of the tip", written(told["max_m"], "m"), note
 
 
-def _settling(told: dict[str, Any]) -> tuple[str, str, str]:
+def settling_card(told: dict[str, Any]) -> tuple[str, str, str]:
+    """How long the tip takes to settle, or why that is not known."""
     name = "Settling after the move"
     if told["time_s"] is None:
         return name, "not seen", told["reason"]
@@ -62,7 +73,8 @@ def _settling(told: dict[str, Any]) -> tuple[str, str, str]:
     return name, written(told["time_s"], "s"), f"{within}, {100 * told['band']:g} % of its largest deviation"
 
 
-def _first_frequency(told: dict[str, float | None]) -> tuple[str, str, str] | None:
+def first_frequency_card(told: dict[str, float | None]) -> tuple[str, str, str] | None:
+    """The lowest frequency under control; None where there is none."""
     if told["controlled"] is None:
         return None
     locked = "" if told["locked"] is None else f"{told['locked']:.4g} Hz with the motor locked"
@@ -92,7 +104,8 @@ def _contact(told: dict[str, float] | None) -> tuple[str, str, str]:
     return name, written(told["mean_N"], "N", 4), f"from {told['min_N']:.4g} to {told['max_N']:.4g} N"
 
 
-def _energy(told: dict[str, Any]) -> tuple[str, str, str]:
+def energy_card(told: dict[str, Any]) -> tuple[str, str, str]:
+    """How well the energies add up."""
     share = told["worst_residual_over_moved"]
     note = (
         f"worst residual, {power_of_ten(told['worst_residual_J'])}\u00a0J, over {written(told['moved_J'], 'J')} moved"
@@ -108,8 +121,11 @@ def power_of_ten(value: float) -> str:
     return f"{digits}\u00a0×\u00a010{str(int(power)).translate(SUPERSCRIPT)}"
 
 
-def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
-    """Natural and damped frequencies, damping ratio and the element in which most of each lives, per case."""
+def frequency_tables(frequencies: dict[str, list[dict[str, Any]]], *, beside: bool = True) -> Markup:
+    """Natural and damped frequencies, damping ratio and the element in which most of each lives, per case.
+
+    ``beside``: the tables stand in columns, which is for short names.
+    """
     tables = []
     for case, words in CASES.items():
         rows = [
@@ -125,7 +141,7 @@ def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
             tables.append(
                 table(words, ("natural [Hz]", "damped [Hz]", "damping [%]", "lives in"), rows, numeric=(0, 1, 2))
             )
-    return tag("div", *tables, class_="columns wide")
+    return tag("div", *tables, class_="columns wide" if beside else None)
 
 
 def deformation_table(told: dict[str, dict[str, float | None]]) -> Markup:

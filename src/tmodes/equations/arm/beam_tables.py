@@ -91,7 +91,7 @@ def beam_tables(beam: Beam, stations: tuple[float, ...] = ()) -> BeamTables:
         "to_tip": to_tip,
         "stretch": stretch.T,
         "stretch_tip": np.empty(0),
-        "rotary": _rotary(beam, shape, points),
+        "rotary": _rotary(beam, shape, points, masses),
         "to_station": to_station,
     }
     packed = np.concatenate([tables[name].ravel() for name in shape.tables])
@@ -186,15 +186,22 @@ def _quadrature(beam: Beam, count: int) -> tuple[Array, Array]:
     return nodes, measure.sum() * vectors[0] ** 2 * beam.length
 
 
-def _rotary(beam: Beam, shape: StrainShape, points: Array) -> Array:
-    """Section inertia at the Gauss points [kg*m^2], about as many axes as are kept."""
+def _rotary(beam: Beam, shape: StrainShape, points: Array, masses: Array) -> Array:
+    """Section inertia at the Gauss points [kg*m^2], about as many axes as are kept.
+
+    Interpolatory weights; where a jump of the section makes one negative, which no inertia may be, the inertia goes
+    with the masses instead, with the right sum.
+    """
+    orders = range(len(points))
+    values = np.array([basis_values("legendre", j, points) for j in orders])
     columns = []
     for axis in range(shape.rotary):
         s, w, inertia = _fine_rule(beam, f"inertia{axis}")
-        orders = range(len(points))
-        values = np.array([basis_values("legendre", j, points) for j in orders])
         moments = np.array([np.sum(w * inertia * basis_values("legendre", j, s)) for j in orders])
-        columns.append(np.linalg.solve(values, moments) * beam.length)
+        weights = np.linalg.solve(values, moments)
+        if weights.min(initial=0.0) < 0.0:
+            weights = masses * (moments[0] / masses.sum())
+        columns.append(weights * beam.length)
     return np.array(columns).T
 
 

@@ -116,7 +116,7 @@ class Touch:
         return Kernel(f"touch mass {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH), (INERTIA, FORCE), build)
 
     def told(self) -> Kernel:
-        """(pose of the point, [linear; angular] acceleration of it less gravity, numbers) -> (told (6), power taken)."""
+        """(pose of the point, its [linear; angular] acceleration less gravity, numbers) -> (told (6), power taken)."""
 
         def build(pose: Any, motion: Any, p: Any) -> list[list[Any]]:
             place, velocity = v.vec(pose, 9), v.vec(pose, 12)

@@ -1,0 +1,208 @@
+"""Small vibrations of an arm about its rest: frequencies, damping, shapes, and the element in which each mode lives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.arm_compliance import element_stiffness
+from tmodes.analysis.equilibrium import Equilibrium
+from tmodes.analysis.equilibrium_held import driven
+from tmodes.analysis.modes import MotorState
+from tmodes.arm_model import ArmModel
+from tmodes.chain import Chain, Drive, Friction
+from tmodes.errors import SimulationError
+
+__all__ = ["ArmMode", "MotorState", "Servo", "arm_modes"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+RINGS = 1e-9
+"""Imaginary over absolute value of an eigenvalue above which its motion rings."""
+
+GROWING = 1e-7
+"""Real over absolute value of an eigenvalue above which its motion grows, and is not just undamped."""
+
+ROUNDING = 1e-13
+"""Real over absolute value of an eigenvalue below which its motion is undamped."""
+
+NOTHING = 1e-13
+"""Share of the largest squared frequency, per coordinate, below which a motion is the whole arm's, free to drift."""
+
+
+class Servo(NamedTuple):
+    """What a controller is to a coordinate: ``stiffness`` [N*m/rad, N/m], ``damping`` [N*m*s/rad, N*s/m]."""
+
+    stiffness: float
+    damping: float
+
+
+@dataclass(frozen=True, eq=False)
+class ArmMode:
+    """One mode of vibration.
+
+    ``frequency_Hz``: natural, from mass and stiffness alone, 0 for a free motion and for one that buckles;
+    ``damped_frequency_Hz``: as it rings, None when it does not; ``damping_ratio``: -Re/|lambda|, 1 when over-damped;
+    ``element``: where most of its elastic energy is, and the ``share`` of it; ``shares`` of all elements; ``stable`` is
+    False where it grows. ``shape`` (nq,): of the undamped mode, its largest entry 1.
+    """
+
+    frequency_Hz: float
+    damped_frequency_Hz: float | None
+    damping_ratio: float
+    element: str
+    share: float
+    shares: dict[str, float]
+    stable: bool
+    shape: Array
+
+
+def arm_modes(
+    rest: Equilibrium, motors: MotorState = MotorState.LOCKED, servos: Mapping[str, Servo] | None = None
+) -> list[ArmMode]:
+    """Modes by rising frequency about an arm at rest.
+
+    ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on
+    the springs and dampers ``servos`` of their controllers, those without one stand still. Prescribed joints always
+    stand still. Dry friction, which has no slope at rest, is left out. Raises :class:`SimulationError` for a mass
+    matrix that is not positive definite.
+    """
+    chosen = servos or {} if motors is MotorState.CONTROLLED else {}
+    moving = _moving(rest, motors, chosen)
+    springs = element_stiffness(rest.model, rest.q)
+    mass, damping, stiffness = (matrix.copy() for matrix in _matrices(rest))
+    for name, servo in chosen.items():
+        k = rest.model.coordinates.index(name)
+        springs[f"{name.removesuffix('.motor')}.controller"] = _single(rest.model.nq, k, servo.stiffness)
+        stiffness[k, k] += servo.stiffness
+        damping[k, k] += servo.damping
+    if not len(moving):
+        return []
+    block = np.ix_(moving, moving)
+    mass, damping, stiffness = mass[block], damping[block], stiffness[block]
+    squares, shapes = _undamped(mass, stiffness)
+    eigenvalues = _partners(mass, shapes, *_damped(mass, damping, stiffness))
+    whole = np.zeros((rest.model.nq, len(squares)), dtype=shapes.dtype)
+    whole[moving] = shapes
+    zero = NOTHING * len(squares) * float(np.abs(squares).max())
+    modes = zip(squares, eigenvalues, whole.T, strict=True)
+    return [_mode(float(square), value, shape, springs, zero) for square, value, shape in modes]
+
+
+def _single(size: int, k: int, value: float) -> Array:
+    matrix = np.zeros((size, size))
+    matrix[k, k] = value
+    return matrix
+
+
+def _moving(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
+    model = rest.model
+    prescribed = {part.angle for part in model.parts.nodes if part.node.joint.drive is Drive.PRESCRIBED}
+    added: Sequence[int] = driven(model) if motors is MotorState.FREE else [model.coordinates.index(n) for n in servos]
+    return np.array(sorted(({*rest.free.tolist(), *added}) - prescribed), dtype=np.intp)
+
+
+def _matrices(rest: Equilibrium) -> tuple[Array, Array, Array]:
+    """M, D, K about the rest; dry friction has no part in D."""
+    mass, damping, stiffness = rest.matrices
+    smooth = _without_dry_friction(rest.model.chain)
+    if smooth is not None:
+        damping = ArmModel(smooth).linearised(rest.q)[1]
+    return mass, damping, stiffness
+
+
+def _without_dry_friction(chain: Chain) -> Chain | None:
+    """The chain with viscous friction only; None where it has no other."""
+
+    def viscous(friction: Friction) -> Friction:
+        return replace(friction, coulomb=0.0, static_extra=0.0)
+
+    nodes = []
+    for node in chain.nodes:
+        motor = node.joint.motor
+        own = replace(motor, friction=viscous(motor.friction)) if motor else None
+        nodes.append(replace(node, joint=replace(node.joint, friction=viscous(node.joint.friction), motor=own)))
+    dry = [friction.coulomb or friction.static_extra for node in chain.nodes for friction in (
+        node.joint.friction, *((node.joint.motor.friction,) if node.joint.motor else ()))]  # fmt: skip
+    return replace(chain, nodes=tuple(nodes)) if any(dry) else None
+
+
+def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
+    """Squared circular frequencies, rising, and shapes with unit modal mass.
+
+    From 1/w^2 where K is positive definite: the low frequencies then keep all their digits.
+    """
+    from scipy.linalg import eigh
+
+    if np.abs(stiffness - stiffness.T).max() > 1e-9 * np.abs(stiffness).max():
+        values, vectors = np.linalg.eig(np.linalg.solve(mass, stiffness))
+        squares = np.real(values)
+        order = np.argsort(squares)
+        shapes = np.real(vectors[:, order])
+        return squares[order], shapes / np.sqrt(np.einsum("ik,ij,jk->k", shapes, mass, shapes))
+    stiffness = (stiffness + stiffness.T) / 2
+    try:
+        np.linalg.cholesky(mass)
+    except np.linalg.LinAlgError:
+        raise SimulationError(
+            "mass matrix: got one that is not positive definite; expected mass or inertia along every coordinate. "
+            "Mend: give the parts beyond the last joint a mass, and twisting beams a rotary inertia"
+        ) from None
+    try:
+        inverse, shapes = eigh(mass, stiffness)
+    except np.linalg.LinAlgError:
+        return eigh(stiffness, mass)
+    values = 1 / inverse[::-1]
+    if values[0] <= NOTHING * len(values) * values[-1]:
+        return eigh(stiffness, mass)
+    return values, shapes[:, ::-1] * np.sqrt(values)
+
+
+def _damped(mass: Array, damping: Array, stiffness: Array) -> tuple[Complex, Complex]:
+    """Eigenvalues [1/s] and the coordinates' part of the eigenvectors of the first-order form."""
+    size = len(mass)
+    below = [-np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)]
+    values, vectors = np.linalg.eig(np.block([[np.zeros((size, size)), np.eye(size)], below]))
+    return values.astype(complex), vectors[:size].astype(complex)
+
+
+def _partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> Complex:
+    """For each undamped mode the eigenvalue of the damped motion most like it, each taken once, ringing ones first."""
+    from scipy.optimize import linear_sum_assignment
+
+    root = np.linalg.cholesky(mass).T
+    ours, theirs = (x / np.linalg.norm(x, axis=0) for x in (root @ shapes, root @ damped))
+    rings = values.imag > RINGS * np.abs(values)
+    still = np.abs(values.imag) <= RINGS * np.abs(values)
+    slow = np.argsort(np.argsort(-values.real)) / (10.0 * len(values))
+    worth = np.abs(ours.T @ theirs) ** 2 + 10.0 * rings - slow
+    worth[:, ~(rings | still)] = -100.0
+    _, chosen = linear_sum_assignment(-worth)
+    return values[chosen]
+
+
+def _mode(square: float, value: complex, shape: Array, springs: Mapping[str, Array], zero: float) -> ArmMode:
+    """A mode with unit modal mass; squares up to ``zero`` are none."""
+    shown = shape / shape[np.abs(shape).argmax()]
+    stored = {name: float(shape @ stiffness @ shape) for name, stiffness in springs.items()}
+    total = sum(stored.values())
+    if abs(square) <= zero and total <= zero:
+        return ArmMode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, shown)
+    shares = {name: energy / total for name, energy in stored.items()} if total > zero else {}
+    home = max(shares, key=lambda name: shares[name]) if shares else "whole arm, in its weight and loads"
+    size = abs(value)
+    return ArmMode(
+        frequency_Hz=float(np.sqrt(max(square, 0.0))) / (2 * np.pi),
+        damped_frequency_Hz=float(value.imag) / (2 * np.pi) if value.imag > RINGS * size else None,
+        damping_ratio=float(-value.real / size) if abs(value.real) > ROUNDING * size else 0.0,
+        element=home,
+        share=shares.get(home, 1.0),
+        shares=shares,
+        stable=bool(value.real <= GROWING * size),
+        shape=shown,
+    )

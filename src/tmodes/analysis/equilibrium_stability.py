@@ -1,0 +1,95 @@
+"""Whether an equilibrium is stable: the squares of the natural frequencies of the arm about it."""
+
+from __future__ import annotations
+
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import SimulationError
+
+__all__ = ["Growth", "Stability", "stability_of"]
+
+Array = NDArray[np.float64]
+
+SYMMETRIC = 1e-9
+"""Asymmetry over size of a stiffness matrix below which it is rounding."""
+
+FLUTTER = 1e-3
+"""Imaginary over absolute value of a squared frequency above which two modes have joined to a growing one."""
+
+NOTHING = 1e-14
+"""Share of the largest squared frequency, per coordinate, below which another is zero to rounding."""
+
+
+class Growth(NamedTuple):
+    """A motion that grows: its rate [1/s], frequency [Hz] (0: it buckles away), and largest free coordinate's index."""
+
+    rate: float
+    frequency_Hz: float
+    coordinate: int
+
+
+class Stability(NamedTuple):
+    """``margin`` [1/s^2]: the lowest squared circular frequency; not positive: unstable. ``growing``: fastest first."""
+
+    margin: float
+    growing: tuple[Growth, ...]
+
+    @property
+    def stable(self) -> bool:
+        """True where nothing grows and nothing is free to drift."""
+        return self.margin > 0
+
+    @property
+    def lowest_frequency_Hz(self) -> float:
+        """Lowest natural frequency [Hz]; 0 where the arm is not stable, infinite where nothing is free."""
+        return float(np.sqrt(max(self.margin, 0.0)) / (2 * np.pi))
+
+
+def stability_of(mass: Array, stiffness: Array) -> Stability:
+    """Stability of M a + K x = 0 in free coordinates (n, n), undamped.
+
+    A symmetric K: all eigenvalues of (K, M) positive. Otherwise (following loads, moments about world axes) they must
+    also be real: a pair of complex ones is flutter (Bolotin, Nonconservative Problems of the Theory of Elastic
+    Stability, 1963). Raises :class:`SimulationError` for a mass matrix that is not positive definite.
+    """
+    if not len(mass):
+        return Stability(np.inf, ())
+    from scipy.linalg import solve_triangular
+
+    root = _root(mass)
+    scaled = solve_triangular(root, solve_triangular(root, stiffness, lower=True).T, lower=True).T
+    values, shapes = _eigen(scaled)
+    zero = NOTHING * len(mass) * float(np.abs(values).max())
+    fluttering = np.abs(values.imag) > np.maximum(FLUTTER * np.abs(values), zero)
+    grows = fluttering | (values.real < -zero)
+    margin = float(np.where(fluttering, -np.abs(values.imag), values.real).min())
+    moved = np.abs(solve_triangular(root.T, shapes, lower=False))
+    found = [_growth(values[k], int(moved[:, k].argmax())) for k in np.flatnonzero(grows) if values[k].imag >= 0]
+    return Stability(0.0 if abs(margin) <= zero else margin, tuple(sorted(found, reverse=True)))
+
+
+def _root(mass: Array) -> Array:
+    try:
+        return np.asarray(np.linalg.cholesky(mass), dtype=float)
+    except np.linalg.LinAlgError:
+        raise SimulationError(
+            "mass matrix: got one that is not positive definite; expected mass or inertia along every coordinate. "
+            "Mend: give the parts beyond the last joint a mass, and twisting beams a rotary inertia"
+        ) from None
+
+
+def _eigen(scaled: Array) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
+    if np.abs(scaled - scaled.T).max() <= SYMMETRIC * np.abs(scaled).max():
+        values, shapes = np.linalg.eigh((scaled + scaled.T) / 2)
+    else:
+        values, shapes = np.linalg.eig(scaled)
+    return values.astype(complex), shapes.astype(complex)
+
+
+def _growth(square: complex, coordinate: int) -> Growth:
+    """The motion exp(s t) with s^2 = -square."""
+    root = np.sqrt(-square)
+    return Growth(float(abs(root.real)), float(abs(root.imag)) / (2 * np.pi), coordinate)

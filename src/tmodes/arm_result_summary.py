@@ -1,0 +1,159 @@
+"""The numbers a reader asks first of an arm's run, from the dataset of its result."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.summary import first_frequencies, mean_over_time, told_energy
+from tmodes.errors import InputError
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+__all__ = ["summarise_arm"]
+
+Array = NDArray[np.float64]
+
+MOST_ENTRIES = 40
+"""Deformations that are told, the largest ones."""
+
+
+def summarise_arm(data: Dataset, band: float = 0.05) -> dict[str, Any]:
+    """A plain dictionary of floats and words, ready for JSON; units are in the keys, or beside. What is missing is None.
+
+    ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1.
+    Raises :class:`tmodes.errors.InputError` for a band out of range.
+    """
+    if not 0 < band < 1:
+        raise InputError("band", str(band), "a number between 0 and 1", "0.05 is the usual one")
+    time = np.asarray(data["time"].values, dtype=float)
+    return {
+        "status": data.attrs["status"],
+        "first_frequency_Hz": first_frequencies(data),
+        "deviation": _deviation(data, time),
+        "settling": _settling(data, time, band),
+        "joints": _joints(data, time),
+        "deformations": _deformations(data, time),
+        "links": _links(data, time),
+        "contact_force": _contact(data, time),
+        "energy": told_energy(data),
+    }
+
+
+def _deviation(data: Dataset, time: Array) -> dict[str, float] | None:
+    if "deviation" not in data:
+        return None
+    deviation = data["deviation"].values
+    worst = int(np.argmax(deviation))
+    return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}
+
+
+def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any] | None:
+    """Time from the end of the move to the last sample at which the deviation is out of the band [s]."""
+    if "deviation" not in data:
+        return None
+    deviation, end = data["deviation"].values, json.loads(data.attrs["move_end"])
+    limit = band * float(deviation.max())
+    told: dict[str, Any] = {"time_s": None, "band": band, "limit_m": limit, "reason": ""}
+    if end is None:
+        return told | {"reason": "what moves the arm changes up to the end of the run"}
+    outside = time[(deviation > limit) & (time > end)]
+    if time[-1] <= end * (1 + 1e-9):
+        told["reason"] = f"the run ends at {time[-1]:g} s, the move at {end:g} s: simulate longer to see it settle"
+    elif outside.size and outside[-1] == time[-1]:
+        told["reason"] = f"the deviation is still {deviation[-1]:.3g} m when the run ends at {time[-1]:g} s"
+    else:
+        told["time_s"] = float(outside[-1] - end) if outside.size else 0.0
+    return told
+
+
+def _joints(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
+    """Per driven joint: its unit, range, fastest rate, largest effort and when, largest torque of its gear."""
+    if "drive" not in data.dims:
+        return {}
+    told = {}
+    for name in map(str, data["drive"].values):
+        q, v = (data[key].sel(coordinate=name).values for key in ("q", "v"))
+        effort = data["effort"].sel(drive=name).values
+        worst = int(np.argmax(np.abs(effort)))
+        told[name] = {
+            "unit": str(data["coordinate_unit"].sel(coordinate=name).values),
+            "least": float(q.min()),
+            "largest": float(q.max()),
+            "fastest": float(np.abs(v).max()),
+            "largest_effort": float(effort[worst]),
+            "time_of_largest_effort_s": float(time[worst]),
+            "largest_gear_torque": float(np.abs(data["gear_torque"].sel(drive=name).values).max()),
+        }
+    return told
+
+
+def _deformations(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
+    """Per elastic coordinate, the largest ones: largest size, of its parts T_st and T_to, and of the reference."""
+    if "deformation" not in data:
+        return {}
+    names = [str(name) for name in data["deformation_kind"].values]
+    sizes = {key: np.abs(data[key].values).max(axis=0) for key in _PARTS if key in data}
+    largest = np.argsort(-sizes["deformation"], kind="stable")[:MOST_ENTRIES]
+    when = time[np.abs(data["deformation"].values).argmax(axis=0)]
+    units = _deformation_units(data, names)
+    return {
+        names[k]: {"unit": units[k], "time_of_max_s": float(when[k])}
+        | {_PARTS[key]: float(size[k]) for key, size in sizes.items()}
+        for k in sorted(largest)
+    }
+
+
+_PARTS = {
+    "deformation": "max",
+    "deformation_stationary": "max_stationary",
+    "deformation_oscillatory": "max_oscillatory",
+    "deformation_reference": "max_reference",
+}
+
+
+def _deformation_units(data: Dataset, names: list[str]) -> list[str]:
+    units = dict(zip(map(str, data["coordinate"].values), map(str, data["coordinate_unit"].values), strict=True))
+    return [units.get(name, units.get(name.removesuffix(".gear"), "rad")) for name in names]
+
+
+def _links(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
+    """Per link that bends: largest deflection of its end, moment (bending) and stress, with when and where."""
+    if "deflection" not in data:
+        return {}
+    stressed = list(map(str, data["stressed_link"].values)) if "stressed_link" in data.dims else []
+    told = {}
+    for name in map(str, data["bending_link"].values):
+        tip = np.linalg.norm(data["deflection"].sel(bending_link=name).isel(s=-1).values, axis=-1)
+        bending = data["moment"].sel(bending_link=name, moment_kind=["y", "z"]).transpose("time", "s", "moment_kind")
+        told[name] = {
+            "deflection": _worst(tip[:, None], time, np.ones(1), "max_m"),
+            "bending_moment": _worst(np.linalg.norm(bending.values, axis=-1), time, data["s"].values, "max_Nm"),
+            "stress": None,
+        }
+        if name in stressed:
+            values = data["stress"].sel(stressed_link=name).transpose("time", "s").values
+            told[name]["stress"] = _worst(values, time, data["s"].values, "max_Pa")
+    return told
+
+
+def _worst(values: Array, time: Array, s: Array, key: str) -> dict[str, float]:
+    k, place = np.unravel_index(int(np.argmax(values)), values.shape)
+    return {key: float(values[k, place]), "time_s": float(time[k]), "s": float(s[place])}
+
+
+def _contact(data: Dataset, time: Array) -> dict[str, float] | None:
+    """Least, largest and mean force into the surface [N], share of the time in touch; None in free space."""
+    if "contact_force_normal" not in data:
+        return None
+    force = data["contact_force_normal"].values
+    return {
+        "min_N": float(force.min()),
+        "max_N": float(force.max()),
+        "mean_N": mean_over_time(time, force),
+        "deepest_m": float(data["penetration"].values.max()),
+    }

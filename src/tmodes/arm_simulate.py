@@ -1,0 +1,164 @@
+"""RUN, of a general arm: the arm as it is known plans the motion, the arm as it really is runs under control.
+
+pair -> reference run (nominal arm, its motors exactly where they should be) -> run (real arm) -> ArmRun
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from tmodes.analysis.modes import Spectrum
+from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict
+from tmodes.arm import Arm, ArmPair
+from tmodes.arm_callback import Controller, driven_by, run_with_controller
+from tmodes.arm_parts import Command
+from tmodes.arm_plan import Follow
+from tmodes.arm_regime import ArmRegime, arm_regime, run_arm_regime
+from tmodes.arm_run import ArmRun, bytes_per_sample, gathered
+from tmodes.arm_told import jumps, run_warnings, start_warnings
+from tmodes.errors import InputError
+from tmodes.integrate.choice import chosen_method
+from tmodes.integrate.settings import MOST_BYTES, Method
+from tmodes.trajectory import Journal
+
+__all__ = ["closed_loop_spectrum", "simulate_arm"]
+
+Progress = Callable[[str, float], None]
+
+_UNDAMPED = 1e-9
+"""Real over absolute value of an eigenvalue below which it is taken as undamped."""
+
+_MOST_WHOLE = 500
+"""Size of a state up to which all its eigenvalues are found; of a larger one only the largest."""
+
+
+def simulate_arm(
+    arm: Arm | ArmPair,
+    *,
+    progress: Progress = lambda stage, share: None,
+    journals: Callable[[str], Journal | None] = lambda stage: None,
+    controller: Controller | None = None,
+) -> ArmRun:
+    """Plan with the known arm, run the real one, and gather what a run shows.
+
+    Give an :class:`Arm` (its ``real`` factors make the real one) or a pair of your own. ``journals`` gives where the
+    stages ``reference`` and ``real`` keep their progress. ``controller``: a Python function that tells the efforts of
+    the real arm (:data:`tmodes.arm_callback.Controller`); slow, with an explicit method, and kept in no journal.
+
+    A run that cannot go on keeps what it had: look at ``status`` (finished, diverged, stopped, interrupted) and
+    ``message``. Raises :class:`tmodes.errors.InputError` for what cannot be run or is too large, and
+    :class:`tmodes.errors.SimulationError` where it cannot start.
+    """
+    pair = arm if isinstance(arm, ArmPair) else arm.pair()
+    real = arm_regime(pair.real)
+    _refuse_too_large(real)
+    spectrum = closed_loop_spectrum(real)
+    real, pair, why = _with_method(real, pair, spectrum)
+    verdict = _verdict(real, spectrum)
+    warnings = [*([verdict.sentence] if verdict.sentence else []), *growth_warnings(spectrum, "real arm")]
+    warnings += start_warnings(real)
+    reference, until = _reference(pair, progress, journals, warnings)
+    rows = None
+    if controller is None:
+        trajectory = run_arm_regime(real, lambda share: progress("real arm", share), journals("real"), until)
+    else:
+        real, _ = driven_by(real)
+        trajectory, rows = run_with_controller(real, controller, lambda share: progress("real arm", share))
+    if trajectory.status == "diverged":
+        trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
+    elif why:
+        trajectory.message += f", {why}"
+    run = gathered(real, trajectory, rows)
+    statistics = run.statistics | {"highest_eigenvalue": verdict.highest}
+    return replace(run, warnings=(*warnings, *run_warnings(run)), reference=reference, statistics=statistics)
+
+
+def _reference(
+    pair: ArmPair, progress: Progress, journals: Callable[[str], Journal | None], warnings: list[str]
+) -> tuple[ArmRun | None, float | None]:
+    """The reference run, and the time [s] at which the real one must end to be compared with it (None: its own end)."""
+    if any(drive.command is Command.POSITION for drive in pair.nominal.drives):
+        nominal = arm_regime(pair.nominal, Follow.WANTED)
+        jumping = jumps(nominal)
+        if jumping:
+            warnings.append(f"no reference run: {jumping}, which no motor can follow exactly")
+            return None, None
+    elif pair.nominal.real:
+        nominal = arm_regime(pair.nominal)
+    else:
+        return None, None
+    done = run_arm_regime(nominal, lambda share: progress("reference", share), journals("reference"))
+    run = gathered(nominal, done)
+    run = replace(run, warnings=tuple(run_warnings(run)))
+    if done.status == "finished":
+        return run, None
+    warnings.append(f"the reference run ended early: {done.message}")
+    return run, 0.0 if done.status == "interrupted" else float(done.times[-1])
+
+
+def closed_loop_spectrum(regime: ArmRegime) -> Spectrum:
+    """Eigenvalues of the arm under its drives at its start, exact derivatives, and the coordinate where each lives."""
+    model = regime.model
+    matrix = model.jacobian(0.0, regime.start, regime.first_row)
+    if not len(matrix) or not np.isfinite(matrix).all():
+        return Spectrum(np.zeros(0, dtype=complex), ())
+    if len(matrix) <= _MOST_WHOLE:
+        values, shapes = np.linalg.eig(matrix)
+    else:
+        from scipy.sparse.linalg import eigs
+
+        found: Any = eigs(matrix, k=6, which="LM", v0=np.ones(len(matrix)))
+        values, shapes = found
+    # Rounding must not make what rings without damping look as if it grew.
+    rising, turning = np.real(values), np.imag(values)
+    values = np.where(np.abs(rising) <= _UNDAMPED * np.abs(values), 0.0, rising) + 1j * turning
+    n = len(model.coordinates)
+    # A fast motion is large in the rates; currents follow the coordinates and rates in a state.
+    homes = [*model.coordinates, *model.coordinates, *(f"{name}.current" for name in model.plan.currents)]
+    largest = np.abs(shapes[n:]).argmax(axis=0) + n if n else np.zeros(0, dtype=int)
+    return Spectrum(values.astype(complex), tuple(homes[int(k)] for k in largest))
+
+
+def _with_method(regime: ArmRegime, pair: ArmPair, spectrum: Spectrum) -> tuple[ArmRegime, ArmPair, str]:
+    """The same with an integrator chosen, and why it was."""
+    settings = regime.arm.integration
+    highest = float(np.abs(spectrum.eigenvalues).max(initial=0.0))
+    method, why = chosen_method(settings.method, highest, settings.duration)
+
+    def by(arm: Arm) -> Arm:
+        return arm.model_copy(update={"integration": arm.integration.model_copy(update={"method": method})})
+
+    return replace(regime, arm=by(regime.arm)), ArmPair(by(pair.nominal), by(pair.real)), why
+
+
+def _verdict(regime: ArmRegime, spectrum: Spectrum) -> StepVerdict:
+    settings = regime.arm.integration
+    if settings.method not in (Method.RK4, Method.DORMAND_PRINCE):
+        return StepVerdict(float(np.abs(spectrum.eigenvalues).max(initial=0.0)), None, True)
+    return step_size_verdict(settings, spectrum)
+
+
+def _cause(verdict: StepVerdict, warnings: list[str]) -> str:
+    if not verdict.stable:
+        return verdict.sentence
+    growing = next((warning for warning in warnings if "unstable at its start" in warning), "")
+    return growing or "what drives the arm runs away: a signal, gains of the wrong size, or a singular motion"
+
+
+def _refuse_too_large(regime: ArmRegime) -> None:
+    """Refuse more samples than memory is meant for, before any is made."""
+    settings = regime.arm.integration
+    samples, each = settings.duration / settings.output_step, 2 * bytes_per_sample(regime.model)
+    if samples * each <= MOST_BYTES:
+        return
+    least = 1.005 * settings.duration * each / MOST_BYTES
+    raise InputError(
+        "integration.output_step",
+        f"{settings.output_step!r}, that is {samples:.3g} samples, about {samples * each / 1e9:.3g} GB",
+        f"at most {MOST_BYTES / each:.3g} samples of {each} bytes, {MOST_BYTES / 1e9:.3g} GB",
+        f"write at least {least:.3g} s, or a shorter duration",
+    )

@@ -1,0 +1,108 @@
+"""What a run of an arm must tell: joints that nothing drives, jumps, contact at the start, lost energy, limits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+
+from tmodes.arm_contact import ContactLaw, ContactSheet
+from tmodes.arm_regime import ArmRegime
+from tmodes.arm_run import ArmRun
+
+__all__ = ["jumps", "run_warnings", "start_warnings"]
+
+_SAME = 1e-6
+"""A jump smaller than this share of the largest value is rounding of a fitted signal."""
+
+_OFF = 1e-3
+"""Distance [m] from a surface that holds a point, from which on it is told."""
+
+_ROUNDING = 1e-12
+"""A residual [J] that is rounding, however little energy was moved."""
+
+
+def start_warnings(regime: ArmRegime) -> list[str]:
+    """What is odd before anything moves."""
+    told = [f"joint {name} has no drive: it is held where it starts" for name in regime.planned.undriven]
+    jumping = jumps(regime)
+    if jumping:
+        told.append(f"{jumping}: its impulse on the arm is left out")
+    if regime.arm.contact:
+        told += _touching(regime, regime.arm.contact)
+    return told
+
+
+def _touching(regime: ArmRegime, sheet: ContactSheet) -> Iterator[str]:
+    seen = regime.model.observe(np.zeros(1), regime.start, regime.first_row)["contact"][0]
+    if sheet.mass > 0 and sheet.friction > 0:
+        yield "friction of the contact is taken from its spring, damper and preload, without the surface's inertia"
+    normal, depth = seen[3], seen[4]
+    if sheet.law is ContactLaw.UNILATERAL and depth > 0:
+        yield f"the point starts {depth:.3g} m inside of the surface, which pushes it with {normal:.3g} N"
+    if sheet.law is ContactLaw.BILATERAL and abs(depth) > _OFF:
+        yield f"the point starts {depth:.3g} m off the surface that holds it: a force of {normal:.3g} N at once"
+
+
+def jumps(regime: ArmRegime) -> str:
+    """The first jump of a position or its rate that a rigid drive or the base would have to make; empty without any."""
+    plan, signals = regime.planned.plan, regime.planned.signals
+    rigid = [d for d in regime.model.loop.drivers if d.plan.servo is None and d.part.motor < 0]
+    exact = {driver.plan.signal: f"the motion of joint {driver.plan.joint}" for driver in rigid}
+    exact |= {k: f"the base's {name}" for k, name in zip(plan.base, _WAYS, strict=False)}
+    inner, lengths = signals.knots[1:-1], np.diff(signals.knots)[:-1]
+    for derivative, name in ((0, "position"), (1, "rate")):
+        powers = np.polynomial.polynomial.polyder(signals.coefficients, derivative, axis=2)
+        after = powers[1:, :, 0]
+        before = np.zeros_like(after)
+        for k in reversed(range(powers.shape[2])):
+            before = before * lengths[:, None] + powers[:-1, :, k]
+        for k, what in exact.items():
+            size = max(float(np.abs(powers[:, k, 0]).max()), float(np.abs(before[:, k]).max(initial=0.0)))
+            far = np.flatnonzero(np.abs(after[:, k] - before[:, k]) > _SAME * size)
+            if len(far):
+                return f"{what} jumps in {name} at t = {inner[far[0]]:.6g} s"
+    return ""
+
+
+_WAYS = ("x", "y", "z", "roll", "pitch", "yaw")
+
+
+def run_warnings(run: ArmRun) -> list[str]:
+    """Limits passed, and energy that does not add up, with the first time and the worst value."""
+    return [*_energy(run), *_limits(run)]
+
+
+def _energy(run: ArmRun) -> Iterator[str]:
+    off, moved, tolerance = np.abs(run.energy_balance), run.energy_moved, run.arm.integration.energy_tolerance
+    beyond = np.flatnonzero(off > max(tolerance * moved, _ROUNDING))
+    if len(beyond):
+        yield (
+            f"the energy balance is off first at t = {run.times[beyond[0]]:.4g} s, by {off.max():.2g} J at worst, "
+            f"{off.max() / moved if moved else np.inf:.1e} of the energy moved ({moved:.3g} J): the integration is too "
+            "coarse; lower integration.relative_tolerance or integration.step"
+        )
+
+
+def _limits(run: ArmRun) -> Iterator[str]:
+    sheets = {joint.name: joint for joint in run.arm.joints}
+    for k, name in enumerate(run.drives):
+        limits = sheets[name].limits
+        if limits is None:
+            continue
+        place = run.coordinates.index(name)
+        kinds = (
+            ("position", run.q[:, place], limits.lower, limits.upper),
+            ("speed", np.abs(run.v[:, place]), None, limits.speed),
+            ("effort", np.abs(run.effort[:, k]), None, limits.effort),
+        )
+        for kind, values, lower, upper in kinds:
+            low, high = -np.inf if lower is None else lower, np.inf if upper is None else upper
+            beyond = np.flatnonzero((values < low) | (values > high))
+            if len(beyond):
+                worst = values[beyond[np.argmax(np.maximum(low - values[beyond], values[beyond] - high))]]
+                bound = low if worst < low else high
+                yield (
+                    f"joint {name} passes its limit of {kind}, {bound:.6g}, first at t = {run.times[beyond[0]]:.4g} s, "
+                    f"and reaches {worst:.6g}"
+                )

@@ -1,0 +1,77 @@
+"""``tmodes describe``: what an arm is, in numbers."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tmodes.cli.options import AsJson, Settings
+from tmodes.cli.static import ArmArgument, chosen_arm, print_stiffness
+
+__all__ = ["describe"]
+
+
+def describe(robot: ArmArgument, settings: Settings = None, as_json: AsJson = False) -> None:
+    """Masses, lengths, stiffnesses, frequencies of each link by itself, sag under weight, what gives way at the tip."""
+    from tmodes.analysis.describe import describe as described
+    from tmodes.cli.interrupt import heard
+    from tmodes.cli.output import notice, print_json
+    from tmodes.cli.progress import Stages
+
+    arm = chosen_arm(robot, settings)
+    with heard() as wish, Stages(wish) as tell:
+        told = described(arm, progress=tell)
+    if as_json:
+        print_json(told)
+        return
+    _print(told)
+    for warning in told["warnings"]:
+        notice(f"warning: {warning}")
+
+
+def _print(told: dict[str, Any]) -> None:
+    from tmodes.cli.output import print_table
+
+    print(f"{told['name']}: {told['title'] or 'an arm'}")
+    print(f"{len(told['coordinates'])} coordinates, {told['total_mass_kg']:.4g} kg")
+    joints = [[one["name"], one["type"], one["kind"], one["carries"], one["command"] or "held", _limits(one)]
+              for one in told["joints"]]  # fmt: skip
+    print_table("Joints (A active, L locked; E elastic, R rigid)",
+                ["joint", "type", "kind", "carries", "drive", "limits"], joints)  # fmt: skip
+    columns = ["link", "model", "mass [kg]", "length [m]", "EI y, z [N*m^2]", "GJ [N*m^2]", "EA [N]",
+               "bare y, z [Hz]"]  # fmt: skip
+    print_table("Links", columns, [_link(one) for one in told["links"]])
+    if told["gears"]:
+        gears = [[one["joint"], ", ".join(f"{k:.4g}" for k in one["stiffness"]), one["unit"],
+                  _number(one["stiffness_over_EI_per_L"])] for one in told["gears"]]  # fmt: skip
+        print_table("Gears", ["joint", "stiffness", "unit", "over EI/L of its link"], gears)
+    if told["sag"]:
+        travel = ", ".join(f"{1e3 * x:.5g}" for x in told["sag"]["displacement_m"])
+        print(f"Sag of the tip under weight: {travel} mm (x, y, z), turned by {told['sag']['rotation_rad']:.4g} rad\n")
+    print_stiffness(told["stiffness"])
+
+
+def _link(one: dict[str, Any]) -> list[str]:
+    bending = [one.get(f"bending_stiffness_{axis}_Nm2") for axis in ("y", "z")]
+    bare = [one.get(f"bare_bend_{axis}_Hz") for axis in ("y", "z")]
+    others = [_ends(one.get(name)) for name in ("torsional_stiffness_Nm2", "axial_stiffness_N")]
+    shown = ", ".join(_ends(pair) for pair in bending) if bending[0] else "-"
+    rings = ", ".join(_number(value) for value in bare) if "bare_bend_y_Hz" in one else "-"
+    return [one["name"], one["model"], f"{one['mass_kg']:.4g}", _number(one["length_m"]), shown, *others, rings]
+
+
+def _ends(pair: list[float | None] | None) -> str:
+    """A number that is the same at both ends, or both; ``rigid`` for none."""
+    if pair is None:
+        return "-"
+    told = ["rigid" if value is None else f"{value:.4g}" for value in pair]
+    return told[0] if told[0] == told[1] else f"{told[0]} to {told[1]}"
+
+
+def _number(value: float | None) -> str:
+    return "-" if value is None else f"{value:.4g}"
+
+
+def _limits(one: dict[str, Any]) -> str:
+    if one["lower"] is None and one["upper"] is None:
+        return "-"
+    return f"{_number(one['lower'])} to {_number(one['upper'])} {one['unit']}"

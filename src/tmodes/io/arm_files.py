@@ -1,0 +1,56 @@
+"""One way in for every file that describes an arm: what kind it is, is told by its ending and its first words."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Sequence
+from pathlib import Path
+from typing import Any
+
+from tmodes.errors import InputError
+from tmodes.io.dh_table import arm_of_table
+from tmodes.io.elasticity import read_elasticity
+from tmodes.io.mjcf import read_mjcf
+from tmodes.io.urdf import read_urdf
+from tmodes.io.words import shown, shown_path
+from tmodes.io.xacro import read_xacro
+from tmodes.io.xml_file import read_xml
+from tmodes.io.yaml_file import Positions, read_yaml
+
+__all__ = ["read_arm_data"]
+
+ENDINGS = (".yaml", ".yml", ".urdf", ".xacro", ".xml")
+
+
+def read_arm_data(
+    path: str | os.PathLike[str], *, roots: Sequence[str | os.PathLike[str]] = (), trust_paths: bool = False
+) -> tuple[dict[str, Any], Positions, str]:
+    """Plain data of an arm's sheet, the line of its dotted paths, and the file's name for messages.
+
+    ``.yaml``: an arm's sheet, a Denavit-Hartenberg table (``kind: dh``) or an elasticity file (with ``urdf:``);
+    ``.urdf``; ``.xacro``; ``.xml``: URDF or MJCF by its root element. Files that a robot's file names must lie in its
+    folder or in ``roots``, unless ``trust_paths``. Raises :class:`tmodes.errors.InputError` or
+    :class:`tmodes.errors.InputErrors`; the data of a sheet is not checked here.
+    """
+    ending, source = Path(path).suffix.lower(), shown_path(path)
+    if ending in {".yaml", ".yml"}:
+        return *_from_yaml(path, roots, trust_paths), source
+    if ending == ".xml" and read_xml(path).tag == "mujoco":
+        return *read_mjcf(path, roots, trust_paths), source
+    if ending not in ENDINGS:
+        got, expected = f"a file with the ending {shown(ending)}", f"one of {', '.join(ENDINGS)}"
+        raise InputError(source, got, expected, "give the file the ending of what it is")
+    robot = (read_xacro if ending == ".xacro" else read_urdf)(path, roots, trust_paths)
+    return robot.data, robot.positions, source
+
+
+def _from_yaml(
+    path: str | os.PathLike[str], roots: Sequence[str | os.PathLike[str]], trust_paths: bool
+) -> tuple[dict[str, Any], Positions]:
+    data, positions = read_yaml(path)
+    if "urdf" in data:
+        arm = read_elasticity(path, roots, trust_paths)
+        return arm.data, arm.positions
+    if data.get("kind") == "dh":
+        return arm_of_table(data, positions, shown_path(path))
+    return data, positions

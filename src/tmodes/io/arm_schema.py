@@ -1,0 +1,72 @@
+"""The JSON Schema of an arm's data sheet, for editors that complete and check while one types."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tmodes.arm import Arm
+
+__all__ = ["arm_json_schema"]
+
+WITH_UNIT = {"type": "string", "description": 'a number with its unit in quotes, such as "600 mm"'}
+RULES = ("type", "exclusiveMinimum", "minimum", "maximum", "anyOf", "items", "prefixItems", "additionalProperties")
+RULES = (*RULES, "minItems", "maxItems")
+OWN = ("smallest", "plausible")
+"""What a field keeps for messages, and no editor needs."""
+
+SHORTHANDS = {
+    "gravity": {"type": "number"},
+    "stiffness": {"type": "number"},
+    "bending_stiffness": {"type": "number"},
+    "functions": {"type": "integer"},
+}
+"""Lists and groups in whose place one number may stand."""
+
+
+def arm_json_schema() -> dict[str, Any]:
+    """JSON Schema (draft 2020-12) of an arm's data sheet, with units, symbols and meanings."""
+    schema = _with_units(Arm.model_json_schema(by_alias=True))
+    return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
+
+
+def _with_units(node: Any, name: str = "") -> Any:
+    """Let every quantity also be text with a unit, and one number stand where it may, as the reader takes them."""
+    if isinstance(node, list):
+        return [_with_units(item) for item in node]
+    if not isinstance(node, dict):
+        return node
+    if isinstance(node.get("unit"), str):
+        return _quantity(node, name)
+    inside = {
+        key: {inner: _with_units(field, inner) for inner, field in value.items()}
+        if key == "properties"
+        else _with_units(value)
+        for key, value in node.items()
+    }
+    return _or_number(inside, name) if name in SHORTHANDS and "type" not in inside else inside
+
+
+def _quantity(node: dict[str, Any], name: str) -> dict[str, Any]:
+    told = {key: value for key, value in node.items() if key not in (*RULES, *OWN)}
+    rules = {key: _numbers(value) if key != "type" else value for key, value in node.items() if key in RULES}
+    choices = rules.pop("anyOf", None) or [rules]
+    if all(choice.get("type") in {"number", "integer", "null"} for choice in choices):
+        choices = [*choices, WITH_UNIT]
+    elif name in SHORTHANDS:
+        choices = [*choices, SHORTHANDS[name], WITH_UNIT]
+    return {**told, "anyOf": choices}
+
+
+def _numbers(node: Any) -> Any:
+    """Numbers inside of a list or a group, each of which may be text too."""
+    if isinstance(node, list):
+        return [_numbers(item) for item in node]
+    if not isinstance(node, dict):
+        return node
+    if node.get("type") == "number":
+        return {"anyOf": [{key: value for key, value in node.items() if key in RULES}, WITH_UNIT]}
+    return {key: _numbers(value) for key, value in node.items() if key not in OWN}
+
+
+def _or_number(node: dict[str, Any], name: str) -> dict[str, Any]:
+    return {**node, "anyOf": [*node.get("anyOf", []), SHORTHANDS[name]]}

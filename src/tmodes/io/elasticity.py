@@ -1,0 +1,206 @@
+"""Read an elasticity file: what a URDF cannot say of an arm, laid over it by the names of its joints and links.
+
+    urdf: ur5.urdf
+    joints: {shoulder_pan_joint: {motor: {...}, gear: {...}, state: locked, ...}}
+    links: {forearm_link: {beam: {...}, bodies: [...], keep_inertial: rigid}}
+    loads, drives, tip, points, gravity, ...: as in an arm's sheet
+
+A link that bends is told in :mod:`tmodes.io.elasticity_beam`. Everything else of the URDF stays as it is.
+"""
+
+from __future__ import annotations
+
+import copy
+import os
+from collections.abc import Callable, Iterable, Sequence
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tmodes.errors import InputError, InputErrors
+from tmodes.io.elasticity_beam import give_mass, length_of, line_of, place_beam, riding_body
+from tmodes.io.mesh_paths import folders_of
+from tmodes.io.urdf import UrdfRobot, read_urdf
+from tmodes.io.words import nearest, shown, shown_path
+from tmodes.io.xacro import read_xacro
+from tmodes.io.yaml_file import Positions, read_yaml
+
+__all__ = ["lay_over", "read_elasticity"]
+
+OF_JOINT = ("state", "locked_at", "limits", "friction", "motor", "gear")
+OF_LINK = ("beam", "bodies", "keep_inertial")
+KEEP = ("rigid", "replaced")
+OF_URDF = ("name", "type", "parent", "child", "origin", "from", "axis", "dh")
+
+
+def read_elasticity(
+    path: str | os.PathLike[str],
+    roots: Sequence[str | os.PathLike[str]] = (),
+    trust_paths: bool = False,
+) -> UrdfRobot:
+    """The arm of an elasticity file and the URDF (or xacro) that it names; ``positions`` are the elasticity file's.
+
+    Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors`, each with its file and line.
+    """
+    data, positions = read_yaml(path)
+    source = shown_path(path)
+    urdf = _urdf_path(path, data, positions, roots, trust_paths)
+    groups = data.get("links")
+    weighed = [name for name, group in groups.items() if _weighs(group)] if isinstance(groups, dict) else []
+    read = read_xacro if urdf.suffix.lower() == ".xacro" else read_urdf
+    return lay_over(read(urdf, roots, trust_paths, weighed), data, positions, source)
+
+
+def lay_over(robot: UrdfRobot, data: dict[str, Any], positions: Positions, source: str = "") -> UrdfRobot:
+    """The arm of a URDF's robot with an elasticity file's ``data`` laid over it; all that is wrong is told at once."""
+    overlay = _Overlay(robot, positions, source)
+    overlay.lay("joints", data.get("joints"), [joint["name"] for joint in overlay.sheet["joints"]], overlay.joint)
+    overlay.lay("links", data.get("links"), [joint["child"] for joint in overlay.sheet["joints"]], overlay.link)
+    overlay.the_rest(data)
+    if overlay.errors:
+        raise InputErrors(overlay.errors)
+    return UrdfRobot(overlay.sheet, overlay.positions, robot.bodies, robot.meshes)
+
+
+def _weighs(group: Any) -> bool:
+    return isinstance(group, dict) and ("beam" in group or bool(group.get("bodies")))
+
+
+def _urdf_path(
+    path: str | os.PathLike[str], data: dict[str, Any], positions: Positions, roots: Sequence[Any], trust: bool
+) -> Path:
+    name, place = data.get("urdf"), f"{shown_path(path)}:{positions.get('urdf', 1)}"
+    if not isinstance(name, str) or not name:
+        raise InputError("urdf", shown(name), "the path of a URDF", "write `urdf: robot.urdf`", place)
+    found = folders_of(path, roots, trust).find(name, "urdf", place)
+    if found is None:
+        mend = "check the path, which starts at the elasticity file's folder"
+        raise InputError("urdf", f"{shown(name)}, which is not there", "the path of a URDF", mend, place)
+    if found.suffix.lower() not in {".urdf", ".xacro", ".xml"}:
+        raise InputError("urdf", shown(name), "a file .urdf, .xacro or .xml", "name the robot's own file", place)
+    return found
+
+
+class _Overlay:
+    """The sheet that is being made, and what was found wrong."""
+
+    def __init__(self, robot: UrdfRobot, positions: Positions, source: str) -> None:
+        self.robot = robot
+        self.sheet = copy.deepcopy(robot.data)
+        self.source = source
+        self.lines = positions
+        self.positions: Positions = {"": 1}
+        self.errors: list[InputError] = []
+        self.links: dict[str, dict[str, Any]] = {link["name"]: link for link in self.sheet["links"]}
+
+    def lay(self, kind: str, groups: Any, names: list[str], one: Callable[[str, dict[str, Any]], None]) -> None:
+        """Lay each named group over the joint or link of its name."""
+        self._copy_lines(kind, kind)
+        if groups is None:
+            return
+        if not isinstance(groups, dict):
+            self._wrong(kind, shown(groups), "groups by name", f"write `{names[0]}: {{...}}` below `{kind}:`")
+            return
+        for name, group in groups.items():
+            which = f"{kind}.{name}"
+            if name not in names:
+                self._unknown(which, name, names, f"a {kind.removesuffix('s')} that the URDF moves")
+            elif not isinstance(group, dict):
+                self._wrong(which, shown(group), "a group", f"write `{name}: {{...}}`")
+            else:
+                self._tried(one, name, copy.deepcopy(group))
+
+    def joint(self, name: str, group: dict[str, Any]) -> None:
+        """Lay a group over a joint: limits one by one, the others whole."""
+        which = f"joints.{name}"
+        index = next(i for i, joint in enumerate(self.sheet["joints"]) if joint["name"] == name)
+        joint = self.sheet["joints"][index]
+        self._copy_lines(which, f"joints.{index}")
+        self._known(which, group, OF_JOINT)
+        if group.get("state") == "active":
+            joint.pop("locked_at", None)
+        if isinstance(group.get("limits"), dict):
+            group["limits"] = joint.get("limits", {}) | group["limits"]
+        joint.update(group)
+
+    def link(self, name: str, group: dict[str, Any]) -> None:
+        """Lay a group over a link: more bodies, or a beam in place of its body."""
+        which = f"links.{name}"
+        if name not in self.links:
+            self.links[name] = {"name": name}
+            self.sheet["links"].append(self.links[name])
+        link = self.links[name]
+        self._copy_lines(which, f"links.{self.sheet['links'].index(link)}")
+        self._known(which, group, OF_LINK)
+        bodies = group.get("bodies", [])
+        if not isinstance(bodies, list):
+            raise InputError(f"{which}.bodies", shown(bodies), "a list of bodies", "start each with `- `")
+        if "beam" in group:
+            self._bend(which, link, group["beam"], group.get("keep_inertial"))
+        elif "keep_inertial" in group:
+            mend = "remove it: the link does not bend"
+            raise InputError(f"{which}.keep_inertial", "a link without `beam`", "a link with a beam", mend)
+        if bodies:
+            link["bodies"] = [*link.get("bodies", []), *bodies]
+
+    def the_rest(self, data: dict[str, Any]) -> None:
+        """Take over the other groups of a sheet as they are."""
+        if "kind" in data and data["kind"] != "elasticity":
+            self._wrong("kind", shown(data["kind"]), "elasticity, or no kind", "remove the line `kind: ...`")
+        for key in data.keys() - {"urdf", "joints", "links", "kind"}:
+            self._copy_lines(key, key)
+        rest = {key: value for key, value in data.items() if key not in {"urdf", "joints", "links", "kind"}}
+        if "assumed" in self.sheet and isinstance(rest.get("assumed"), str):
+            rest["assumed"] = f"{rest['assumed']} {self.sheet['assumed']}"
+        self.sheet.update(copy.deepcopy(rest))
+
+    def _bend(self, which: str, link: dict[str, Any], beam: Any, keep: Any) -> None:
+        if not isinstance(beam, dict):
+            raise InputError(f"{which}.beam", shown(beam), "a group", "write `beam: {model: strain, ...}`")
+        if keep is not None and keep not in KEEP:
+            raise InputError(f"{which}.keep_inertial", shown(keep), "rigid or replaced", "write one of the two")
+        body = self.robot.bodies.get(link["name"])
+        carried = [joint for joint in self.sheet["joints"] if joint["parent"] == link["name"]]
+        mounted = "root_mount" in beam
+        if mounted and (beam.keys() & {"from", "to"} or "length" not in beam or keep == "rigid"):
+            got, expected = "a beam with `root_mount`", "`length`, no `from` or `to`, and no riding inertial"
+            raise InputError(f"{which}.beam", got, expected, "write `from` and `to` instead of `root_mount`")
+        start, end = (np.zeros(3), np.zeros(3)) if mounted else line_of(f"{which}.beam", beam, carried)
+        if not mounted:
+            place_beam(beam, start, end)
+        give_mass(which, beam, body, keep, length_of(f"{which}.beam.length", beam["length"]))
+        link.pop("bodies", None)
+        link["beam"] = beam
+        if body and keep == "rigid":
+            link["bodies"] = [riding_body(body, start, end)]
+
+    def _known(self, which: str, group: dict[str, Any], known: tuple[str, ...]) -> None:
+        for key in group:
+            if key in OF_URDF and known is OF_JOINT:
+                self._wrong(f"{which}.{key}", "a key that the URDF tells", f"one of {', '.join(known)}", "remove it")
+            elif key not in known:
+                self._unknown(f"{which}.{key}", str(key), known, f"one of {', '.join(known)}")
+
+    def _tried(self, one: Callable[[str, dict[str, Any]], None], name: str, group: dict[str, Any]) -> None:
+        try:
+            one(name, group)
+        except InputError as error:
+            self._wrong(error.which, error.got, error.expected, error.mend)
+
+    def _unknown(self, which: str, name: str, names: Iterable[str], expected: str) -> None:
+        close = nearest(name, names)
+        mend = f"did you mean {shown(close)}?" if close else "remove it"
+        self._wrong(which, f"the unknown name {shown(name)}", expected, mend)
+
+    def _wrong(self, which: str, got: str, expected: str, mend: str) -> None:
+        path = which
+        while path and path not in self.lines:
+            path = path.rpartition(".")[0]
+        self.errors.append(InputError(which, got, expected, mend, f"{self.source}:{self.lines.get(path, 1)}"))
+
+    def _copy_lines(self, path: str, to: str) -> None:
+        """The lines of a group of the elasticity file become those of the sheet's group."""
+        for other, line in self.lines.items():
+            if other == path or other.startswith(f"{path}."):
+                self.positions[to + other[len(path) :]] = line

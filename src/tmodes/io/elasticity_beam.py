@@ -1,0 +1,172 @@
+"""A beam of an elasticity file: placed so that the undeformed arm is exactly the URDF's, and weighed once.
+
+The beam runs straight from the link's frame to the joint that the link carries, or from and to where the file says.
+Its section's z axis is the link's z made square to the beam (the link's x where the beam runs along z). The tip frame
+lies at its end with the axes of the link's frame.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import InputError
+from tmodes.io.units import NotANumber, number
+from tmodes.io.words import shown
+
+__all__ = ["give_mass", "length_of", "line_of", "place_beam", "riding_body", "section_axes"]
+
+Array = NDArray[np.float64]
+
+SHORTEST = 1e-6
+"""Shortest line [m] that has a direction worth taking."""
+
+STEEP = 0.9
+"""Cosine of the angle between beam and z axis beyond which the section's z axis is taken from the link's x [-]."""
+
+ENDS = ("from", "to")
+
+
+def line_of(which: str, beam: dict[str, Any], carried: Sequence[dict[str, Any]]) -> tuple[Array, Array]:
+    """Start and end (3,) [m] of a beam in its link's frame; ``carried`` are the joints that sit on the link.
+
+    Takes ``from`` and ``to`` out of the beam's group. Raises :class:`tmodes.errors.InputError` where the file must say
+    where the beam ends.
+    """
+    start, end = (_point(f"{which}.{key}", beam.pop(key, None)) for key in ENDS)
+    start = np.zeros(3) if start is None else start
+    if end is not None and "length" in beam:
+        raise InputError(f"{which}.length", "a length beside `to`", "one of the two", "remove `length` or `to`")
+    if end is None:
+        end = _only_joint(which, carried)
+    line = end - start
+    distance = float(np.linalg.norm(line))
+    if distance < SHORTEST:
+        got = f"a beam from {_written(start)} to {_written(end)}, which has no direction"
+        raise InputError(f"{which}.to", got, "two points apart [m]", "write `to: [x, y, z]` in the link's frame")
+    if "length" in beam:
+        end = start + line / distance * length_of(f"{which}.length", beam["length"])
+    return start, end
+
+
+def section_axes(direction: Array) -> Array:
+    """The axes of a beam's section as columns (3, 3): x along ``direction``, z as said above."""
+    x: Array = direction / np.linalg.norm(direction)
+    near = np.eye(3)[0 if abs(x[2]) > STEEP else 2]
+    z = near - (near @ x) * x
+    z /= np.linalg.norm(z)
+    return np.array([x, np.cross(z, x), z]).T
+
+
+def place_beam(beam: dict[str, Any], start: Array, end: Array) -> None:
+    """Put length, root mount and tip mount into a beam's group; those that the file gives stay."""
+    axes = section_axes(end - start)
+    beam.setdefault("length", float(np.linalg.norm(end - start)))
+    beam.setdefault("root_mount", {"position": start.tolist(), "quaternion": _quaternion(axes)})
+    beam.setdefault("tip_mount", {"position": [0.0, 0.0, 0.0], "quaternion": _quaternion(axes.T)})
+    pieces = beam.get("pieces")
+    if isinstance(pieces, list) and pieces and isinstance(pieces[-1], dict):
+        pieces[-1].setdefault("end", beam["length"])
+
+
+def give_mass(which: str, beam: dict[str, Any], body: dict[str, Any] | None, keep: str | None, length: float) -> None:
+    """See to it that a beam's mass is told once: by its sections, or by the URDF's mass over its length.
+
+    ``keep`` is what the file says of the URDF's inertial: rigid, replaced, or None. Raises
+    :class:`tmodes.errors.InputError` where both would count, or none.
+    """
+    sections = list(_sections(beam))
+    weighed = [section for section in sections if _has_mass(section)]
+    if weighed and body and keep is None:
+        got = f"a section that has a mass, beside {body['mass']:g} kg of the URDF"
+        mend = "write `keep_inertial: rigid` to add both, or `keep_inertial: replaced` to count the section's alone"
+        raise InputError(f"{which}.keep_inertial", got, "one of the two masses, or that both count", mend)
+    if weighed or not sections:
+        return
+    if body is None or keep == "rigid":
+        why = "the URDF has no mass for this link" if body is None else "the URDF's mass rides on it as a rigid body"
+        mend = "add `mass_per_length: ...` in kg/m to the section"
+        raise InputError(f"{which}.beam.section.mass_per_length", "nothing", f"a mass, because {why}", mend)
+    for section in sections:
+        section["mass_per_length"] = body["mass"] / length
+
+
+def riding_body(body: dict[str, Any], start: Array, end: Array) -> dict[str, Any]:
+    """The URDF's body (link frame) as one that rides on the beam at the station next to its center of mass.
+
+    Between the ends a body is told in section axes from the line; at the tip in the tip frame, which has the link's.
+    """
+    axes, line, center = section_axes(end - start), end - start, np.array(body["center"])
+    station = float(np.clip((center - start) @ line / (line @ line), 0.0, 1.0))
+    turn = np.eye(3) if station == 1.0 else axes.T
+    riding = body | {"at": station, "center": (turn @ (center - start - station * line)).tolist()}
+    turned = riding.pop("rpy", None)
+    if "inertia" in riding:
+        riding["inertia"] = _turned(riding["inertia"], turned, turn)
+    return riding
+
+
+def _turned(inertia: dict[str, float], rpy: Sequence[float] | None, turn: Array) -> dict[str, float]:
+    from scipy.spatial.transform import Rotation
+
+    xx, yy, zz, xy, xz, yz = (inertia[pair] for pair in ("xx", "yy", "zz", "xy", "xz", "yz"))
+    axes = turn @ Rotation.from_euler("xyz", rpy or [0.0, 0.0, 0.0]).as_matrix()
+    full = axes @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ axes.T
+    return {a + b: float(full["xyz".index(a), "xyz".index(b)]) for a, b in ("xx", "yy", "zz", "xy", "xz", "yz")}
+
+
+def _only_joint(which: str, carried: Sequence[dict[str, Any]]) -> Array:
+    """Where the one joint that a link carries sits on it; of several, the one that moves."""
+    moving = [joint for joint in carried if joint["type"] != "fixed"]
+    chosen = carried if len(carried) == 1 else moving
+    if len(chosen) != 1:
+        names = ", ".join(joint["name"] for joint in carried[:8])
+        got = f"a link that carries {len(carried)} joints ({names})" if carried else "a link that carries no joint"
+        mend = "write `to: [x, y, z]` [m] in the link's frame"
+        raise InputError(f"{which}.to", got, "where the beam ends", mend)
+    return np.array(chosen[0]["origin"]["position"])
+
+
+def _point(which: str, value: Any) -> Array | None:
+    if value is None:
+        return None
+    if not isinstance(value, list) or len(value) != 3:
+        raise InputError(which, shown(value), "a list of three numbers [m]", "write [x, y, z] in the link's frame")
+    return np.array([length_of(which, item, positive=False) for item in value])
+
+
+def length_of(which: str, value: Any, *, positive: bool = True) -> float:
+    """A length [m] as the file tells it, perhaps with its unit; InputError for what is none."""
+    try:
+        result = number(value, "m")
+    except NotANumber as error:
+        raise InputError(which, error.got, "a number [m]", error.mend) from None
+    if not abs(result) <= 1e6 or (positive and result < SHORTEST):
+        bound = f"from {SHORTEST:g} to 1e6 [m]" if positive else "of at most 1e6 [m]"
+        raise InputError(which, shown(result), f"a number {bound}", "correct the exponent or the unit")
+    return result
+
+
+def _sections(beam: dict[str, Any]) -> Iterator[dict[str, Any]]:
+    """Every section that a beam's group holds: its own, the taper's, each piece's."""
+    pieces = beam.get("pieces")
+    for group in (beam, beam.get("taper"), *(pieces if isinstance(pieces, list) else ())):
+        if isinstance(group, dict) and isinstance(group.get("section"), dict):
+            yield group["section"]
+
+
+def _has_mass(section: dict[str, Any]) -> bool:
+    return "mass_per_length" in section or section.get("shape", "given") != "given"
+
+
+def _quaternion(axes: Array) -> list[float]:
+    from scipy.spatial.transform import Rotation
+
+    return Rotation.from_matrix(axes).as_quat().tolist()
+
+
+def _written(point: Array) -> str:
+    return "[" + ", ".join(f"{value:g}" for value in point) + "]"

@@ -1,0 +1,119 @@
+"""Where the files lie that a robot's file names: inside its own folder or the folders that the user lists.
+
+Nothing is opened and nothing is fetched here. Symbolic links are followed before a path is judged.
+"""
+
+from __future__ import annotations
+
+import os
+import re
+from collections.abc import Sequence
+from dataclasses import dataclass
+from pathlib import Path
+
+from tmodes.errors import InputError
+from tmodes.io.words import shown, shown_path
+
+__all__ = ["Folders", "folders_of"]
+
+ADDRESS = re.compile(r"([A-Za-z][A-Za-z0-9+.-]*):(//)?(.*)", re.DOTALL)
+DRIVE = re.compile(r"[A-Za-z]:[\\/]")
+LONGEST = 1_000
+
+
+@dataclass(frozen=True)
+class Folders:
+    """``home``, the folder of the robot's file, and the ``roots`` that the user lists; all resolved.
+
+    ``trust`` allows absolute paths and paths that leave the folders; even then nothing is fetched.
+    """
+
+    home: Path
+    roots: tuple[Path, ...] = ()
+    trust: bool = False
+
+    def find(self, name: str, which: str, place: str, base: Path | None = None) -> Path | None:
+        """The checked path of a file's ``name`` as written; None for one that is not there, or is only an address.
+
+        Relative names start at ``base`` (default: home). Raises :class:`tmodes.errors.InputError` for a path that
+        leaves the folders, an absolute one and an address.
+        """
+        if not name or len(name) > LONGEST or not name.isprintable():
+            raise InputError(which, shown(name), "the path of a file", "write the path", place)
+        address = None if DRIVE.match(name) else ADDRESS.fullmatch(name)
+        if address and address[1].lower() == "package":
+            return self._package(address[3], which, place)
+        if address and address[1].lower() != "file":
+            return self._refused(None, name, f"the address {shown(name)}", which, place)
+        path = Path(address[3] if address else name.replace("\\", "/"))
+        if address or path.is_absolute() or DRIVE.match(name):
+            inside = self._is_inside(self._resolved(path, which, place))
+            return path if inside and _exists(path) else self._refused(path, name, "an absolute path", which, place)
+        return self._inside((base or self.home) / path, name, which, place)
+
+    def _package(self, rest: str, which: str, place: str) -> Path | None:
+        """``package://name/path``: the folder ``name`` is a root, lies in one, or is the package around the file."""
+        name, _, inner = rest.lstrip("/").partition("/")
+        if ".." in (name, *_steps(inner)) and not self.trust:
+            got, mend = f"package://{rest}, which climbs with `..`", "name the file inside its package"
+            raise InputError(which, shown(got), "a path inside the package", mend, place)
+        candidates = [*self.roots, *(root / name for root in self.roots), self.home / name]
+        around = (self.home, *self.home.parents)
+        candidates += [folder for folder in around if folder.name == name and _exists(folder / "package.xml")]
+        for candidate in candidates:
+            path = candidate / inner
+            if candidate.name == name and _exists(path):
+                self._within(path, candidate, which, place)
+                return path.resolve()
+        return None
+
+    def _inside(self, path: Path, name: str, which: str, place: str) -> Path | None:
+        resolved = self._resolved(path, which, place)
+        if not self._is_inside(resolved) and not self.trust:
+            got, expected = f"{shown(name)}, which leads outside", f"a path inside {shown_path(self.home)}"
+            mend = "move the file there, list its folder among the roots, or trust the paths of this file"
+            raise InputError(which, got, expected, mend, place)
+        return resolved if _exists(resolved) else None
+
+    def _within(self, path: Path, package: Path, which: str, place: str) -> None:
+        if not self.trust and not path.resolve().is_relative_to(package.resolve()):
+            got, mend = f"{shown_path(path)}, a link that leads outside", "put the file itself there"
+            raise InputError(which, got, "a file inside its package", mend, place)
+
+    def _is_inside(self, resolved: Path) -> bool:
+        return any(resolved.is_relative_to(folder) for folder in (self.home, *self.roots))
+
+    def _refused(self, path: Path | None, name: str, what: str, which: str, place: str) -> Path | None:
+        """An absolute path or an address: kept only where it is trusted and on this machine."""
+        if self.trust:
+            return path.resolve() if path and _exists(path) else None
+        got = what if what.endswith(shown(name)) else f"{what} {shown(name)}"
+        mend = "write a path relative to the robot's file, list its folder among the roots, or trust this file's paths"
+        raise InputError(which, got, "a relative path or package://; nothing is ever fetched", mend, place)
+
+    @staticmethod
+    def _resolved(path: Path, which: str, place: str) -> Path:
+        try:
+            return path.resolve()
+        except (OSError, RuntimeError, ValueError) as error:
+            got = f"a path that cannot be followed ({shown(str(error))})"
+            raise InputError(which, got, "the path of a file", "correct it", place) from None
+
+
+def folders_of(
+    file: str | os.PathLike[str], roots: Sequence[str | os.PathLike[str]] = (), trust: bool = False
+) -> Folders:
+    """The folders in which the files that ``file`` names may lie."""
+    home = Path(file).absolute().parent.resolve()
+    return Folders(home, tuple(Path(root).resolve() for root in roots), trust)
+
+
+def _steps(path: str) -> list[str]:
+    return path.replace("\\", "/").split("/")
+
+
+def _exists(path: Path) -> bool:
+    try:
+        return path.exists()
+    except OSError:  # a name that no file can have
+        return False

@@ -1,0 +1,147 @@
+"""Read a URDF into the plain data of an arm's sheet.
+
+Links, joints, inertias, limits and friction are read; names stay. Geometry is not loaded: only the checked paths of its
+files are kept. What other programs put beside them (gazebo, transmission, ros2_control) is passed over; what is
+misspelt is not. Format: http://wiki.ros.org/urdf/XML.
+"""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Collection, Iterator, Sequence
+from dataclasses import dataclass, field
+from pathlib import Path
+from typing import Any
+
+from tmodes.errors import InputError, InputErrors
+from tmodes.io.mesh_paths import Folders, folders_of
+from tmodes.io.urdf_joint import joint_ends, joint_of
+from tmodes.io.urdf_link import body_of
+from tmodes.io.urdf_mass import massless
+from tmodes.io.urdf_sheet import name_of, sheet_of
+from tmodes.io.urdf_tree import UrdfJoint, tree_of
+from tmodes.io.urdf_values import check_attributes, check_children, fault, text_at
+from tmodes.io.xml_file import Element, read_xml
+from tmodes.io.yaml_file import Positions
+
+__all__ = ["UrdfRobot", "read_urdf", "urdf_robot"]
+
+MOST_ERRORS = 100
+TOP = {"link", "joint", "material", "gazebo", "transmission", "sensor", "ros2_control"}
+
+
+@dataclass(frozen=True, eq=False)
+class UrdfRobot:
+    """What a URDF says: ``data`` and ``positions`` of an arm's sheet, bodies and files of geometry by link."""
+
+    data: dict[str, Any]
+    positions: Positions
+    bodies: dict[str, dict[str, Any]]
+    meshes: dict[str, list[Path]]
+
+
+@dataclass
+class _Reading:
+    """What has been read so far, and all that was found wrong."""
+
+    links: dict[str, Element] = field(default_factory=dict)
+    joints: dict[str, UrdfJoint] = field(default_factory=dict)
+    bodies: dict[str, dict[str, Any]] = field(default_factory=dict)
+    errors: list[InputError] = field(default_factory=list)
+
+    def refuse(self) -> None:
+        if self.errors:
+            raise InputErrors(self.errors[:MOST_ERRORS])
+
+
+def read_urdf(
+    path: str | os.PathLike[str],
+    roots: Sequence[str | os.PathLike[str]] = (),
+    trust_paths: bool = False,
+    weighed: Collection[str] = (),
+) -> UrdfRobot:
+    """The robot of a URDF file.
+
+    ``roots`` are further folders in which the files it names may lie; ``trust_paths`` allows any. Links that are
+    ``weighed`` get a mass elsewhere and need none here. Raises :class:`tmodes.errors.InputError` or, with all that is
+    wrong, :class:`tmodes.errors.InputErrors`.
+    """
+    return urdf_robot(read_xml(path), folders_of(path, roots, trust_paths), weighed)
+
+
+def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) -> UrdfRobot:
+    """The robot of a URDF's root element; see :func:`read_urdf`."""
+    _check_root(robot)
+    reading = _Reading()
+    for element in robot.children:
+        _read(element, reading)
+    if not reading.links and not reading.errors:
+        reading.errors.append(fault(robot, "the robot", "no link", "links and joints", "add <link> and <joint>"))
+    reading.refuse()
+    tree = tree_of(robot, reading.links, list(reading.joints.values()))
+    reading.errors.extend(massless(tree, reading.links, reading.bodies, weighed))
+    meshes = {name: _meshes(name, link, folders, reading) for name, link in reading.links.items()}
+    joints = [_tried(reading, joint_of, joint) or {} for joint in tree.joints]
+    reading.refuse()
+    if not joints:
+        raise fault(robot, "the robot", "no joint", "at least one joint", "add <joint>: what does not move is no robot")
+    names = {link: name_of(link, tree) for link in reading.links}
+    bodies = {names[link]: body for link, body in reading.bodies.items()}
+    files = {names[link]: paths for link, paths in meshes.items() if paths}
+    data, positions = sheet_of(robot, tree, joints, reading.links, bodies)
+    return UrdfRobot(data, positions, bodies, files)
+
+
+def _check_root(robot: Element) -> None:
+    if robot.tag != "robot":
+        got, mend = f"<{robot.tag[:60]}>", "check that this is a URDF"
+        raise fault(robot, "the root element", got, "<robot>", mend)
+    check_attributes(robot, {"name", "version"}, "robot")
+    check_children(robot, TOP, "robot")
+    if prefixed := next((child for child in robot.children if child.tag.startswith("xacro:")), None):
+        mend = "save the file with the ending .xacro"
+        raise fault(prefixed, "robot", f"<{prefixed.tag[:60]}> in a plain URDF", "<link> and <joint>", mend)
+
+
+def _read(element: Element, reading: _Reading) -> None:
+    """Read one link or joint; what is wrong with it is kept beside the errors of the others."""
+    try:
+        if element.tag == "link":
+            name = text_at(element, "name", "a link's name")
+            _refuse_second(name, "link", element, reading.links.get(name))
+            reading.links[name] = element
+            if body := body_of(element, name):
+                reading.bodies[name] = body
+        elif element.tag == "joint":
+            joint = joint_ends(element)
+            first = reading.joints.get(joint.name)
+            _refuse_second(joint.name, "joint", element, first.element if first else None)
+            reading.joints[joint.name] = joint
+    except InputError as error:
+        reading.errors.append(error)
+
+
+def _refuse_second(name: str, kind: str, element: Element, first: Element | None) -> None:
+    if first is not None:
+        got, mend = f"a second {kind} of this name (first in line {first.line})", "give each its own name"
+        raise fault(element, f"{kind} {name}", got, f"one {kind} of each name", mend)
+
+
+def _tried(reading: _Reading, read: Any, *what: Any) -> Any:
+    try:
+        return read(*what)
+    except InputError as error:
+        reading.errors.append(error)
+        return None
+
+
+def _meshes(name: str, link: Element, folders: Folders, reading: _Reading) -> list[Path]:
+    """The checked paths of a link's files of geometry; those that are not there are left out."""
+    paths = [_tried(reading, folders.find, file, f"link {name}: {tag}", place) for file, tag, place in _files(link)]
+    return [path for path in paths if path is not None]
+
+
+def _files(link: Element) -> Iterator[tuple[str, str, str]]:
+    for element in link.within():
+        if element.tag in {"mesh", "texture"} and "filename" in element.attributes:
+            yield element.attributes["filename"].strip(), element.tag, element.place

@@ -1,0 +1,69 @@
+"""A URDF's tree as the plain data of an arm's sheet. Names stay; only the ground has a name of its own in a sheet."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import Any
+
+from tmodes.io.urdf_mimic import hold_followers
+from tmodes.io.urdf_tree import Tree
+from tmodes.io.xml_file import Element
+from tmodes.io.yaml_file import Positions
+from tmodes.topology import BASE
+
+__all__ = ["name_of", "sheet_of"]
+
+
+def name_of(link: str, tree: Tree) -> str:
+    """A link's name in the sheet: its own, but for one that is called as the ground is and does not stand there."""
+    if link != BASE or tree.root == BASE:
+        return link
+    taken = {tree.root, *(joint.child for joint in tree.joints)}
+    return _free(f"{BASE}_frame", taken)
+
+
+def sheet_of(
+    robot: Element,
+    tree: Tree,
+    joints: list[dict[str, Any]],
+    links: Mapping[str, Element],
+    bodies: Mapping[str, dict[str, Any]],
+) -> tuple[dict[str, Any], Positions]:
+    """Data and positions of the sheet: ``joints`` in the order of the tree, ``bodies`` by their names in the sheet.
+
+    The root stands on the ground by a fixed joint of its own, so that it keeps its name.
+    """
+    notices = [hold_followers(tree.joints, joints)]
+    for joint in joints:
+        joint |= {"parent": name_of(joint["parent"], tree), "child": name_of(joint["child"], tree)}
+    lines = [joint.element.line for joint in tree.joints]
+    if tree.root != BASE:
+        taken = {joint["name"] for joint in joints}
+        joints = [
+            {"name": _free(f"{BASE}_to_{tree.root}"[:90], taken), "type": "fixed", "parent": BASE, "child": tree.root},
+            *joints,
+        ]
+        lines = [links[tree.root].line, *lines]
+    if BASE in links and tree.root != BASE:
+        notices.append(f"The file's link {BASE}, which is not its root, is called {name_of(BASE, tree)} here.")
+    weighing = [joint["child"] for joint in joints if joint["child"] in bodies]
+    data: dict[str, Any] = {"format": 1, "kind": "arm", "name": _title(robot)}
+    if told := " ".join(filter(None, notices)):
+        data["assumed"] = told
+    data |= {"joints": joints, "links": [{"name": name, "bodies": [bodies[name]]} for name in weighing]}
+    positions = dict.fromkeys(("", "name", "joints", "links"), robot.line)
+    positions |= {f"joints.{index}": line for index, line in enumerate(lines)}
+    by_name = {name_of(name, tree): link.line for name, link in links.items()}
+    return data, positions | {f"links.{index}": by_name[name] for index, name in enumerate(weighing)}
+
+
+def _title(robot: Element) -> str:
+    """The robot's name, or that of its file."""
+    return (robot.attributes.get("name", "").strip() or Path(robot.source).stem)[:100]
+
+
+def _free(name: str, taken: set[str]) -> str:
+    while name in taken:
+        name += "_"
+    return name

@@ -1,0 +1,147 @@
+"""The formulas of a xacro file by a closed grammar: numbers, texts, names, arithmetic, comparisons, a few functions.
+
+Nothing is handed to Python's own evaluation. The formula is parsed into a tree, every kind of node that is not listed
+here is refused, and length, number of nodes and size of every number and text are bounded.
+"""
+
+from __future__ import annotations
+
+import ast
+import math
+import operator
+import warnings
+from collections.abc import Callable, Mapping
+from typing import Any
+
+from tmodes.io.words import nearest, shown
+
+__all__ = ["FormulaError", "Value", "evaluate"]
+
+Value = bool | int | float | str
+
+LONGEST = 500
+MOST_NODES = 150
+LARGEST = 2**53
+"""Largest magnitude of a whole number, the last that a double holds exactly; other numbers are doubles."""
+
+NAMES: dict[str, Value] = {"pi": math.pi, "True": True, "False": False, "true": True, "false": False}
+FUNCTIONS: dict[str, Callable[..., Any]] = {
+    name: getattr(math, name)
+    for name in ("sin", "cos", "tan", "asin", "acos", "atan", "atan2", "sqrt", "exp", "log", "hypot", "floor", "ceil")
+} | {"radians": math.radians, "degrees": math.degrees, "abs": abs, "min": min, "max": max, "round": round}
+UNARY: dict[type, Callable[[Any], Any]] = {ast.USub: operator.neg, ast.UAdd: operator.pos, ast.Not: operator.not_}
+BINARY: dict[type, Callable[[Any, Any], Any]] = {
+    ast.Add: operator.add,
+    ast.Sub: operator.sub,
+    ast.Mult: operator.mul,
+    ast.Div: operator.truediv,
+    ast.FloorDiv: operator.floordiv,
+    ast.Mod: operator.mod,
+}
+COMPARE: dict[type, Callable[[Any, Any], Any]] = {
+    ast.Eq: operator.eq,
+    ast.NotEq: operator.ne,
+    ast.Lt: operator.lt,
+    ast.LtE: operator.le,
+    ast.Gt: operator.gt,
+    ast.GtE: operator.ge,
+}
+
+
+class FormulaError(ValueError):
+    """Why a formula has no value; its text is a phrase for a message."""
+
+
+def evaluate(text: str, known: Mapping[str, Value]) -> Value:
+    """The value of a formula with the names that are ``known``; raises :class:`FormulaError`."""
+    tree = _parsed(text)
+    if sum(1 for _ in ast.walk(tree)) > MOST_NODES:
+        raise FormulaError(f"a formula of more than {MOST_NODES} parts")
+    try:
+        return _value(tree.body, known)
+    except FormulaError:
+        raise
+    except (ArithmeticError, TypeError, ValueError) as error:
+        raise FormulaError(f"{shown(text)}, which has no value ({error})") from None
+
+
+def _parsed(text: str) -> ast.Expression:
+    if len(text) > LONGEST:
+        raise FormulaError(f"a formula of {len(text)} characters")
+    try:
+        with warnings.catch_warnings():
+            warnings.simplefilter("ignore")
+            return ast.parse(text.strip(), mode="eval")
+    except (SyntaxError, ValueError, MemoryError, RecursionError):
+        raise FormulaError(f"{shown(text)}, which is no formula") from None
+
+
+def _value(node: ast.expr, known: Mapping[str, Value]) -> Value:
+    match node:
+        case ast.Constant(value=bool() | int() | float() | str() as value):
+            result = value
+        case ast.Name(id=name):
+            result = _named(name, known)
+        case ast.UnaryOp(op=op, operand=operand) if type(op) in UNARY:
+            result = UNARY[type(op)](_value(operand, known))
+        case ast.BinOp(left=left, op=op, right=right):
+            result = _combined(op, _value(left, known), _value(right, known))
+        case ast.BoolOp(op=op, values=values):
+            result = _any_or_all(op, values, known)
+        case ast.Compare(left=left, ops=[op], comparators=[right]) if type(op) in COMPARE:
+            result = COMPARE[type(op)](_value(left, known), _value(right, known))
+        case ast.IfExp(test=test, body=body, orelse=orelse):
+            result = _value(body if _value(test, known) else orelse, known)
+        case ast.Call(func=ast.Name(id=name), args=arguments, keywords=[]) if name in FUNCTIONS:
+            result = FUNCTIONS[name](*(_number(_value(argument, known)) for argument in arguments))
+        case _:
+            raise FormulaError(f"{shown(ast.unparse(node))}, which is not arithmetic")
+    return _bounded(result)
+
+
+def _named(name: str, known: Mapping[str, Value]) -> Value:
+    if name in known:
+        return known[name]
+    if name in NAMES:
+        return NAMES[name]
+    close = nearest(name, [*known, *NAMES])
+    raise FormulaError(f"the unknown name {shown(name)}" + (f" (did you mean {shown(close)}?)" if close else ""))
+
+
+def _combined(op: ast.operator, left: Value, right: Value) -> Value:
+    """Two numbers combined; of texts only the sum. A power is taken of doubles, so that it overflows at once."""
+    if isinstance(left, str) and isinstance(right, str) and isinstance(op, ast.Add):
+        return left + right
+    left, right = _number(left), _number(right)
+    if isinstance(op, ast.Pow):
+        power = math.pow(left, right)
+        both_whole = isinstance(left, int) and isinstance(right, int) and power.is_integer()
+        return int(power) if both_whole and abs(power) <= LARGEST else power
+    if type(op) not in BINARY:
+        raise FormulaError("an operator on bits or matrices, which is not arithmetic")
+    return BINARY[type(op)](left, right)
+
+
+def _any_or_all(op: ast.boolop, values: list[ast.expr], known: Mapping[str, Value]) -> Value:
+    result: Value = isinstance(op, ast.And)
+    for value in values:
+        result = _value(value, known)
+        if bool(result) is isinstance(op, ast.Or):
+            break
+    return result
+
+
+def _number(value: Value) -> int | float:
+    if isinstance(value, str):
+        raise FormulaError(f"the text {shown(value)} where a number belongs")
+    return value
+
+
+def _bounded(value: Value) -> Value:
+    if isinstance(value, str) and len(value) > LONGEST:
+        raise FormulaError(f"a text of {len(value)} characters")
+    if isinstance(value, int) and abs(value) > LARGEST:
+        raise FormulaError("a whole number of more than 15 digits")
+    if isinstance(value, float) and not math.isfinite(value):
+        raise FormulaError("a result that no double can hold")
+    return value

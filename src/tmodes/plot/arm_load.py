@@ -1,0 +1,83 @@
+"""What the links of an arm carry at the instant at which each is loaded most, and how far that goes over the run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.plot.arm_facts import largest, plain
+from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
+from tmodes.plot.style import BAND, BLUE, COMPONENTS, QUIET, RED, house_style
+from tmodes.plot.units import readable
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from tmodes.arm_result import ArmResult
+
+__all__ = ["link_loads"]
+
+_MOST_LINKS = 6
+_KINDS = {"torsion": "torsion", "y": "bending about y", "z": "bending about z"}
+
+Array = NDArray[Any]
+
+
+@house_style()
+def link_loads(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+    """Left, moments [N m] along each link when its bending moment is largest; right, stress [Pa], or shear force [N].
+
+    The band is the range over the run. Of more than six links, those with the largest moments. ``ax``: two axes for
+    each link, or None.
+    """
+    data = result.data
+    names = [str(name) for name in data["bending_link"].values]
+    moments = data["moment"].transpose("bending_link", "time", "s", "moment_kind").values
+    bending = np.linalg.norm(moments[..., 1:], axis=-1)
+    shown = largest(names, bending.max(axis=(1, 2)), _MOST_LINKS)
+    axes = panels(
+        ax, [[f"{k} left", f"{k} right"] for k in range(len(shown))], 0.8 + 1.6 * len(shown), sharex=ax is None
+    )
+    titles = []
+    for k, name in enumerate(shown):
+        index = names.index(name)
+        sample = int(np.unravel_index(np.argmax(bending[index]), bending[index].shape)[0])
+        _moments(axes[2 * k], data, moments[index, sample])
+        titles += [f"{plain(name)} at {float(data['time'][sample]):.3g} s", _right(axes[2 * k + 1], data, name)]
+    for panel in axes[-2:]:
+        panel.set_xlabel("along the link $s$ [–]")
+    shared_legend(axes[0])
+    shared_legend(axes[1], place="lower left")
+    letter(axes, titles)
+    return axes
+
+
+def _moments(panel: Axes, data: Any, moments: Array) -> None:
+    unit, s = readable("N m", moments), data["s"].values
+    for (kind, label), values, look in zip(_KINDS.items(), moments.T, COMPONENTS, strict=False):
+        del kind
+        panel.plot(s, unit.of(values), label=label, **look)
+    panel.axhline(0.0, color=QUIET, linewidth=0.6)
+    panel.set_xlim(0.0, 1.0)
+    panel.set_ylabel(f"moment [{unit.name}]")
+
+
+def _right(panel: Axes, data: Any, name: str) -> str:
+    """Stress where it is known, else the size of the shear force; returns the panel's title."""
+    known = "stressed_link" in data.dims and name in data["stressed_link"].values
+    if known:
+        values, si, words = data["stress"].sel(stressed_link=name).transpose("time", "s").values, "Pa", "stress"
+    else:
+        shear = data["shear_force"].sel(bending_link=name).transpose("time", "s", "plane").values
+        values, si, words = np.linalg.norm(shear, axis=-1), "N", "shear force"
+    sample = int(np.unravel_index(np.argmax(values), values.shape)[0])
+    unit, s = readable(si, values / 1e6 if known else values), data["s"].values
+    scale, name_of_unit = (1e-6, "MPa") if known else (unit.factor, unit.name)
+    low, high = values.min(axis=0) * scale, values.max(axis=0) * scale
+    panel.fill_between(s, low, high, facecolor=BAND, edgecolor=BLUE, linewidth=0.6, label="range over the run")
+    panel.plot(s, values[sample] * scale, color=RED, linewidth=1.2, linestyle=(0, (5, 1.5)), label="when it is largest")
+    panel.set_xlim(0.0, 1.0)
+    panel.set_ylabel(f"{words} [{name_of_unit}]")
+    return f"{words.capitalize()}, worst at {float(data['time'][sample]):.3g} s"

@@ -1,0 +1,29 @@
+"""Writing the report of an arm: one file, whole or as it was before."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from pathlib import Path
+from typing import TYPE_CHECKING
+
+from tmodes.io.atomic import atomic_write
+from tmodes.plot.arm_figures import arm_drawings
+from tmodes.report.arm_page import arm_page
+
+if TYPE_CHECKING:
+    from tmodes.arm_result import ArmResult
+    from tmodes.plot.save import Drawing
+
+__all__ = ["write_arm_report"]
+
+
+def write_arm_report(result: ArmResult, path: Path | str, figures: Mapping[str, Drawing] | None = None) -> Path:
+    """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
+
+    ``figures`` are drawings from :func:`tmodes.plot.arm_figures.arm_drawings` (all, or a part of them), None draws them
+    all. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
+    """
+    text = arm_page(result, arm_drawings(result) if figures is None else figures)
+    with atomic_write(path) as temporary:
+        temporary.write_text(text, encoding="utf-8", newline="\n")
+    return Path(path)

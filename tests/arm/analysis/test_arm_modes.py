@@ -1,0 +1,100 @@
+"""Modes of arms against exact frequencies: beams, two inertias on a gear, controllers, dampers."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+
+import numpy as np
+import pytest
+from scipy.optimize import brentq
+
+from arm.statics.beams import clamped
+from arm.statics.test_elements import ROD, geared, on_joint
+from tmodes.analysis.arm_modes import MotorState, Servo, arm_modes
+from tmodes.analysis.equilibrium import Load, equilibrium
+from tmodes.chain import Friction, Motor
+
+INERTIA, ROTOR, STIFFNESS = 0.1 + 2 * 0.25, 0.1, 300.0
+NONE = np.zeros(3)
+
+
+def test_clamped_beam():
+    """beta L = 1.87510407, 4.69409113; Kelvin-Voigt damping: ratio eta w/2 of each mode."""
+    eta = 1e-3
+    modes = arm_modes(equilibrium(clamped((1.0, 2.0, 5.0), bend_y=6, damping_time=eta)))
+    exact = np.array([1.8751040687119611, 4.694091132974175]) ** 2 * np.sqrt(2.0)
+    assert [2 * np.pi * mode.frequency_Hz for mode in modes[:2]] == pytest.approx(exact, rel=2e-5)
+    assert [mode.damping_ratio for mode in modes[:2]] == pytest.approx(eta * exact / 2, rel=2e-5)
+    assert {mode.element for mode in modes} == {"beam.bend_y"}
+    assert all(mode.stable for mode in modes)
+    damped = modes[0].damped_frequency_Hz
+    assert damped == pytest.approx(modes[0].frequency_Hz * np.sqrt(1 - modes[0].damping_ratio ** 2), rel=1e-9)
+
+
+def test_compression_lowers_the_frequency_to_nothing():
+    """Half the buckling load, exact: wIV + P w2 - W^2 w = 0 (w2 = second derivative), clamped, w2 = w3 + P w1 = 0."""
+    load = np.pi**2 / 8
+
+    def determinant(frequency: float) -> float:
+        middle = np.sqrt(load**2 / 4 + frequency**2)
+        a, b = np.sqrt(middle + load / 2), np.sqrt(middle - load / 2)
+        bent = (-(a**2) * np.cos(a) - b**2 * np.cosh(b), -(a**2) * np.sin(a) - a * b * np.sinh(b))
+        cosine = (a**3 - load * a) * np.sin(a) - (b**3 + load * b) * np.sinh(b)
+        sine = (load * a - a**3) * np.cos(a) - (a * b**2 + load * a) * np.cosh(b)
+        return bent[0] * sine - bent[1] * cosine
+
+    exact = brentq(determinant, 1.0, 3.5, xtol=1e-14)
+    pressed = arm_modes(equilibrium(clamped(bend_z=6), [Load("tip", (-load, 0, 0))]))[0]
+    assert 2 * np.pi * pressed.frequency_Hz == pytest.approx(exact, rel=1e-7)
+
+
+def test_motor_locked_and_free():
+    """sqrt(k/I); sqrt(k (1/I + 1/J)) and a free turn of the whole arm."""
+    rest = equilibrium(on_joint(geared(), ROD, gravity=NONE))
+    (locked,) = arm_modes(rest)
+    assert 2 * np.pi * locked.frequency_Hz == pytest.approx(np.sqrt(STIFFNESS / INERTIA), rel=1e-10)
+    turn, ringing = arm_modes(rest, MotorState.FREE)
+    assert (turn.frequency_Hz, turn.element, turn.stable) == (0.0, "whole arm, free", True)
+    assert 2 * np.pi * ringing.frequency_Hz == pytest.approx(np.sqrt(STIFFNESS * (1 / INERTIA + 1 / ROTOR)), rel=1e-10)
+    assert ringing.shape == pytest.approx([1.0, -ROTOR / INERTIA], rel=1e-9)
+    assert (ringing.element, ringing.share) == ("hinge.gear", pytest.approx(1.0))
+
+
+def test_motor_under_control():
+    """Roots of the fourth-degree polynomial of two inertias, the motor on a spring and a damper."""
+    rest = equilibrium(on_joint(geared(), ROD, gravity=NONE))
+    stiffness, damping = 200.0, 3.0
+    modes = arm_modes(rest, MotorState.CONTROLLED, {"hinge.motor": Servo(stiffness, damping)})
+    motor = np.polynomial.Polynomial([stiffness + STIFFNESS, damping, ROTOR])
+    joint = np.polynomial.Polynomial([STIFFNESS, 0, INERTIA])
+    roots = (motor * joint - STIFFNESS**2).roots()
+    exact = sorted(root.imag / (2 * np.pi) for root in roots if root.imag > 0)
+    assert sorted(mode.damped_frequency_Hz or 0.0 for mode in modes) == pytest.approx(exact, rel=1e-9)
+    assert sum(modes[0].shares.values()) == pytest.approx(1.0)
+    assert "hinge.controller" in modes[0].shares
+
+
+def test_over_damped_mode_does_not_ring():
+    (mode,) = arm_modes(equilibrium(on_joint(geared(damping=1000.0), ROD, gravity=NONE)))
+    assert mode.damped_frequency_Hz is None
+    assert mode.damping_ratio == 1.0
+    assert 2 * np.pi * mode.frequency_Hz == pytest.approx(np.sqrt(STIFFNESS / INERTIA), rel=1e-10)
+
+
+def test_dry_friction_has_no_part():
+    """Its slope at rest would hold everything; viscous friction stays."""
+    joint = geared()
+    viscous, dry = Friction(viscous=0.6), Friction(viscous=0.6, coulomb=5.0, static_extra=1.0)
+    ratios = []
+    for friction in (viscous, dry):
+        own = replace(joint, friction=friction, motor=Motor(ROTOR, friction))
+        ratios.append(arm_modes(equilibrium(on_joint(own, ROD, gravity=NONE)))[0].damping_ratio)
+    assert ratios[0] == pytest.approx(0.6 / (2 * np.sqrt(STIFFNESS * INERTIA)), rel=1e-9)
+    assert ratios[1] == ratios[0]
+
+
+def test_a_buckled_arm_is_unstable():
+    rest = equilibrium(on_joint(geared(), ROD, gravity=NONE, tip=(1.0, 0.0, 0.0)), [Load("tip", (-400.0, 0, 0))])
+    (mode,) = arm_modes(rest)
+    assert not mode.stable
+    assert mode.frequency_Hz == 0.0

@@ -1,0 +1,24 @@
+"""``tmodes describe``: tables and JSON."""
+
+from __future__ import annotations
+
+import json
+
+from arm.cli.command import tmodes
+
+
+def test_tables_and_json_agree():
+    out = tmodes("describe", "deluca_siciliano1991").stdout
+    told = json.loads(tmodes("describe", "deluca_siciliano1991", "--json").stdout)
+    assert told["links"][0]["model"] == "strain"
+    assert f"{told['links'][0]['bare_bend_z_Hz']:.4g}" in out
+    assert "upper_arm.bend_z 87.5%" in out
+
+
+def test_a_change_is_described():
+    changed = tmodes("describe", "spong1987", "--set", "joints.joint.gear.stiffness=250", "--json")
+    assert json.loads(changed.stdout)["gears"][0]["stiffness"] == [250.0]
+
+
+def test_unknown_arm():
+    assert "sponge" in tmodes("describe", "sponge1987", code=2).stderr

@@ -1,0 +1,58 @@
+"""``tmodes static``: loads from the line, tables, JSON, refusals."""
+
+from __future__ import annotations
+
+import json
+
+import numpy as np
+import pytest
+
+from arm.cli.command import tmodes
+
+ARM = "spong1987"
+
+
+def test_json_holds_everything():
+    """5 N*m about y on a gear of 100 N*m/rad, weight 9.8 N at 1 m below."""
+    told = json.loads(tmodes("static", ARM, "--moment", "0,5,0", "--json").stdout)
+    angle = told["coordinates"]["joint"]
+    assert 100 * angle + 9.8 * np.sin(angle) == pytest.approx(5.0, rel=1e-9)
+    assert told["stable"] is True
+    assert told["held"] == ["joint.motor"]
+    assert told["stiffness"]["directions"][4]["unit"] == "N*m/rad"
+    assert told["units"]["residual"]
+
+
+def test_tables():
+    out = tmodes("static", ARM, "--load", "point=tip,force=1,0,0,frame=section", "--hold", "joint.motor=0.2").stdout
+    assert "stable" in out
+    assert "joint.gear" in out
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["--load", "point=tyre,force=0,0,1"], "tyre"),
+        (["--load", "force=0,0"], "three numbers"),
+        (["--load", "farce=0,0,1"], "--load"),
+        (["--load", "force=0,nan,0"], "finite"),
+        (["--load", "force=0,one,0"], "numbers"),
+        (["--force", "1,2,inf"], "finite"),
+        (["--hold", "joint"], "COORDINATE=VALUE"),
+        (["--hold", "jiont=0"], "joint"),
+        (["--point", "elbow"], "tip"),
+    ],
+)
+def test_wrong_lines_are_refused(arguments, told):
+    assert told in tmodes("static", ARM, *arguments, code=2).stderr
+
+
+def test_the_robot_of_the_paper_is_sent_elsewhere():
+    assert "kind: arm" in tmodes("static", "filipovic2010", code=2).stderr
+
+
+def test_buckling_is_told():
+    """Upwards 300 N on a hanging meter, 100 N*m/rad: beyond the load that it carries upright."""
+    done = tmodes("static", ARM, "--force", "0,0,300")
+    assert "NOT STABLE" in done.stdout
+    assert "buckles" in done.stderr

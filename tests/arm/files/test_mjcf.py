@@ -1,0 +1,165 @@
+"""MJCF: bodies and joints stand and weigh as MuJoCo says; no file outside the folder; what is no arm is refused."""
+
+from __future__ import annotations
+
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from arm.files.frames import mass_matrix, sheet_frames
+from tmodes.chain import Drive
+from tmodes.errors import InputError
+from tmodes.io.arm_check import arm_from_data
+from tmodes.io.arm_files import read_arm_data
+
+needs_mujoco = pytest.mark.skipif(find_spec("mujoco") is None, reason="needs MuJoCo (`pip install mujoco`)")
+
+MODEL = """<mujoco model="three">
+  <compiler angle="radian" autolimits="true"/>
+  <option gravity="0 0 -3.7"/>
+  <worldbody>
+    <body name="stand" pos="0 0 0.1" euler="0.1 0.2 0.3">
+      <geom type="box" size=".1 .2 .3"/>
+      <body name="upper" pos="0.1 0 0.2" quat="1 0.2 -0.1 0.4">
+        <joint name="pan" axis="0 1 0" pos="0 0.05 0.2" ref="0.3" range="-1 1" damping="0.3"
+          armature="0.01" frictionloss="0.2"/>
+        <joint name="tilt" axis="1 1 0" pos="0.1 0 0" actuatorfrcrange="-5 5"/>
+        <geom type="capsule" fromto="0 0 0 0.3 0.1 0.4" size="0.05"/>
+        <body name="base" pos="0.3 0.1 0.4" euler="0.3 0 1">
+          <joint name="slide" type="slide" axis="0 0 2" ref="0.1"/>
+          <joint name="wrist" axis="0 0 1" pos="0.02 0 0"/>
+          <inertial pos="0.01 0.02 0.03" mass="0.7" fullinertia="0.01 0.02 0.025 0.001 0.002 -0.003"/>
+          <body pos="0 0 0.2"><joint axis="1 0 0"/><geom size="0.04"/></body>
+        </body>
+      </body>
+    </body>
+  </worldbody>
+  <actuator><motor joint="tilt"/></actuator>
+</mujoco>"""
+
+SPRING = """<mujoco><compiler angle="radian"/><worldbody>
+<body name="a"><joint name="j" axis="0 0 1" {0}/><geom size="0.1" pos="1 0 0"/></body></worldbody>{1}</mujoco>"""
+
+
+def written(folder: Path, text: str = MODEL) -> Path:
+    path = folder / "model.xml"
+    path.write_text(text)
+    return path
+
+
+@pytest.mark.peer
+@needs_mujoco
+@pytest.mark.parametrize("seed", range(5))
+def test_frames_and_masses_are_mujocos(seed: int, tmp_path: Path) -> None:
+    import mujoco as untyped
+
+    mujoco: Any = untyped
+    data, positions, _ = read_arm_data(written(tmp_path))
+    model = mujoco.MjModel.from_xml_path(str(tmp_path / "model.xml"))
+    state = mujoco.MjData(model)
+    state.qpos[:] = np.random.default_rng(seed).uniform(-1, 1, model.nq)
+    mujoco.mj_forward(model, state)
+    names = ["pan", "tilt", "slide", "wrist", "joint_5"]
+    angles = dict(zip(names, state.qpos, strict=True))
+    frames = sheet_frames(data, angles)
+    for index, name in enumerate(["stand", "upper", "base_frame", "body_4"], start=1):
+        np.testing.assert_allclose(frames[name][:3, :3], state.xmat[index].reshape(3, 3), atol=1e-14)
+        (body,) = next(link["bodies"] for link in data["links"] if link["name"] == name)
+        np.testing.assert_allclose((frames[name] @ [*body["center"], 1])[:3], state.xipos[index], atol=1e-14)
+    ours = mass_matrix(data, angles, names) + np.diag([0.01, 0, 0, 0, 0])
+    np.testing.assert_allclose(ours, mujocos_mass_matrix(mujoco, model, state), atol=1e-12)
+    assert (positions["joints.1"], positions["joints.3"]) == (8, 13)
+
+
+def mujocos_mass_matrix(mujoco: Any, model: Any, state: Any) -> np.ndarray:
+    """The mass matrix column by column: inverse dynamics of unit accelerations at rest, without gravity."""
+    model.opt.gravity[:] = 0
+    model.dof_frictionloss[:] = 0
+    model.opt.disableflags |= mujoco.mjtDisableBit.mjDSBL_CONSTRAINT
+    columns = []
+    for column in np.eye(model.nv):
+        state.qvel[:], state.qacc[:] = 0, column
+        mujoco.mj_inverse(model, state)
+        columns.append(state.qfrc_inverse.copy())
+    return np.array(columns)
+
+
+@needs_mujoco
+def test_limits_friction_and_motor(tmp_path: Path) -> None:
+    data, positions, source = read_arm_data(written(tmp_path))
+    joints = {joint["name"]: joint for joint in data["joints"]}
+    assert joints["pan"]["limits"] == {"lower": -1.0, "upper": 1.0}
+    assert joints["pan"]["friction"] == {"viscous": 0.3, "coulomb": 0.2}
+    assert joints["pan"]["motor"] == {"inertia": 0.01, "side": "joint"}
+    assert joints["tilt"]["limits"] == {"effort": 5.0}
+    assert data["gravity"] == [0.0, 0.0, -3.7]
+    assert "base_frame" in data["assumed"]
+    assert len(arm_from_data(data, positions, source).chain().nodes) == 6
+
+
+@needs_mujoco
+def test_a_passive_spring_is_an_elastic_gear_with_a_locked_motor(tmp_path: Path) -> None:
+    path = written(tmp_path, SPRING.format('stiffness="40" springref="0.25" damping="0.5"', ""))
+    joint: Any = arm_from_data(*read_arm_data(path)).chain().nodes[0].joint
+    assert (joint.drive, joint.gear.stiffness, joint.rest) == (Drive.SPRING, (40.0,), 0.25)
+    assert joint.friction.viscous == 0.5
+
+
+@needs_mujoco
+@pytest.mark.parametrize(
+    ("text", "words"),
+    [
+        (SPRING.format('type="ball"', ""), "joint 'j': got a ball joint"),
+        (SPRING.format('type="free"', ""), "joint 'j': got a free joint (a free-flying base)"),
+        (SPRING.format('stiffness="4" armature="0.1"', ""), "a spring beside an armature"),
+        (SPRING.format('stiffness="4"', '<actuator><motor joint="j"/></actuator>'), "a spring beside an actuator"),
+        (SPRING.format("", '<equality><joint joint1="j"/></equality>'), "a model with equality constraints"),
+        (SPRING.format("", '<tendon><fixed><joint joint="j" coef="1"/></fixed></tendon>'), "a model with tendons"),
+        (SPRING.format('axiss="1"', ""), "a model that MuJoCo refuses"),
+        ("<mujoco/>", "the model: got no body"),
+    ],
+)
+def test_what_is_no_arm_is_refused(text: str, words: str, tmp_path: Path) -> None:
+    with pytest.raises(InputError) as caught:
+        read_arm_data(written(tmp_path, text))
+    assert words in str(caught.value)
+    assert str(caught.value).startswith(f"{tmp_path}/model.xml")
+
+
+@pytest.mark.parametrize(
+    "inside",
+    [
+        '<include file="../other.xml"/>',
+        '<include file="/etc/passwd"/>',
+        '<include file="absent.xml"/>',
+        '<include file="model.xml"/>',
+        '<asset><mesh name="m" file="../../secret.stl"/></asset>',
+        '<asset><mesh name="m" file="/etc/passwd"/></asset>',
+        '<compiler meshdir="/etc"/>',
+        '<compiler meshdir="sub"/><asset><mesh name="m" file="../../secret.stl"/></asset>',
+        '<asset><texture name="t" type="cube" fileup="http://example.com/a.png"/></asset>',
+        '<asset><hfield name="h" nrow="1000000" ncol="1000000" size="1 1 1 1"/></asset>',
+        '<asset><texture name="t" builtin="flat" width="1000000" height="1000000"/></asset>',
+        '<size nuser_body="1000000000"/>',
+        '<custom><numeric name="n" size="1000000000"/></custom>',
+        '<worldbody><replicate count="1000000000"><body/></replicate></worldbody>',
+        '<worldbody><composite type="cable"/></worldbody>',
+    ],
+)
+def test_refused_before_mujoco_opens_it(inside: str, tmp_path: Path) -> None:
+    (tmp_path / "secret.stl").write_text("solid")
+    folder = tmp_path / "home"
+    folder.mkdir()
+    with pytest.raises(InputError) as caught:
+        read_arm_data(written(folder, f"<mujoco>\n{inside}</mujoco>"))
+    assert str(caught.value).startswith(f"{folder}/model.xml:")
+    assert "MuJoCo" not in str(caught.value)
+
+
+def test_without_mujoco_it_is_said_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setitem(__import__("sys").modules, "mujoco", None)
+    with pytest.raises(InputError, match="an MJCF without MuJoCo"):
+        read_arm_data(written(tmp_path))

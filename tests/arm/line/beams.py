@@ -1,0 +1,40 @@
+"""One clamped beam as a chain, and its model: what closed forms are about."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tmodes.arm_model import ArmModel
+from tmodes.chain import Beam, BeamPiece, Chain, Drive, Joint, JointKind, Node, Placement, Point
+
+__all__ = ["EI", "LENGTH", "MASS", "beam", "clamped", "piece", "turning"]
+
+LENGTH, EI, MASS = 0.8, 30.0, 0.7
+DOWN = np.array([0.0, 0.0, -9.81])
+
+
+def piece(end: float = 1.0, bending: float = EI, mass: float = MASS, taper: float = 1.0, **more: Any) -> BeamPiece:
+    """A piece of equal stiffness both ways."""
+    both, none = (bending, bending * taper), (0.0, 0.0)
+    numbers: dict[str, Any] = {"torsion": (20.0, 20.0), "axial": (1e6, 1e6), "inertia": ((1e-3, 1e-3), none, none)}
+    return BeamPiece(end, both, both, mass=(mass, mass * taper), **{**numbers, **more})
+
+
+def beam(**more: Any) -> Beam:
+    """The beam of this file, three functions in each direction of bending."""
+    given: dict[str, Any] = {"bend_y": 3, "bend_z": 3, "pieces": (piece(),)}
+    return Beam(LENGTH, **{**given, **more})
+
+
+def clamped(link: Any = None, *, gravity: Any = DOWN, points: tuple[Point, ...] = ()) -> ArmModel:
+    """A beam that stands out of a wall along x."""
+    node = Node("rod", -1, Joint("wall", JointKind.FIXED), link or beam())
+    return ArmModel(Chain("clamped", (node,), np.asarray(gravity, dtype=float), points=points))
+
+
+def turning(link: Any = None, *, gravity: Any = (0.0, 0.0, 0.0), drive: Drive = Drive.PRESCRIBED) -> ArmModel:
+    """A beam on a hinge about z."""
+    joint = Joint("hub", JointKind.REVOLUTE, Placement(), drive=drive)
+    return ArmModel(Chain("turning", (Node("rod", -1, joint, link or beam()),), np.asarray(gravity, dtype=float)))

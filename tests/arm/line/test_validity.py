@@ -1,0 +1,123 @@
+"""Warnings of a run: each limit passed is told with its first time and how far; nothing is told within them."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from arm.line.beams import beam, clamped
+from tmodes.analysis.arm_line import elastic_line
+from tmodes.analysis.arm_split import held_shape
+from tmodes.analysis.arm_validity import missing_share, run_warnings
+from tmodes.arm import Arm
+from tmodes.arm_model import ArmModel
+
+
+def sheet(**beam_changes: Any) -> dict[str, Any]:
+    """A steel rod of 10 mm on a hinge about z with limits, gravity along -z."""
+    rod: dict[str, Any] = {
+        "model": "strain", "functions": {"bend_y": 3, "bend_z": 3}, "length": 0.5, "damping_time": 0.0,
+        "section": {"shape": "round", "diameter": 0.01}, "material": "steel", **beam_changes,
+    }  # fmt: skip
+    limits = {"lower": -1.0, "upper": 1.5, "speed": 2.0, "effort": 5.0}
+    joint = {"name": "hub", "type": "revolute", "parent": "base", "child": "rod", "axis": [0, 0, 1], "limits": limits}
+    return {"format": 1, "kind": "arm", "name": "rod", "joints": [joint], "links": [{"name": "rod", "beam": rod}]}
+
+
+def told(q: Any, v: Any = 0.0, effort: Any = 0.0, wrenches: Any = None, **changes: Any) -> list[str]:
+    arm = Arm.from_data(sheet(**changes))
+    model = ArmModel(arm.chain())
+    q = np.atleast_2d(q)
+    v = np.broadcast_to(np.asarray(v, dtype=float), q.shape)
+    times = 0.1 * np.arange(len(q))
+    lines = elastic_line(model, q, v, wrenches=wrenches)
+    rows = np.broadcast_to(np.asarray(effort, dtype=float), (len(q), len(model.efforts)))
+    return run_warnings(arm, model, times, q, v, np.zeros_like(q), rows, lines)
+
+
+def rows(count: int, values: dict[int, float], at: int, size: int = 7) -> np.ndarray:
+    """Samples at rest, one of them with some coordinates."""
+    q = np.zeros((count, size))
+    q[at, list(values)] = list(values.values())
+    return q
+
+
+def at_rest() -> np.ndarray:
+    """The rod's sag: with it, what bends it is what it carries."""
+    return held_shape(ArmModel(Arm.from_data(sheet()).chain()), np.zeros(7))[0]
+
+
+def test_nothing_is_told_within_the_limits() -> None:
+    assert told(np.repeat(at_rest(), 3, axis=0)) == []
+
+
+def test_joint_limits_are_told_with_first_time_and_extent() -> None:
+    q = np.repeat(at_rest(), 5, axis=0)
+    q[2:, 0] = [1.6, 1.8, 1.7]
+    (sentence,) = told(q)
+    assert "joint hub passes its upper limit (1.5 rad)" in sentence
+    assert "first at t = 0.2 s and reaches 1.8 rad at t = 0.3 s" in sentence
+    q[2:, 0] = [-1.1, -1.2, 0.0]
+    (sentence,) = told(q)
+    assert "lower limit (-1 rad)" in sentence
+    assert "reaches -1.2 rad at t = 0.3 s" in sentence
+
+
+def test_speed_and_effort_are_told() -> None:
+    still = np.repeat(at_rest(), 3, axis=0)
+    speeds = rows(3, {0: -2.5}, 1)
+    assert any(
+        "joint hub is faster than its limit (2 rad/s)" in line and "2.5 rad/s" in line for line in told(still, speeds)
+    )
+    (sentence,) = told(still, effort=[[0.0], [-6.0], [5.5]])
+    assert "effort than its limit (5 N*m)" in sentence
+    assert "first at t = 0.1 s and reaches 6 N*m" in sentence
+
+
+def test_stress_beyond_yield_is_told() -> None:
+    """235 MPa in a rod of 10 mm: M = 235e6 pi d^3/32 = 23.07 N*m, a force of 46.14 N at 0.5 m."""
+    for force, wanted in ((45.5, 0), (46.8, 1)):
+        push = np.array([0.0, force, 0.0, 0.0, 0.0, 0.0])[None, None]
+        found = [line for line in told(np.zeros(7), wrenches=push) if "yield" in line]
+        assert len(found) == wanted
+    assert "235 MPa, most at s = 0" in found[0]
+
+
+def test_buckling_load_is_told() -> None:
+    """pi^2 EI/(4 L^2) of that rod: 210e9 pi 1e-8/64 pi^2/(4 0.25) = 1017 N."""
+    for force, wanted in ((1010.0, 0), (1025.0, 1)):
+        push = np.array([-force, 0.0, 0.0, 0.0, 0.0, 0.0])[None, None]
+        found = [line for line in told(np.zeros(7), wrenches=push) if "buckling" in line]
+        assert len(found) == wanted
+    assert "1017 N" in found[0]
+    assert "reaches 1025 N" in found[0]
+
+
+def test_range_of_strain_and_of_segments_is_told() -> None:
+    bent = rows(3, {4: 12.0}, 1)
+    assert any("rod turns by more than 1 rad between two of its points" in line for line in told(bent))
+    low = rows(3, {2: 0.12}, 2, size=3)
+    found = told(low, model="segments", segments=1, functions=None)
+    assert any("link rod leaves the small angles" in line and "0.12 rad" in line for line in found)
+
+
+@pytest.mark.parametrize(("functions", "share"), [(1, 1 / 4), (2, 0.0)])
+def test_missing_share_of_a_tip_force(functions: int, share: float) -> None:
+    """A linear moment seen by a constant one: of its energy L^3/3, L^3/12 is missing: a quarter; by two: nothing."""
+    link = beam(bend_y=0, bend_z=functions)
+    model = clamped(link, gravity=np.zeros(3))
+    push = np.array([0.0, 1e-4, 0.0, 0.0, 0.0, 0.0])[None, None]
+    q, _ = held_shape(model, np.zeros(functions), wrenches=push)
+    line = elastic_line(model, q, wrenches=push, stations=401)["rod"]
+    assert missing_share(line, link)["bend_z"] == pytest.approx(share, rel=1e-4, abs=1e-8)
+
+
+def test_too_few_functions_are_told() -> None:
+    arm = Arm.from_data(sheet(functions={"bend_y": 1, "bend_z": 1}, basis="legendre"))
+    model = ArmModel(arm.chain())
+    q, _ = held_shape(model, np.zeros(3))
+    found = run_warnings(arm, model, [0.0], q, 0 * q, 0 * q, np.zeros((1, 1)), elastic_line(model, q))
+    assert len(found) == 1
+    assert "take more functions.bend_y" in found[0]

@@ -1,0 +1,134 @@
+"""Random chains for property tests: trees of every kind of joint and link, and states that stay in the model's range.
+
+A chain is drawn from one integer, so that a failing example is told by one number; how large it is, and whether it
+bends, are arguments.
+"""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.random import Generator, default_rng
+from numpy.typing import NDArray
+
+from tmodes.chain import (
+    Beam,
+    BeamPiece,
+    Body,
+    Chain,
+    Drive,
+    Friction,
+    Gear,
+    Joint,
+    JointKind,
+    Motor,
+    Node,
+    Placement,
+    Point,
+    RigidLink,
+    Segment,
+)
+
+__all__ = ["random_body", "random_chain", "random_placement", "random_state"]
+
+Array = NDArray[np.float64]
+
+
+def random_placement(rng: Generator, reach: float = 0.3) -> Placement:
+    """Any direction, at most about ``reach`` [m] away."""
+    matrix, triangle = np.linalg.qr(rng.normal(size=(3, 3)))
+    matrix = matrix * np.sign(np.diag(triangle))
+    matrix[:, 0] *= np.linalg.det(matrix)
+    return Placement(matrix, rng.uniform(-reach, reach, 3))
+
+
+def random_body(rng: Generator) -> Body:
+    """A body of four points and a little, so that its inertia is a real body's."""
+    places, masses = rng.uniform(-0.1, 0.1, (4, 3)), rng.uniform(0.05, 0.5, 4)
+    center = masses @ places / masses.sum()
+    arms = places - center
+    inertia = np.einsum("m,mi,mj->ij", masses, arms, arms)
+    return Body(float(masses.sum()), center, np.trace(inertia) * np.eye(3) - inertia + 1e-4 * np.eye(3))
+
+
+def _axis(rng: Generator) -> Array:
+    axis = rng.normal(size=3)
+    return axis / np.linalg.norm(axis)
+
+
+def _joint(rng: Generator, name: str, rigid: bool) -> Joint:
+    kind = rng.choice([JointKind.REVOLUTE, JointKind.REVOLUTE, JointKind.PRISMATIC, JointKind.FIXED])
+    placement, axis = random_placement(rng), _axis(rng)
+    if kind == JointKind.FIXED:
+        return Joint(name, JointKind.FIXED, placement)
+    drive = Drive.EFFORT if rigid else Drive(rng.choice([Drive.EFFORT, Drive.ELASTIC, Drive.SPRING]))
+    motor = None
+    if drive is Drive.ELASTIC or (drive is Drive.EFFORT and rng.random() < 0.5):
+        motor = Motor(float(rng.uniform(0.02, 0.3)), Friction(viscous=0.0 if rigid else float(rng.uniform(0, 0.5))))
+    gear = None if drive is Drive.EFFORT else Gear((float(rng.uniform(20, 300)),), damping=float(rng.uniform(0, 1)))
+    return Joint(name, JointKind(kind), placement, axis, drive=drive, motor=motor, gear=gear)
+
+
+def _piece(rng: Generator, end: float, axial: bool) -> BeamPiece:
+    def pair(low: float, high: float) -> tuple[float, float]:
+        value = float(rng.uniform(low, high))
+        return value, value * float(rng.uniform(0.7, 1.0))
+
+    polar, across = pair(5e-4, 2e-3), pair(2e-4, 1e-3)
+    stretch = pair(1e3, 1e4) if axial else (0.0, 0.0)
+    return BeamPiece(end, pair(5, 50), pair(5, 50), pair(5, 30), stretch, pair(0.2, 1.0), (polar, across, across))
+
+
+def _beam(rng: Generator) -> Beam:
+    counts = rng.integers(0, 4, 2)
+    bend_y, bend_z = (int(n) for n in (counts if counts.any() else (1, 2)))
+    stretch = int(rng.random() < 0.2)
+    ends = (0.45, 1.0) if rng.random() < 0.3 else (1.0,)
+    return Beam(
+        float(rng.uniform(0.3, 0.9)),
+        tuple(_piece(rng, end, stretch > 0) for end in ends),
+        twist=int(rng.integers(0, 3)),
+        bend_y=bend_y,
+        bend_z=bend_z,
+        stretch=stretch,
+        basis="tip_weighted" if rng.random() < 0.2 else "legendre",
+        points=max(bend_y, bend_z) + 2,
+        damping_time=float(rng.uniform(0, 1e-3)),
+        rest_curvature=rng.uniform(-0.3, 0.3, 3) if rng.random() < 0.3 else np.zeros(3),
+        bodies=((1.0, random_body(rng)),) if rng.random() < 0.5 else (),
+    )
+
+
+def _link(rng: Generator, rigid: bool) -> RigidLink | Beam | Segment:
+    kind = 0 if rigid else int(rng.integers(0, 4))
+    if kind >= 2:
+        return _beam(rng)
+    if kind == 1:
+        stiffness = rng.uniform(200, 2000, 2)
+        return Segment(
+            float(rng.uniform(0.2, 0.6)), float(stiffness[0]), float(stiffness[1]), 0.1, 0.2, bodies=(random_body(rng),)
+        )
+    return RigidLink((random_body(rng),))
+
+
+def random_chain(seed: int, nodes: int = 4, *, rigid: bool = False) -> Chain:
+    """A tree of ``nodes`` joints and links; ``rigid``: no spring and no flexible link anywhere."""
+    rng = default_rng(seed)
+    parents = [-1, *(int(max(0, i - 1 - rng.geometric(0.75) + 1)) for i in range(1, nodes))]
+    made = tuple(Node(f"link{i}", parents[i], _joint(rng, f"joint{i}", rigid), _link(rng, rigid)) for i in range(nodes))
+    if not any(_coordinates(node) for node in made):
+        return random_chain(seed + 1_000_003, nodes, rigid=rigid)
+    points = (Point("tool", nodes - 1, offset=random_placement(rng, 0.1)), Point("elbow", nodes // 2))
+    return Chain(f"random{seed}", made, rng.uniform(-7, 7, 3), random_placement(rng), points)
+
+
+def _coordinates(node: Node) -> bool:
+    return node.joint.kind is not JointKind.FIXED
+
+
+def random_state(seed: int, coordinates: tuple[str, ...], bend: float = 0.3) -> tuple[Array, Array, Array]:
+    """q, v and a: motors and joints anywhere, link coordinates (with a dot) within ``bend`` [rad]."""
+    rng, size = default_rng(seed), len(coordinates)
+    flexible = np.array(["." in name and not name.endswith(".motor") for name in coordinates])
+    q = np.where(flexible, bend * rng.uniform(-1, 1, size), rng.uniform(-2, 2, size))
+    stretched = np.array([".stretch" in name for name in coordinates])
+    return np.where(stretched, 0.05 * q, q), rng.normal(size=size), rng.normal(size=size)

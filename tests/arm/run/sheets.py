@@ -1,0 +1,96 @@
+"""Sheets of the arms that are run here, and the reference values (computed with independent solvers)."""
+
+from __future__ import annotations
+
+import json
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tmodes.arm import Arm
+
+REFERENCE = json.loads((Path(__file__).parent / "data" / "reference_values.json").read_text(encoding="utf-8"))
+
+ZERO = {"type": "constant", "value": 0.0}
+TIGHT = {"relative_tolerance": 1e-12, "absolute_tolerance": 1e-13, "output_step": 0.01}
+
+
+def arm(**more: Any) -> Arm:
+    """A sheet with what every sheet has."""
+    return Arm.from_data({"format": 1, "kind": "arm", "name": "test", **more})
+
+
+def at_times(run: Any, times: Any) -> np.ndarray:
+    """Indices of the samples at the given times."""
+    indices = np.searchsorted(run.times, np.asarray(times) - 1e-9)
+    assert np.allclose(run.times[indices], times, atol=1e-9)
+    return indices
+
+
+def pendulum(motor: dict[str, Any], gear: dict[str, Any], drive: dict[str, Any], **more: Any) -> Arm:
+    """Spong's arm: a bob of 1 kg at 1 m that hangs at angle 0, on an elastic joint."""
+    return arm(
+        gravity=more.pop("gravity", 9.8),
+        joints=[{"name": "joint", "type": "revolute", "parent": "base", "child": "link", "axis": [0, 1, 0],
+                 "motor": {"side": "joint", **motor}, "gear": {"damping": 0.0, **gear}}],
+        links=[{"name": "link", "bodies": [{"name": "bob", "mass": 1.0, "center": [0, 0, -1]}]}],
+        tip={"link": "link", "position": [0, 0, -1]},
+        drives=[{"joint": "joint", **drive}],
+        **{"integration": {"duration": 5.0, **TIGHT}, **more},
+    )  # fmt: skip
+
+
+def torque(value: float) -> dict[str, Any]:
+    """A constant torque."""
+    return {"command": "torque", "signal": {"type": "constant", "value": value}}
+
+
+def ur5(**more: Any) -> Arm:
+    """The six joints of the UR5 as given, with motors and elastic gears, under control with constant gravity terms."""
+    case = REFERENCE["g21"]
+    elastic = case["elastic"]
+    joints, links, drives, coordinates = [], [], [], {}
+    for k, told in enumerate(case["joints"]):
+        name, child = f"j{k}", f"l{k}"
+        turn = np.array(told["placement_R"])
+        quaternion = _quaternion(turn)
+        joints.append({
+            "name": name, "type": "revolute", "child": child, "axis": [float(x) for x in told["axis"]],
+            **({"parent": "base"} if k == 0 else {}),
+            "origin": {"position": told["placement_p"], "quaternion": quaternion},
+            "motor": {"inertia": elastic["B"][k], "side": "joint"},
+            "gear": {"stiffness": elastic["K"][k], "damping": elastic["D"][k]},
+        })  # fmt: skip
+        inertia = np.array(told["inertia_com"])
+        places = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
+        links.append({"name": child, "bodies": [{
+            "name": "body", "mass": told["mass"], "center": told["com"],
+            "inertia": {key: float(inertia[place]) for key, place in places.items()},
+        }]})  # fmt: skip
+        shift = elastic["g_qd"][k] / elastic["KP"][k]
+        drives.append({
+            "joint": name, "command": "position",
+            "signal": {"type": "quintic", "start": elastic["q00"][k] + shift, "end": elastic["qd"][k] + shift,
+                       "duration": 1.0},
+            "controller": {"type": "pd", "position_gain": elastic["KP"][k], "velocity_gain": elastic["KV"][k]},
+        })  # fmt: skip
+        coordinates[name], coordinates[f"{name}.motor"] = case["y0"][k], case["y0"][6 + k]
+    return arm(
+        joints=joints, links=links, drives=drives, initial={"state": "zero", "coordinates": coordinates},
+        **{"integration": {"duration": 2.0, **TIGHT}, **more},
+    )  # fmt: skip
+
+
+def _quaternion(turn: np.ndarray) -> list[float]:
+    from scipy.spatial.transform import Rotation
+
+    return [float(x) for x in Rotation.from_matrix(turn).as_quat()]
+
+
+def beam(functions: dict[str, int], length: float, stiffness: float, mass: float, **more: Any) -> dict[str, Any]:
+    """A bare beam without rotary inertia."""
+    section = {"bending_stiffness": stiffness, "torsional_stiffness": stiffness, "mass_per_length": mass,
+               "polar_inertia_per_length": 1e-6}  # fmt: skip
+    return {"model": "strain", "functions": {"twist": 0, "bend_y": 0, "bend_z": 0, **functions}, "length": length,
+            "damping_time": 0.0, "section": section, "rotary_inertia": "none", **more}  # fmt: skip

@@ -1,0 +1,81 @@
+"""From a name or a file to a sheet of either kind, and the schema of an arm."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import pytest
+
+from arm.sheet.cases import sheet
+from tmodes.arm import Arm
+from tmodes.errors import InputError, InputErrors
+from tmodes.io.arm_schema import arm_json_schema
+from tmodes.io.arm_write import arm_to_yaml
+from tmodes.robot import Robot
+from tmodes.robots.load import load_sheet, sheet_names
+
+
+@pytest.fixture
+def file(tmp_path: Path) -> Path:
+    path = tmp_path / "two.yaml"
+    path.write_text(arm_to_yaml(Arm.from_data(sheet())), encoding="utf-8")
+    return path
+
+
+def test_an_arm_from_its_file(file: Path) -> None:
+    assert load_sheet(file) == Arm.from_data(sheet())
+    assert load_sheet(str(file), {"joints.shoulder.gear.damping": 7}).joints[0].gear.damping == 7  # pyright: ignore
+
+
+def test_the_robot_of_the_paper() -> None:
+    found = load_sheet("filipovic2010", {"gear.stiffness": 900.0})
+    assert isinstance(found, Robot)
+    assert found.gear.stiffness == 900.0
+    assert "filipovic2010" in sheet_names()
+
+
+def test_an_unknown_name() -> None:
+    with pytest.raises(InputError, match="did you mean `filipovic2010`"):
+        load_sheet("filipovic2011")
+
+
+def test_another_kind(tmp_path: Path) -> None:
+    path = tmp_path / "x.yaml"
+    path.write_text("format: 1\nkind: car\n")
+    with pytest.raises(InputError, match=r"x\.yaml:2: kind: got 'car'"):
+        load_sheet(path)
+
+
+def test_a_wrong_change_has_no_line_and_a_wrong_file_has_one(file: Path) -> None:
+    with pytest.raises(InputErrors) as caught:
+        load_sheet(file, {"links.upper.beam.length": -1})
+    assert caught.value.errors[0].where == str(file)
+    file.write_text(file.read_text().replace("mass: 1.0 ", "mass: -1.0"))
+    with pytest.raises(InputErrors) as caught:
+        load_sheet(file)
+    line = next(k for k, text in enumerate(file.read_text().splitlines(), 1) if "mass: -1.0" in text)
+    assert caught.value.errors[0].where == f"{file}:{line}"
+
+
+@pytest.mark.parametrize("content", [b"", b"\x00\xff\xfe", b"[1, 2]", b"a: &x [1]\nb: *x", b"{" * 5000, b"a: 1\na: 2"])
+def test_files_that_are_none(tmp_path: Path, content: bytes) -> None:
+    path = tmp_path / "bad.yaml"
+    path.write_bytes(content)
+    with pytest.raises(InputError, match=r"bad\.yaml"):
+        load_sheet(path)
+
+
+def test_a_folder(tmp_path: Path) -> None:
+    with pytest.raises(InputError, match="a directory"):
+        load_sheet(tmp_path)
+
+
+def test_the_schema_knows_units_and_shorthands() -> None:
+    schema = arm_json_schema()
+    assert schema["properties"]["gravity"]["unit"] == "m/s^2"
+    assert {"type": "number"} in schema["properties"]["gravity"]["anyOf"]
+    gear = schema["$defs"]["GearSheet"]["properties"]
+    assert {"type": "number"} in gear["stiffness"]["anyOf"]
+    assert any(choice.get("type") == "string" for choice in gear["damping"]["anyOf"])
+    assert "from" in schema["$defs"]["JointSheet"]["properties"]
+    assert "smallest" not in str(schema)
