@@ -13,7 +13,7 @@ from tmodes.chain import Chain, Drive, Friction, Gear, Joint, JointKind, Motor, 
 from tmodes.elements.axes import rotation_about, unit
 from tmodes.elements.drive import FrictionSheet, GearSheet, MotorSheet
 from tmodes.elements.joint import JointSheet, JointState, JointType, MeasuredFrom
-from tmodes.topology import parents, rooted_order
+from tmodes.topology import last_link, parents, rooted_order
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm
@@ -152,11 +152,11 @@ def _points_on(arm: Arm, link: str) -> list[TipSheet]:
 
 def _link_of_point(arm: Arm, name: str) -> str:
     point = next((point for point in arm.points if point.name == name), arm.tip)
-    return point.link if point else arm.joints[-1].child
+    return point.link if point else last_link(arm.joints)
 
 
 def _points(arm: Arm, hung: dict[str, _Hung]) -> list[Point]:
-    tip = arm.tip or TipSheet(link=arm.joints[-1].child)
+    tip = arm.tip or TipSheet(link=last_link(arm.joints))
     named = [("tip", tip), *((point.name, point) for point in arm.points)]
     return [_point(name, point, hung) for name, point in named]
 

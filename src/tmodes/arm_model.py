@@ -2,9 +2,10 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from functools import cached_property
-from typing import NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -13,24 +14,15 @@ from tmodes.arm_passes import ArmPasses
 from tmodes.chain import Chain
 from tmodes.equations.arm.parts import Parts
 from tmodes.evaluator import Rows
+from tmodes.point_motion import PointMotion
+
+if TYPE_CHECKING:
+    from tmodes.analysis.equilibrium import Equilibrium
+    from tmodes.analysis.equilibrium_loads import Load
 
 __all__ = ["ArmModel", "PointMotion"]
 
 Array = NDArray[np.float64]
-
-_POINT = 24
-"""Numbers told of a point: pose (15), rate (3), acceleration (6)."""
-
-
-class PointMotion(NamedTuple):
-    """Motion of the named points in world axes: shapes (n, points, 3), rotation (n, points, 3, 3) [SI]."""
-
-    position: Array
-    rotation: Array
-    velocity: Array
-    rate: Array
-    acceleration: Array
-    angular_acceleration: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -106,7 +98,7 @@ class ArmModel:
         given: ArrayLike = 0.0,
         wrenches: ArrayLike | None = None,
         base: ArrayLike | None = None,
-        step: float = 0.0,
+        step: ArrayLike = 0.0,
     ) -> Array:
         """Accelerations of all coordinates, shape of q [SI].
 
@@ -151,7 +143,7 @@ class ArmModel:
         return rows.shaped(self.passes.inertia(rows, 0.0, base, None)["forces"])
 
     def gravity_forces(self, q: ArrayLike) -> Array:
-        """Forces of gravity g(q), shape of q."""
+        """g(q), shape of q."""
         return self.bias(q, np.zeros_like(np.asarray(q, dtype=float)))
 
     def elastic_forces(self, q: ArrayLike, v: ArrayLike) -> Array:
@@ -181,7 +173,7 @@ class ArmModel:
         return {name: lost[0, k] if rows.single else lost[:, k] for k, name in enumerate(names)}
 
     def power_lost(self, q: ArrayLike, v: ArrayLike) -> Array:
-        """All power lost in dampers and friction [W], shape (n,)."""
+        """All power lost [W], shape (n,)."""
         return np.sum([*self.losses(q, v).values()], axis=0)
 
     def momentum(self, q: ArrayLike, v: ArrayLike) -> tuple[Array, Array]:
@@ -200,11 +192,9 @@ class ArmModel:
         """Motion of the named points; the acceleration is that of the coordinates ``a`` without gravity."""
         rows = Rows(q, v, self.nq)
         base = self.passes.at_rest(gravity=False) if base is None else base
-        told = self.passes.inertia(rows, a, base, None)["points"].reshape(rows.count, -1, _POINT)
-        shape = told.shape[:2]
-        parts = (told[..., 9:12], told[..., :9].reshape(*shape, 3, 3), told[..., 12:15], told[..., 15:18],
-                 told[..., 18:21], told[..., 21:24])  # fmt: skip
-        return PointMotion(*(part[0] for part in parts)) if rows.single else PointMotion(*parts)
+        told = self.passes.inertia(rows, a, base, None)["points"]
+        motion = PointMotion.of(told)
+        return PointMotion(*(part[0] for part in motion)) if rows.single else motion
 
     def pose(self, q: ArrayLike) -> tuple[Array, Array]:
         """Positions (n, points, 3) [m] and rotations (n, points, 3, 3) of the named points in the world."""
@@ -240,3 +230,9 @@ class ArmModel:
         stiffness = self.passes.slopes(rows, here[2], base, wrenches, {"q": np.eye(n)})
         damping = self.passes.slopes(rows, here[2], base, wrenches, {"v": np.eye(n)})
         return self.mass_matrix(here[0]), damping.T, stiffness.T
+
+    def static(self, loads: Sequence[Load] = (), **options: Any) -> Equilibrium:
+        """Equilibrium under loads: see :func:`tmodes.analysis.equilibrium.equilibrium`."""
+        from tmodes.analysis.equilibrium import equilibrium
+
+        return equilibrium(self, loads, **options)

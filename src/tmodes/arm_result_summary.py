@@ -23,7 +23,7 @@ MOST_ENTRIES = 40
 
 
 def summarise_arm(data: Dataset, band: float = 0.05) -> dict[str, Any]:
-    """A plain dictionary of floats and words, ready for JSON; units are in the keys, or beside. What is missing is None.
+    """A plain dictionary of floats and words, ready for JSON; units are in the keys or beside. What is missing is None.
 
     ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1.
     Raises :class:`tmodes.errors.InputError` for a band out of range.

@@ -14,6 +14,7 @@ from tmodes.equations.coordinates import basis, deformation_basis, free_columns,
 from tmodes.equations.layout import COORDINATES, EVALUATED, LINE, OBSERVED, STATE_SIZE
 from tmodes.errors import SimulationError
 from tmodes.mechanism import Drive, Mechanism, Parameters
+from tmodes.sampling import rows, sampled, split, total
 
 __all__ = ["Model"]
 
@@ -24,9 +25,9 @@ _NEWTON_STEPS = 30
 
 @dataclass(frozen=True)
 class Model:
-    """The native code of one mechanism; each group of functions is made (or read from the cache) at its first use.
+    """The native code of one mechanism, for every set of parameters; each group is made at its first use.
 
-    One model serves every set of parameters. Arrays are C-ordered doubles; n is a number of samples.
+    Arrays are C-ordered doubles; n is a number of samples.
     """
 
     mechanism: Mechanism
@@ -41,9 +42,9 @@ class Model:
 
         Returns arrays of shape (n, …) by the names of :data:`tmodes.equations.layout.EVALUATED`.
         """
-        inputs = [_rows(phi, 6), _rows(phid, 6), _rows(voltage, 1)]
-        out = _sampled(self._evaluation["evaluation"], parameters, inputs, _total(EVALUATED))
-        return _split(out, {name: int(np.prod(shape)) for name, shape in EVALUATED.items()}, dict(EVALUATED))
+        inputs = [rows(phi, 6), rows(phid, 6), rows(voltage, 1)]
+        out = sampled(self._evaluation["evaluation"], parameters, inputs, total(EVALUATED))
+        return split(out, {name: int(np.prod(shape)) for name, shape in EVALUATED.items()}, dict(EVALUATED))
 
     def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> Array:
         """Derivative of the state by time, shape (n, 17) [the state's units over s].
@@ -51,7 +52,7 @@ class Model:
         ``time`` (n,) [s]; ``state`` (n, 17): coordinates [rad], rates [rad/s] and works [J]; ``row`` (n, degree + 2) of
         the reference, as :meth:`tmodes.reference.schedule.Schedule.rows_at` gives it.
         """
-        return _sampled(self._observation["rate"], parameters, self._instants(time, state, row), STATE_SIZE)
+        return sampled(self._observation["rate"], parameters, self._instants(time, state, row), STATE_SIZE)
 
     def observe(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Parameters) -> dict[str, Array]:
         """What a result shows at n instants, by the names of :data:`tmodes.equations.layout.OBSERVED`.
@@ -59,8 +60,8 @@ class Model:
         The arguments are those of :meth:`rate`.
         """
         size = sum(OBSERVED.values())
-        out = _sampled(self._observation["observe"], parameters, self._instants(time, state, row), size)
-        return _split(out, OBSERVED)
+        out = sampled(self._observation["observe"], parameters, self._instants(time, state, row), size)
+        return split(out, OBSERVED)
 
     def line(self, motion: ArrayLike, stations: ArrayLike, parameters: Parameters) -> dict[str, Array]:
         """The elastic line of both modes at given stations s in 0..1.
@@ -68,12 +69,12 @@ class Model:
         ``motion`` (n, 21): coordinates, rates, accelerations [rad, s], tip force (3) [N]. Returns arrays of shape
         (n, modes, stations, …) by the names of :data:`tmodes.equations.layout.LINE`.
         """
-        motion, stations = _rows(motion, 21), np.asarray(stations, dtype=float)
+        motion, stations = rows(motion, 21), np.asarray(stations, dtype=float)
         count, points = len(motion), len(stations)
         inputs = [np.tile(stations, count), np.repeat(motion, points, axis=0)]
         size = sum(LINE.values())
-        modes = [_sampled(self._line[f"line{mode}"], parameters, inputs, size) for mode in (1, 2)]
-        return _split(np.stack([mode.reshape(count, points, size) for mode in modes], axis=1), LINE)
+        modes = [sampled(self._line[f"line{mode}"], parameters, inputs, size) for mode in (1, 2)]
+        return split(np.stack([mode.reshape(count, points, size) for mode in modes], axis=1), LINE)
 
     def quasistatic(self, gross: ArrayLike, near: ArrayLike, parameters: Parameters) -> tuple[Array, NDArray[np.bool_]]:
         """Deformations that the current forces would hold statically, shape (n, 5) [rad], and where they were found.
@@ -82,7 +83,7 @@ class Model:
         moment, from which Newton's method starts. Where it does not settle, its first step is given: the answer of the
         arm as it is linear about its present shape.
         """
-        return self._static_root("quasistatic", _rows(gross, 6), _rows(near, 5), parameters)
+        return self._static_root("quasistatic", rows(gross, 6), rows(near, 5), parameters)
 
     def rest(self, theta: float, parameters: Parameters) -> Array:
         """State of rest at a motor angle [rad], shape (17,).
@@ -90,7 +91,7 @@ class Model:
         Gravity and the touched environment are in balance with the arm. Raises :class:`SimulationError` where there is
         no equilibrium.
         """
-        angles, found = self._static_root("rest", _rows(theta, 1), np.zeros((1, 5)), parameters)
+        angles, found = self._static_root("rest", rows(theta, 1), np.zeros((1, 5)), parameters)
         if not found.all():
             raise SimulationError(
                 f"static deflection: got no equilibrium within {_NEWTON_STEPS} Newton steps; expected a link that "
@@ -121,7 +122,7 @@ class Model:
         return np.where(found[:, None], angles, first), found
 
     def _newton_step(self, name: str, angles: Array, loads: Array, free: list[int], parameters: Parameters) -> Array:
-        out = _sampled(self._statics[name], parameters, [angles, loads], 30)
+        out = sampled(self._statics[name], parameters, [angles, loads], 30)
         matrix = out[:, 5:].reshape(-1, 5, 5).transpose(0, 2, 1)[:, free][:, :, free]
         good = np.isfinite(matrix).all(axis=(1, 2)) & np.isfinite(out[:, :5]).all(axis=1)
         change = np.zeros_like(angles)
@@ -153,12 +154,12 @@ class Model:
 
         Without current in the motor and without control.
         """
-        out = _sampled(self._linear["linear"], parameters, [_rows(phi, 6)], 108)
+        out = sampled(self._linear["linear"], parameters, [rows(phi, 6)], 108)
         mass, damping, stiffness = out.reshape(3, 6, 6)
         return mass, damping, stiffness
 
     def _instants(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> list[Array]:
-        return [_rows(time, 1), _rows(state, STATE_SIZE), _rows(row, self.mechanism.reference_degree + 2)]
+        return [rows(time, 1), rows(state, STATE_SIZE), rows(row, self.mechanism.reference_degree + 2)]
 
     @cached_property
     def loops(self) -> Any:
@@ -224,32 +225,3 @@ def _solve_each(matrices: Array, right: Array) -> NDArray[Any]:
         return np.linalg.solve(matrices, right[..., None])[..., 0]
     except np.linalg.LinAlgError:
         return (np.linalg.pinv(matrices) @ right[..., None])[..., 0]
-
-
-def _rows(values: ArrayLike, width: int) -> Array:
-    """Values as C-ordered doubles of shape (n, width)."""
-    return np.ascontiguousarray(values, dtype=float).reshape(-1, width)
-
-
-def _total(shapes: dict[str, tuple[int, ...]]) -> int:
-    return sum(int(np.prod(shape)) for shape in shapes.values())
-
-
-def _sampled(function: Any, parameters: Parameters, inputs: list[Array], width: int) -> Array:
-    """Call a native function over samples; all arrays are C-ordered doubles, the output is (n, width)."""
-    count = len(inputs[0])
-    out = np.empty((count, width))
-    function(count, parameters.vector.ctypes.data, *(array.ctypes.data for array in inputs), out.ctypes.data)
-    return out
-
-
-def _split(out: Array, sizes: dict[str, int], shapes: dict[str, tuple[int, ...]] | None = None) -> dict[str, Array]:
-    """Parts of the last axis by name; single numbers lose that axis."""
-    parts: dict[str, Array] = {}
-    start = 0
-    for name, size in sizes.items():
-        part = out[..., start : start + size]
-        start += size
-        shape = shapes[name] if shapes else (size,) if size > 1 else ()
-        parts[name] = part.reshape(*out.shape[:-1], *shape)
-    return parts

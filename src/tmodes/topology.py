@@ -5,10 +5,10 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from tmodes.elements.joint import JointSheet
+from tmodes.elements.joint import JointSheet, JointType
 from tmodes.elements.quantity import Misfit
 
-__all__ = ["BASE", "parents", "rooted_order", "tree_misfits"]
+__all__ = ["BASE", "last_link", "parents", "rooted_order", "tree_misfits"]
 
 BASE = "base"
 """Name of the link that stands still: the ground."""
@@ -35,6 +35,15 @@ def rooted_order(joints: Sequence[JointSheet]) -> list[int]:
         found.append(index)
         waiting.extend(reversed(children.pop(joints[index].child, [])))
     return found
+
+
+def last_link(joints: Sequence[JointSheet]) -> str:
+    """The link behind the most joints that move, of several the last of the sheet: where the tip is, unless told."""
+    names, moving = parents(joints), {BASE: 0}
+    for index in rooted_order(joints):
+        moving[joints[index].child] = moving[names[index]] + (joints[index].type is not JointType.FIXED)
+    most = max(moving.values())
+    return next(joint.child for joint in reversed(joints) if moving.get(joint.child) == most)
 
 
 def tree_misfits(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator[Misfit]:

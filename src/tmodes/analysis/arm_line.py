@@ -4,7 +4,8 @@ What a section carries is the balance of everything outboard of it. The beam's o
 Gauss points, carried between them by the polynomials through them; so the balance at the root is exactly the model's
 own, and along the line it is smooth. The moment that bends it, EI kappa, is its projection on the link's functions.
 
-Eq. (3), (29)-(33) of Filipovic & Djuric 2010, for any link in space. {test_static_tip_force, test_rotating_beam}
+Eq. (29)-(33) [derived]: the moment along any link in space, of all that moves outboard of it.
+{test_static_tip_force, test_rotating_beam}
 """
 
 from __future__ import annotations

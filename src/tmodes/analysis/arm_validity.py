@@ -44,7 +44,7 @@ def run_warnings(
     """
     time, q, v = (np.asarray(x, dtype=float) for x in (times, q, v))
     del a
-    efforts = np.asarray(effort, dtype=float).reshape(len(time), -1)
+    efforts = np.asarray(effort, dtype=float)
     found = [*_range(model, time, q), *_functions(model, lines)]
     for line in lines.bending():
         found += [*_yielding(arm, time, line), *_buckling(model, time, line)]

@@ -40,8 +40,8 @@ def read_arm_states(path: str, coordinates: Names, efforts: Names) -> ArmStates:
     """States from a file, ``.csv`` or JSON.
 
     JSON: a list of records ``{"q": ..., "v": ..., "effort": ...}`` or ``{"states": [...]}``; each a list of all
-    numbers, or numbers by name, where those that are not named are 0; v and effort may be left out. CSV: a column for each
-    coordinate, ``NAME.rate`` and ``effort.JOINT``; a column that is missing is 0. Raises
+    numbers, or numbers by name, where those that are not named are 0; v and effort may be left out. CSV: a column for
+    each coordinate, ``NAME.rate`` and ``effort.JOINT``; a column that is missing is 0. Raises
     :class:`tmodes.errors.InputError` that names the record and the field of the first wrong value.
     """
     source = shown_path(path)

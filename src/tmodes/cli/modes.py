@@ -119,5 +119,5 @@ def _row(line: dict[str, Any]) -> list[str]:
         f"{line['share']:.0%}",
         f"{line['frequency_Hz']:.4f}",
         ringing,
-        f"{line['damping_ratio']:.4f}",
+        f"{round(line['damping_ratio'], 4) + 0.0:.4f}",
     ]

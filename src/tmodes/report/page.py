@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from tmodes.plot.figures import FIGURES, left_out
 from tmodes.report.markup import Markup, tag
 from tmodes.report.numbers import cards, deformation_table, frequency_tables
-from tmodes.report.parts import document, rows_of, section, status, warnings
+from tmodes.report.parts import document, figures_section, rows_of, section, status, warnings
 from tmodes.report.sheet import data_sheet
 from tmodes.report.tables import table
 

@@ -2,7 +2,7 @@
 
 Motor row, Eq. (39) of Filipovic & Djuric 2010, the sign of the gear torque turned: I th'' = u - friction - tg,
 tg = C(xi) + B xi', xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control
-of elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2). A step h adds hB + h^2 C to the joint's own inertia.
+of elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2). A step h adds hB + h^2 C to the own inertia.
 """
 
 from __future__ import annotations
@@ -83,7 +83,7 @@ class DriveKind:
         return Kernel("motor", (3, 1), (1,), lambda motor, joint: [[motor[2] * (motor[0] + motor[1] * joint[0])]])
 
     def followed(self) -> Kernel:
-        """(parameters, th, th', ga, ga', th'', h) -> (effort on the joint, own inertia): the motor's motion is given."""
+        """(parameters, th, th', ga, ga', th'', h) -> (effort on the joint, own inertia), of a motor that follows."""
 
         def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any, thdd: Any, step: Any) -> list[list[Any]]:
             law, h = self._law(p), step[0]
@@ -129,7 +129,7 @@ class DriveKind:
         return Kernel(f"coupled {self.key}", (self.size, 1, 1, 1, 1), (1, 1), build)
 
     def coupled_motor(self) -> Kernel:
-        """(parameters, th', effort, load of all gears on it) -> (motor (3), force on th of load and friction, loss)."""
+        """(parameters, th', effort, load of all gears) -> (motor (3), force on th of load and friction, loss)."""
 
         def build(p: Any, thd: Any, effort: Any, load: Any) -> list[list[Any]]:
             law = self._law(p)

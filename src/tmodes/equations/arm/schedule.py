@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import hashlib
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -98,9 +99,9 @@ class Schedule:
         """Numbers that the caller gets."""
         return sum(slot.size for slots in self.outputs.values() for slot in slots)
 
-    @property
+    @cached_property
     def key(self) -> str:
-        """All of the structure, as a digest: same key, same code."""
+        """All of the structure of a finished schedule, as a digest: same key, same code."""
         told = [f"{self.parameters} {self.changing}", repr(list(self.inputs.items())), repr(list(self.outputs.items()))]
         told += [
             f"{kernel.key} {kernel.inputs} {kernel.outputs} {inputs} {outputs}"
