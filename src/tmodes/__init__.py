@@ -10,17 +10,23 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from tmodes.arm import Arm
+    from tmodes.arm_model import ArmModel
+    from tmodes.arm_simulate import simulate_arm
     from tmodes.errors import TmodesError
     from tmodes.mechanism import Drive, Mechanism, Parameters, Reading
     from tmodes.model import Model
     from tmodes.result import Result
     from tmodes.robot import NominalRealPair, Robot
     from tmodes.robots import load_robot
+    from tmodes.robots.load import load_sheet
     from tmodes.simulate import simulate as run
 
 __version__ = "0.1.0"
 
 __all__ = [
+    "Arm",
+    "ArmModel",
     "Drive",
     "Mechanism",
     "Model",
@@ -31,10 +37,14 @@ __all__ = [
     "Robot",
     "TmodesError",
     "load_robot",
+    "load_sheet",
     "run",
+    "simulate_arm",
 ]
 
 _HOMES = {
+    "Arm": "tmodes.arm.Arm",
+    "ArmModel": "tmodes.arm_model.ArmModel",
     "Drive": "tmodes.mechanism.Drive",
     "Mechanism": "tmodes.mechanism.Mechanism",
     "Model": "tmodes.model.Model",
@@ -45,6 +55,8 @@ _HOMES = {
     "Robot": "tmodes.robot.Robot",
     "TmodesError": "tmodes.errors.TmodesError",
     "load_robot": "tmodes.robots.load_robot",
+    "load_sheet": "tmodes.robots.load.load_sheet",
+    "simulate_arm": "tmodes.arm_simulate.simulate_arm",
     "run": "tmodes.simulate.simulate",  # tmodes.simulate is the module, so its function has the command line's name
 }
 

@@ -130,7 +130,7 @@ def _with_method(regime: ArmRegime, pair: ArmPair, spectrum: Spectrum) -> tuple[
     method, why = chosen_method(settings.method, highest, settings.duration)
 
     def by(arm: Arm) -> Arm:
-        return arm.model_copy(update={"integration": arm.integration.model_copy(update={"method": method})})
+        return arm.model_copy(update={"integration": arm.integration.chosen(method)})
 
     return replace(regime, arm=by(regime.arm)), ArmPair(by(pair.nominal), by(pair.real)), why
 

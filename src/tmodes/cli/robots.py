@@ -11,6 +11,8 @@ from tmodes.cli.options import AsJson, Roots
 if TYPE_CHECKING:
     from pathlib import Path
 
+    from tmodes.errors import InputError
+
 __all__ = ["robots"]
 
 
@@ -71,13 +73,21 @@ def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
     from tmodes.arm import Arm
     from tmodes.cli.output import print_json
     from tmodes.io.arm_check import arm_data
-    from tmodes.robots import text
     from tmodes.robots.load import load_sheet, sheet_names
 
     if name not in sheet_names():
-        text(name)  # raises what is wrong with the name
+        raise _unknown(name, sheet_names())
     if not as_json:
         print(_text(name), end="")
         return
     sheet = load_sheet(name, roots=root or ())
     print_json(arm_data(sheet) if isinstance(sheet, Arm) else sheet.model_dump(mode="json"))
+
+
+def _unknown(name: str, known: list[str]) -> InputError:
+    from tmodes.errors import InputError
+    from tmodes.io.words import nearest, shown
+
+    close = nearest(name, known)
+    mend = f"did you mean `{close}`?" if close else "see the list: tmodes robots"
+    return InputError("robot", shown(name), f"one of {', '.join(known)}", mend)

@@ -100,9 +100,14 @@ class ArmIntegration(Integration):
     """The same settings for an arm, whose integrator is chosen by its stiffness unless one is named."""
 
     method: Method = Field(default=Method.AUTO, strict=False, description="which integrator; auto: by the stiffness")
-    relative_tolerance: float = positive(
-        "-", "rtol", "error allowed per step, relative (adaptive methods)", default=1e-7, at_most=1e-2, smallest=1e-13
-    )
-    absolute_tolerance: float = positive(
-        "rad", "atol", "error allowed per step, absolute (adaptive methods)", default=1e-9, at_most=1e-2, smallest=1e-18
-    )
+
+    def chosen(self, method: Method) -> ArmIntegration:
+        """The settings with the integrator that is taken, and with its tolerances where none are given.
+
+        ``extrapolation`` follows motions that a tolerance of 1e-9 can see at great cost: 1e-7 is its default.
+        """
+        changes: dict[str, object] = {"method": method}
+        if method is Method.EXTRAPOLATION:
+            defaults = {"relative_tolerance": 1e-7, "absolute_tolerance": 1e-9}
+            changes |= {name: value for name, value in defaults.items() if name not in self.model_fields_set}
+        return self.model_copy(update=changes)

@@ -124,6 +124,8 @@ def _effort(panel: Axes, data: Any, name: str) -> None:
 def _voltage(panel: Axes, data: Any, name: str) -> None:
     voltage = data["voltage"].sel(drive=name).values
     unit = readable("V", voltage)
+    if not voltage.any():
+        panel.text(0.5, 0.5, "none", ha="center", transform=panel.transAxes)
     panel.plot(data["time"].values, unit.of(voltage), color=COMPONENTS[3]["color"], linewidth=1.0)
     panel.axhline(0.0, color=QUIET, linewidth=0.5)
     panel.set_ylabel(f"[{unit.name}]")

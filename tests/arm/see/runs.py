@@ -80,7 +80,7 @@ def pendulum() -> dict[str, Any]:
         links=[{"name": "link", "bodies": [{"name": "bob", "mass": 1.0, "center": [0, 0, -1]}]}],
         tip={"link": "link", "position": [0, 0, -1]},
         initial={"state": "zero", "coordinates": {"joint": 0.4}},
-        integration={"duration": 2.0, "output_step": 0.01},
+        integration={"duration": 16.0, "output_step": 0.01},
     )
 
 

@@ -1,0 +1,137 @@
+"""``tmodes run`` of arms: files, tables, JSON, refusals, interruption."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+import time
+
+import pytest
+
+from arm.cli.command import tmodes
+from arm.see.runs import SHEETS
+from tmodes.arm import Arm
+from tmodes.arm_result import load_result
+from tmodes.io.arm_write import arm_to_yaml
+
+URDF = """<robot name="two"><link name="base"/>
+<link name="rod"><inertial><origin xyz="0 0 -1"/><mass value="1"/>
+<inertia ixx="0.001" iyy="0.001" izz="0.001" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="hinge" type="continuous"><parent link="base"/><child link="rod"/><axis xyz="0 1 0"/></joint></robot>"""
+
+
+@pytest.fixture
+def files(tmp_path):
+    """The sheets of the small runs, as files."""
+    for name, sheet in SHEETS.items():
+        (tmp_path / f"{name}.yaml").write_text(arm_to_yaml(Arm.from_data(sheet())), encoding="utf-8")
+    (tmp_path / "two.urdf").write_text(URDF, encoding="utf-8")
+    return tmp_path
+
+
+def test_the_main_job(files):
+    out = files / "with spaces é"
+    told = tmodes("run", files / "swinging.yaml", "--out", out).stdout
+    assert "largest tip deviation" in told
+    assert "deflection of rod" in told
+    assert sorted(path.name for path in out.iterdir()) == ["figures", "report.html", "result.nc"]
+    assert len(list((out / "figures").glob("*.svg"))) == len(list((out / "figures").glob("*.png"))) >= 10
+    assert "http" not in (out / "report.html").read_text(encoding="utf-8").replace("http-equiv", "")
+    before = (out / "result.nc").read_bytes()
+    refused = tmodes("run", files / "swinging.yaml", "--out", out, code=4)
+    assert "--overwrite" in refused.stderr
+    assert (out / "result.nc").read_bytes() == before
+    tmodes("run", files / "swinging.yaml", "--out", out, "--no-figures", "--overwrite")
+    assert (out / "result.nc").read_bytes() == before
+
+
+def test_json_and_the_options_of_integration(files):
+    """F L^3/3EI = 1.0517 mm; both integrators agree."""
+    told = {}
+    for method in ("dormand_prince", "rk4"):
+        options = ["--integrator", method, "--duration", 0.02, "--rtol", 1e-6, "--set", "integration.step=1e-5"]
+        options += ["--set", "integration.output_step=0.004"]
+        done = tmodes("run", files / "cantilever.yaml", "--json", "--no-figures", "--out", files / method, *options)
+        told[method] = json.loads(done.stdout)
+        assert told[method]["status"] == "finished"
+        assert told[method]["summary"]["links"]["rod"]["deflection"]["max_m"] == pytest.approx(1.0517e-3, rel=1e-3)
+    assert load_result(files / "rk4" / "result.nc").data.attrs["method"] == "rk4"
+    assert float(load_result(files / "rk4" / "result.nc").data["time"][-1]) == pytest.approx(0.02)
+    assert told["rk4"]["statistics"]["real"]["steps"] == 2000
+
+
+def test_a_bare_urdf_is_told_what_it_lacks(files):
+    done = tmodes("run", files / "two.urdf", "--out", files / "o", code=2)
+    assert "drives" in done.stderr
+    assert "joint: hinge" in done.stderr
+    assert not (files / "o").exists()
+    free = ["--set", "initial.coordinates.hinge=0.3", "--duration", 0.5, "--no-figures"]
+    done = tmodes("run", files / "two.urdf", *free, "--out", files / "o", "--json")
+    assert json.loads(done.stdout)["summary"]["joints"]["hinge"]["largest"] == pytest.approx(0.3)
+
+
+@pytest.mark.parametrize(
+    ("arguments", "told"),
+    [
+        (["pendulum.yaml", "--reading", "corrected"], "--reading"),
+        (["pendulum.yaml", "--contact"], "touches nothing"),
+        (["pendulum.yaml", "--integrator", "eular"], "integration.method"),
+        (["pendulum.yaml", "--duration", "-1"], "integration.duration"),
+        (["pendulum.yaml", "--set", "links.link.bodies.bob.mass=-1"], "mass"),
+        (["nowhere.yaml"], "a file that exists"),
+    ],
+)
+def test_refusals(files, arguments, told):
+    done = tmodes("run", files / arguments[0], *arguments[1:], "--out", files / "o", code=2)
+    assert told in done.stderr
+    assert not (files / "o").exists()
+
+
+def test_without_contact(files):
+    tmodes("run", files / "swinging.yaml", "--no-contact", "--no-figures", "--duration", 0.05, "--out", files / "o")
+    assert "contact_force" not in load_result(files / "o" / "result.nc").data
+
+
+def test_a_run_that_diverges(files):
+    """A torque that grows without end; what was done is kept."""
+    push = {"joint": "joint", "command": "effort", "signal": {"type": "constant", "value": 1e12}}
+    arm = Arm.from_data(SHEETS["pendulum"]() | {"drives": [push]})
+    (files / "wild.yaml").write_text(arm_to_yaml(arm), encoding="utf-8")
+    done = tmodes("run", files / "wild.yaml", "--out", files / "o", code=3)
+    assert "diverged" in done.stderr
+    assert load_result(files / "o" / "result.nc").status == "diverged"
+    assert "did not finish" in (files / "o" / "report.html").read_text(encoding="utf-8")
+
+
+@pytest.mark.skipif(os.name == "nt", reason="Ctrl-C is sent as on POSIX")
+def test_interrupted_and_continued(files):
+    """Ctrl-C keeps what was done, and the same command goes on; the result is that of one run."""
+    options = [
+        "run",
+        files / "pendulum.yaml",
+        "--no-figures",
+        "--duration",
+        12000.0,
+        "--set",
+        "integration.output_step=1.0",
+    ]
+    options += ["--rtol", "1e-13", "--set", "integration.absolute_tolerance=1e-17"]
+    command = [sys.executable, "-m", "tmodes.cli.entry", *map(str, options), "--out", str(files / "o")]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as process:
+        journal = files / "o" / ".checkpoint-real"
+        began = time.monotonic()
+        while not journal.exists() and process.poll() is None and time.monotonic() - began < 60:
+            time.sleep(0.02)
+        process.send_signal(signal.SIGINT)
+        _, said = process.communicate(timeout=60)
+    if process.returncode == 0:
+        pytest.skip("the run was done before it could be interrupted")
+    assert process.returncode == 130, said
+    assert load_result(files / "o" / "result.nc").status == "interrupted"
+    again = tmodes(*options, "--out", files / "o")
+    assert "continuing" in again.stderr
+    tmodes(*options, "--out", files / "whole")
+    assert (files / "o" / "result.nc").read_bytes() == (files / "whole" / "result.nc").read_bytes()
