@@ -66,7 +66,8 @@ TrustPaths = Annotated[
     bool, typer.Option("--trust-paths", help="Let a robot's file name other files anywhere on this machine.")
 ]
 IntegratorOption = Annotated[
-    str | None, typer.Option("--integrator", metavar="METHOD", help="integration.method: dormand_prince, rk4, ...")
+    str | None,
+    typer.Option("--integrator", metavar="METHOD", help="dormand_prince or rk4; of arms also extrapolation or auto."),
 ]
 Tolerance = Annotated[
     float | None, typer.Option("--rtol", metavar="SHARE", help="integration.relative_tolerance, per step.")

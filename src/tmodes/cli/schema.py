@@ -2,8 +2,7 @@
 
 from __future__ import annotations
 
-import math
-from typing import Annotated, Any
+from typing import Annotated
 
 import typer
 
@@ -16,13 +15,4 @@ def schema(arm: Annotated[bool, typer.Option("--arm", help="Of sheets with `kind
     from tmodes.io.arm_schema import arm_json_schema
     from tmodes.io.schema import json_schema
 
-    print_json(_finite(arm_json_schema()) if arm else json_schema())
-
-
-def _finite(node: Any) -> Any:
-    """JSON has no infinite numbers; a sheet writes them as .inf."""
-    if isinstance(node, dict):
-        return {key: _finite(value) for key, value in node.items()}
-    if isinstance(node, list):
-        return [_finite(item) for item in node]
-    return ".inf" if isinstance(node, float) and math.isinf(node) else node
+    print_json(arm_json_schema() if arm else json_schema())

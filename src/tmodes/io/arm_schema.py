@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from typing import Any
 
 from tmodes.arm import Arm
@@ -25,7 +26,7 @@ SHORTHANDS = {
 
 def arm_json_schema() -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of an arm's data sheet, with units, symbols and meanings."""
-    schema = _with_units(Arm.model_json_schema(by_alias=True))
+    schema = _finite(_with_units(Arm.model_json_schema(by_alias=True)))
     return {"$schema": "https://json-schema.org/draft/2020-12/schema", **schema}
 
 
@@ -70,3 +71,12 @@ def _numbers(node: Any) -> Any:
 
 def _or_number(node: dict[str, Any], name: str) -> dict[str, Any]:
     return {**node, "anyOf": [*node.get("anyOf", []), SHORTHANDS[name]]}
+
+
+def _finite(node: Any) -> Any:
+    """JSON has no infinite numbers; a sheet writes them as .inf."""
+    if isinstance(node, dict):
+        return {key: _finite(value) for key, value in node.items()}
+    if isinstance(node, list):
+        return [_finite(item) for item in node]
+    return ".inf" if isinstance(node, float) and math.isinf(node) else node

@@ -75,7 +75,7 @@ def _urdf_path(
         raise InputError("urdf", shown(name), "the path of a URDF", "write `urdf: robot.urdf`", place)
     found = folders_of(path, roots, trust).find(name, "urdf", place)
     if found is None:
-        mend = "check the path, which starts at the elasticity file's folder"
+        mend = "check the path, which starts at the elasticity file's folder; for package:// give its folder as --root"
         raise InputError("urdf", f"{shown(name)}, which is not there", "the path of a URDF", mend, place)
     if found.suffix.lower() not in {".urdf", ".xacro", ".xml"}:
         raise InputError("urdf", shown(name), "a file .urdf, .xacro or .xml", "name the robot's own file", place)

@@ -55,6 +55,7 @@ def arm_shape(result: ArmResult, ax: AxesLike = None, *, exaggerate: float | Non
         _draw(panel, (rigid + size * (line - rigid))[..., columns], rigid[..., columns], times, joins)
         panel.set(xlabel=f"${pair[0]}$ [m]", ylabel=f"${pair[1]}$ [m]")
         panel.set_aspect("equal", adjustable="datalim")
+        panel.locator_params(nbins=5)
     shared_legend(axes[0])
     letter(axes, (f"{PLANES[pair].capitalize()}, {_told(size)}" for pair, size in shown))
     return axes

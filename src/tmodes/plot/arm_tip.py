@@ -66,6 +66,7 @@ def tip_path(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
         panel.plot(*tip[-1, columns], "s", color=INK, markersize=4, label="end")
         panel.set(xlabel=f"${pair[0]}$ [m]", ylabel=f"${pair[1]}$ [m]")
         panel.set_aspect("equal", adjustable="datalim")
+        panel.locator_params(nbins=5)
         panel.margins(0.08)
     shared_legend(axes[0])
     letter(axes, (f"Path of the tip, {PLANES[pair]}" for pair in chosen))

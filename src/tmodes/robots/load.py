@@ -65,7 +65,7 @@ def _read_published(path: Path, roots: Sequence[str | os.PathLike[str]]) -> tupl
     if not models and not roots and "urdf" in read_yaml(path)[0]:
         got, expected = f"a robot of the package {MODELS}, which is not installed", f"the package {MODELS}"
         raise InputError("robot", got, expected, "install it: pip install 'tmodes[robots]'")
-    return _read(path, (*roots, *models), trust_paths=False)
+    return _read(path, roots, trust_paths=False)
 
 
 def _read(
@@ -79,7 +79,7 @@ def _read(
         data, positions = read_yaml(path)
         if "urdf" not in data and data.get("kind") != "dh":
             return data, positions
-    data, positions, _ = read_arm_data(path, roots=roots, trust_paths=trust_paths)
+    data, positions, _ = read_arm_data(path, roots=(*roots, *installed_models()), trust_paths=trust_paths)
     return data, positions
 
 
