@@ -12,10 +12,10 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from tmodes.arm import Arm
     from tmodes.arm_model import ArmModel
-    from tmodes.arm_simulate import simulate_arm
     from tmodes.errors import TmodesError
     from tmodes.mechanism import Drive, Mechanism, Parameters, Reading
     from tmodes.model import Model
+    from tmodes.motion.simulate import simulate_arm
     from tmodes.result import Result
     from tmodes.robot import NominalRealPair, Robot
     from tmodes.robots import load_robot
@@ -56,7 +56,7 @@ _HOMES = {
     "TmodesError": "tmodes.errors.TmodesError",
     "load_robot": "tmodes.robots.load_robot",
     "load_sheet": "tmodes.robots.load.load_sheet",
-    "simulate_arm": "tmodes.arm_simulate.simulate_arm",
+    "simulate_arm": "tmodes.motion.simulate.simulate_arm",
     "run": "tmodes.simulate.simulate",  # tmodes.simulate is the module, so its function has the command line's name
 }
 

@@ -8,7 +8,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.arm import Arm
-from tmodes.arm_parts import Command
+from tmodes.arm.parts import Command
 from tmodes.arm_result import ArmResult, assemble_arm
 from tmodes.chain import Chain, Drive, JointKind, RigidLink
 from tmodes.errors import InputError
@@ -49,7 +49,7 @@ class ArmRunFolder(RunFolder):
         return ArmResult.load(self.result_file)
 
     def _computed(self, progress: Progress) -> ArmResult:
-        from tmodes.arm_simulate import simulate_arm
+        from tmodes.motion.simulate import simulate_arm
 
         run = simulate_arm(self.robot, progress=progress, journals=self._journal)
         return assemble_arm(run, self.robot, progress=progress)

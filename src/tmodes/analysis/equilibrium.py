@@ -13,7 +13,7 @@ from tmodes.analysis.equilibrium_loads import Load, acts_of
 from tmodes.analysis.equilibrium_path import LoadPath, Progress, follow
 from tmodes.analysis.equilibrium_surface import surface_act
 from tmodes.analysis.equilibrium_system import StaticSystem
-from tmodes.arm_contact import ContactSheet
+from tmodes.arm.contact import ContactSheet
 from tmodes.arm_model import ArmModel
 
 __all__ = ["Equilibrium", "Load", "UnstableMode", "equilibrium"]

@@ -9,8 +9,8 @@ from tmodes.analysis.equilibrium import Equilibrium, equilibrium
 from tmodes.analysis.equilibrium_loads import Load
 from tmodes.analysis.equilibrium_path import Progress
 from tmodes.arm import Arm
+from tmodes.arm.parts import Command, LoadFrame
 from tmodes.arm_model import ArmModel
-from tmodes.arm_parts import Command, LoadFrame
 
 __all__ = ["arm_rest", "first_commands", "sheet_loads"]
 

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.equilibrium_loads import Act, Pose, point_index
-from tmodes.arm_contact import Ball, ContactLaw, ContactSheet, Plane, Wall
+from tmodes.arm.contact import Ball, ContactLaw, ContactSheet, Plane, Wall
 from tmodes.arm_model import ArmModel
 
 __all__ = ["Touch", "surface_act"]

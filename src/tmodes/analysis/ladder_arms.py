@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.arm import Arm
-from tmodes.arm_parts import LinkSheet
+from tmodes.arm.parts import LinkSheet
 from tmodes.chain import Chain, Drive, JointKind, Node, Placement, RigidLink
 from tmodes.elements.beam import BeamModel, BeamSheet, Functions
 from tmodes.errors import InputError

@@ -13,8 +13,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.arm import Arm
+from tmodes.arm.parts import Command
 from tmodes.arm_model import ArmModel
-from tmodes.arm_parts import Command
 from tmodes.chain import Drive, JointKind
 from tmodes.errors import SimulationError
 from tmodes.reference.signals import Constant, MergedSchedule, Quintic, merge

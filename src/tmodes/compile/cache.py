@@ -20,7 +20,7 @@ __all__ = ["MAX_BYTES", "folder", "load", "save", "source_digest"]
 MAX_BYTES = 256 * 2**20
 """Size of the cache above which the entries not used for the longest time go."""
 
-_SOURCES = ("compile", "contact", "control", "elements", "equations", "mechanism.py", "robot.py")
+_SOURCES = ("chain.py", "compile", "contact", "control", "elements", "equations", "mechanism.py", "robot.py")
 
 
 @cache

@@ -14,11 +14,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.arm.topology import BASE
 from tmodes.elements.axes import quaternion_matrix, rotation_about
 from tmodes.errors import InputError
 from tmodes.io.words import shown
 from tmodes.io.yaml_file import Positions
-from tmodes.topology import BASE
 
 __all__ = ["arm_of_model"]
 

@@ -83,7 +83,11 @@ def test_segments() -> None:
     angle = 0.2
     position, rotation = model.pose([0.0, 0.0, 0.0, angle, 0.0, 0.0])
     assert position[0] == pytest.approx(
-        [first * np.cos(angle) + second * np.cos(1.5 * angle), first * np.sin(angle) + second * np.sin(1.5 * angle), 0.0]
+        [
+            first * np.cos(angle) + second * np.cos(1.5 * angle),
+            first * np.sin(angle) + second * np.sin(1.5 * angle),
+            0.0,
+        ]
     )
     assert rotation[0][:, 0] == pytest.approx([np.cos(1.5 * angle), np.sin(1.5 * angle), 0.0])
     position, _ = model.pose([0.0, 0.0, -angle, 0.0, 0.0, 0.0])

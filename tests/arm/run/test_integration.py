@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import TIGHT, ZERO, arm, pendulum, torque
-from tmodes.arm_simulate import simulate_arm
 from tmodes.errors import InputError
+from tmodes.motion.simulate import simulate_arm
 
 GEAR = {"stiffness": 100.0, "damping": 0.5}
 MOTOR = {"inertia": 0.3}

@@ -7,9 +7,9 @@ from typing import Any
 
 from tmodes.arm import Arm
 from tmodes.arm_result import ArmResult, assemble_arm
-from tmodes.arm_run import ArmRun
 from tmodes.arm_runs import ready_to_run
-from tmodes.arm_simulate import simulate_arm
+from tmodes.motion.run import ArmRun
+from tmodes.motion.simulate import simulate_arm
 
 LENGTH, FORCE = 0.8, 2.0
 OUTER, THICK, YOUNG = 0.02, 0.002, 70e9

@@ -11,11 +11,11 @@ from arm.see.runs import FORCE, LENGTH, OUTER, SHEETS, THICK, YOUNG, pendulum, r
 from result.synthetic import synthetic_result
 from tmodes.arm import Arm
 from tmodes.arm_result import ArmResult, assemble_arm, load_result
-from tmodes.arm_result_lines import run_wrenches, straight_shape
-from tmodes.arm_result_told import move_end
+from tmodes.arm_result.lines import run_wrenches, straight_shape
+from tmodes.arm_result.told import move_end
 from tmodes.arm_runs import ready_to_run, result_bytes
-from tmodes.arm_simulate import simulate_arm
 from tmodes.errors import InputError, ResultFileError
+from tmodes.motion.simulate import simulate_arm
 from tmodes.result import Result
 
 AREA_MOMENT = np.pi / 64 * (OUTER**4 - (OUTER - 2 * THICK) ** 4)

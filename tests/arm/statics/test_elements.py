@@ -13,7 +13,7 @@ from tmodes.analysis.equilibrium_held import free_coordinates
 from tmodes.analysis.equilibrium_loads import acts_of
 from tmodes.analysis.equilibrium_surface import surface_act
 from tmodes.analysis.equilibrium_system import StaticSystem
-from tmodes.arm_contact import ContactLaw, ContactSheet
+from tmodes.arm.contact import ContactLaw, ContactSheet
 from tmodes.arm_model import ArmModel
 from tmodes.chain import (
     Beam,

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.arm_split import deflections, elastic_names
-from tmodes.arm_run import ArmRun
 from tmodes.chain import JointKind
+from tmodes.motion.run import ArmRun
 
 __all__ = ["Variables", "coordinate_units", "coordinates_of", "motion_series"]
 

@@ -28,7 +28,7 @@ def massless_misfits(arm: Arm) -> Iterator[Misfit]:
 
     The arm is taken as rigid in a general position, so that a mass lies on an axis only where it always does.
     """
-    from tmodes.arm_chain import lowered
+    from tmodes.arm.lowering import lowered
 
     chain = lowered(arm)
     yield from _same_names(chain)

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.arm_contact import Ball, ContactLaw, Plane
-from tmodes.arm_parts import Command, DriveSheet, InitialState, LoadFrame
+from tmodes.arm.contact import Ball, ContactLaw, Plane
+from tmodes.arm.parts import Command, DriveSheet, InitialState, LoadFrame
 from tmodes.chain import Beam, Chain, Drive, Joint, JointKind, Motor
 from tmodes.equations.arm.closed_loop_plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan
 from tmodes.equations.arm.contact_kernels import Surface, Touch

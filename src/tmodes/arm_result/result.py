@@ -17,10 +17,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from tmodes.arm_result_lines import line_series
-from tmodes.arm_result_series import coordinates_of, motion_series
-from tmodes.arm_result_told import ending, move_end, provenance, told_of
-from tmodes.arm_run import ArmRun
+from tmodes.arm_result.lines import line_series
+from tmodes.arm_result.series import coordinates_of, motion_series
+from tmodes.arm_result.told import ending, move_end, provenance, told_of
+from tmodes.motion.run import ArmRun
 from tmodes.result import Result, RunRecord, kind_of, read_record
 
 if TYPE_CHECKING:
@@ -53,11 +53,11 @@ class ArmResult(RunRecord):
         return self._json("move_end")
 
     def summary(self, band: float = 0.05) -> dict[str, Any]:
-        """The numbers a reader asks first; see :func:`tmodes.arm_result_summary.summarise_arm`.
+        """The numbers a reader asks first; see :func:`tmodes.arm_result.summary.summarise_arm`.
 
         Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
         """
-        from tmodes.arm_result_summary import summarise_arm
+        from tmodes.arm_result.summary import summarise_arm
 
         return summarise_arm(self.data, band)
 

@@ -7,13 +7,13 @@ from typing import TYPE_CHECKING, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm_links import Lowered, lowered_link, placed
-from tmodes.arm_parts import Command, TipSheet
+from tmodes.arm.links import Lowered, lowered_link, placed
+from tmodes.arm.parts import Command, TipSheet
+from tmodes.arm.topology import last_link, parents, rooted_order
 from tmodes.chain import Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
 from tmodes.elements.axes import rotation_about, unit
 from tmodes.elements.drive import FrictionSheet, GearSheet, MotorSheet
 from tmodes.elements.joint import JointSheet, JointState, JointType, MeasuredFrom
-from tmodes.topology import last_link, parents, rooted_order
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm

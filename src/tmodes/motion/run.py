@@ -8,12 +8,12 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm_loop import LoopModel
 from tmodes.arm_model import ArmModel, PointMotion
-from tmodes.arm_regime import ArmRegime
 from tmodes.chain import Chain
 from tmodes.equations.arm.closed_loop_plan import BROUGHT_IN, WORKS
 from tmodes.evaluator import Rows
+from tmodes.motion.loop import LoopModel
+from tmodes.motion.regime import ArmRegime
 from tmodes.trajectory import Trajectory
 
 if TYPE_CHECKING:

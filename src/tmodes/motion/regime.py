@@ -9,10 +9,10 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm_loop import LoopModel
 from tmodes.arm_model import ArmModel
-from tmodes.arm_plan import Follow, Planned, initial_value, planned, starts_at_rest
 from tmodes.errors import InputError, SimulationError
+from tmodes.motion.loop import LoopModel
+from tmodes.motion.plan import Follow, Planned, initial_value, planned, starts_at_rest
 from tmodes.trajectory import Journal, Trajectory, integrate
 
 if TYPE_CHECKING:

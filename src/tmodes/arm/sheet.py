@@ -14,8 +14,8 @@ from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from tmodes.arm_contact import ContactSheet
-from tmodes.arm_parts import BaseMotion, DriveSheet, Initial, LinkSheet, LoadSheet, PointSheet, TipSheet
+from tmodes.arm.contact import ContactSheet
+from tmodes.arm.parts import BaseMotion, DriveSheet, Initial, LinkSheet, LoadSheet, PointSheet, TipSheet
 from tmodes.chain import Chain
 from tmodes.elements.frames import Origin, Vector, list_of_numbers
 from tmodes.elements.joint import JointSheet
@@ -92,7 +92,7 @@ class Arm(DataSheet):
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        from tmodes.arm_checks import arm_misfits
+        from tmodes.arm.checks import arm_misfits
 
         refuse(list(self._text_misfits()))
         refuse(arm_misfits(self))
@@ -136,7 +136,7 @@ class Arm(DataSheet):
 
     def chain(self) -> Chain:
         """The arm in the terms of the recursion: placements, joints, links and points, SI, joint side."""
-        from tmodes.arm_chain import lowered
+        from tmodes.arm.lowering import lowered
 
         return lowered(self)
 

@@ -9,9 +9,9 @@ from tmodes.analysis.arm_line import LinkLine, LinkLines, elastic_line
 from tmodes.analysis.arm_split import deflections, elastic_names, split_motion
 from tmodes.analysis.arm_validity import run_warnings
 from tmodes.arm import Arm
-from tmodes.arm_plan import planned
-from tmodes.arm_result_series import Variables
-from tmodes.arm_run import ArmRun
+from tmodes.arm_result.series import Variables
+from tmodes.motion.plan import planned
+from tmodes.motion.run import ArmRun
 
 __all__ = ["line_series", "run_wrenches", "straight_shape"]
 

@@ -6,13 +6,13 @@ from collections.abc import Iterable, Iterator
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
 
-from tmodes.arm_mass import massless_misfits
-from tmodes.arm_parts import Command, DriveSheet, LinkSheet, TipSheet
+from tmodes.arm.mass import massless_misfits
+from tmodes.arm.parts import Command, DriveSheet, LinkSheet, TipSheet
+from tmodes.arm.topology import BASE, tree_misfits
 from tmodes.elements.beam import BeamModel
 from tmodes.elements.frames import Convention
 from tmodes.elements.joint import JointSheet, JointState
 from tmodes.elements.quantity import Misfit
-from tmodes.topology import BASE, tree_misfits
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm

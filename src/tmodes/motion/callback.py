@@ -13,11 +13,11 @@ from dataclasses import dataclass, field, replace
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.arm_loop import LoopModel
-from tmodes.arm_regime import ArmRegime
 from tmodes.equations.arm.control_kernels import Servo
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
+from tmodes.motion.loop import LoopModel
+from tmodes.motion.regime import ArmRegime
 from tmodes.trajectory import BOUND, Trajectory, sample_times
 
 __all__ = ["Controller", "driven_by", "run_with_controller"]

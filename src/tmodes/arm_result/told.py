@@ -10,9 +10,9 @@ from typing import Any
 import numpy as np
 
 from tmodes.arm import Arm
-from tmodes.arm_plan import planned
-from tmodes.arm_run import ArmRun
 from tmodes.errors import SimulationError
+from tmodes.motion.plan import planned
+from tmodes.motion.run import ArmRun
 from tmodes.result import RESULT_FORMAT
 
 __all__ = ["ending", "move_end", "provenance", "told_of"]

@@ -8,8 +8,8 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmodes.arm_parts import LinkSheet
-from tmodes.arm_rigid import rigid_body
+from tmodes.arm.parts import LinkSheet
+from tmodes.arm.rigid import rigid_body
 from tmodes.chain import Beam, BeamPiece, Body, Joint, JointKind, Node, Placement, RigidLink, Segment
 from tmodes.elements.axes import bent_line
 from tmodes.elements.beam import Basis, BeamModel, BeamSheet, Functions, RotaryInertia

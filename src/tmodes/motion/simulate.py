@@ -14,15 +14,15 @@ import numpy as np
 from tmodes.analysis.modes import Spectrum
 from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict
 from tmodes.arm import Arm, ArmPair
-from tmodes.arm_callback import Controller, driven_by, run_with_controller
-from tmodes.arm_parts import Command
-from tmodes.arm_plan import Follow
-from tmodes.arm_regime import ArmRegime, arm_regime, run_arm_regime
-from tmodes.arm_run import ArmRun, bytes_per_sample, gathered
-from tmodes.arm_told import jumps, run_warnings, start_warnings
+from tmodes.arm.parts import Command
 from tmodes.errors import InputError
 from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import MOST_BYTES, Method
+from tmodes.motion.callback import Controller, driven_by, run_with_controller
+from tmodes.motion.plan import Follow
+from tmodes.motion.regime import ArmRegime, arm_regime, run_arm_regime
+from tmodes.motion.run import ArmRun, bytes_per_sample, gathered
+from tmodes.motion.told import jumps, run_warnings, start_warnings
 from tmodes.trajectory import Journal
 
 __all__ = ["closed_loop_spectrum", "simulate_arm"]
@@ -47,7 +47,7 @@ def simulate_arm(
 
     Give an :class:`Arm` (its ``real`` factors make the real one) or a pair of your own. ``journals`` gives where the
     stages ``reference`` and ``real`` keep their progress. ``controller``: a Python function that tells the efforts of
-    the real arm (:data:`tmodes.arm_callback.Controller`); slow, with an explicit method, and kept in no journal.
+    the real arm (:data:`tmodes.motion.callback.Controller`); slow, with an explicit method, and kept in no journal.
 
     A run that cannot go on keeps what it had: look at ``status`` (finished, diverged, stopped, interrupted) and
     ``message``. Raises :class:`tmodes.errors.InputError` for what cannot be run or is too large, and

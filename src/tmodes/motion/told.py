@@ -6,9 +6,9 @@ from collections.abc import Iterator
 
 import numpy as np
 
-from tmodes.arm_contact import ContactLaw, ContactSheet
-from tmodes.arm_regime import ArmRegime
-from tmodes.arm_run import ArmRun
+from tmodes.arm.contact import ContactLaw, ContactSheet
+from tmodes.motion.regime import ArmRegime
+from tmodes.motion.run import ArmRun
 
 __all__ = ["jumps", "run_warnings", "start_warnings"]
 
