@@ -208,7 +208,7 @@ class ArmModel:
         many = np.repeat(rows.q, n, axis=0)
         motion = self.points(many, 0.0, np.tile(np.eye(n), (rows.count, 1)))
         both = np.concatenate([motion.acceleration, motion.angular_acceleration], axis=-1)
-        jacobian = both.reshape(rows.count, n, -1, 6).transpose(0, 2, 3, 1)
+        jacobian = both.reshape(rows.count, n, len(self.parts.points), 6).transpose(0, 2, 3, 1)
         return jacobian[0] if rows.single else jacobian
 
     def linearised(

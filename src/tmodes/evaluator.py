@@ -41,8 +41,9 @@ class Rows:
     def __init__(self, q: ArrayLike, v: ArrayLike, size: int) -> None:
         given = np.asarray(q, dtype=float)
         self.single = given.ndim == 1
-        self.q = np.atleast_2d(given).reshape(-1, size)
-        self.count = len(self.q)
+        rows = np.atleast_2d(given)
+        self.count = rows.size // size if size else len(rows)  # an arm in which nothing moves has states too
+        self.q = rows.reshape(self.count, size)
         self.v = self.of(v, size)
 
     def of(self, values: ArrayLike, width: int) -> Array:

@@ -126,7 +126,8 @@ def _copy_rows(b: Any, rows: Any, workspace: Any, blocks: list[tuple[int, int]],
 class ScheduleRate:
     """A schedule as the right-hand side of the time loops: what :class:`tmodes.compile.lower.Lowered` is to a program.
 
-    ``step_offset``: where in the held memory the length of an implicit step is put, None where there is none.
+    ``step_offset``: where in the held memory the length of an implicit step is put; ``gate_offset``: where two numbers
+    stand that are both positive while a force acts that sets in and ends; None where there is none.
     """
 
     prepare: Any
@@ -135,6 +136,7 @@ class ScheduleRate:
     size: int
     row: int
     step_offset: int | None
+    gate_offset: int | None = None
 
 
 def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> ScheduleRate:
@@ -165,4 +167,5 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
     b.ret_void()
     row, step = schedule.inputs["row"].size, schedule.inputs.get("step")
     offset = schedule.offset(step) if step else None
-    return ScheduleRate(prepare, call, schedule.workspace, schedule.output_size, row, offset)
+    gate = schedule.offset(schedule.gate) if schedule.gate else None
+    return ScheduleRate(prepare, call, schedule.workspace, schedule.output_size, row, offset, gate)

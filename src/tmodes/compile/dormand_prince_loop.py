@@ -10,6 +10,7 @@ from typing import Any
 
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import F64, counted, declare, load, number, store
+from tmodes.compile.gate import Gate
 from tmodes.compile.lower import Lowered
 from tmodes.compile.native import POWER
 from tmodes.compile.time_loop import Status, TimeLoop
@@ -49,6 +50,8 @@ def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | Schedul
     b = loop.builder
     loop.stop_if(loop.finished(), Status.FINISHED)
     loop.stop_if(b.fcmp_ordered(">=", loop.get("done"), loop.option("chunk")), Status.RUNNING)
+    gate = Gate(loop, lowered.gate_offset)
+    gate.begin("y", "probe")
     _first_stage(loop)
     time, end = loop.get("t"), loop.knot(1)
     wanted = loop.get("h")
@@ -67,9 +70,26 @@ def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | Schedul
     b.branch(loop.again)
     b.position_at_end(accepted)
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
+    _meet_the_gate(loop, gate, h)
     _write_samples(loop, time, h, time_after)
     _accept(loop, wanted, h, error, last, time_after)
     b.branch(loop.again)
+
+
+def _meet_the_gate(loop: TimeLoop, gate: Gate, h: Any) -> None:
+    """Shorten a step onto the place where a force sets in or ends; its last stage was evaluated at its end."""
+    if gate.offset is None:
+        return
+    b = loop.builder
+    missed, shorter = gate.missed(h)
+    again, met = loop.block("gate_missed"), loop.block("gate_met")
+    b.cbranch(missed, again, met)
+    b.position_at_end(again)
+    loop.put("h", shorter)
+    loop.add("rejected", 1.0)
+    b.branch(loop.again)
+    b.position_at_end(met)
+    gate.pass_on()
 
 
 def _first_stage(loop: TimeLoop) -> None:

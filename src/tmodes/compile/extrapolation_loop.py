@@ -13,6 +13,7 @@ from typing import Any
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.dormand_prince_loop import mean_square, power
 from tmodes.compile.emit import F64, counted, load, number, store, whole
+from tmodes.compile.gate import Gate
 from tmodes.compile.time_loop import Status, TimeLoop
 from tmodes.errors import CompileError
 
@@ -21,7 +22,7 @@ __all__ = ["ROWS", "write_extrapolation_loop"]
 ROWS = 8
 """Most rows of the tableau: 36 evaluations; more would lose to rounding what they gain in order."""
 
-_SAFETY, _SMALLEST, _LARGEST, _FIRST = 0.8, 0.2, 4.0, 1e-4
+_SAFETY, _SMALLEST, _LARGEST, _FIRST, _ROUNDING = 0.8, 0.2, 4.0, 1e-4, 1e-12
 
 
 def write_extrapolation_loop(module: Any, name: str, lowered: ScheduleRate, guarded: int, *, pairs: int) -> None:
@@ -34,18 +35,19 @@ def write_extrapolation_loop(module: Any, name: str, lowered: ScheduleRate, guar
         raise CompileError(f"{name}: the schedule has no input `step` for implicit steps")
     tableau = tuple(f"row{m}" for m in range(ROWS))
     loop = TimeLoop(module, name, lowered, (*tableau, "x", "slope", "kept", "new"), guarded)
-    _Writer(loop, pairs, lowered.step_offset).write()
+    _Writer(loop, pairs, lowered.step_offset, lowered.gate_offset).write()
 
 
 class _Writer:
     """Writes the body of the loop."""
 
-    def __init__(self, loop: TimeLoop, pairs: int, step_offset: int) -> None:
+    def __init__(self, loop: TimeLoop, pairs: int, step_offset: int, gate_offset: int | None) -> None:
         self.loop, self.pairs, self.step_offset = loop, pairs, step_offset
         self.b: Any = loop.builder
         self.error = self._cell("error")
         self.rows = self._cell("rows")
         self.time = self._cell("time")
+        self.gate = Gate(loop, gate_offset)
 
     def _cell(self, name: str) -> Any:
         with self.b.goto_entry_block():
@@ -56,6 +58,7 @@ class _Writer:
         loop, b = self.loop, self.b
         loop.stop_if(loop.finished(), Status.FINISHED)
         loop.stop_if(b.fcmp_ordered(">=", loop.get("done"), loop.option("chunk")), Status.RUNNING)
+        self.gate.begin("y", "slope")
         with b.if_then(b.fcmp_ordered("<=", loop.get("h"), number(0.0)), likely=False):
             loop.put("h", loop.intrinsic("minnum", number(_FIRST), b.fsub(loop.knot(1), loop.knot(0))))
         time, wanted = loop.get("t"), loop.get("h")
@@ -81,8 +84,13 @@ class _Writer:
         left = b.icmp_signed("<", loop.integer("sample"), loop.argument["samples"])
         index = b.select(left, loop.integer("sample"), whole(0))
         sample = load(b, loop.argument["times"], index)
-        ahead = b.and_(left, b.fcmp_ordered(">", sample, loop.get("t")))
-        return b.select(b.and_(ahead, b.fcmp_ordered("<", sample, knot)), sample, knot)
+        # A sample and a knot that are one but for rounding are met together.
+        near = self._rounding(knot)
+        ahead = b.and_(left, b.fcmp_ordered(">", sample, b.fadd(loop.get("t"), near)))
+        return b.select(b.and_(ahead, b.fcmp_ordered("<", sample, b.fsub(knot, near))), sample, knot)
+
+    def _rounding(self, time: Any) -> Any:
+        return self.b.fmul(number(_ROUNDING), self.loop.intrinsic("maxnum", time, number(1e-3)))
 
     def _row(self, row: int, time: Any, h: Any) -> None:
         """``row`` equal steps into x, then one more column for each row before."""
@@ -146,6 +154,7 @@ class _Writer:
         b.branch(loop.again)
         b.position_at_end(accepted)
         loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
+        self._meet_the_gate(h, time_after)
         loop.copy("y", "new")
         self._write_sample(time_after)
         bounded = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(_SMALLEST)), number(_LARGEST))
@@ -157,12 +166,28 @@ class _Writer:
         loop.add("steps", 1.0)
         b.branch(loop.again)
 
+    def _meet_the_gate(self, h: Any, time_after: Any) -> None:
+        """Shorten the step onto the place where a force sets in or ends."""
+        loop, b = self.loop, self.b
+        if self.gate.offset is None:
+            return
+        loop.evaluate(time_after, "new", "slope")
+        missed, shorter = self.gate.missed(h)
+        again, met = loop.block("gate_missed"), loop.block("gate_met")
+        b.cbranch(missed, again, met)
+        b.position_at_end(again)
+        loop.put("h", shorter)
+        loop.add("rejected", 1.0)
+        b.branch(loop.again)
+        b.position_at_end(met)
+        self.gate.pass_on()
+
     def _write_sample(self, time_after: Any) -> None:
         loop, b = self.loop, self.b
         check, write, done = loop.block("sample_check"), loop.block("sample_write"), loop.block("sample_done")
         b.branch(check)
         b.position_at_end(check)
-        b.cbranch(loop.sample_due(time_after), write, done)
+        b.cbranch(loop.sample_due(b.fadd(time_after, self._rounding(time_after))), write, done)
         b.position_at_end(write)
         target = loop.sample_row()
         with counted(b, loop.size) as i:

@@ -25,6 +25,7 @@ class Lowered:
     prepare: Any
     call: Any
     held_size: int
+    gate_offset: int | None = None
 
     @property
     def size(self) -> int:

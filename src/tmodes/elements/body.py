@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
 from tmodes.elements.axes import rpy_matrix
-from tmodes.elements.frames import Vector, list_of_numbers
+from tmodes.elements.frames import TURN, Vector, list_of_numbers
 from tmodes.elements.quantity import DataSheet, Misfit, any_sign, not_negative, positive, quantity, refuse
 
 __all__ = ["BodySheet", "Inertia"]
@@ -62,10 +62,12 @@ class BodySheet(DataSheet):
     """A rigid body of a link, in the link's frame; on a beam in the axes of the section at the station ``at``."""
 
     name: str = Field(default="", max_length=100, description="name of the body")
-    mass: float = positive("kg", "m", "mass", plausible=(1e-6, 1e5))
+    mass: float = positive("kg", "m", "mass", plausible=(1e-6, 1e4))
     center: Vector = list_of_numbers("m", "c", "center of mass", default=(0.0, 0.0, 0.0))
     inertia: Inertia | None = Field(default=None, description="inertia about the center of mass; none: a point mass")
-    rpy: Vector | None = list_of_numbers("rad", "rpy", "axes of the inertia; none: those of the frame", default=None)
+    rpy: Vector | None = list_of_numbers(
+        "rad", "rpy", "axes of the inertia; none: those of the frame", default=None, plausible=[-TURN, TURN]
+    )
     at: float | None = quantity(
         "-",
         "s",

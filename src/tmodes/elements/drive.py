@@ -76,7 +76,9 @@ class MotorSheet(DataSheet):
     """A motor with its reducer. ``side: joint``: quantities as felt at the joint; ``motor``: as on its shaft."""
 
     inertia: float = positive("kg*m^2|kg", "I", "rotor inertia", plausible=(1e-9, 1e4))
-    side: Side = Field(strict=False, description="of which side of the reducer the quantities are: joint or motor")
+    side: Side = Field(
+        strict=False, description="of which side of the reducer the quantities are: joint (after it) or motor (before it)"
+    )
     ratio: float | None = any_sign(
         "-|rad/m", "N", "motor angle over joint angle (over joint travel)", default=None, plausible=(-1e5, 1e5)
     )

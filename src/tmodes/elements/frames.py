@@ -14,7 +14,7 @@ from pydantic import Field, model_validator
 from tmodes.elements.axes import quaternion_matrix, rotation_about, rpy_matrix
 from tmodes.elements.quantity import LARGEST, DataSheet, Misfit, any_sign, refuse
 
-__all__ = ["Convention", "DenavitHartenberg", "Origin", "Quaternion", "Vector", "list_of_numbers"]
+__all__ = ["TURN", "Convention", "DenavitHartenberg", "Origin", "Quaternion", "Vector", "list_of_numbers"]
 
 Array = NDArray[np.float64]
 
@@ -24,6 +24,12 @@ Quaternion = tuple[Component, Component, Component, Component]
 
 NEAR = 1e-3
 """How far the length of a quaternion may be from 1 [-] to be taken for the rounding of its digits."""
+
+PRINTED = 1e-6
+"""How far the length of a quaternion is from 1 [-] when it is printed with the usual digits: not worth a word."""
+
+TURN = 6.3
+"""An angle [rad] beyond a whole turn: more is likely in degrees."""
 
 
 def list_of_numbers(unit: str, symbol: str, meaning: str, *, default: Any = ..., **more: Any) -> Any:
@@ -37,7 +43,7 @@ class Origin(DataSheet):
 
     position: Vector = list_of_numbers("m", "p", "position", default=(0.0, 0.0, 0.0))
     rpy: Vector | None = list_of_numbers(
-        "rad", "rpy", "roll, pitch, yaw about axes that stay, as in URDF", default=None
+        "rad", "rpy", "roll, pitch, yaw about axes that stay, as in URDF", default=None, plausible=[-TURN, TURN]
     )
     quaternion: Quaternion | None = list_of_numbers("-", "x y z w", "rotation as a unit quaternion", default=None)
 
@@ -72,7 +78,7 @@ class Origin(DataSheet):
     def notice(self) -> str:
         """What was put right in reading it; empty when nothing was."""
         length = self._quaternion_length
-        return "" if abs(length - 1) <= 1e-12 else f"quaternion of length {length:.9g} taken as one of length 1"
+        return "" if abs(length - 1) <= PRINTED else f"quaternion of length {length:.9g} taken as one of length 1"
 
 
 class Convention(StrEnum):
@@ -94,9 +100,9 @@ class DenavitHartenberg(DataSheet):
 
     convention: Convention = Field(strict=False, description="standard, modified (Craig), or paper")
     a: float = any_sign("m", "a", "distance of the joint axes along x", plausible=(-50.0, 50.0))
-    alpha: float = any_sign("rad", "alpha", "angle of the joint axes about x", plausible=(-6.3, 6.3))
+    alpha: float = any_sign("rad", "alpha", "angle of the joint axes about x", plausible=(-TURN, TURN))
     d: float = any_sign("m", "d", "distance along z", plausible=(-50.0, 50.0))
-    theta: float = any_sign("rad", "theta", "angle about z, to which the joint's own is added", plausible=(-6.3, 6.3))
+    theta: float = any_sign("rad", "theta", "angle about z, to which the joint's own is added", plausible=(-TURN, TURN))
 
     @model_validator(mode="after")
     def _fits_convention(self) -> Self:

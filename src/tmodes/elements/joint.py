@@ -94,8 +94,9 @@ class JointSheet(DataSheet):
                 yield Misfit("axis", f"an axis of {why}", "no axis", "remove the line `axis: ...`")
         elif self.axis is None:
             yield Misfit("axis", "nothing", f"the axis of a {self.type} joint", "add the line `axis: [0, 0, 1]`")
-        elif not any(self.axis):
-            yield Misfit("axis", "an axis of zeros, which has no direction", "a direction", "write [0, 0, 1] for z")
+        elif (length := math.hypot(*self.axis)) < SHORTEST_AXIS:
+            got = f"an axis of length {length:g}, which has no direction" if length else "an axis of zeros, which has no direction"
+            yield Misfit("axis", got, f"a direction, of length {SHORTEST_AXIS:g} or more", "write [0, 0, 1] for z")
 
     def _place_misfits(self) -> Iterator[Misfit]:
         if self.dh is not None and self.origin is not None:

@@ -20,6 +20,9 @@ ADDRESS = re.compile(r"([A-Za-z][A-Za-z0-9+.-]*):(//)?(.*)", re.DOTALL)
 DRIVE = re.compile(r"[A-Za-z]:[\\/]")
 LONGEST = 1_000
 
+ALLOW = "give its folder with --root DIR, or allow every path of this file with --trust-paths"
+"""How a user lets a file lie elsewhere: the flags of the command line, in Python ``roots`` and ``trust_paths``."""
+
 
 @dataclass(frozen=True)
 class Folders:
@@ -71,7 +74,7 @@ class Folders:
         resolved = self._resolved(path, which, place)
         if not self._is_inside(resolved) and not self.trust:
             got, expected = f"{shown(name)}, which leads outside", f"a path inside {shown_path(self.home)}"
-            mend = "move the file there, list its folder among the roots, or trust the paths of this file"
+            mend = f"move the file there, or {ALLOW}"
             raise InputError(which, got, expected, mend, place)
         return resolved if _exists(resolved) else None
 
@@ -88,7 +91,7 @@ class Folders:
         if self.trust:
             return path.resolve() if path and _exists(path) else None
         got = what if what.endswith(shown(name)) else f"{what} {shown(name)}"
-        mend = "write a path relative to the robot's file, list its folder among the roots, or trust this file's paths"
+        mend = f"write a path relative to the robot's file, or {ALLOW}"
         raise InputError(which, got, "a relative path or package://; nothing is ever fetched", mend, place)
 
     @staticmethod

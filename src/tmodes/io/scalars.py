@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import re
 
-__all__ = ["finite_float", "scalar"]
+__all__ = ["FLOAT", "finite_float", "scalar"]
 
 INTEGER = re.compile(r"[-+]?[0-9]+")
 FLOAT = re.compile(r"[-+]?(\.[0-9]+|[0-9]+(\.[0-9]*)?)([eE][-+]?[0-9]+)?")

@@ -7,7 +7,7 @@ import math
 from collections.abc import Collection, Iterable
 
 from tmodes.errors import InputError
-from tmodes.io.scalars import finite_float
+from tmodes.io.scalars import FLOAT, finite_float
 from tmodes.io.units import COMMA
 from tmodes.io.words import nearest, shown
 from tmodes.io.xml_file import Element
@@ -121,5 +121,7 @@ def _no_number(text: str) -> tuple[str, str, str]:
         value = float(text)
     except ValueError:
         return f"the text {shown(text)}", expected, "write a number in SI units, without the unit"
+    if math.isfinite(value) and not FLOAT.fullmatch(text):
+        return f"{shown(text)}, not a number as URDF writes it", expected, "write digits, a point and an exponent only"
     got = f"{shown(text)}, which no double can hold" if not math.isnan(value) else f"{shown(text)} (not a number)"
     return got, expected, "write a finite number of sensible size in SI units"

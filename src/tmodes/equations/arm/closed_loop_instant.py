@@ -101,7 +101,8 @@ class Instant:
         if touch and self.loop.touch:
             blocks = (*self._frame(touch.point), self.parts.offsets[touch.point], self.loop.touch)
             before = wrenches.get(touch.point, self.none[FORCE])
-            (wrenches[touch.point],) = self.call(touch.touch.wrench(), *blocks, before)
+            wrenches[touch.point], gate = self.call(touch.touch.wrench(), *blocks, before)
+            self.schedule.gate = gate if touch.touch.unilateral else None
             if touch.has_mass:
                 node = self.parts.points[touch.point].node
                 inertia, bias = self.call(touch.touch.inertia(), *blocks)

@@ -71,9 +71,13 @@ class Touch:
         curving = side * (v.dot(velocity, velocity) - rate * rate) / distance
         return _Meeting(direction, side * (distance - p[3]), rate, curving)
 
+    def _push(self, p: Any, met: _Meeting) -> Any:
+        """Force of spring, damper and preload."""
+        return p[5] * met.rate + p[6] * met.depth + p[7]
+
     def _force(self, p: Any, met: _Meeting, velocity: v.Vector) -> tuple[Any, v.Vector]:
         """Normal force of spring, damper and preload, and the force by the point on the surface."""
-        normal = p[5] * met.rate + p[6] * met.depth + p[7]
+        normal = self._push(p, met)
         if self.unilateral:
             normal = (met.depth > 0) * (normal > 0) * normal
         force = v.scale(normal, met.direction)
@@ -84,17 +88,19 @@ class Touch:
         return normal, force
 
     def wrench(self) -> Kernel:
-        """(pose of the frame, pose of the link's axes, rate in them, offset, numbers, sum of wrenches) -> sum.
+        """(pose of the frame, pose of the link's axes, rate in them, offset, numbers, sum of wrenches) -> (sum, gate).
 
-        The sum has the surface's push in it then.
+        The sum has the surface's push in it then; the gate is the penetration, and the push without its limits.
         """
 
         def build(pose: Any, axes: Any, rate: Any, offset: Any, p: Any, sum_: Any) -> list[list[Any]]:
             place, velocity, *_ = _point(pose, axes, rate, offset)
-            force = self._force(p, self._meeting(p, place, velocity), velocity)[1]
-            return [[*(sum_[i] - force[i] for i in range(3)), *(sum_[3 + i] for i in range(3))]]
+            met = self._meeting(p, place, velocity)
+            force = self._force(p, met, velocity)[1]
+            pushed = [*(sum_[i] - force[i] for i in range(3)), *(sum_[3 + i] for i in range(3))]
+            return [pushed, [met.depth, self._push(p, met)]]
 
-        return Kernel(f"touch {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH, FORCE), (FORCE,), build)
+        return Kernel(f"touch {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH, FORCE), (FORCE, 2), build)
 
     def inertia(self) -> Kernel:
         """(pose of the frame, pose of the link's axes, rate in them, offset, numbers) -> (inertia, bias force).

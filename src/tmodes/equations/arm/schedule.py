@@ -57,6 +57,8 @@ class Schedule:
     outputs: dict[str, list[Slot]] = field(default_factory=dict)
     calls: list[tuple[Kernel, tuple[Slot, ...], tuple[Slot, ...]]] = field(default_factory=list)
     changing: int = 0
+    gate: Slot | None = None
+    """Two numbers, both positive while a force acts that sets in and ends at once."""
 
     def input(self, name: str, size: int) -> Slot:
         """A block that the caller fills."""
@@ -102,7 +104,11 @@ class Schedule:
     @cached_property
     def key(self) -> str:
         """All of the structure of a finished schedule, as a digest: same key, same code."""
-        told = [f"{self.parameters} {self.changing}", repr(list(self.inputs.items())), repr(list(self.outputs.items()))]
+        told = [
+            f"{self.parameters} {self.changing} {self.gate}",
+            repr(list(self.inputs.items())),
+            repr(list(self.outputs.items())),
+        ]
         told += [
             f"{kernel.key} {kernel.inputs} {kernel.outputs} {inputs} {outputs}"
             for kernel, inputs, outputs in self.calls
