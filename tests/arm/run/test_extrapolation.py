@@ -14,7 +14,7 @@ Integration = dict[str, Any]
 
 
 def stiff(**integration: Any) -> Any:
-    """A gear and a short tube that bends in both planes, driven by a motor; damped, so that its fast modes are stiff."""
+    """A gear and a short tube that bends in both planes, driven by a motor; damped, so that fast modes are stiff."""
     beam = {
         "model": "strain", "functions": {"bend_y": 2, "bend_z": 2}, "length": 0.4, "damping_time": 3e-5,
         "section": {"bending_stiffness": 900.0, "mass_per_length": 0.8}, "rotary_inertia": "none",
