@@ -27,6 +27,7 @@ def cables(count: int, elements: int = 12, steps: int = 4000) -> np.ndarray:
     bodies = system.AddSystem()
     ground = bodies.AddObject(made.ObjectGround())
     before, start = bodies.AddMarker(made.MarkerBodyPosition(bodyNumber=ground)), 0.0
+    nodes: list[int] = []
     for link in LINKS[:count]:
         template = made.ObjectANCFCable2D(
             physicsMassPerLength=link["rhoA"], physicsBendingStiffness=link["EI"], physicsAxialStiffness=link["EA"]
