@@ -70,26 +70,10 @@ def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | Schedul
     b.branch(loop.again)
     b.position_at_end(accepted)
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-    _meet_the_gate(loop, gate, h)
+    gate.meet(h)
     _write_samples(loop, time, h, time_after)
     _accept(loop, wanted, h, error, last, time_after)
     b.branch(loop.again)
-
-
-def _meet_the_gate(loop: TimeLoop, gate: Gate, h: Any) -> None:
-    """Shorten a step onto the place where a force sets in or ends; its last stage was evaluated at its end."""
-    if gate.offset is None:
-        return
-    b = loop.builder
-    missed, shorter = gate.missed(h)
-    again, met = loop.block("gate_missed"), loop.block("gate_met")
-    b.cbranch(missed, again, met)
-    b.position_at_end(again)
-    loop.put("h", shorter)
-    loop.add("rejected", 1.0)
-    b.branch(loop.again)
-    b.position_at_end(met)
-    gate.pass_on()
 
 
 def _first_stage(loop: TimeLoop) -> None:

@@ -154,7 +154,9 @@ class _Writer:
         b.branch(loop.again)
         b.position_at_end(accepted)
         loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-        self._meet_the_gate(h, time_after)
+        if self.gate.offset is not None:
+            loop.evaluate(time_after, "new", "slope")
+            self.gate.meet(h)
         loop.copy("y", "new")
         self._write_sample(time_after)
         bounded = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(_SMALLEST)), number(_LARGEST))
@@ -165,22 +167,6 @@ class _Writer:
         loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(at_knot, F64)))
         loop.add("steps", 1.0)
         b.branch(loop.again)
-
-    def _meet_the_gate(self, h: Any, time_after: Any) -> None:
-        """Shorten the step onto the place where a force sets in or ends."""
-        loop, b = self.loop, self.b
-        if self.gate.offset is None:
-            return
-        loop.evaluate(time_after, "new", "slope")
-        missed, shorter = self.gate.missed(h)
-        again, met = loop.block("gate_missed"), loop.block("gate_met")
-        b.cbranch(missed, again, met)
-        b.position_at_end(again)
-        loop.put("h", shorter)
-        loop.add("rejected", 1.0)
-        b.branch(loop.again)
-        b.position_at_end(met)
-        self.gate.pass_on()
 
     def _write_sample(self, time_after: Any) -> None:
         loop, b = self.loop, self.b

@@ -8,8 +8,6 @@ from __future__ import annotations
 
 from typing import Any
 
-from llvmlite import ir
-
 from tmodes.compile.emit import F64, load, number
 from tmodes.compile.time_loop import TimeLoop
 
@@ -55,11 +53,24 @@ class Gate:
             b.store(value, cell)
         b.store(number(1.0), self.known)
 
-    def missed(self, h: Any) -> tuple[Any, Any]:
-        """After an evaluation at the step's end: whether it must be shortened, and to what."""
-        b: Any = self.loop.builder
+    def meet(self, h: Any) -> None:
+        """After an evaluation at the step's end: try again with a shorter step where the gate changed too early."""
         if self.offset is None:
-            return ir.Constant(ir.IntType(1), 0), h
+            return
+        loop, b = self.loop, self.loop.builder
+        missed, shorter = self._missed(h)
+        again, met = loop.block("gate_missed"), loop.block("gate_met")
+        b.cbranch(missed, again, met)
+        b.position_at_end(again)
+        loop.put("h", shorter)
+        loop.add("rejected", 1.0)
+        b.branch(loop.again)
+        b.position_at_end(met)
+        self.pass_on()
+
+    def _missed(self, h: Any) -> tuple[Any, Any]:
+        """Whether a step must be shortened, and to what."""
+        b: Any = self.loop.builder
         before, now = [b.load(cell, typ=F64) for cell in self.before], self._now()
         was, is_ = (b.and_(*(b.fcmp_ordered(">", x, number(0.0)) for x in pair)) for pair in (before, now))
         depth_turned = b.fcmp_ordered("<=", b.fmul(before[0], now[0]), number(0.0))
