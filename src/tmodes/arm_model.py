@@ -204,11 +204,12 @@ class ArmModel:
     def jacobian(self, q: ArrayLike) -> Array:
         """(n, points, 6, nq): linear then angular velocity of the named points per rate, world axes."""
         rows = Rows(q, 0.0, self.nq)
-        n = self.nq
-        many = np.repeat(rows.q, n, axis=0)
-        motion = self.points(many, 0.0, np.tile(np.eye(n), (rows.count, 1)))
-        both = np.concatenate([motion.acceleration, motion.angular_acceleration], axis=-1)
-        jacobian = both.reshape(rows.count, n, len(self.parts.points), 6).transpose(0, 2, 3, 1)
+        n, points = self.nq, len(self.parts.points)
+        both = np.zeros((0, points, 6))
+        if n:
+            motion = self.points(np.repeat(rows.q, n, axis=0), 0.0, np.tile(np.eye(n), (rows.count, 1)))
+            both = np.concatenate([motion.acceleration, motion.angular_acceleration], axis=-1)
+        jacobian = both.reshape(rows.count, n, points, 6).transpose(0, 2, 3, 1)
         return jacobian[0] if rows.single else jacobian
 
     def linearised(
@@ -230,6 +231,12 @@ class ArmModel:
         stiffness = self.passes.slopes(rows, here[2], base, wrenches, {"q": np.eye(n)})
         damping = self.passes.slopes(rows, here[2], base, wrenches, {"v": np.eye(n)})
         return self.mass_matrix(here[0]), damping.T, stiffness.T
+
+    def stiffness(self, q: ArrayLike, *, wrenches: ArrayLike | None = None, base: ArrayLike | None = None) -> Array:
+        """K (nq, nq) of :meth:`linearised` about rest in q (nq,), by itself."""
+        n = self.nq
+        rows = Rows(np.tile(np.asarray(q, dtype=float).reshape(n), (n, 1)), np.zeros((n, n)), n)
+        return self.passes.slopes(rows, np.zeros(n), base, wrenches, {"q": np.eye(n)}).T
 
     def static(self, loads: Sequence[Load] = (), **options: Any) -> Equilibrium:
         """Equilibrium under loads: see :func:`tmodes.analysis.equilibrium.equilibrium`."""

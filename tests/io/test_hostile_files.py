@@ -14,8 +14,9 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.check import robot_from_data
 from tmodes.io.yaml_file import parse_yaml, read_yaml
 from tmodes.robots import load_robot
+from tmodes.robots.load import load_sheet
 
-LIMIT = 128 * 1024
+LIMIT = 256 * 1024
 SECONDS = 2.0
 
 
@@ -177,3 +178,41 @@ def test_a_gigabyte_costs_neither_time_nor_memory(tmp_path: Path) -> None:
     assert tracemalloc.get_traced_memory()[1] < 20e6
     tracemalloc.stop()
     assert time.process_time() - start < SECONDS
+
+
+def test_an_arm_of_five_hundred_joints_is_read_in_time() -> None:
+    """The largest arm, written out in full: 33,500 keys, values and brackets."""
+    joint = ("  - {{name: j{0}, type: revolute, child: l{0}, origin: {{position: [0.1, 0.2, 0.3], rpy: [0, 0, 0]}}, "
+             "axis: [0, 0, 1], limits: {{lower: -1, upper: 1}}, friction: {{viscous: 0.1}}}}\n")  # fmt: skip
+    link = "  - {{name: l{0}, bodies: [{{mass: 1.0, center: [0, 0, 0.1], inertia: {{xx: 0.1, yy: 0.1, zz: 0.1}}}}]}}\n"
+    parts = [part for one, key in ((joint, "joints"), (link, "links"))
+             for part in (f"{key}:\n", *(one.format(i) for i in range(500)))]  # fmt: skip
+    start = time.process_time()
+    data, _ = parse_yaml("kind: arm\n" + "".join(parts), "large.yaml")
+    assert time.process_time() - start < SECONDS
+    assert len(data["joints"]) == len(data["links"]) == 500
+
+
+HEAD = "kind: arm\nformat: 1\nname: x\njoints: [{name: a, type: revolute, child: l, axis: [0, 0, 1]}]\n"
+HOSTILE_ARMS = {
+    "unknown keys": HEAD + "".join(f"stif{i}: 1\n" for i in range(19_000)),
+    "empty bodies": HEAD + "links: [{name: l, bodies: [" + "{m: 1},\n" * 9_000 + "]}]\n",
+    "wrong units": HEAD + "initial: {coordinates: {" + "".join(f"a{i}: 1 mm,\n" for i in range(12_000)) + "}}\n",
+    "many factors": HEAD + "real:\n" + "".join(f"  joints.a.gr{i}: 1\n" for i in range(12_000)),
+}
+
+
+@pytest.mark.parametrize("text", HOSTILE_ARMS.values(), ids=HOSTILE_ARMS)
+def test_hostile_arms_are_refused_in_time(text: str, tmp_path: Path) -> None:
+    file = tmp_path / "hostile.yaml"
+    file.write_text(text, encoding="utf-8")
+    start = time.process_time()
+    with pytest.raises((InputError, InputErrors)) as caught:
+        load_sheet(file)
+    assert str(file) in str(caught.value)
+    assert time.process_time() - start < SECONDS
+
+
+def test_a_sheet_without_a_kind_keeps_the_smaller_bound() -> None:
+    with pytest.raises(InputError, match="more than 5000 items"):
+        parse_yaml("".join(f"k{i}: 1\n" for i in range(3_000)), "robot.yaml")

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,7 +13,7 @@ from tmodes.analysis.equilibrium_system import base_row
 from tmodes.arm_model import ArmModel
 from tmodes.errors import SimulationError
 
-__all__ = ["DIRECTIONS", "LOADS", "PointCompliance", "element_stiffness", "point_compliance"]
+__all__ = ["DIRECTIONS", "LOADS", "PointCompliance", "Spring", "point_compliance", "springs_of"]
 
 Array = NDArray[np.float64]
 
@@ -66,22 +67,41 @@ class PointCompliance:
         return [bool(c > NOTHING * most) for c, most in zip(own, largest, strict=True)]
 
 
-def element_stiffness(model: ArmModel, q: Array) -> dict[str, Array]:
-    """Stiffness (nq, nq) of each spring of an arm about a pose: ``joint.gear``, ``link.bend_y``, ``link.twist``, ...
+class Spring(NamedTuple):
+    """One spring of an arm: its stiffness matrix (nq, nq) is left^T right, both (rows, nq) of few rows."""
+
+    left: Array
+    right: Array
+
+    @property
+    def matrix(self) -> Array:
+        """The stiffness matrix (nq, nq)."""
+        return self.left.T @ self.right
+
+    def energy(self, shapes: Array) -> Array:
+        """x^T K x of each column of shapes (nq, n), shape (n,)."""
+        return np.asarray(np.einsum("rn,rn->n", self.left @ shapes, self.right @ shapes), dtype=float)
+
+
+def springs_of(model: ArmModel, q: Array) -> dict[str, Spring]:
+    """Each spring of an arm about a pose: ``joint.gear``, ``link.bend_y``, ``link.twist``, ...
 
     Together they are the slope of the elastic forces; the weight has no part in it.
     """
-    elastic = model.linearised(q, base=base_row(model, 0.0))[2]
-    found: dict[str, Array] = {}
+    elastic = model.stiffness(q, base=base_row(model, 0.0))
+    found: dict[str, Spring] = {}
     for part in model.parts.nodes:
         if part.drive and part.drive.ranges:
-            row = elastic[part.angle]
-            gear = np.outer(row, row) / row[part.angle] if row[part.angle] else np.zeros_like(elastic)
-            found[f"{part.node.joint.name}.gear"] = gear
-    for k, name in enumerate(model.coordinates):
-        if k in model.deformations:
-            block = found.setdefault(name.rstrip("0123456789"), np.zeros_like(elastic))
-            block[k] = elastic[k]
+            row = elastic[[part.angle]]
+            own = row[0, part.angle]
+            found[f"{part.node.joint.name}.gear"] = Spring(row / own if own else np.zeros_like(row), row)
+    rows: dict[str, list[int]] = {}
+    for k in model.deformations:
+        rows.setdefault(model.coordinates[k].rstrip("0123456789"), []).append(int(k))
+    for name, own in rows.items():
+        left = np.zeros((len(own), model.nq))
+        left[np.arange(len(own)), own] = 1.0
+        found[name] = Spring(left, elastic[own])
     return found
 
 
@@ -102,8 +122,8 @@ def point_compliance(rest: Equilibrium, point: int = 0) -> PointCompliance:
             "compliance: got an arm that gives way without force; expected springs along every free coordinate. Mend: "
             "hold the loose joint, or lower the load that buckles it"
         ) from None
-    springs = element_stiffness(model, rest.q)
-    parts = {name: flow.T @ stiffness[np.ix_(free, free)] @ flow for name, stiffness in springs.items()}
+    springs = springs_of(model, rest.q)
+    parts = {name: (one.left[:, free] @ flow).T @ (one.right[:, free] @ flow) for name, one in springs.items()}
     compliance = flow.T @ tangent @ flow
     parts[LOADS] = compliance - np.sum([*parts.values()], axis=0) if parts else compliance
     return PointCompliance(model.parts.points[point].name, compliance, parts)

@@ -1,8 +1,9 @@
 """Numbers of a strain link for its elastic line: steps from section to section, and the mass outboard of a section.
 
-Between the Gauss points every quantity of the moving line is the polynomial through its values there. So the mass
-outboard of s weighs the inertia forces f_k at the points with W_k(s) = int_s^1 rhoA l_k, and their levers r_j with
-W_jk(s) = int_s^1 rhoA l_j l_k (l_k: 1 at point k, 0 at the others). At s = 0 these are the masses of the model itself.
+Between the Gauss points of a span every quantity of the moving line is the polynomial through its values there. So the
+mass outboard of s weighs the inertia forces f_k at the points with W_k(s) = int_s^1 rhoA l_k, and their levers r_j with
+W_jk(s) = int_s^1 rhoA l_j l_k (l_k: 1 at point k, 0 at the others and in other spans). At s = 0 these are the masses of
+the model itself.
 """
 
 from __future__ import annotations
@@ -14,7 +15,8 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from tmodes.chain import Beam
-from tmodes.equations.arm.beam_tables import BeamTables, basis_values, beam_tables
+from tmodes.equations.arm.beam_functions import function_values, interval_integrals, pieces_at
+from tmodes.equations.arm.beam_tables import BeamTables, beam_tables, section_edges
 
 __all__ = ["Interval", "LineTables", "line_tables", "pieces_at"]
 
@@ -71,52 +73,22 @@ class LineTables:
 def line_tables(beam: Beam, stations: tuple[float, ...], s: Array) -> LineTables:
     """Tables of a beam whose model tells ``stations``, for the places ``s`` (S,)."""
     own = beam_tables(beam, stations)
-    shape, points = own.shape, own.points
-    places = {"point": points, "station": np.array(stations), "tip": np.ones(1)}
-    edges = np.array([0.0, *(places[kind][k] for kind, k in shape.breaks)])
+    rule, edges = own.rule, section_edges(own.shape, own.points, stations)
     before = np.maximum(np.searchsorted(edges, s, side="left") - 1, 0)
     outboard, levers, turning = _outboard(beam, own, s)
-    functions = np.array([basis_values(beam.basis, j, s) / beam.length for j in _orders(own)])
-    long = np.array([basis_values(beam.basis, j, s) for j in range(shape.stretch)])
-    stretch = np.array([basis_values(beam.basis, j, points) for j in range(shape.stretch)])
+    turns = [function_values(beam, direction, s) / beam.length for direction in ("twist", "bend_y", "bend_z")]
     return LineTables(
-        beam, own, s, edges, _interval(beam, own, edges[:-1], edges[1:]), before,
-        _interval(beam, own, edges[before], s),
-        to_points=beam.length * _line_integrals(points, points), to_places=beam.length * _line_integrals(points, s),
+        beam, own, s, edges, _interval(beam, edges[:-1], edges[1:]), before, _interval(beam, edges[before], s),
+        to_points=beam.length * rule.integrals(rule.points), to_places=beam.length * rule.integrals(s),
         outboard=outboard, levers=levers, turning=turning,
-        functions=np.concatenate([functions.reshape(-1, len(s)), long.reshape(-1, len(s))]).T,
-        stretch=stretch.reshape(-1, len(points)).T,
+        functions=np.concatenate([*turns, function_values(beam, "stretch", s)]).T,
+        stretch=function_values(beam, "stretch", rule.points).T,
     )  # fmt: skip
 
 
-def _orders(own: BeamTables) -> list[int]:
-    """Order of each turning function."""
-    shape = own.shape
-    return [j for count in (shape.twist, shape.bend_y, shape.bend_z) for j in range(count)]
-
-
-def _interval(beam: Beam, own: BeamTables, start: Array, end: Array) -> Interval:
-    length = end - start
-    s = start[:, None] + length[:, None] * (1 + _X) / 2
-    weights = length[:, None] * _W / 2
-    values = np.array([basis_values(beam.basis, j, s) for j in _orders(own)]).reshape(-1, *s.shape)
-    alpha, beta = (values * weights).sum(axis=2).T, (values * weights * _X / 2).sum(axis=2).T
-    return Interval(alpha, beta, length[:, None] * beam.length * np.asarray(beam.rest_curvature, dtype=float))
-
-
-def _cardinal(points: Array, s: Array) -> Array:
-    """Polynomials that are 1 at one of the points and 0 at the others, at s: shape (points, *s)."""
-    orders = range(len(points))
-    at_points = np.array([basis_values("legendre", j, points) for j in orders])
-    at_s = np.array([basis_values("legendre", j, s) for j in orders])
-    found = np.linalg.solve(at_points, at_s.reshape(len(points), -1))
-    return np.asarray(found, dtype=float).reshape(at_s.shape)
-
-
-def _line_integrals(points: Array, until: Array) -> Array:
-    """Integral from 0 to each of ``until`` of each of those polynomials, shape (until, points)."""
-    s = until[:, None] * (1 + _X) / 2
-    return (_cardinal(points, s) * (until[:, None] * _W / 2)).sum(axis=2).T
+def _interval(beam: Beam, start: Array, end: Array) -> Interval:
+    rest = (end - start)[:, None] * beam.length * np.asarray(beam.rest_curvature, dtype=float)
+    return Interval(*interval_integrals(beam, start, end), rest)
 
 
 def _outboard(beam: Beam, own: BeamTables, s: Array) -> tuple[Array, Array, Array]:
@@ -128,24 +100,11 @@ def _outboard(beam: Beam, own: BeamTables, s: Array) -> tuple[Array, Array, Arra
         low = np.clip(s, start, piece.end)
         at = low[:, None] + (piece.end - low)[:, None] * (1 + _X) / 2
         weight = (piece.end - low)[:, None] * _W / 2 * beam.length
-        share = (at - start) / (piece.end - start)
-        cardinal = _cardinal(own.points, at)
-        density = weight * (piece.mass[0] + (piece.mass[1] - piece.mass[0]) * share)
+        cardinal = own.rule.cardinal(at)
+        density = weight * pieces_at(beam, "mass", at)
         mass += np.einsum("ksm,sm->sk", cardinal, density)
-        levers += np.einsum("jsm,ksm,sm->sjk", cardinal, cardinal, density)
+        levers += np.einsum("jsm,ksm,sm->sjk", cardinal, cardinal, density, optimize=True)
         for axis in range(axes):
-            first, last = piece.inertia[axis]
-            turning[:, axis] += np.einsum("ksm,sm->sk", cardinal, weight * (first + (last - first) * share))
+            turning[:, axis] += np.einsum("ksm,sm->sk", cardinal, weight * pieces_at(beam, f"inertia{axis}", at))
         start = piece.end
     return mass, levers, turning
-
-
-def pieces_at(beam: Beam, name: str, s: Array) -> Array:
-    """A quantity of a beam's pieces at s, shape of s; where two pieces meet, that of the inner one."""
-    ends = np.array([piece.end for piece in beam.pieces])
-    starts = np.concatenate([[0.0], ends[:-1]])
-    k = np.minimum(np.searchsorted(ends, s - 1e-12), len(ends) - 1)
-    values = np.array([getattr(piece, name) for piece in beam.pieces])
-    rise = np.zeros(len(values))
-    np.subtract(values[:, 1], values[:, 0], out=rise, where=values[:, 1] != values[:, 0])  # infinite ones are equal
-    return values[k, 0] + rise[k] * (s - starts[k]) / (ends - starts)[k]

@@ -4,12 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.arm_compliance import element_stiffness
+from tmodes.analysis.arm_compliance import Spring, springs_of
 from tmodes.analysis.equilibrium import Equilibrium
 from tmodes.analysis.equilibrium_held import driven
 from tmodes.analysis.modes import MotorState
@@ -35,6 +35,13 @@ NOTHING = 1e-13
 """Share of the largest squared frequency, per coordinate, below which a motion is the whole arm's, free to drift."""
 
 
+MOST_WHOLE = 120
+"""Coordinates up to which all modes are told."""
+
+LOWEST = 60
+"""Modes that are told of an arm with more: the lowest, their damping by their own motions."""
+
+
 class Servo(NamedTuple):
     """What a controller is to a coordinate: ``stiffness`` [N*m/rad, N/m], ``damping`` [N*m*s/rad, N*s/m]."""
 
@@ -46,10 +53,12 @@ class Servo(NamedTuple):
 class ArmMode:
     """One mode of vibration.
 
-    ``frequency_Hz``: natural, from mass and stiffness alone, 0 for a free motion and for one that buckles;
+    ``frequency_Hz``: natural, from mass and stiffness alone, 0 for a free motion and for one that buckles; of a mode
+    that rings under control |lambda|/2 pi, because strong controllers make other motions than masses and springs do;
     ``damped_frequency_Hz``: as it rings, None when it does not; ``damping_ratio``: -Re/|lambda|, 1 when over-damped;
     ``element``: where most of its elastic energy is, and the ``share`` of it; ``shares`` of all elements; ``stable`` is
-    False where it grows. ``shape`` (nq,): of the undamped mode, its largest entry 1.
+    False where it grows, by the factor e in ``growth_time_s``, else None. ``shape`` (nq,): of the undamped mode, its
+    largest entry 1.
     """
 
     frequency_Hz: float
@@ -59,6 +68,7 @@ class ArmMode:
     share: float
     shares: dict[str, float]
     stable: bool
+    growth_time_s: float | None
     shape: Array
 
 
@@ -69,12 +79,13 @@ def arm_modes(
 
     ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on
     the springs and dampers ``servos`` of their controllers, those without one stand still. Prescribed joints always
-    stand still. Dry friction, which has no slope at rest, is left out. Raises :class:`SimulationError` for a mass
+    stand still. Dry friction, which has no slope at rest, is left out. Of an arm of more than 120 coordinates the
+    lowest 60 modes. Raises :class:`SimulationError` for a mass
     matrix that is not positive definite.
     """
     chosen = servos or {} if motors is MotorState.CONTROLLED else {}
     moving = _moving(rest, motors, chosen)
-    springs = element_stiffness(rest.model, rest.q)
+    springs = springs_of(rest.model, rest.q) if len(moving) else {}
     mass, damping, stiffness = (matrix.copy() for matrix in _matrices(rest))
     for name, servo in chosen.items():
         k = rest.model.coordinates.index(name)
@@ -86,18 +97,34 @@ def arm_modes(
     block = np.ix_(moving, moving)
     mass, damping, stiffness = mass[block], damping[block], stiffness[block]
     squares, shapes = _undamped(mass, stiffness)
-    eigenvalues = _partners(mass, shapes, *_damped(mass, damping, stiffness))
+    eigenvalues = _eigenvalues(mass, damping, stiffness, shapes)
     whole = np.zeros((rest.model.nq, len(squares)), dtype=shapes.dtype)
     whole[moving] = shapes
-    zero = NOTHING * len(squares) * float(np.abs(squares).max())
-    modes = zip(squares, eigenvalues, whole.T, strict=True)
-    return [_mode(float(square), value, shape, springs, zero) for square, value, shape in modes]
+    zero = NOTHING * len(mass) * float(np.abs(squares).max())
+    stored = {name: spring.energy(whole) for name, spring in springs.items()}
+    modes = [
+        _mode(float(square), eigenvalues[k], whole[:, k], {name: float(part[k]) for name, part in stored.items()}, zero)
+        for k, square in enumerate(squares)
+    ]
+    return [_controlled(mode, eigenvalues[k]) for k, mode in enumerate(modes)] if chosen else modes
 
 
-def _single(size: int, k: int, value: float) -> Array:
-    matrix = np.zeros((size, size))
-    matrix[k, k] = value
-    return matrix
+def _single(size: int, k: int, value: float) -> Spring:
+    row = np.zeros((1, size))
+    row[0, k] = 1.0
+    return Spring(row, value * row)
+
+
+def _eigenvalues(mass: Array, damping: Array, stiffness: Array, shapes: Array) -> Complex:
+    """Of each mode [1/s]; where only some were found, by the motions that they span."""
+    if len(shapes) > shapes.shape[1]:
+        mass, damping, stiffness = (shapes.T @ matrix @ shapes for matrix in (mass, damping, stiffness))
+        shapes = np.eye(len(mass))
+    return _partners(mass, shapes, *_damped(mass, damping, stiffness))
+
+
+def _controlled(mode: ArmMode, value: complex) -> ArmMode:
+    return replace(mode, frequency_Hz=abs(value) / (2 * np.pi)) if mode.damped_frequency_Hz else mode
 
 
 def _moving(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
@@ -139,6 +166,7 @@ def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
     """
     from scipy.linalg import eigh
 
+    size = len(mass)
     if np.abs(stiffness - stiffness.T).max() > 1e-9 * np.abs(stiffness).max():
         values, vectors = np.linalg.eig(np.linalg.solve(mass, stiffness))
         squares = np.real(values)
@@ -153,13 +181,16 @@ def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
             "mass matrix: got one that is not positive definite; expected mass or inertia along every coordinate. "
             "Mend: give the parts beyond the last joint a mass, and twisting beams a rotary inertia"
         ) from None
+    some = size > MOST_WHOLE
+    lowest: dict[str, Any] = {"subset_by_index": [0, LOWEST - 1]} if some else {}
+    highest: dict[str, Any] = {"subset_by_index": [size - LOWEST, size - 1]} if some else {}
     try:
-        inverse, shapes = eigh(mass, stiffness)
+        inverse, shapes = eigh(mass, stiffness, **highest)
     except np.linalg.LinAlgError:
-        return eigh(stiffness, mass)
+        return eigh(stiffness, mass, **lowest)
     values = 1 / inverse[::-1]
-    if values[0] <= NOTHING * len(values) * values[-1]:
-        return eigh(stiffness, mass)
+    if values[0] <= NOTHING * size * values[-1]:
+        return eigh(stiffness, mass, **lowest)
     return values, shapes[:, ::-1] * np.sqrt(values)
 
 
@@ -186,16 +217,15 @@ def _partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> C
     return values[chosen]
 
 
-def _mode(square: float, value: complex, shape: Array, springs: Mapping[str, Array], zero: float) -> ArmMode:
-    """A mode with unit modal mass; squares up to ``zero`` are none."""
+def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float) -> ArmMode:
+    """A mode with unit modal mass and twice the energies ``stored`` in the springs; squares up to ``zero`` are none."""
     shown = shape / shape[np.abs(shape).argmax()]
-    stored = {name: float(shape @ stiffness @ shape) for name, stiffness in springs.items()}
     total = sum(stored.values())
     if abs(square) <= zero and total <= zero:
-        return ArmMode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, shown)
+        return ArmMode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, shown)
     shares = {name: energy / total for name, energy in stored.items()} if total > zero else {}
     home = max(shares, key=lambda name: shares[name]) if shares else "whole arm, in its weight and loads"
-    size = abs(value)
+    size, stable = abs(value), bool(value.real <= GROWING * abs(value))
     return ArmMode(
         frequency_Hz=float(np.sqrt(max(square, 0.0))) / (2 * np.pi),
         damped_frequency_Hz=float(value.imag) / (2 * np.pi) if value.imag > RINGS * size else None,
@@ -203,6 +233,7 @@ def _mode(square: float, value: complex, shape: Array, springs: Mapping[str, Arr
         element=home,
         share=shares.get(home, 1.0),
         shares=shares,
-        stable=bool(value.real <= GROWING * size),
+        stable=stable,
+        growth_time_s=None if stable else float(1 / value.real),
         shape=shown,
     )

@@ -16,7 +16,7 @@ from tmodes.chain import Beam, Segment
 from tmodes.elements.material import find_material
 from tmodes.equations.arm.beam_tables import beam_tables
 
-__all__ = ["MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "run_warnings"]
+__all__ = ["MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "rest_warnings", "run_warnings"]
 
 Array = NDArray[np.float64]
 
@@ -49,6 +49,17 @@ def run_warnings(
     for line in lines.bending():
         found += [*_yielding(arm, time, line), *_buckling(model, time, line)]
     return [*found, *_limits(arm, model, time, q, v, efforts)]
+
+
+def rest_warnings(arm: Arm, model: ArmModel, lines: LinkLines) -> list[str]:
+    """Sentences on an arm at rest: functions that are missing, material that yields, links pressed too hard.
+
+    ``lines``: of the one pose, under its loads.
+    """
+    time, found = np.zeros(1), [*_functions(model, lines)]
+    for line in lines.bending():
+        found += [*_yielding(arm, time, line), *_buckling(model, time, line)]
+    return found
 
 
 def _range(model: ArmModel, time: Array, q: Array) -> Iterator[str]:
@@ -190,5 +201,8 @@ def _beyond(time: Array, value: Array, bound: float, what: str, unit: str, mend:
     past = np.flatnonzero(value > bound)
     if len(past):
         worst = int(past[np.argmax(value[past])])
+        if len(time) == 1:
+            yield f"{what}: {sign * value[worst]:.4g} {unit}; {mend}"
+            return
         reached = f"reaches {sign * value[worst]:.4g} {unit} at t = {time[worst]:.4g} s"
         yield f"{what} first at t = {time[past[0]]:.4g} s and {reached}: {mend}"

@@ -8,7 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.arm_compliance import DIRECTIONS, point_compliance
+from tmodes.analysis.arm_compliance import DIRECTIONS, PointCompliance, point_compliance
+from tmodes.analysis.arm_compliance_missing import missing_functions
+from tmodes.analysis.arm_line import LinkLines, elastic_line
+from tmodes.analysis.arm_validity import missing_share, rest_warnings
 from tmodes.analysis.describe_doubts import doubts, rest_doubts
 from tmodes.analysis.describe_links import gear_rows, joint_rows, link_rows
 from tmodes.analysis.equilibrium import Equilibrium
@@ -17,9 +20,15 @@ from tmodes.analysis.equilibrium_path import Progress
 from tmodes.analysis.range import link_ranges
 from tmodes.arm import Arm
 from tmodes.arm_model import ArmModel
+from tmodes.chain import Beam
 from tmodes.errors import SimulationError
 
-__all__ = ["compliance_table", "describe", "sag", "statics_told"]
+__all__ = ["NOTHING_MOVES", "compliance_table", "describe", "link_states", "sag", "statics_told"]
+
+NOTHING_MOVES = "nothing in it moves or bends: its joints are locked or fixed, and no link has a function"
+
+BAD_SHARE = 0.05
+"""Share of a link's energy in shapes that its functions do not have, from which its model does not hold."""
 
 
 def describe(
@@ -49,7 +58,33 @@ def describe(
         "sag": sag(rest) if rest else None,
         "stiffness": compliance_table(rest) if rest else None,
     }
-    return told | {"warnings": [*trouble, *doubts(arm, chain, told, rest)]}
+    found = [*trouble, *doubts(arm, chain, told, rest)]
+    return told | {"warnings": [*found, *(rest_warnings(arm, model, _lines(rest)) if rest else ()), *_still(model)]}
+
+
+def _still(model: ArmModel) -> list[str]:
+    return [] if model.nq else [NOTHING_MOVES]
+
+
+def _lines(rest: Equilibrium) -> LinkLines:
+    wrenches = None if rest.wrenches is None else rest.wrenches[None]
+    return elastic_line(rest.model, rest.q, wrenches=wrenches)
+
+
+def link_states(rest: Equilibrium, lines: LinkLines | None = None) -> list[dict[str, Any]]:
+    """The flexible links at rest, and whether the model of each holds: ``verdict`` good, fair, bad, beyond the model.
+
+    ``missing_share``: of its energy in shapes that its functions do not have, None of segments. A link that carries
+    more than a twentieth of it so is bad, however little it bends.
+    """
+    lines, told = lines or _lines(rest), []
+    for link in link_ranges(rest.model, rest.q):
+        line = lines[link.link]
+        shape = rest.model.chain.nodes[line.node].link
+        share = max(missing_share(line, shape).values(), default=0.0) if isinstance(shape, Beam) else None
+        row = asdict(link) | {"missing_share": share}
+        told.append(row | {"verdict": "bad"} if (share or 0.0) > BAD_SHARE else row)
+    return told
 
 
 def _rest(
@@ -63,7 +98,7 @@ def _rest(
 
 def statics_told(arm: Arm, rest: Equilibrium, point: int = 0) -> dict[str, Any]:
     """All that ``tmodes static`` tells of an arm at rest, as plain data; ``point``: whose stiffness."""
-    free = rest.lowest_frequency_Hz
+    free, lines = rest.lowest_frequency_Hz, _lines(rest)
     return {
         "coordinates": rest.named,
         "held": [name for k, name in enumerate(rest.model.coordinates) if k not in rest.free],
@@ -74,9 +109,9 @@ def statics_told(arm: Arm, rest: Equilibrium, point: int = 0) -> dict[str, Any]:
         "lost_stability_at": rest.lost_stability_at,
         "load_steps": len(rest.load_path) - 1,
         "points": [sag(rest, k) for k in range(len(rest.model.parts.points))],
-        "links": [asdict(link) for link in link_ranges(rest.model, rest.q)],
+        "links": link_states(rest, lines),
         "stiffness": compliance_table(rest, point),
-        "warnings": rest_doubts(arm, rest),
+        "warnings": [*rest_doubts(arm, rest), *rest_warnings(arm, rest.model, lines), *_still(rest.model)],
     }
 
 
@@ -95,25 +130,31 @@ def sag(rest: Equilibrium, point: int = 0) -> dict[str, Any]:
 
 
 def compliance_table(rest: Equilibrium, point: int = 0) -> dict[str, Any] | None:
-    """Stiffness of a point by direction and the share of each element in its compliance; None where it has none."""
+    """Stiffness of a point by direction and the share of each element in its compliance; None where it has none.
+
+    A direction in which the sheet leaves out how the arm gives has no numbers, and ``why`` says so; one without a
+    stiffness and a reason is rigid.
+    """
     try:
         found = point_compliance(rest, point)
     except SimulationError:
         return None
-    stiffness = found.stiffness
-    matrix = found.stiffness_matrix
+    matrix, missing = found.stiffness_matrix, missing_functions(rest, found, point)
     return {
         "point": found.point,
-        "directions": [
-            {
-                "direction": name,
-                "stiffness": float(stiffness[k]) if np.isfinite(stiffness[k]) else None,
-                "unit": "N/m" if k < 3 else "N*m/rad",
-                "compliance": float(found.compliance[k, k]),
-                "shares": found.shares(k),
-            }
-            for k, name in enumerate(DIRECTIONS)
-        ],
+        "directions": [_direction(found, k, missing[k]) for k in range(6)],
         "compliance_matrix_SI": found.compliance.tolist(),
         "stiffness_matrix_SI": None if matrix is None else matrix.tolist(),
+    }
+
+
+def _direction(found: PointCompliance, k: int, missing: str) -> dict[str, Any]:
+    stiffness = float(found.stiffness[k])
+    return {
+        "direction": DIRECTIONS[k],
+        "stiffness": stiffness if np.isfinite(stiffness) and not missing else None,
+        "unit": "N/m" if k < 3 else "N*m/rad",
+        "compliance": None if missing else float(found.compliance[k, k]),
+        "why": f"not modelled (no {missing} functions)" if missing else None,
+        "shares": {} if missing else found.shares(k),
     }

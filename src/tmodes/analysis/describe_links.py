@@ -9,6 +9,7 @@ import numpy as np
 
 from tmodes.analysis.describe_bare import bare_beam
 from tmodes.arm import Arm
+from tmodes.arm.parts import LinkSheet
 from tmodes.chain import Beam, Body, Chain, Node, Segment
 from tmodes.elements.joint import JointSheet, JointState, JointType
 
@@ -50,10 +51,10 @@ def link_nodes(chain: Chain, name: str) -> Iterator[Node]:
 
 def link_rows(arm: Arm, chain: Chain) -> list[dict[str, Any]]:
     """Each link: model, length, masses, stiffness at its root and tip, and first frequencies by itself, clamped."""
-    return [_link_row(chain, joint.child) for joint in arm.joints]
+    return [_link_row(arm, chain, joint.child) for joint in arm.joints]
 
 
-def _link_row(chain: Chain, name: str) -> dict[str, Any]:
+def _link_row(arm: Arm, chain: Chain, name: str) -> dict[str, Any]:
     nodes = [*link_nodes(chain, name)]
     bodies = sum(body.mass for node in nodes for body in _bodies(node))
     beam = next((node.link for node in nodes if isinstance(node.link, Beam)), None)
@@ -62,7 +63,7 @@ def _link_row(chain: Chain, name: str) -> dict[str, Any]:
     if beam:
         return row | _beam_numbers(beam, bodies)
     if segments:
-        return row | _segment_numbers(segments)
+        return row | _segment_numbers(segments) | _segment_masses(arm.link(name), float(bodies))
     return row
 
 
@@ -116,13 +117,24 @@ def _segment_numbers(segments: list[Segment]) -> dict[str, Any]:
     }
 
 
+def _segment_masses(link: LinkSheet, equivalent: float) -> dict[str, float]:
+    """The link's own mass; and that of its model, in which 33/140 of each segment's mass stands at its tip."""
+    own, start = sum(body.mass for body in link.bodies), 0.0
+    beam_mass = 0.0
+    for piece in link.beam.section_pieces() if link.beam else ():
+        beam_mass += (piece.end - start) * (piece.start.mass + piece.stop.mass) / 2
+        start = piece.end
+    beam_mass *= link.beam.length if link.beam else 0.0
+    return {"mass_kg": own + beam_mass, "beam_mass_kg": beam_mass, "equivalent_mass_kg": equivalent}
+
+
 def gear_rows(arm: Arm, chain: Chain) -> list[dict[str, Any]]:
     """Each elastic gear: stiffness, and that over EI/L of the softer bending of the link it carries."""
     rows = []
     for joint in arm.joints:
         if joint.gear is None or not joint.is_elastic:
             continue
-        link = _link_row(chain, joint.child)
+        link = _link_row(arm, chain, joint.child)
         stiffness = list(joint.gear.stiffness)
         bending = [link.get(f"bending_stiffness_{axis}_Nm2") for axis in ("y", "z")]
         soft = min((ends[0] for ends in bending if ends and ends[0]), default=None)

@@ -67,6 +67,10 @@ class Act(Protocol):
         """What it adds to the stiffness (nq, nq) beyond a wrench that keeps its direction; None: nothing."""
         ...
 
+    def carried(self, pose: Pose) -> tuple[Array, Array] | None:
+        """What it adds to the masses and to the damping (nq, nq) of the arm; None: nothing."""
+        ...
+
 
 @dataclass(frozen=True, eq=False)
 class _Dead:
@@ -78,6 +82,9 @@ class _Dead:
         return self.told
 
     def stiffness(self, pose: Pose) -> None:
+        del pose
+
+    def carried(self, pose: Pose) -> None:
         del pose
 
 
@@ -94,6 +101,9 @@ class _Follower:
         wrench, turn = self.wrench(pose), pose.jacobian[3:]
         force, moment = cross_matrix(wrench[:3]) @ turn, cross_matrix(wrench[3:]) @ turn
         return pose.jacobian[:3].T @ force + turn.T @ moment
+
+    def carried(self, pose: Pose) -> None:
+        del pose
 
 
 def acts_of(model: ArmModel, loads: Sequence[Load]) -> list[Act]:

@@ -45,7 +45,10 @@ def touch(shape: Plane | Ball | Wall, position: Array) -> Touch:
 
 @dataclass(frozen=True, eq=False)
 class _Surface:
-    """Force (preload + stiffness * penetration) along the normal; friction holds nothing at rest."""
+    """Force (preload + stiffness * penetration) along the normal; friction holds nothing at rest.
+
+    Where it acts, the surface moves with the point along the normal: its mass and its damper are then the arm's too.
+    """
 
     point: int
     sheet: ContactSheet
@@ -65,6 +68,14 @@ class _Surface:
         force, stiffness = self._push(found.gap)
         block = stiffness * np.outer(found.normal, found.normal) - force * found.curvature
         return pose.jacobian[:3].T @ block @ pose.jacobian[:3]
+
+    def carried(self, pose: Pose) -> tuple[Array, Array] | None:
+        found = touch(self.sheet.shape, pose.position)
+        if not self._push(found.gap)[1]:
+            return None
+        along = found.normal @ pose.jacobian[:3]
+        moved = np.outer(along, along)
+        return self.sheet.mass * moved, self.sheet.damping * moved
 
 
 def surface_act(model: ArmModel, sheet: ContactSheet) -> Act:

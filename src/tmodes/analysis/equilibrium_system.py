@@ -63,12 +63,14 @@ class StaticSystem:
         return Forces(*(part[self.free] for part in (elastic + factor * by_factor, by_factor, elastic)))
 
     def matrices(self, q: Array, factor: float) -> tuple[Array, Array, Array]:
-        """M, D, K (nq, nq) about a pose, with what following loads and surfaces add to K."""
+        """M, D, K (nq, nq) about a pose, with what following loads and surfaces add to K, and surfaces to M and D."""
         wrenches = self.wrenches(q, factor)
         mass, damping, stiffness = self.model.linearised(q, wrenches=wrenches, base=base_row(self.model, factor))
         for act, pose in self._posed(q, turning=True):
-            added = act.stiffness(pose)
+            added, carried = act.stiffness(pose), act.carried(pose)
             stiffness = stiffness if added is None else stiffness + factor * added
+            if carried:
+                mass, damping = mass + carried[0], damping + carried[1]
         return mass, damping, stiffness
 
     def reduced(self, q: Array, factor: float) -> tuple[Array, Array]:

@@ -9,7 +9,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Beam, Segment
-from tmodes.equations.arm.beam_tables import basis_values, beam_tables
+from tmodes.equations.arm.beam_functions import interval_integrals
+from tmodes.equations.arm.beam_rule import beam_rule
 from tmodes.equations.arm.parts import LinkPart, NodePart
 
 __all__ = ["LIMITS", "LinkRange", "link_angles", "link_ranges", "range_warnings"]
@@ -24,9 +25,6 @@ where the series of the rotation are exact to 1e-15 and 1e-12.
 """
 
 VERDICTS = ("good", "fair", "beyond the model")
-
-_RULE = 12
-"""Points of the rule that integrates the curvature over an interval."""
 
 
 @dataclass(frozen=True)
@@ -108,22 +106,15 @@ def _turns(part: NodePart, poses: Array) -> Array:
         angles[:, 0, [axis for axis, bends in ((1, shape.bend_y), (2, shape.bend_z)) if bends]] = own
         return angles
     assert isinstance(shape, Beam)  # noqa: S101
-    edges = np.array([0.0, *beam_tables(shape).points, 1.0])
-    nodes, weights = np.polynomial.legendre.leggauss(_RULE)
-    places = edges[:-1, None] + np.diff(edges)[:, None] * (1 + nodes) / 2
-    curvature = _curvature(shape, own, places.ravel()).reshape(len(poses), *places.shape, 3)
-    return shape.length * np.einsum("niks,k,i->nis", curvature, weights / 2, np.diff(edges))
+    return _bent(shape, own, np.array([0.0, *beam_rule(shape).points, 1.0]))
 
 
-def _curvature(beam: Beam, own: Array, s: Array) -> Array:
-    """Twist and curvature about y and z [1/m] at s, shape (n, len(s), 3)."""
-    values = np.zeros((len(own), len(s), 3)) + np.asarray(beam.rest_curvature, dtype=float)
-    first = 0
-    for axis, count in enumerate((beam.twist, beam.bend_y, beam.bend_z)):
-        for order in range(count):
-            values[:, :, axis] += np.outer(own[:, first + order], basis_values(beam.basis, order, s)) / beam.length
-        first += count
-    return values
+def _bent(beam: Beam, own: Array, edges: Array) -> Array:
+    """Integral of twist and curvature about y and z [rad] over each interval, shape (n, intervals, 3)."""
+    directions = np.repeat(np.arange(3), (beam.twist, beam.bend_y, beam.bend_z))
+    alpha = interval_integrals(beam, edges[:-1], edges[1:])[0]
+    turned = np.einsum("nj,ij,jc->nic", own[:, : len(directions)], alpha, np.eye(3)[directions])
+    return turned + np.diff(edges)[:, None] * beam.length * np.asarray(beam.rest_curvature, dtype=float)
 
 
 _PIECES = 200
@@ -141,10 +132,9 @@ def _end(part: NodePart, pose: Array) -> tuple[Array, Array]:
         chord, tangent = (Rotation.from_euler("ZY", [share * z, share * y]).as_matrix() for share in (1.0, 1.5))
         return tangent, shape.length * chord[:, 0]
     assert isinstance(shape, Beam)  # noqa: S101
-    s = (np.arange(_PIECES) + 0.5) / _PIECES
     own = pose[None, link.first : link.first + len(link.names)]
-    steps = Rotation.from_rotvec(_curvature(shape, own, s)[0] * shape.length / _PIECES).as_matrix()
-    halves = Rotation.from_rotvec(_curvature(shape, own, s)[0] * shape.length / _PIECES / 2).as_matrix()
+    turns = _bent(shape, own, np.linspace(0.0, 1.0, _PIECES + 1))[0]
+    steps, halves = (Rotation.from_rotvec(share * turns).as_matrix() for share in (1.0, 0.5))
     rotation, position = np.eye(3), np.zeros(3)
     for step, half in zip(steps, halves, strict=True):
         position = position + (rotation @ half)[:, 0] * shape.length / _PIECES

@@ -13,6 +13,10 @@ from tmodes.integrate.settings import Integration, Method
 __all__ = ["StepVerdict", "growth_warnings", "step_size_verdict"]
 
 
+_ARM = "an equilibrium above the horizontal that tips over, buckling, a loose joint that falls, or the controller"
+_ROBOT = "buckling under environment.preload, friction that feeds power in where Fc < 0, or the controller"
+"""What makes a start unstable: of any arm, and of the robot of the 2010 paper."""
+
 _REACH = 3.3
 """Largest step times eigenvalue at which Dormand and Prince's method of order 5 is stable, about."""
 
@@ -61,7 +65,7 @@ def growth_warnings(spectrum: Spectrum, whose: str) -> list[str]:
     rate = spectrum.eigenvalues[fastest].real
     return [
         f"the {whose} is unstable at its start: a motion in coordinate {spectrum.homes[fastest]} grows at {rate:.3g} "
-        "1/s (buckling under environment.preload, friction that feeds power in where Fc < 0, or the controller)"
+        f"1/s ({_ARM if whose.endswith('arm') else _ROBOT})"
     ]
 
 
@@ -74,5 +78,5 @@ def _refuse_too_stiff(settings: Integration, highest: float, coordinate: str) ->
         f"the equations are too stiff for dormand_prince: got an eigenvalue of {highest:.3g} 1/s in coordinate "
         f"{coordinate}, which takes about {steps:.1e} steps; expected at most integration.max_steps = "
         f"{settings.max_steps}. Mend: lower the stiffness or damping that acts there (.inf makes an element rigid), "
-        "raise environment.friction_velocity, shorten the run, or raise integration.max_steps"
+        "raise the friction velocity, shorten the run, or raise integration.max_steps"
     )

@@ -2,9 +2,11 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Iterator
+from collections.abc import Iterable, Iterator, Mapping
 from difflib import get_close_matches
 from typing import TYPE_CHECKING
+
+import numpy as np
 
 from tmodes.arm.mass import massless_misfits
 from tmodes.arm.parts import Command, DriveSheet, LinkSheet, TipSheet
@@ -12,17 +14,20 @@ from tmodes.arm.topology import BASE, tree_misfits
 from tmodes.elements.beam import BeamModel
 from tmodes.elements.frames import Convention
 from tmodes.elements.joint import JointSheet, JointState
-from tmodes.elements.quantity import Misfit
+from tmodes.elements.quantity import SMALLEST, Misfit
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm
 
-__all__ = ["MOST_COORDINATES", "arm_misfits"]
+__all__ = ["MOST_COORDINATES", "arm_misfits", "coordinate_count"]
 
 MOST_COORDINATES = 2_000
 """Largest number of coordinates of an arm."""
 
 MOST_TOLD = 8
+
+SINGULAR = 1e-9
+"""Smallest over largest singular value of couplings at which they are singular but for round-off [-]."""
 
 
 def arm_misfits(arm: Arm) -> list[Misfit]:
@@ -104,6 +109,25 @@ def _couplings(arm: Arm) -> Iterator[Misfit]:
         yield from _unknown(f"couplings.{joint}", joint, elastic, mend)
         for motor in factors:
             yield from _unknown(f"couplings.{joint}.{motor}", motor, elastic, mend)
+    if {*arm.couplings, *(motor for factors in arm.couplings.values() for motor in factors)} <= {*elastic}:
+        yield from _singular(arm.couplings, elastic)
+
+
+def _singular(couplings: Mapping[str, Mapping[str, float]], names: list[str]) -> Iterator[Misfit]:
+    """Couplings by which some motors move together without moving any gear."""
+    if not couplings:
+        return
+    rows = {name: couplings.get(name, {name: 1.0}) for name in names}
+    matrix = np.array([[rows[joint].get(motor, 0.0) for motor in names] for joint in names])
+    _, sizes, motions = np.linalg.svd(matrix)
+    if sizes[-1] <= SINGULAR * sizes[0]:
+        alone = motions[-1] / np.abs(motions[-1]).max()
+        told = ", ".join(
+            f"{name} {value:.3g}" for name, value in zip(names, alone, strict=True) if abs(value) > SINGULAR
+        )
+        got = f"a singular matrix, smallest over largest singular value {sizes[-1] / max(sizes[0], SMALLEST):.1e}"
+        mend = f"correct the factors: motors that turn by {told} move no gear"
+        yield Misfit("couplings", got, "factors by which every motor moves a gear", mend)
 
 
 def _initial(arm: Arm) -> Iterator[Misfit]:
@@ -139,13 +163,21 @@ def _stations(path: str, link: LinkSheet) -> Iterator[Misfit]:
 
 def _size(arm: Arm) -> Iterator[Misfit]:
     """Refused before anything is allocated."""
-    moving = sum(1 for joint in arm.joints if not joint.is_locked)
-    motors = sum(1 for joint in arm.joints if joint.is_elastic)
-    bends = sum(_link_coordinates(link) for link in arm.links if link.name != BASE)
-    count = moving + motors + bends
-    if count > MOST_COORDINATES:
+    moving, motors, bends = _counts(arm)
+    if (count := moving + motors + bends) > MOST_COORDINATES:
         got = f"{count} coordinates ({moving} joints, {motors} motors, {bends} of the links)"
         yield Misfit("links", got, f"at most {MOST_COORDINATES}", "take fewer functions, segments or joints")
+
+
+def coordinate_count(arm: Arm) -> int:
+    """How many coordinates the arm has: those of its joints, of the motors behind elastic gears, of its links."""
+    return sum(_counts(arm))
+
+
+def _counts(arm: Arm) -> tuple[int, int, int]:
+    moving = sum(1 for joint in arm.joints if not joint.is_locked)
+    motors = sum(1 for joint in arm.joints if joint.is_elastic)
+    return moving, motors, sum(_link_coordinates(link) for link in arm.links if link.name != BASE)
 
 
 def _link_coordinates(link: LinkSheet) -> int:

@@ -47,11 +47,11 @@ def placed(origin: Origin | None) -> Placement:
     return Placement(origin.rotation(), np.array(origin.position)) if origin else Placement()
 
 
-def lowered_link(link: LinkSheet, node: Node, frame: Placement, chord: float, *, free_end: bool) -> Lowered:
+def lowered_link(link: LinkSheet, node: Node, frame: Placement, chord: float) -> Lowered:
     """Nodes of a link that hangs on the joint of ``node``.
 
     ``frame``: the link's frame in the frame that the joint has moved; ``chord`` [m]: distance of a rigid link's tip
-    frame from its own frame along x; ``free_end``: at most a point mass hangs on its end.
+    frame from its own frame along x.
     """
     if link.beam is None:
         return _rigid(link, node, frame, chord)
@@ -59,7 +59,7 @@ def lowered_link(link: LinkSheet, node: Node, frame: Placement, chord: float, *,
         return _rigid_beam(link, link.beam, node, frame)
     if link.beam.model is BeamModel.SEGMENTS:
         return _segments(link, link.beam, node, frame)
-    return _strain(link, link.beam, node, frame, free_end)
+    return _strain(link, link.beam, node, frame)
 
 
 def _rigid(link: LinkSheet, node: Node, frame: Placement, chord: float) -> Lowered:
@@ -81,11 +81,13 @@ def _rigid_beam(link: LinkSheet, beam: BeamSheet, node: Node, frame: Placement) 
     return Lowered(nodes, spot(1.0).placement, _at_rest(beam, 1.0), spot)
 
 
-def _strain(link: LinkSheet, beam: BeamSheet, node: Node, frame: Placement, free_end: bool) -> Lowered:
+def _strain(link: LinkSheet, beam: BeamSheet, node: Node, frame: Placement) -> Lowered:
+    """One strain beam. ``auto`` is ``legendre``: only these functions can carry a moment at the tip, and whoever asks
+    for the stiffness of an arm puts one on every tip.
+    """  # noqa: D205
     first, joint = _root(node, frame @ placed(beam.root_mount))
     count, functions = len(first), _finite_functions(beam)
     pieces = beam.section_pieces()
-    weighted = beam.basis is Basis.TIP_WEIGHTED or (beam.basis is Basis.AUTO and free_end)
     shape = Beam(
         length=beam.length,
         pieces=tuple(_chain_piece(piece, beam.rotary_inertia) for piece in pieces),
@@ -93,7 +95,7 @@ def _strain(link: LinkSheet, beam: BeamSheet, node: Node, frame: Placement, free
         bend_y=functions.bend_y,
         bend_z=functions.bend_z,
         stretch=functions.stretch,
-        basis=str(Basis.TIP_WEIGHTED if weighted else Basis.LEGENDRE),
+        basis=str(Basis.LEGENDRE if beam.basis is Basis.AUTO else beam.basis),
         points=beam.points,
         damping_time=beam.damping_time or 0.0,
         rest_curvature=np.array(beam.rest_curvature),

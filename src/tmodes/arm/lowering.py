@@ -42,7 +42,7 @@ def lowered(arm: Arm) -> Chain:
         node = Node(joint.child, holder.last if holder else -1, _joint(joint, placement, arm), RigidLink())
         chord = joint.dh.chord() if joint.dh else 0.0
         sheet = arm.link(joint.child)
-        link = lowered_link(sheet, node, frame, chord, free_end=_has_free_end(arm, joint.child))
+        link = lowered_link(sheet, node, frame, chord)
         hung[joint.child] = _Hung(len(nodes), link)
         nodes.extend(_numbered(link.nodes, len(nodes)))
     return Chain(
@@ -130,29 +130,6 @@ def _motor(sheet: MotorSheet) -> Motor:
 
 def _gear(sheet: GearSheet) -> Gear:
     return Gear(sheet.stiffness, sheet.torque_limits, sheet.damping, sheet.backlash)
-
-
-def _has_free_end(arm: Arm, link: str) -> bool:
-    """True when nothing but at most a point mass hangs on the end of a link: no joint, inertia, lever or moment."""
-    if link in parents(arm.joints):
-        return False
-    sheet = arm.link(link)
-    mount = placed(sheet.beam.tip_mount) if sheet.beam else Placement()
-    ends = [body for body in sheet.bodies if body.station == 1]
-    heavy = any(body.inertia_matrix().any() or (mount.rotation @ body.center + mount.position).any() for body in ends)
-    loads = [load for load in arm.loads if _link_of_point(arm, load.point) == link]
-    touched = arm.contact is not None and _link_of_point(arm, arm.contact.point) == link
-    offset = bool(mount.position.any()) or any(any(point.position) for point in _points_on(arm, link))
-    return not (heavy or any(any(load.moment) for load in loads) or (offset and (loads or touched)))
-
-
-def _points_on(arm: Arm, link: str) -> list[TipSheet]:
-    return [point for point in (arm.tip, *arm.points) if point and point.link == link]
-
-
-def _link_of_point(arm: Arm, name: str) -> str:
-    point = next((point for point in arm.points if point.name == name), arm.tip)
-    return point.link if point else last_link(arm.joints)
 
 
 def _points(arm: Arm, hung: dict[str, _Hung]) -> list[Point]:

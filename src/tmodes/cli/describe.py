@@ -4,20 +4,26 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.cli.options import AsJson, Settings
+from tmodes.cli.options import AsJson, Roots, Settings, TrustPaths
 from tmodes.cli.static import ArmArgument, chosen_arm, print_stiffness
 
 __all__ = ["describe"]
 
 
-def describe(robot: ArmArgument, settings: Settings = None, as_json: AsJson = False) -> None:
+def describe(
+    robot: ArmArgument,
+    settings: Settings = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
+    as_json: AsJson = False,
+) -> None:
     """Masses, lengths, stiffnesses, frequencies of each link by itself, sag under weight, what gives way at the tip."""
     from tmodes.analysis.describe import describe as described
     from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice, print_json
     from tmodes.cli.progress import Stages
 
-    arm = chosen_arm(robot, settings)
+    arm = chosen_arm(robot, settings, root, trust_paths=trust_paths)
     with heard() as wish, Stages(wish) as tell:
         told = described(arm, progress=tell)
     if as_json:
@@ -32,7 +38,9 @@ def _print(told: dict[str, Any]) -> None:
     from tmodes.cli.output import print_table
 
     print(f"{told['name']}: {told['title'] or 'an arm'}")
-    print(f"{len(told['coordinates'])} coordinates, {told['total_mass_kg']:.4g} kg")
+    count = len(told["coordinates"])
+    moves = "coordinate" if count == 1 else "coordinates" if count else "coordinates (nothing in it moves or bends)"
+    print(f"{count or 'no'} {moves}, {told['total_mass_kg']:.4g} kg")
     joints = [[one["name"], one["type"], one["kind"], one["carries"], one["command"] or "held", _limits(one)]
               for one in told["joints"]]  # fmt: skip
     print_table("Joints (A active, L locked; E elastic, R rigid)",
@@ -40,6 +48,10 @@ def _print(told: dict[str, Any]) -> None:
     columns = ["link", "model", "mass [kg]", "length [m]", "EI y, z [N*m^2]", "GJ [N*m^2]", "EA [N]",
                "bare y, z [Hz]"]  # fmt: skip
     print_table("Links", columns, [_link(one) for one in told["links"]])
+    for one in told["links"]:
+        if "equivalent_mass_kg" in one:
+            print(f"link {one['name']}: in its model of segments {one['equivalent_mass_kg']:.4g} kg, equivalent masses "
+                  "(33/140 of each segment at its tip)")  # fmt: skip
     if told["gears"]:
         gears = [[one["joint"], ", ".join(f"{k:.4g}" for k in one["stiffness"]), one["unit"],
                   _number(one["stiffness_over_EI_per_L"])] for one in told["gears"]]  # fmt: skip

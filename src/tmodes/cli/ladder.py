@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmodes.cli.options import AsJson, Settings
+from tmodes.cli.options import AsJson, Roots, Settings, TrustPaths
 from tmodes.cli.static import ArmArgument, chosen_arm
 
 if TYPE_CHECKING:
@@ -31,6 +31,8 @@ def ladder(
     tolerance: Annotated[float, typer.Option(help="Share of the tip's deflection that a model may be off.")] = 1e-3,
     finest: Annotated[int, typer.Option(min=1, max=12, help="Functions of the finest rung, each direction.")] = 6,
     settings: Settings = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
     """The ladder of link models: rigid, segments, strain with more and more functions, against the finest one.
@@ -42,7 +44,7 @@ def ladder(
     from tmodes.cli.output import print_json
     from tmodes.cli.progress import Stages
 
-    arm = chosen_arm(robot, settings)
+    arm = chosen_arm(robot, settings, root, trust_paths=trust_paths)
     with heard() as wish, Stages(wish) as tell:
         found = climbed(arm, tolerance, finest=finest, progress=tell)
     if as_json:

@@ -32,6 +32,7 @@ app = typer.Typer(
     no_args_is_help=True,
     add_completion=False,
     pretty_exceptions_enable=False,
+    rich_markup_mode=None,  # its tables cut long words, and take units in brackets for markup
     help="Model, simulate and control robots that bend: elastic gears, flexible links, a tip that touches the world.",
     epilog="Start with:  tmodes run filipovic2010      Your own robot:  tmodes robots filipovic2010 > my.yaml   "
     "then  tmodes check my.yaml  and  tmodes run my.yaml      Exit codes: 0 done, 2 wrong input, 3 the run failed, "
@@ -73,8 +74,9 @@ def main() -> None:
         code = error.exit_code
     except (KeyboardInterrupt, typer.Abort):
         code = INTERRUPTED
-    except BrokenPipeError:
-        code = 0  # the reader of our output went away (| head): nothing to say, and nowhere to say it
+    except (BrokenPipeError, SystemExit):
+        # The reader of our output went away (| head), of which rich and typer make an exit: nothing to say, no fault.
+        code = 0
     except OSError as error:
         _say(f"tmodes: the output cannot be written: {error.strerror}. Mend: free some space, or send it elsewhere")
         code = 4

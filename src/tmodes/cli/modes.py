@@ -6,10 +6,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, ReadingOption, RobotArgument, Settings, chosen_robot
+from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_robot
+from tmodes.cli.static import print_links
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
+    from pathlib import Path
+
     from tmodes.arm import Arm
     from tmodes.mechanism import Reading
 
@@ -19,6 +22,15 @@ _MOST_ANGLE = 1000.0
 
 _UNITS = {"frequency_Hz": "Hz, natural", "damped_frequency_Hz": "Hz", "damping_ratio": "1", "share": "1"}
 
+_ARM_UNITS = {
+    **_UNITS,
+    "frequency_Hz": "Hz, natural; of modes that ring under control |eigenvalue|/2 pi",
+    "growth_time_s": "s, in which an unstable mode grows by the factor e",
+    "frequency_error": "1, over the frequency with two more functions a direction, less 1; null: not known",
+    "angle_rad": "rad",
+    "missing_share": "1, of the energy of bending, in shapes that the link's functions do not have",
+}
+
 _MOTOR = {
     "locked": "motor locked",
     "free": "motor free (no current)",
@@ -27,17 +39,20 @@ _MOTOR = {
 
 
 def modes(
-    robot: RobotArgument,
+    robot: SheetArgument,
     reading: ReadingOption = None,
     settings: Settings = None,
     contact: Annotated[bool, typer.Option("--contact", help="With the tip on the environment.")] = False,
     angle: Annotated[float | None, typer.Option(help="Motor angle in rad; else the start of the move.")] = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
     """Frequencies and damping about the sagged rest, for the real robot and for the robot as it is known.
 
     Of an arm: under its loads, its motors at their first command.
-    `natural` is the undamped frequency, `damped` the one at which it rings (- where it is over-damped).
+    `natural` is the undamped frequency (of an arm's ringing modes under control: |eigenvalue|/2 pi), `damped` the one
+    at which it rings (- where it is over-damped). Modes of an arm marked ! change with more functions.
     """
     from tmodes.analysis.modes import all_modes
     from tmodes.cli.output import print_json
@@ -45,7 +60,7 @@ def modes(
     if angle is not None and not abs(angle) <= _MOST_ANGLE:
         expected = f"an angle between -{_MOST_ANGLE:g} and {_MOST_ANGLE:g} rad"
         raise InputError("--angle", repr(angle), expected, "give the motor's angle in radians, or leave it out")
-    if arm := _arm(robot, settings, reading, angle):
+    if arm := _arm(robot, settings, reading, angle, root, trust_paths=trust_paths):
         _modes_of_arm(arm, contact=contact, as_json=as_json)
         return
     pair = chosen_robot(robot, settings, reading).pair()
@@ -63,7 +78,15 @@ def modes(
             _print(f"{pair.nominal.name}, {whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
 
 
-def _arm(robot: str, settings: list[str] | None, reading: Reading | None, angle: float | None) -> Arm | None:
+def _arm(
+    robot: str,
+    settings: list[str] | None,
+    reading: Reading | None,
+    angle: float | None,
+    root: list[Path] | None,
+    *,
+    trust_paths: bool,
+) -> Arm | None:
     """The arm that the command line names; None where it names a robot of the 2010 paper."""
     from tmodes.arm import Arm
     from tmodes.io.paths import parse_assignment
@@ -72,7 +95,8 @@ def _arm(robot: str, settings: list[str] | None, reading: Reading | None, angle:
 
     if reading is not None or robot in names():
         return None
-    sheet = load_sheet(robot, dict(parse_assignment(text) for text in settings or []))
+    changes = dict(parse_assignment(text) for text in settings or [])
+    sheet = load_sheet(robot, changes, roots=root or (), trust_paths=trust_paths)
     if not isinstance(sheet, Arm):
         return None
     if angle is not None:
@@ -82,25 +106,49 @@ def _arm(robot: str, settings: list[str] | None, reading: Reading | None, angle:
 
 
 def _modes_of_arm(arm: Arm, *, contact: bool, as_json: bool) -> None:
-    from tmodes.analysis.arm_modes_sheet import sheet_modes
+    from tmodes.analysis.arm_modes_sheet import vibrations
     from tmodes.cli.interrupt import heard
-    from tmodes.cli.output import print_json
+    from tmodes.cli.output import notice, print_json
     from tmodes.cli.progress import Stages
 
     if contact and arm.contact is None:
         raise InputError("--contact", "an arm that touches nothing", "a sheet with `contact`", "leave --contact out")
     pair = arm.pair()
     with heard() as wish, Stages(wish) as tell:
-        found = {"real": sheet_modes(pair.real, contact=contact, progress=tell)}
+        found = {"real": vibrations(pair.real, contact=contact, progress=tell)}
         if arm.real:
-            found["nominal"] = sheet_modes(pair.nominal, contact=contact, progress=tell)
+            found["nominal"] = vibrations(pair.nominal, contact=contact, progress=tell)
     if as_json:
-        print_json({"arm": arm.name, "contact": contact, "units": _UNITS, **found})
+        states = {kind: one.states for kind, one in found.items()}
+        links, warnings = ({kind: one[k] for kind, one in found.items()} for k in (1, 2))
+        head = {"arm": arm.name, "contact": contact, "units": _ARM_UNITS}
+        print_json({**head, **states, "links": links, "warnings": warnings})
         return
-    for kind, states in found.items():
+    for kind, one in found.items():
         whose = "" if len(found) == 1 else ", real arm" if kind == "real" else ", arm as known"
-        for state, lines in states.items():
-            _print(f"{arm.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
+        for state, lines in one.states.items():
+            if lines:
+                _print_arm(f"{arm.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
+        print_links(one.links)
+    for warning in dict.fromkeys(warning for one in found.values() for warning in one.warnings):
+        notice(f"warning: {warning}")
+
+
+def _print_arm(title: str, lines: list[dict[str, Any]]) -> None:
+    from tmodes.cli.output import print_table
+
+    columns = ["lives in", "share of energy", "natural [Hz]", "damped [Hz]", "damping ratio", "converged"]
+    print_table(title, columns, [_arm_row(line) for line in lines])
+
+
+def _arm_row(line: dict[str, Any]) -> list[str]:
+    growth, damped, error = line["growth_time_s"], line["damped_frequency_Hz"], line["frequency_error"]
+    checked = "-" if error is None else "yes" if line["converged"] else f"! {error:+.1%}"
+    ringing = "-" if damped is None else f"{damped:.4g}"
+    ratio = f"{round(line['damping_ratio'], 4) + 0.0:.4f}" if growth is None else f"grows, x e in {growth:.3g} s"
+    natural = f"{line['frequency_Hz']:.4g}" if growth is None or line["frequency_Hz"] else "-"
+    return [line["element"] + ("" if line["stable"] else " (UNSTABLE)"), f"{line['share']:.0%}", natural, ringing,
+            ratio, checked]  # fmt: skip
 
 
 def _print(title: str, lines: list[dict[str, Any]]) -> None:

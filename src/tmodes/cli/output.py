@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import json
+import shutil
 import sys
 from collections.abc import Iterable, Sequence
 from typing import Any
@@ -11,6 +12,9 @@ __all__ = ["notice", "print_json", "print_json_list", "print_table"]
 
 PIPE = 200
 """Width of a table in a file or a pipe, which have none [characters]; a wider table is printed whole all the same."""
+
+LINES = 25
+"""A height, without which the library takes every dumb terminal for one of 80 columns."""
 
 NARROWEST = 6
 """Least width that is left for values beside their names [characters]."""
@@ -36,9 +40,7 @@ def print_table(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]
     Words and numbers are never cut. Where the terminal is too narrow, cells wrap between words; where it is narrower
     than the longest words side by side, each row becomes a block of lines, one for each column.
     """
-    from rich.console import Console
-
-    room = Console().width if sys.stdout.isatty() else None
+    room = shutil.get_terminal_size().columns if sys.stdout.isatty() else None
     frame = 3 * len(columns) + 1
     longest = [_widths(cells) for cells in zip(columns, *rows, strict=True)]
     whole, words = [one[0] for one in longest], [one[1] for one in longest]
@@ -84,7 +86,7 @@ def _print_grid(
         table.add_column(Text(column), justify="right" if numeric else "left", width=width, overflow="fold")
     for row in rows:
         table.add_row(*map(Text, row))
-    Console(width=room).print(table)
+    Console(width=room, height=LINES).print(table)
 
 
 def _print_blocks(title: str, columns: Sequence[str], rows: Sequence[Sequence[str]], room: int) -> None:
@@ -94,7 +96,7 @@ def _print_blocks(title: str, columns: Sequence[str], rows: Sequence[Sequence[st
     from rich.text import Text
 
     names = min(max(_widths(columns)[0], 1), max(room - NARROWEST - 4, 1))
-    console = Console(width=room)
+    console = Console(width=room, height=LINES)
     console.print(Text(title, style="bold"))
     for row in rows:
         block = Table(box=None, show_header=False, pad_edge=False, padding=(0, 2, 0, 0))

@@ -118,6 +118,9 @@ class BeamSheet(DataSheet):
     def _one_number_bends_both_ways(cls, value: Any) -> Any:
         if isinstance(value, int) and not isinstance(value, bool):
             return {"bend_y": value, "bend_z": value}
+        if isinstance(value, float):
+            mend = "write `functions: 3`, or a group with twist, bend_y, bend_z and stretch"
+            refuse([Misfit("", f"{value:g}", "a whole number, that of both bending directions, or a group", mend)])
         return value
 
     @model_validator(mode="after")

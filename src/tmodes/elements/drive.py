@@ -77,7 +77,8 @@ class MotorSheet(DataSheet):
 
     inertia: float = positive("kg*m^2|kg", "I", "rotor inertia", plausible=(1e-9, 1e4))
     side: Side = Field(
-        strict=False, description="of which side of the reducer the quantities are: joint (after it) or motor (before it)"
+        strict=False,
+        description="of which side of the reducer the quantities are: joint (after it) or motor (before it)",
     )
     ratio: float | None = any_sign(
         "-|rad/m", "N", "motor angle over joint angle (over joint travel)", default=None, plausible=(-1e5, 1e5)

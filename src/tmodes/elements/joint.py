@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Iterator
 from enum import StrEnum
 from typing import Self
@@ -14,6 +15,9 @@ from tmodes.elements.frames import DenavitHartenberg, Origin, Vector, list_of_nu
 from tmodes.elements.quantity import DataSheet, Misfit, any_sign, positive, refuse
 
 __all__ = ["JointSheet", "JointState", "JointType", "Limits", "MeasuredFrom"]
+
+SHORTEST_AXIS = 1e-9
+"""Length below which an axis is zero but for round-off, and has no direction [-]."""
 
 
 class JointType(StrEnum):
@@ -95,7 +99,7 @@ class JointSheet(DataSheet):
         elif self.axis is None:
             yield Misfit("axis", "nothing", f"the axis of a {self.type} joint", "add the line `axis: [0, 0, 1]`")
         elif (length := math.hypot(*self.axis)) < SHORTEST_AXIS:
-            got = f"an axis of length {length:g}, which has no direction" if length else "an axis of zeros, which has no direction"
+            got = f"an axis of {f'length {length:g}' if length else 'zeros'}, which has no direction"
             yield Misfit("axis", got, f"a direction, of length {SHORTEST_AXIS:g} or more", "write [0, 0, 1] for z")
 
     def _place_misfits(self) -> Iterator[Misfit]:

@@ -5,14 +5,15 @@ from __future__ import annotations
 import copy
 import math
 from collections.abc import Iterator, Mapping
+from itertools import islice
 from typing import Any
 
 from pydantic import ValidationError
 
 from tmodes.arm import ARM_FORMAT, Arm
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.arm_complaints import SHEET, Complaint, arm_complaints
-from tmodes.io.arm_fields import ArmPlace, Step, named, place_of, quantities
+from tmodes.io.arm_complaints import MOST_TOLD, SHEET, Complaint, arm_complaints
+from tmodes.io.arm_fields import ArmPlace, Step, at, named, place_of, quantities
 from tmodes.io.arm_paths import entered, set_arm_paths, steps_of
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
@@ -40,11 +41,14 @@ def arm_from_data(data: Any, positions: Mapping[str, int] | None = None, source:
     if wrong := list(_other_format(data)):
         raise _located(wrong, data, positions, source)
     plain = copy.deepcopy(data)
-    wrong = dict(_read_numbers(plain))
+    if len(wrong := dict(islice(_read_numbers(plain), MOST_TOLD))) == MOST_TOLD:
+        raise _located([*wrong.items()], data, positions, source)
     try:
         arm = Arm.model_validate(plain)
     except ValidationError as error:
-        told = [(steps, one) for steps, one in arm_complaints(error, plain) if steps not in wrong]
+        told = [
+            (steps, _as_typed(one, steps, data)) for steps, one in arm_complaints(error, plain) if steps not in wrong
+        ]
         raise _located([*wrong.items(), *told], data, positions, source) from None
     if wrong:
         raise _located(list(wrong.items()), data, positions, source)
@@ -163,6 +167,16 @@ def _read_number(value: Any, place: ArmPlace) -> float:
     return int(result) if result.is_integer() and int in place.members else result
 
 
+def _as_typed(error: InputError, steps: tuple[Step, ...], data: Any) -> InputError:
+    """A number that was refused, shown as it stands in the file: with its own unit."""
+    place, value = place_of(steps, data), data
+    for step in steps:
+        value = at(value, step)
+    if isinstance(value, str) and place and place.unit is not None and error.got != shown(value):
+        error.got = f"{shown(value)}, which is {error.got} {place.unit}"
+    return error
+
+
 def _located(told: list[Complaint], data: Any, positions: Mapping[str, int], source: str) -> InputErrors:
     """The errors in the order of the file, each with its place, and with names in its path."""
     lines = {id(error): _line(steps, positions) for steps, error in told}
@@ -172,7 +186,7 @@ def _located(told: list[Complaint], data: Any, positions: Mapping[str, int], sou
         error.where = f"{source}:{line}" if source and line else source
     errors = [error for _, error in sorted(told, key=lambda one: lines[id(one[1])])]
     if len(errors) > MOST_ERRORS:
-        got, mend = f"{len(errors)} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
+        got, mend = f"more than {MOST_ERRORS} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
         errors = [*errors[:MOST_ERRORS], InputError("the file", got, "a data sheet of this format", mend, source)]
     return InputErrors(errors)
 

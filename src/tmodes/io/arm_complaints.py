@@ -4,11 +4,13 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
 from enum import Enum
+from itertools import islice
 from typing import Any
 
 from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
+from tmodes.elements.quantity import LARGEST
 from tmodes.errors import InputError
 from tmodes.io.arm_fields import ROOT, ArmPlace, Step, at, chosen, inside, keys, place_of
 from tmodes.io.arm_words import kind_of
@@ -18,14 +20,17 @@ __all__ = ["Complaint", "arm_complaints"]
 
 SHEET = "the data sheet"
 
+MOST_TOLD = 500
+"""Number of wrong places for which words are sought: more are told by none."""
+
 Complaint = tuple[tuple[Step, ...], InputError]
 """The path of a wrong value by keys and numbers, and what is to be said of it."""
 
 
 def arm_complaints(error: ValidationError, data: Any) -> list[Complaint]:
-    """One complaint for each wrong place of the plain data that was refused."""
+    """One complaint for each wrong place of the plain data that was refused, of very many the first."""
     told: dict[tuple[Step, ...], InputError] = {}
-    for detail in error.errors(include_url=False):
+    for detail in islice(error.errors(include_url=False), MOST_TOLD):
         for steps, complaint in _complaints(detail, data):
             told.setdefault(steps, complaint)
     return list(told.items())
@@ -102,7 +107,9 @@ def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
     expected = place.expected if place else "a value"
     if place and place.info and place.info.description:
         expected += f": {place.meaning}"
-    return InputError("", "nothing", expected, f"add the line `{steps[-1]}: ...`" if steps else "add it")
+    choices = _choices(place) if place else []
+    lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in choices or ["..."]) if steps else ""
+    return InputError("", "nothing", expected, f"add the line {lines}" if lines else "add it")
 
 
 def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
@@ -126,12 +133,19 @@ def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) 
     if place is None or not steps:
         expected = f"a group with the keys {', '.join(keys(ROOT.annotation))}" if not steps else detail["msg"]
         return InputError("", shown(value), expected, "compare it with a published robot")
+    bounds = detail.get("ctx", {})
+    if LARGEST in map(_magnitude, bounds.values()):
+        expected = f"{place.expected} of a magnitude of at most {LARGEST:g}"
+        return InputError("", shown(value), expected, "correct the exponent or the unit")
     if kind == "arithmetic":
-        bounds = detail.get("ctx", {})
         expected = f"a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
         rigid = "; .inf makes it rigid" if place.may_be_infinite else ""
         return InputError("", shown(value), expected, f"correct the exponent or the unit{rigid}")
     return InputError("", shown(value), place.expected, _mend(place, value))
+
+
+def _magnitude(bound: Any) -> float:
+    return abs(bound) if isinstance(bound, float) else 0.0
 
 
 def _mend(place: ArmPlace, value: Any) -> str:
@@ -140,10 +154,13 @@ def _mend(place: ArmPlace, value: Any) -> str:
         return f"correct the sign, the size or the unit of the {place.meaning}"
     if place.unit is not None:
         return f"write {place.expected}"
-    choices = [str(choice.value) for member in place.members if _is_enum(member) for choice in member]
-    if isinstance(value, str) and (close := nearest(value, choices)):
+    if isinstance(value, str) and (close := nearest(value, _choices(place))):
         return f"did you mean `{close}`?"
     return f"write the {place.meaning} as {place.expected}"
+
+
+def _choices(place: ArmPlace) -> list[str]:
+    return [str(choice.value) for member in place.members if _is_enum(member) for choice in member]
 
 
 def _is_enum(member: Any) -> bool:

@@ -8,8 +8,10 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.elements.beam import BeamModel, BeamSheet
 from tmodes.elements.frames import Origin
+from tmodes.elements.material import Material
 from tmodes.io.arm_check import arm_data
 from tmodes.io.arm_fields import named, quantities
+from tmodes.io.arm_plausible_motion import implausible_motion
 from tmodes.io.plausible import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, SLIPS
 
 if TYPE_CHECKING:
@@ -19,6 +21,12 @@ __all__ = ["arm_notices", "implausible_arm"]
 
 SLENDERNESS = (5.0, 1000.0)
 """Range of the length of a beam over the height of its section [-]: thicker ones shear, thinner ones are threads."""
+
+POISSON = (-1.0, 0.5)
+"""Range of the Poisson ratio of an isotropic material [-]."""
+
+MOST_SEGMENTS = 3
+"""Number of segments beyond which the model `segments` is used for what it cannot do."""
 
 CLAMPED_FREE = 1.8751040687119611
 """First root of cos x cosh x = -1: a clamped bare beam has 2 pi f = (x/L)^2 sqrt(EI/w)."""
@@ -33,7 +41,9 @@ MORE_SLIPS = {
 
 def implausible_arm(arm: Arm) -> list[str]:
     """Sentences on numbers that look like a wrong unit, each with the likely factor; empty when all look right."""
-    return [*_ranges(arm), *(sentence for link in arm.links if link.beam for sentence in _beam(link.name, link.beam))]
+    beams = [(link.name, link.beam) for link in arm.links if link.beam]
+    found = (sentence for name, beam in beams for sentence in (*_beam(name, beam), *_model(name, beam)))
+    return [*_ranges(arm), *found, *implausible_motion(arm)]
 
 
 def arm_notices(arm: Arm) -> list[str]:
@@ -67,6 +77,21 @@ def _ranges(arm: Arm) -> Iterator[str]:
 def _beam(name: str, beam: BeamSheet) -> Iterator[str]:
     """The first of what is strange about a beam: the others follow from it."""
     yield from [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)][:1]
+
+
+def _model(name: str, beam: BeamSheet) -> Iterator[str]:
+    """A model that is not what its name promises, and moduli that no isotropic material has."""
+    functions = beam.functions
+    if beam.model is BeamModel.STRAIN and functions and not any(dict(functions).values()):
+        yield f"links.{name}.beam is rigid: its model `strain` has 0 functions in every direction"
+    if beam.model is BeamModel.SEGMENTS and (beam.segments or 0) > MOST_SEGMENTS:
+        told = "more segments do not converge (docs/links.md); was the model `strain` meant?"
+        yield f"links.{name}.beam has {beam.segments} segments, more than {MOST_SEGMENTS}: {told}"
+    low, high = POISSON
+    for material in (beam.material, *(piece.material for piece in beam.pieces)):
+        if isinstance(material, Material) and not low <= (ratio := material.young / (2 * material.shear) - 1) <= high:
+            told = f"young/(2 shear) - 1 = {ratio:.3g}, a Poisson ratio outside {low:g} to {high:g}"
+            yield f"links.{name}.beam.material has {told}; right for a laminate only: are both moduli in Pa?"
 
 
 def _slenderness(name: str, beam: BeamSheet) -> Iterator[str]:

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import copy
+import re
 from collections.abc import Mapping
 from typing import Any
 
@@ -14,6 +15,9 @@ from tmodes.io.words import nearest, shown
 __all__ = ["parse_assignment", "set_paths"]
 
 LONGEST_VALUE = 2_000
+
+NUMBERS = re.compile(r"\[ *[-+.0-9][^][{},'\"&*!]*(,[ ]*[-+.0-9][^][{},'\"&*!]*)*\]")
+"""A flow list of numbers, each perhaps with its unit."""
 
 
 def set_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
@@ -33,7 +37,7 @@ def set_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, 
 
 
 def parse_assignment(text: str) -> tuple[str, Any]:
-    """Path and value of ``path=value``; the value is read as a bare word or quoted text of YAML.
+    """Path and value of ``path=value``; the value is read as a bare word, quoted text or list of numbers of YAML.
 
     Raises :class:`tmodes.errors.InputError` for anything else.
     """
@@ -43,6 +47,8 @@ def parse_assignment(text: str) -> tuple[str, Any]:
         raise InputError("an assignment", shown(text), "path=value", mend)
     if len(value) > 1 and value[0] == value[-1] and value[0] in "'\"":
         return path, value[1:-1]
+    if NUMBERS.fullmatch(value):
+        return path, [scalar(word.strip()) for word in value[1:-1].split(",")]
     return path, scalar(value)
 
 

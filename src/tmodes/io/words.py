@@ -11,6 +11,9 @@ __all__ = ["nearest", "shown", "shown_path"]
 
 LONGEST = 60
 
+SHORTEST = 3
+"""Least length of the beginning of a name by which it is known [characters]."""
+
 
 def shown(value: Any) -> str:
     """A value as a person finds it in the file: short, on one line."""
@@ -39,10 +42,15 @@ def shown_path(path: str | os.PathLike[str]) -> str:
 
 
 def nearest(word: str, names: Iterable[str]) -> str | None:
-    """The name that was probably meant, or None. Case, spaces and hyphens do not count."""
-    plain = {_plain(name): name for name in names}
-    close = difflib.get_close_matches(_plain(word[:LONGEST]), plain, n=1, cutoff=0.6)
-    return plain[close[0]] if close else None
+    """The name that was probably meant, or None: one much like it, or the only one that starts so.
+
+    Case, spaces and hyphens do not count.
+    """
+    plain, meant = {_plain(name): name for name in names}, _plain(word[:LONGEST])
+    close = difflib.get_close_matches(meant, plain, n=1, cutoff=0.6)
+    starts = [name for name in plain if len(meant) >= SHORTEST and name.startswith(meant)]
+    found = close or (starts if len(starts) == 1 else [])
+    return plain[found[0]] if found else None
 
 
 def _plain(word: str) -> str:

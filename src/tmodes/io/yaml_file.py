@@ -8,7 +8,6 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator
-from itertools import islice
 from typing import Any
 
 from tmodes.errors import InputError
@@ -24,6 +23,10 @@ Positions = dict[str, int]
 MOST_BYTES = 256 * 1024
 MOST_EVENTS = 40_000
 """Keys, values and brackets of a file: an arm of 500 joints has some 34,000, which are read in a second."""
+
+MOST_EVENTS_OF_A_ROBOT = 5_000
+"""The same for a file that is no arm (``kind`` or ``urdf`` are not in it): the robot of the 2010 paper has some 200."""
+
 
 MOST_DEPTH = 40
 LONGEST_LINE = 10_000
@@ -49,6 +52,10 @@ def parse_yaml(text: str, source: str) -> tuple[dict[str, Any], Positions]:
     data = builder.document(_events(text, source))
     if not isinstance(data, dict):
         raise builder.error(1, "the file", shown(data), "keys and values, such as `gravity: 9.81`", "see the examples")
+    if builder.count > MOST_EVENTS_OF_A_ROBOT and not {"kind", "urdf"} & data.keys():
+        raise builder.too_many(
+            1, MOST_EVENTS_OF_A_ROBOT, "check that this is a data sheet; one of an arm has `kind: arm`"
+        )
     return data, builder.positions
 
 
@@ -102,6 +109,10 @@ class _Builder:
     def __init__(self, source: str) -> None:
         self.source = source
         self.positions: Positions = {"": 1}
+        self.count = 0
+
+    def too_many(self, line: int, most: int, mend: str) -> InputError:
+        return self.error(line, "the file", f"more than {most} items", f"at most {most}", mend)
 
     def error(self, line: int, which: str, got: str, expected: str, mend: str) -> InputError:
         return InputError(which, got, expected, mend, f"{self.source}:{line}")
@@ -126,10 +137,10 @@ class _Builder:
         return data
 
     def _counted(self, events: Iterator[Any]) -> Iterator[Any]:
-        yield from islice(events, MOST_EVENTS)
-        for event in events:
-            got, most = f"more than {MOST_EVENTS} items", f"at most {MOST_EVENTS}"
-            raise self.error(_line(event), "the file", got, most, "check that this is a data sheet")
+        for self.count, event in enumerate(events, 1):
+            if self.count > MOST_EVENTS:
+                raise self.too_many(_line(event), MOST_EVENTS, "check that this is a data sheet")
+            yield event
 
     def _check_directives(self, event: Any) -> None:
         if event.tags or event.version not in (None, (1, 2)):

@@ -6,13 +6,16 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from scipy.linalg import eigh
 from scipy.optimize import brentq
 
 from arm.statics.beams import clamped
 from arm.statics.test_elements import ROD, geared, on_joint
 from tmodes.analysis.arm_modes import MotorState, Servo, arm_modes
 from tmodes.analysis.equilibrium import Load, equilibrium
-from tmodes.chain import Friction, Motor
+from tmodes.arm.contact import ContactLaw, ContactSheet, Plane
+from tmodes.arm_model import ArmModel
+from tmodes.chain import Body, Chain, Friction, Joint, JointKind, Motor, Node, Segment
 
 INERTIA, ROTOR, STIFFNESS = 0.1 + 2 * 0.25, 0.1, 300.0
 NONE = np.zeros(3)
@@ -98,3 +101,70 @@ def test_a_buckled_arm_is_unstable():
     (mode,) = arm_modes(rest)
     assert not mode.stable
     assert mode.frequency_Hz == 0.0
+
+
+@pytest.mark.parametrize("ratio", [0.0, 0.5])
+def test_a_surface_brings_its_mass_and_damper(ratio):
+    """Tip on a spring of 100 EI/L^3 and a mass of ``ratio`` times the beam's: EI w3 = (k - m W^2) w there, w2 = 0."""
+    stiffness, damping = 100.0, 0.02
+    floor = Plane(type="plane", position=(0.0, 0.0, 0.0), normal=(0.0, 0.0, 1.0))
+    surface = ContactSheet(
+        shape=floor, law=ContactLaw.BILATERAL, stiffness=stiffness, damping=damping, mass=ratio or 0.0
+    )
+    modes = arm_modes(equilibrium(clamped(bend_y=8), contact=surface))
+
+    def determinant(b: float) -> float:
+        own = stiffness - ratio * b**4
+        cosine, sine = np.cos(b) - np.cosh(b), np.sin(b) - np.sinh(b)
+        rows = [
+            [-np.cos(b) - np.cosh(b), -np.sin(b) - np.sinh(b)],
+            [b**3 * (np.sin(b) - np.sinh(b)) - own * cosine, b**3 * (-np.cos(b) - np.cosh(b)) - own * sine],
+        ]
+        return float(np.linalg.det(rows)) / np.cosh(b)
+
+    grid = np.linspace(0.5, 8.0, 400)
+    signs = [determinant(b) for b in grid]
+    roots = [brentq(determinant, grid[k], grid[k + 1]) for k in range(399) if signs[k] * signs[k + 1] < 0][:2]
+    exact = np.array(roots, dtype=float) ** 2
+    assert [2 * np.pi * mode.frequency_Hz for mode in modes[:2]] == pytest.approx(exact, rel=1e-5)
+
+    def shape(b: float, s: np.ndarray) -> np.ndarray:
+        share = -(np.cos(b) + np.cosh(b)) / (np.sin(b) + np.sinh(b))
+        return np.cos(b * s) - np.cosh(b * s) + share * (np.sin(b * s) - np.sinh(b * s))
+
+    s = np.linspace(0, 1, 4001)
+    for b, mode in zip(np.sqrt(exact), modes, strict=False):
+        mass = np.trapezoid(shape(b, s) ** 2, s) + ratio * shape(b, s)[-1] ** 2
+        assert mode.damping_ratio == pytest.approx(damping * shape(b, s)[-1] ** 2 / (2 * b**2 * mass), rel=2e-3)
+
+
+def test_natural_frequency_under_control():
+    """Of ringing modes |lambda|/2 pi: with the damped frequency and the ratio it makes a right triangle."""
+    rest = equilibrium(on_joint(geared(), ROD, gravity=NONE))
+    for mode in arm_modes(rest, MotorState.CONTROLLED, {"hinge.motor": Servo(200.0, 30.0)}):
+        if mode.damped_frequency_Hz:
+            natural = mode.damped_frequency_Hz / np.sqrt(1 - mode.damping_ratio**2)
+            assert mode.frequency_Hz == pytest.approx(natural, rel=1e-9)
+
+
+def test_growth_time():
+    """Pressed by F > k/L: I a = (F L - k) angle grows by e in sqrt(I/(F L - k))."""
+    rest = equilibrium(on_joint(geared(), ROD, gravity=NONE, tip=(1.0, 0.0, 0.0)), [Load("tip", (-400.0, 0, 0))])
+    (mode,) = arm_modes(rest)
+    assert mode.growth_time_s == pytest.approx(np.sqrt(INERTIA / (400.0 - STIFFNESS)), rel=1e-6)
+
+
+def test_of_a_large_arm_the_lowest_modes_are_told():
+    """A pile of 70 segments: the first modes are those that all of them together have."""
+    segment = Segment(1 / 70, 3e4, 3e4, 0.3, 0.3, bodies=(Body(0.01, NONE, np.zeros((3, 3))),))
+    joints = [Joint(f"j{k}", JointKind.FIXED) for k in range(70)]
+    nodes = tuple(Node(f"n{k}", k - 1, joint, segment) for k, joint in enumerate(joints))
+    rest = equilibrium(ArmModel(Chain("pile", nodes, NONE)))
+    modes = arm_modes(rest)
+    mass, damping, stiffness = rest.matrices
+    squares = eigh(stiffness, mass, eigvals_only=True)
+    assert len(modes) == 60
+    assert [2 * np.pi * mode.frequency_Hz for mode in modes] == pytest.approx(np.sqrt(squares[:60]), rel=1e-6)
+    assert damping == pytest.approx(1e-5 * stiffness, abs=1e-9 * np.abs(stiffness).max())
+    ratios = [1e-5 * np.pi * mode.frequency_Hz for mode in modes]
+    assert [mode.damping_ratio for mode in modes] == pytest.approx(ratios, rel=1e-6)

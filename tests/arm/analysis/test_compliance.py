@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from arm.statics.test_elements import geared, on_joint
-from tmodes.analysis.arm_compliance import LOADS, element_stiffness, point_compliance
+from tmodes.analysis.arm_compliance import LOADS, point_compliance, springs_of
 from tmodes.analysis.equilibrium import Load, equilibrium
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Beam, BeamPiece, Chain, Joint, JointKind, Node
@@ -63,7 +63,7 @@ def test_elements_are_all_of_the_elastic_slope():
     """At a bent pose, without weight, the elements together are K."""
     model = arm()
     q = np.array([0.1, 0.3, 0.2, 0.1, -0.2, 0.05, 0.3, 0.1, -0.05])
-    together = np.sum([*element_stiffness(model, q).values()], axis=0)
+    together = np.sum([one.matrix for one in springs_of(model, q).values()], axis=0)
     assert together == pytest.approx(model.linearised(q)[2], abs=1e-9)
 
 

@@ -7,10 +7,13 @@ import json
 import numpy as np
 import pytest
 
-from tmodes.analysis.arm_modes_sheet import servos_of, sheet_modes
-from tmodes.analysis.describe import describe
+from arm.analysis.sheets import clamped_sheet, locked_sheet
+from tmodes.analysis.arm_modes_sheet import servos_of, sheet_modes, vibrations
+from tmodes.analysis.describe import describe, statics_told
 from tmodes.analysis.describe_bare import bare_beam
 from tmodes.analysis.equilibrium_arm import arm_rest, first_commands
+from tmodes.analysis.equilibrium_loads import Load
+from tmodes.arm import Arm
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Beam, BeamPiece
 from tmodes.robots.load import load_sheet
@@ -80,3 +83,73 @@ def test_doubts():
     rest = arm_rest(arm)  # pyright: ignore
     gamma = rest.named["joint"]
     assert 5.0 * (0.5 - gamma) == pytest.approx(9.8 * np.sin(gamma), abs=1e-9)
+
+
+@pytest.mark.parametrize("data", [locked_sheet(), clamped_sheet(functions={"bend_y": 0, "bend_z": 0})])
+def test_an_arm_in_which_nothing_moves(data):
+    arm = Arm.from_data(data)
+    told, still = describe(arm), statics_told(arm, arm_rest(arm))
+    assert told["coordinates"] == []
+    assert told["total_mass_kg"] == pytest.approx(1.0)
+    assert any("nothing in it moves or bends" in warning for warning in told["warnings"])
+    assert any("nothing in it moves or bends" in warning for warning in still["warnings"])
+    found = vibrations(arm)
+    assert found.states == {"locked": [], "free": []}
+    assert "nothing in it moves or bends" in found.warnings[0]
+    model = ArmModel(arm.chain())
+    assert model.jacobian(np.zeros((3, 0))).shape == (3, 1, 6, 0)
+    assert model.mass_matrix(np.zeros(0)).shape == (0, 0)
+    assert [matrix.shape for matrix in model.linearised(np.zeros(0))] == [(0, 0)] * 3
+
+
+def test_ways_that_are_not_modelled_have_no_stiffness():
+    """A sagging beam without stretch and twist: 3 EI/L^3 across, nothing honest along and about its line."""
+    told = statics_told(arm := Arm.from_data(clamped_sheet()), arm_rest(arm))
+    x, _, z, about_x, about_y, _ = told["stiffness"]["directions"]
+    for one, kind in ((x, "stretch"), (about_x, "twist")):
+        assert (one["stiffness"], one["compliance"], one["shares"]) == (None, None, {})
+        assert one["why"] == f"not modelled (no {kind} functions)"
+    assert z["stiffness"] == pytest.approx(300.0, rel=1e-2)
+    assert about_y["stiffness"] == pytest.approx(100.0, rel=0.1)
+
+
+def test_ways_that_are_modelled_keep_their_stiffness():
+    """GJ/L with a function of twist; an upper arm across lets the tip give along a forearm that does not stretch."""
+    twisting = Arm.from_data(clamped_sheet(functions={"twist": 1, "bend_y": 3}, basis="legendre"))
+    told = statics_told(twisting, arm_rest(twisting))["stiffness"]["directions"]
+    assert told[3]["stiffness"] == pytest.approx(60.0, rel=1e-2)
+    assert told[1]["why"] == "not modelled (no bend_z functions)"
+    elbow = load_sheet("deluca_siciliano1991", {"drives.1.signal.start": np.pi / 2})
+    x = describe(elbow)["stiffness"]["directions"][0]  # pyright: ignore
+    assert x["why"] is None
+    assert x["shares"]["upper_arm.bend_z"] == pytest.approx(3 / 4, rel=1e-6)
+
+
+def test_a_link_of_segments_has_its_own_mass():
+    """1 kg, of which the model has 33/140 at the tips."""
+    link = describe(Arm.from_data(clamped_sheet(model="segments", segments=2, functions=None)))["links"][0]
+    assert link["mass_kg"] == pytest.approx(1.0)
+    assert link["equivalent_mass_kg"] == pytest.approx(33 / 140)
+
+
+def test_a_load_far_beyond_the_functions_is_bad():
+    """F L^2/EI = 536: three functions cannot have the shape, whatever the angle says."""
+    arm = Arm.from_data(clamped_sheet(section={"shape": "round", "diameter": 0.02}, material="steel"))
+    stiffness = describe(arm)["links"][0]["bending_stiffness_y_Nm2"][0]
+    told = statics_told(arm, arm_rest(arm, [Load("tip", (0.0, 0.0, -536.0 * stiffness))]))
+    assert told["links"][0]["verdict"] == "bad"
+    assert any("yield strength" in warning for warning in told["warnings"])
+    assert any("take more functions.bend_y" in warning for warning in told["warnings"])
+
+
+def test_highest_functions_are_not_converged():
+    """beta L = 1.8751, 4.6941, 7.8548: the third frequency of three functions is off by more than 1 %, and marked."""
+    beam = {"functions": {"bend_y": 3}, "basis": "tip_weighted", "rotary_inertia": "none"}
+    found = vibrations(Arm.from_data({**clamped_sheet(**beam), "gravity": 0.0}))
+    exact = np.array([1.8751040687119611, 4.694091132974175, 7.854757438237613]) ** 2 * 10 / (2 * np.pi)
+    for mode, right in zip(found.states["locked"], exact, strict=True):
+        assert mode["converged"] == (mode["frequency_Hz"] / right < 1.01)
+        assert 1 + mode["frequency_error"] == pytest.approx(mode["frequency_Hz"] / right, rel=2e-3)
+    assert [mode["converged"] for mode in found.states["locked"]] == [True, True, False]
+    assert found.links[0]["verdict"] == "good"
+    assert "not converged" in found.warnings[0]

@@ -12,6 +12,7 @@ import numpy as np
 import pytest
 from scipy.integrate import solve_ivp
 
+from arm.analysis.sheets import clamped_sheet
 from tmodes.analysis.ladder import Ladder, ladder
 from tmodes.analysis.ladder_arms import input_mix, moved_chain, rungs, whole_chain
 from tmodes.analysis.ladder_move import chosen_move, driven_joints, followed
@@ -164,3 +165,12 @@ def test_command_tells_the_ladder(tmp_path: Any) -> None:
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
     assert "<- take this" in done.stdout
     assert "the cheapest is strain(2)" in done.stdout
+
+
+def test_a_clamped_beam_has_a_rigid_rung_without_coordinates():
+    """On the rigid rung nothing moves: it is off by the whole sag; the finest first frequency is 5.596 Hz."""
+    found = ladder(Arm.from_data(clamped_sheet()), finest=3)
+    assert (found.rungs[0].coordinates, found.rungs[0].frequencies_Hz) == (0, ())
+    assert found.rungs[0].tip_error == pytest.approx(1.0, rel=1e-6)
+    exact = 1.8751040687119611**2 * 10 / (2 * np.pi)
+    assert found.rungs[-1].frequencies_Hz[0] == pytest.approx(exact, rel=1e-3)

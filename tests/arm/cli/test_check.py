@@ -35,3 +35,37 @@ def test_schema():
     schema = json.loads(tmodes("schema", "--arm").stdout)
     assert {"joints", "links", "drives"} <= set(schema["properties"])
     assert "link" in json.loads(tmodes("schema").stdout)["properties"]
+
+
+URDF = """<robot name="one"><link name="ground"/>
+<link name="arm"><inertial><origin xyz="0.2 0 0"/><mass value="1"/>
+<inertia ixx="0.01" iyy="0.02" izz="0.02" ixy="0" ixz="0" iyz="0"/></inertial></link>
+<joint name="j" type="revolute"><parent link="ground"/><child link="arm"/><axis xyz="0 0 1"/>
+<limit lower="-1" upper="1" effort="10" velocity="2"/></joint></robot>"""
+
+
+def test_a_file_in_another_folder_is_let_in_by_its_flags(tmp_path):
+    """One URDF outside of the sheet's folder: refused with the flags that allow it, which every command knows."""
+    (tmp_path / "models").mkdir()
+    (tmp_path / "mine").mkdir()
+    (tmp_path / "models" / "robot.urdf").write_text(URDF, encoding="utf-8")
+    sheet = tmp_path / "mine" / "sheet.yaml"
+    sheet.write_text("urdf: ../models/robot.urdf\n", encoding="utf-8")
+    for command in ("check", "static"):
+        told = tmodes(command, sheet, code=2).stderr
+        assert "--root DIR" in told
+        assert "--trust-paths" in told
+    allowed = ["--root", tmp_path / "models"]
+    for command, flags in (
+        ("check", allowed),
+        ("describe", allowed),
+        ("static", ["--trust-paths"]),
+        ("modes", allowed),
+    ):
+        tmodes(command, sheet, *flags)
+    assert "--trust-paths" in tmodes("ladder", "--help").stdout
+
+
+def test_a_list_on_the_command_line():
+    told = tmodes("check", "spong1987", "--set", "gravity=[0, 0, -40]")
+    assert "gravity = 40 m/s^2" in told.stdout

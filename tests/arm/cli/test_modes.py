@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import json
+import re
+from importlib import resources
 
 import numpy as np
 import pytest
 
+from arm.analysis.sheets import clamped_sheet, locked_sheet
 from arm.cli.command import tmodes
 
 
@@ -26,3 +29,36 @@ def test_real_and_known_arm():
 @pytest.mark.parametrize("arguments", [["--angle", "0.5"], ["--contact"]])
 def test_what_an_arm_has_not_is_refused(arguments):
     assert arguments[0] in tmodes("modes", "spong1987", *arguments, code=2).stderr
+
+
+@pytest.mark.parametrize("command", ["describe", "static", "modes"])
+def test_nothing_moves(command, tmp_path):
+    """A locked joint and a rigid rod: said in words, not a fault."""
+    file = tmp_path / "locked.yaml"
+    file.write_text(json.dumps(locked_sheet()), encoding="utf-8")
+    done = tmodes(command, file)
+    assert "nothing in it moves or bends" in done.stdout + done.stderr
+    assert json.loads(tmodes(command, file, "--json").stdout)
+
+
+def test_modes_that_are_not_converged_are_marked(tmp_path):
+    """Three functions: 5.596 and 35.07 Hz exact, the third 6 % high; links are told in table and JSON."""
+    file = tmp_path / "clamped.yaml"
+    file.write_text(json.dumps(clamped_sheet(functions={"bend_y": 3}, basis="tip_weighted")), encoding="utf-8")
+    done = tmodes("modes", file)
+    assert "! +6" in done.stdout
+    assert "model holds" in done.stdout
+    assert "not converged" in done.stderr
+    told = json.loads(tmodes("modes", file, "--json").stdout)
+    assert [mode["converged"] for mode in told["real"]["locked"]] == [True, True, False]
+    assert told["links"]["real"][0]["verdict"] == "good"
+
+
+def test_growth_is_told_in_seconds(tmp_path):
+    """A hanging meter whose 200 N pull upwards: 100 N*m/rad are too soft, it tips over."""
+    text = (resources.files("tmodes.robots") / "arms" / "spong1987.yaml").read_text(encoding="utf-8")
+    file = tmp_path / "tipping.yaml"
+    file.write_text(re.sub(r"(?m)^gravity:.*$", "gravity: [0, 0, 200]", text), encoding="utf-8")
+    out = tmodes("modes", file).stdout
+    assert "UNSTABLE" in out
+    assert "grows, x e in" in out

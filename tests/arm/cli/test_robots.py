@@ -3,6 +3,11 @@
 from __future__ import annotations
 
 import json
+import os
+import subprocess
+import sys
+
+import pytest
 
 from arm.cli.command import tmodes
 
@@ -30,3 +35,21 @@ def test_a_sheet_can_be_edited_and_checked(tmp_path):
 def test_an_unknown_name():
     done = tmodes("robots", "spong", code=2)
     assert "spong1987" in done.stderr
+
+
+@pytest.mark.parametrize(
+    ("typed", "meant"), [("spong1978", "spong1987"), ("panda", "panda_elastic"), ("ur5", "ur5_elastic")]
+)
+def test_what_was_meant(typed, meant):
+    for command in ("robots", "check"):
+        assert f"did you mean `{meant}`?" in tmodes(command, typed, code=2).stderr
+
+
+def test_a_reader_that_goes_away():
+    """As of ``| head``: the reading end is closed before the first letter."""
+    reading, writing = os.pipe()
+    os.close(reading)
+    line = [sys.executable, "-m", "tmodes.cli.entry", "robots"]
+    done = subprocess.run(line, stdout=writing, stderr=subprocess.PIPE, text=True, check=False)
+    os.close(writing)
+    assert (done.returncode, done.stderr) == (0, "")

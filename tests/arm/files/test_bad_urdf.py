@@ -304,3 +304,8 @@ def test_a_chain_of_3000_links_takes_bounded_time(tmp_path: Path) -> None:
     with pytest.raises(InputErrors, match="500"):
         arm_from_data(data)
     assert time.process_time() - start < 10.0
+
+
+def test_a_number_of_another_language(tmp_path: Path) -> None:
+    told = said(GOOD.replace(FORE_MASS, '<mass value="1_0"/>'), tmp_path)
+    assert "got '1_0', not a number as URDF writes it" in told

@@ -11,6 +11,7 @@ from arm.line.beams import EI, LENGTH, MASS, beam, clamped, piece, turning
 from arm.oracle.robots import arms
 from arm.random_chains import random_chain, random_state
 from tmodes.analysis.arm_line import elastic_line
+from tmodes.analysis.arm_split import held_shape
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Body, Chain, JointKind, Point
 from tmodes.errors import InputError, SimulationError
@@ -162,7 +163,10 @@ def test_free_vibration_bends_as_its_inertia_asks(functions: int, tolerance: flo
 
 @pytest.mark.parametrize("taper", [1.0, 0.5])
 def test_moment_of_the_material_is_the_projection_of_the_balance(taper: float) -> None:
-    """Of any motion that obeys the equations: int (M - EI (kappa + eta kappa')) b_j ds = 0 for every function."""
+    """Of any motion that obeys the equations: int (M - EI (kappa + eta kappa')) b_j ds = 0 for every function.
+
+    The functions are polynomials over the relative stiffness, which falls in a straight line here.
+    """
     from numpy.polynomial.legendre import leggauss
 
     link = beam(pieces=(piece(taper=taper),), damping_time=1e-3, points=12, bodies=((1.0, Body(0.4)),))
@@ -173,10 +177,28 @@ def test_moment_of_the_material_is_the_projection_of_the_balance(taper: float) -
     s = (1 + x) / 2
     line = elastic_line(model, q, v, model.forward_dynamics(q, v), stations=s.tolist())["rod"]
     assert line.shape is not None
-    gap = (line.moment - line.shape.elastic_moment)[..., 1:]
+    gap = (line.moment - line.shape.elastic_moment)[..., 1:] / (1 - (1 - taper) * s)[:, None]
     for power in range(3):
         weighed = (gap * (w * s**power)[:, None]).sum(axis=1)
         assert np.abs(weighed).max() < 2e-6 * np.abs(line.moment).max()
+
+
+def test_line_of_a_step_under_a_tip_force() -> None:
+    """EI falls to a third at 0.4: the moments are F (L - x) in the material too, the sag is that of the unit load."""
+    link = beam(bend_y=0, pieces=(piece(end=0.4), piece(bending=EI / 3, mass=0.4 * MASS)))
+    model = clamped(link, gravity=np.zeros(3))
+    force, s = 1e-4, np.array([0.0, 0.2, 0.39, 0.4, 0.41, 0.7, 1.0])
+    push = np.array([0.0, force, 0.0, 0.0, 0.0, 0.0])[None, None]
+    q, _ = held_shape(model, np.zeros(3), wrenches=push)
+    moments = force * LENGTH * (1 - s)
+    line = elastic_line(model, q, wrenches=push, stations=s.tolist())["rod"]
+    assert line.shape is not None
+    np.testing.assert_allclose(line.shape.elastic_moment[0, :, 2], moments, atol=1e-9 * moments[0])
+    np.testing.assert_allclose(line.moment[0, :, 2], moments, atol=1e-9 * moments[0])
+    soft = np.clip(s - 0.4, 0, None)
+    sag = s**2 / 2 - s**3 / 6 + 2 * (0.6 * soft**2 / 2 - soft**3 / 6)
+    expected = force * LENGTH**3 / EI * sag
+    np.testing.assert_allclose(line.position[0, :, 1], expected, rtol=1e-7, atol=1e-16)
 
 
 def test_stress_of_a_round_rod() -> None:

@@ -1,13 +1,17 @@
 """The elastic line of a Beam, discrete: Gauss points, fourth-order Magnus steps, tangents integrated spectrally.
 
-Curvature (twist, y, z) = rest + (1/L) sum_j b_j(s) q_j, stretch = sum_j P_j(s) q_j, s in 0..1. The Gauss points are
-those of the beam's own mass per length; a section at a body or a named point ends a Magnus step too. Written from
-that definition: every number comes from NumPy's polynomials, none from the package.
+Curvature (twist, y, z) = rest + (1/L) sum_j b_j(s) q_j, stretch = sum_j b_j(s) q_j, s in 0..1; each b_j is a polynomial
+over the relative stiffness of the section. The beam is divided where a stiffness jumps by more than 5 %; in each span
+the Gauss points are those of the beam's own mass per length, and the tangents' polynomial is one of its own. A section
+at a body or a named point ends a Magnus step too. Written from that definition: every number comes from NumPy's
+polynomials, none from the package.
 """
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from itertools import pairwise
 from typing import Any
 
 import casadi as ca
@@ -41,11 +45,26 @@ def counts(beam: Beam) -> tuple[int, int, int, int]:
     return beam.twist, beam.bend_y, beam.bend_z, beam.stretch
 
 
-def basis(beam: Beam, number: int) -> list[Polynomial]:
-    """The first functions of a direction as polynomials of s in 0..1."""
-    window = Polynomial([1.0, -1.0]) if beam.basis == "tip_weighted" else Polynomial([1.0])
+def basis(beam: Beam, direction: str) -> list[Callable[[Array], Array]]:
+    """The functions of a direction, at s in 0..1 of one piece (two pieces meet: the outer one)."""
+    window = Polynomial([1.0, -1.0]) if beam.basis == "tip_weighted" and "bend" in direction else Polynomial([1.0])
+    number = getattr(beam, direction)
     shifted = [Legendre.basis(j, domain=[0, 1]).convert(kind=Polynomial, domain=[-1, 1]) for j in range(number)]
-    return [window * function for function in shifted]
+    return [lambda s, f=window * function: f(s) * softness(beam, direction, s) for function in shifted]
+
+
+def softness(beam: Beam, direction: str, s: Array) -> Array:
+    """1/EI over its mean along the beam; 1 where there is no stiffness to speak of."""
+    name = MODULI[DIRECTIONS.index(direction)]
+    if min(min(getattr(piece, name)) for piece in beam.pieces) <= 0:
+        return np.ones_like(s)
+    _, w, _ = fine(beam)
+    ends = [0.0, *(piece.end for piece in beam.pieces)]
+    own = np.zeros_like(s)
+    for piece, start in zip(beam.pieces, ends, strict=False):
+        low, high = getattr(piece, name)
+        own = np.where(s >= start, low + (high - low) * (s - start) / (piece.end - start), own)
+    return 1 / (own * (w @ (1 / along(beam, name))))
 
 
 def gauss(number: int, start: float = 0.0, end: float = 1.0) -> tuple[Array, Array]:
@@ -77,13 +96,27 @@ def along(beam: Beam, quantity: str, axis: int | None = None) -> Array:
     return np.array([at(*place) for place in fine(beam)[2]])
 
 
-def mass_points(beam: Beam) -> Array:
-    """Gauss points (g,) under the mass per length: eigenvalues of "times s" among the polynomials of degree < g."""
-    number = beam.points or max(counts(beam)) + 2
+def spans(beam: Beam) -> list[tuple[float, float]]:
+    """The parts of the beam between jumps of a stiffness that it answers with."""
+    names = [name for name, number in zip(MODULI, counts(beam), strict=True) if number]
+    cuts = [0.0]
+    for inner, outer in pairwise(beam.pieces):
+        steps = [sorted((getattr(inner, name)[1], getattr(outer, name)[0])) for name in names]
+        cuts += [inner.end] if any(low < 0.95 * high for low, high in steps) else []
+    return list(pairwise([*cuts, 1.0]))
+
+
+def mass_points(beam: Beam) -> list[Array]:
+    """Gauss points of each span under the mass per length: eigenvalues of "times s" among the polynomials."""
+    parts = spans(beam)
+    number = beam.points or max(counts(beam)) + (2 if len(parts) == 1 else 1)
     s, w, _ = fine(beam)
-    root = np.sqrt(w * along(beam, "mass"))
-    orthonormal, _ = np.linalg.qr(root[:, None] * np.polynomial.legendre.legvander(2 * s - 1, number - 1))
-    return np.asarray(np.linalg.eigvalsh(orthonormal.T @ (s[:, None] * orthonormal)), np.float64)
+    found = []
+    for start, end in parts:
+        root = np.sqrt(w * along(beam, "mass")) * ((start < s) & (s < end))
+        orthonormal, _ = np.linalg.qr(root[:, None] * np.polynomial.legendre.legvander(2 * s - 1, number - 1))
+        found.append(np.asarray(np.linalg.eigvalsh(orthonormal.T @ (s[:, None] * orthonormal)), np.float64))
+    return found
 
 
 def cardinal(nodes: Array, s: Array) -> Array:
@@ -99,7 +132,8 @@ class Line:
     """
 
     def __init__(self, beam: Beam, q: Any, asked: tuple[float, ...] = ()):
-        self.beam, self.q, self.points = beam, q, mass_points(beam)
+        self.beam, self.q, self.groups = beam, q, mass_points(beam)
+        self.points = np.concatenate(self.groups)
         places = {s for s, _ in beam.bodies} | set(asked) | {1.0}
         self._frames: dict[float, Any] = {0.0: ca.SX.eye(3)}
         for s in sorted({float(s) for s in self.points} | places):
@@ -111,8 +145,7 @@ class Line:
     def strain(self, s: float) -> float | Any:
         """1 + stretch at s."""
         first = sum(counts(self.beam)[:3])
-        functions = [Legendre.basis(j, domain=[0, 1]) for j in range(self.beam.stretch)]
-        return 1 + sum(float(f(s)) * self.q[first + j] for j, f in enumerate(functions))
+        return 1 + sum(float(f(np.array(s))) * self.q[first + j] for j, f in enumerate(basis(self.beam, "stretch")))
 
     def _walk(self, s: float) -> None:
         """One Magnus step from the last section to s."""
@@ -122,21 +155,26 @@ class Line:
 
     def _turn(self, start: float, end: float) -> Any:
         """Rotation vector of the interval: a + a x b of the curvature's mean and its first moment."""
-        x, w = gauss(12, start, end)
+        cuts = [start, *(piece.end for piece in self.beam.pieces if start < piece.end < end), end]
+        x, w = (np.concatenate(part) for part in zip(*(gauss(20, *part) for part in pairwise(cuts)), strict=True))
         moment = (x - (start + end) / 2) / (end - start)
         a = ca.SX(np.asarray(self.beam.rest_curvature, float) * self.beam.length * (end - start))
         b, first = ca.SX.zeros(3), 0
-        for axis, number in enumerate(counts(self.beam)[:3]):
-            for j, function in enumerate(basis(self.beam, number)):
+        for axis, direction in enumerate(DIRECTIONS[:3]):
+            for j, function in enumerate(basis(self.beam, direction)):
                 a[axis] += float(w @ function(x)) * self.q[first + j]
                 b[axis] += float(w @ (function(x) * moment)) * self.q[first + j]
-            first += number
+            first += counts(self.beam)[axis]
         return a + ca.cross(a, b)
 
     def _stations(self) -> list[Station]:
         """The Gauss points' sections: each quantity's integral with the polynomial that is 1 at the point."""
         s, w, _ = fine(self.beam)
-        shares = self.beam.length * w * cardinal(self.points, s)
+        rows = [
+            cardinal(group, s) * ((start < s) & (s < end))
+            for group, (start, end) in zip(self.groups, spans(self.beam), strict=True)
+        ]
+        shares = self.beam.length * w * np.concatenate(rows)
         mass = shares @ along(self.beam, "mass")
         inertia = np.array([shares @ along(self.beam, "inertia", axis) for axis in range(3)])
         return [
@@ -145,19 +183,20 @@ class Line:
         ]
 
     def at(self, s: float) -> tuple[Any, Any]:
-        """Place (3,) and axes (3, 3) of the section at s: the tangents' polynomial integrated from 0 to s."""
-        x, w = gauss(len(self.points) + 1, 0.0, s)
-        row = self.beam.length * cardinal(self.points, x) @ w
-        return sum(float(r) * t for r, t in zip(row, self._tangents, strict=True)), self._frames[s]
+        """Place (3,) and axes (3, 3) of the section at s: the tangents' polynomials integrated from 0 to s."""
+        rows = []
+        for group, (start, end) in zip(self.groups, spans(self.beam), strict=True):
+            x, w = gauss(len(group) + 1, start, min(max(s, start), end))
+            rows.append(self.beam.length * cardinal(group, x) @ w)
+        weights = np.concatenate(rows)
+        return sum(float(r) * t for r, t in zip(weights, self._tangents, strict=True)), self._frames[s]
 
     def stiffness(self) -> list[Array]:
         """Stiffness matrices of twist, bending about y, about z [N*m] and stretch [N*m], by a fine quadrature."""
         s, w, _ = fine(self.beam)
         matrices = []
-        for number, name in zip(counts(self.beam), MODULI, strict=True):
-            straight = [Legendre.basis(j, domain=[0, 1]) for j in range(number)]
-            functions = straight if name == "axial" else basis(self.beam, number)
+        for direction, name in zip(DIRECTIONS, MODULI, strict=True):
             scale = self.beam.length if name == "axial" else 1 / self.beam.length
-            values = np.array([f(s) for f in functions]).reshape(number, len(s))
+            values = np.array([f(s) for f in basis(self.beam, direction)]).reshape(-1, len(s))
             matrices.append(scale * (values * w * along(self.beam, name)) @ values.T)
         return matrices

@@ -19,7 +19,8 @@ def test_slewing_link():
               "interpolation": "linear"}  # fmt: skip
     hub = {"name": "hub", "mass": 1e-6, "center": [0, 0, 0], "at": 0.0,
            "inertia": {"xx": p["hub_J"], "yy": p["hub_J"], "zz": p["hub_J"]}}  # fmt: skip
-    link = {"name": "link", "bodies": [hub], "beam": beam({"bend_z": 5}, p["L"], p["EI"], p["rhoA"])}
+    shape = beam({"bend_z": 5}, p["L"], p["EI"], p["rhoA"], basis="tip_weighted")
+    link = {"name": "link", "bodies": [hub], "beam": shape}
     last = case["times"][-1]
     run = simulate_arm(arm(
         gravity=0.0,

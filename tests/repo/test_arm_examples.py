@@ -1,0 +1,47 @@
+"""Every sheet of the guide to arms loads as it stands there."""
+
+from __future__ import annotations
+
+import re
+import shutil
+from pathlib import Path
+
+import pytest
+
+from tmodes.arm import Arm
+from tmodes.robots.load import load_sheet
+from tmodes.robots.packages import installed_models
+
+GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "arms.md").read_text(encoding="utf-8")
+BLOCKS = re.findall(r"^```yaml\n(.*?)^```$", GUIDE, re.MULTILINE | re.DOTALL)
+URDF = "robots/ur_description/urdf/ur5_robot.urdf"
+
+
+def loaded(text: str, folder: Path) -> Arm:
+    (folder / "sheet.yaml").write_text(text, encoding="utf-8")
+    arm = load_sheet(folder / "sheet.yaml")
+    assert isinstance(arm, Arm)
+    return arm
+
+
+def test_both_kinds_of_sheet_are_there() -> None:
+    assert len(BLOCKS) == 2
+    assert [block.startswith("urdf:") for block in BLOCKS] == [False, True]
+
+
+def test_sheet(tmp_path: Path) -> None:
+    arm = loaded(BLOCKS[0], tmp_path)
+    assert [node.name for node in arm.chain().nodes] == ["arm"]
+    assert arm.pair().real.joints[0].gear.stiffness == (400.0,)  # type: ignore[union-attr]
+
+
+@pytest.mark.skipif(not installed_models(), reason="example-robot-data is not installed")
+def test_elasticity_over_a_urdf(tmp_path: Path) -> None:
+    """The forearm is its tube: pi (R^2 - r^2) of 2700 kg/m^3, from the elbow to the wrist 0.39225 m on."""
+    shutil.copy(installed_models()[0] / URDF, tmp_path)
+    arm = loaded(BLOCKS[1], tmp_path)
+    beam = arm.link("forearm_link").beam
+    assert beam is not None
+    assert beam.length == pytest.approx(0.39225)
+    assert beam.section_pieces()[0].start.mass == pytest.approx(3.14159265 * (0.038**2 - 0.034**2) * 2700, rel=1e-6)
+    assert arm.link("forearm_link").bodies == ()
