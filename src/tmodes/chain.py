@@ -156,11 +156,11 @@ class BeamPiece:
 
 @dataclass(frozen=True, eq=False)
 class Beam:
-    """A ``strain`` link: curvature, twist and stretch are polynomials; the line is their integral.
+    """A ``strain`` link: its moments are polynomials, curvature, twist and stretch follow, the line is their integral.
 
-    ``twist``, ``bend_y``, ``bend_z``, ``stretch``: numbers of functions. ``basis``: ``legendre`` (P_j, for a link that
-    carries another) or ``tip_weighted`` ((1 - s) P_j, for a free end with at most a point mass). ``points``: Gauss
-    points of each piece, 0 for the default. ``damping_time`` [s] Kelvin-Voigt. ``rest_curvature`` (3,) [1/m]: twist,
+    ``twist``, ``bend_y``, ``bend_z``, ``stretch``: numbers of functions. ``basis`` of bending: ``legendre`` (P_j) or
+    ``tip_weighted`` ((1 - s) P_j, for a free end on which no moment acts). ``points``: Gauss points between jumps of
+    the section, 0 for the default. ``damping_time`` [s] Kelvin-Voigt. ``rest_curvature`` (3,) [1/m]: twist,
     y, z of the unloaded line. ``bodies``: (s, body) in section axes at s in 0..1. ``outer`` (2,): distance of the
     outer fibre along y and z [m], for stress; ``young`` and ``shear`` modulus [Pa], 0 where not known.
     """

@@ -42,6 +42,7 @@ class Gate:
         unknown = b.fcmp_ordered("==", b.load(self.known, typ=F64), number(0.0))
         with b.if_then(unknown, likely=False):
             self.loop.evaluate(self.loop.get("t"), state, into)
+            self.loop.add("evaluations", -1.0)  # how often a loop is called must not be seen in its result
             self.pass_on()
 
     def pass_on(self) -> None:

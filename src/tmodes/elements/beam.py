@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from enum import StrEnum
 from typing import Annotated, Any, Self
 
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
+from tmodes.elements.beam_choices import Basis, BeamModel, RotaryInertia
 from tmodes.elements.beam_pieces import Piece, tapered_pieces, uniform_piece
 from tmodes.elements.frames import Origin, Vector, list_of_numbers
 from tmodes.elements.material import Material, find_material
@@ -24,35 +24,13 @@ MOST_FUNCTIONS = 12
 MOST_SEGMENTS = 200
 MOST_POINTS = 24
 MOST_PIECES = 50
+MOST_SECTIONS = 80
+"""Points along a link: each is in the link's compiled code, whose size grows with them."""
 
 MaterialChoice = Annotated[
     Annotated[str, Tag("name")] | Annotated[Material, Tag("numbers")],
     Discriminator(lambda value: "name" if isinstance(value, str) else "numbers"),
 ]
-
-
-class BeamModel(StrEnum):
-    """The ladder of models of one link."""
-
-    STRAIN = "strain"
-    SEGMENTS = "segments"
-    RIGID = "rigid"
-
-
-class Basis(StrEnum):
-    """The functions of a strain link; ``auto`` takes ``tip_weighted`` where at most a point mass hangs on the end."""
-
-    AUTO = "auto"
-    LEGENDRE = "legendre"
-    TIP_WEIGHTED = "tip_weighted"
-
-
-class RotaryInertia(StrEnum):
-    """Which rotary inertia of the sections counts: none, about the line (``twist``), or about all axes (Rayleigh)."""
-
-    NONE = "none"
-    TWIST = "twist"
-    FULL = "full"
 
 
 def _count(symbol: str, meaning: str) -> int:
@@ -140,6 +118,11 @@ class BeamSheet(DataSheet):
         if self.model is BeamModel.SEGMENTS and any(self.rest_curvature):
             mend = "take the model `strain`, or leave the curvature out"
             yield Misfit("rest_curvature", "a curvature", "no curvature at rest for straight segments", mend)
+        most = max((self.functions or Functions()).model_dump().values()) + 2
+        if self.model is BeamModel.STRAIN and len(self.pieces) * most > MOST_SECTIONS:
+            got = f"{len(self.pieces)} pieces with {most - 2} functions, {len(self.pieces) * most} points"
+            mend = "join pieces that are nearly alike, take a taper, or fewer functions"
+            yield Misfit("pieces", got, f"at most {MOST_SECTIONS} points along a link", mend)
 
     def _section_misfits(self) -> Iterator[Misfit]:
         if (self.section is None) == (not self.pieces):

@@ -56,6 +56,9 @@ def simulate_arm(
     pair = arm if isinstance(arm, ArmPair) else arm.pair()
     real = arm_regime(pair.real)
     _refuse_too_large(real)
+    if not real.model.coordinates:
+        expected, mend = "a joint that moves or a link that bends", "unlock a joint, or give a beam functions"
+        raise InputError("joints", "an arm in which nothing moves or bends", expected, mend)
     spectrum = closed_loop_spectrum(real)
     real, pair, why = _with_method(real, pair, spectrum)
     verdict = _verdict(real, spectrum)

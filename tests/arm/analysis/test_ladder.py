@@ -102,7 +102,7 @@ def test_the_move_is_that_of_the_model_with_its_motor_given() -> None:
         forces = whole.inverse_dynamics(x, v, np.array([gain, gain, 0, 0]))[1:]
         return np.concatenate([y[3:], -np.linalg.solve(whole.mass_matrix(x)[1:, 1:], forces)])
 
-    run = solve_ivp(rate, (0, move.times[-1]), np.zeros(6), t_eval=move.times, rtol=1e-7, atol=1e-10, method="DOP853")
+    run = solve_ivp(rate, (0, move.times[-1]), np.zeros(6), t_eval=move.times, rtol=1e-9, atol=1e-12, method="DOP853")
     assert np.abs(q[:, 1:] - run.y[:3].T).max() < 1e-5 * np.abs(run.y[:3]).max()
     assert np.abs(q[:, 0] - move.at(move.times)[:, 0]).max() == 0.0
 
