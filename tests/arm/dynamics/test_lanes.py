@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import numpy as np
-from arm.oracle.robots import arms
 
+from arm.oracle.robots import arms
 from tmodes.arm_model import ArmModel
 from tmodes.compile import kernels
 
