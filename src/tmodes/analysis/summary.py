@@ -14,7 +14,7 @@ from tmodes.errors import InputError
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["first_frequencies", "mean_over_time", "summarise", "told_energy"]
+__all__ = ["first_frequencies", "mean_over_time", "summarise", "told_deviation", "told_energy"]
 
 Array = NDArray[np.float64]
 
@@ -32,7 +32,7 @@ def summarise(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     return {
         "status": data.attrs["status"],
         "first_frequency_Hz": first_frequencies(data),
-        "deviation": _deviation(data, time),
+        "deviation": told_deviation(data, time),
         "settling": _settling(data, time, band),
         "deformations": _deformations(data, time),
         "largest_bending_moment": _largest_moment(data, time),
@@ -51,7 +51,8 @@ def first_frequencies(data: Dataset) -> dict[str, float | None]:
     }
 
 
-def _deviation(data: Dataset, time: Array) -> dict[str, float]:
+def told_deviation(data: Dataset, time: Array) -> dict[str, float]:
+    """The largest distance of the tip from its reference [m], when it is reached [s], and that at the end."""
     deviation = data["deviation"].values
     worst = int(np.argmax(deviation))
     return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.summary import first_frequencies, mean_over_time, told_energy
+from tmodes.analysis.summary import first_frequencies, mean_over_time, told_deviation, told_energy
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -34,7 +34,7 @@ def summarise_arm(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     return {
         "status": data.attrs["status"],
         "first_frequency_Hz": first_frequencies(data),
-        "deviation": _deviation(data, time),
+        "deviation": told_deviation(data, time) if "deviation" in data else None,
         "settling": _settling(data, time, band),
         "joints": _joints(data, time),
         "deformations": _deformations(data, time),
@@ -42,14 +42,6 @@ def summarise_arm(data: Dataset, band: float = 0.05) -> dict[str, Any]:
         "contact_force": _contact(data, time),
         "energy": told_energy(data),
     }
-
-
-def _deviation(data: Dataset, time: Array) -> dict[str, float] | None:
-    if "deviation" not in data:
-        return None
-    deviation = data["deviation"].values
-    worst = int(np.argmax(deviation))
-    return {"max_m": float(deviation[worst]), "time_of_max_s": float(time[worst]), "end_m": float(deviation[-1])}
 
 
 def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any] | None:

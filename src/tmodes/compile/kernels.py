@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 from tmodes.compile import cache
@@ -22,12 +23,12 @@ def _library(
     write: Callable[[], Any],
     functions: dict[str, int],
     level: int,
-    imports: Mapping[str, Library] | None = None,
+    imports: Callable[[], Mapping[str, Library]] = dict,
 ) -> Library:
     """The functions of one module: as loaded before, from the cache, or written, optimised and kept."""
     key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
     if key not in _loaded:
-        _loaded[key] = Library(name, _binary(key, write, level), functions, imports)
+        _loaded[key] = Library(name, _binary(key, write, level), functions, imports())
         while len(_loaded) > _KEPT:
             _loaded.popitem(last=False)
     _loaded.move_to_end(key)
@@ -130,7 +131,9 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
         write_samples(module, schedule, _arithmetic(arithmetic)(module), "run")
         return module
 
-    return _library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, _kernels_of(schedule, arithmetic))
+    return _library(
+        f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, lambda: _kernels_of(schedule, arithmetic)
+    )
 
 
 def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Library:
@@ -156,4 +159,4 @@ def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
         return module
 
     functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince", "extrapolation"), len(ARGUMENTS))
-    return _library(name, schedule.key, write, functions, 1, _kernels_of(schedule, "double"))
+    return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))

@@ -7,7 +7,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.io.arm_check import arm_data
 from tmodes.io.arm_fields import Step, place_of
-from tmodes.io.arm_scalars import scalar_text, text
+from tmodes.io.yaml_text import scalar_text, text
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm

@@ -2,20 +2,17 @@
 
 from __future__ import annotations
 
-import math
-import re
 from collections.abc import Iterator
 from typing import Any
 
 from pydantic import BaseModel
 
 from tmodes.io.fields import place_at
-from tmodes.io.scalars import scalar
+from tmodes.io.yaml_text import scalar_text
 from tmodes.robot import Robot
 
 __all__ = ["robot_to_yaml"]
 
-WORD = re.compile(r"[A-Za-z][A-Za-z0-9_]*")
 COLUMN = 40
 
 
@@ -39,14 +36,14 @@ def _entry(key: str, value: Any, path: str, indent: str) -> Iterator[str]:
             if value:
                 yield from ("", key)
             for inner, factor in value.items():
-                yield f"{indent}  {inner}: {_scalar(factor)}"
+                yield f"{indent}  {inner}: {scalar_text(factor, quantity=False)}"
         case tuple():
             yield key
             for index, item in enumerate(value):
                 first, *rest = _group(item, f"{path}.{index}", f"{indent}    ")
                 yield from (f"{indent}  - {first.lstrip()}", *rest)
         case _:
-            yield _commented(f"{key} {_scalar(value)}", path)
+            yield _commented(f"{key} {scalar_text(value, quantity=False)}", path)
 
 
 def _commented(line: str, path: str) -> str:
@@ -54,31 +51,3 @@ def _commented(line: str, path: str) -> str:
     if place is None or place.unit is None:
         return line
     return f"{line:<{COLUMN}} # {place.extra['symbol']} [{place.unit}] {place.meaning}"
-
-
-def _scalar(value: Any) -> str:
-    if isinstance(value, bool):
-        return str(value).lower()
-    if isinstance(value, float):
-        return _float(value)
-    return str(value) if isinstance(value, int) else _text(str(value))
-
-
-def _float(value: float) -> str:
-    """All digits; with a point, so that readers of YAML 1.1 see a number too."""
-    if math.isinf(value):
-        return ".inf" if value > 0 else "-.inf"
-    digits, exponent, power = repr(value).partition("e")
-    return f"{digits if '.' in digits else digits + '.0'}{exponent}{power}"
-
-
-def _text(value: str) -> str:
-    if WORD.fullmatch(value) and scalar(value) == value:
-        return value
-    return '"' + "".join(_escaped(letter) for letter in value) + '"'
-
-
-def _escaped(letter: str) -> str:
-    if letter in '"\\':
-        return f"\\{letter}"
-    return letter if letter.isprintable() else f"\\U{ord(letter):08x}"

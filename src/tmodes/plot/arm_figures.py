@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Callable
-from functools import partial
 from typing import TYPE_CHECKING, Any
 
 from tmodes.plot.arm_contact import arm_contact
@@ -15,7 +14,7 @@ from tmodes.plot.arm_spectrum import no_ringing, ringing
 from tmodes.plot.arm_split import gear_deflections, link_coordinates, link_tips, no_bending, no_gears
 from tmodes.plot.arm_tip import tip_motion, tip_path
 from tmodes.plot.contact import no_contact_force
-from tmodes.plot.figures import FigureEntry
+from tmodes.plot.figures import FigureEntry, as_drawings, filled, unfilled
 from tmodes.plot.save import Drawing
 from tmodes.plot.tip import tip_tracking
 
@@ -115,15 +114,14 @@ ARM_FIGURES: dict[str, FigureEntry] = {
 
 def all_arm_figures(result: ArmResult) -> dict[str, Callable[..., list[Axes]]]:
     """The figures that this result can fill: name -> callable that draws it."""
-    return {name: partial(one.draw, result) for name, one in ARM_FIGURES.items() if not one.missing(result.data)}
+    return filled(ARM_FIGURES, result)
 
 
 def arm_left_out(result: ArmResult) -> dict[str, str]:
     """The figures that this result cannot fill: name -> why."""
-    reasons = {name: entry.missing(result.data) for name, entry in ARM_FIGURES.items()}
-    return {name: reason for name, reason in reasons.items() if reason and name != "tip_motion"}
+    return {name: reason for name, reason in unfilled(ARM_FIGURES, result).items() if name != "tip_motion"}
 
 
 def arm_drawings(result: ArmResult) -> dict[str, Drawing]:
-    """The figures of :func:`all_arm_figures` as drawings that keep their bytes: pass them to several writers."""
-    return {name: Drawing(draw) for name, draw in all_arm_figures(result).items()}
+    """The figures of :func:`all_arm_figures` as drawings."""
+    return as_drawings(all_arm_figures(result))

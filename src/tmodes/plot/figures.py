@@ -24,9 +24,19 @@ from tmodes.plot.vibration import no_spectrum, spectrum
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import Result
+    from tmodes.result import Result, RunRecord
 
-__all__ = ["FIGURES", "FigureEntry", "all_figures", "drawings", "left_out", "save_figures"]
+__all__ = [
+    "FIGURES",
+    "FigureEntry",
+    "all_figures",
+    "as_drawings",
+    "drawings",
+    "filled",
+    "left_out",
+    "save_figures",
+    "unfilled",
+]
 
 ROOM = 10_000_000
 """What all figures together take on the disk, at most [bytes]."""
@@ -120,20 +130,35 @@ FIGURES: dict[str, FigureEntry] = {
 """Every figure, in the order of the report."""
 
 
+def filled(table: Mapping[str, FigureEntry], result: RunRecord) -> dict[str, Callable[..., list[Axes]]]:
+    """The figures of a table that this result can fill: name -> callable that draws it."""
+    return {name: partial(entry.draw, result) for name, entry in table.items() if not entry.missing(result.data)}
+
+
+def unfilled(table: Mapping[str, FigureEntry], result: RunRecord) -> dict[str, str]:
+    """The figures of a table that this result cannot fill: name -> why."""
+    reasons = {name: entry.missing(result.data) for name, entry in table.items()}
+    return {name: reason for name, reason in reasons.items() if reason}
+
+
+def as_drawings(figures: Mapping[str, Callable[..., list[Axes]]]) -> dict[str, Drawing]:
+    """Figures as drawings that keep their bytes: pass them to several writers."""
+    return {name: Drawing(draw) for name, draw in figures.items()}
+
+
 def all_figures(result: Result) -> dict[str, Callable[..., list[Axes]]]:
     """The figures that this result can fill: name -> callable that draws it, ``all_figures(result)["spectrum"]()``."""
-    return {name: partial(entry.draw, result) for name, entry in FIGURES.items() if not entry.missing(result.data)}
+    return filled(FIGURES, result)
 
 
 def left_out(result: Result) -> dict[str, str]:
     """The figures that this result cannot fill: name -> why."""
-    reasons = {name: entry.missing(result.data) for name, entry in FIGURES.items()}
-    return {name: reason for name, reason in reasons.items() if reason}
+    return unfilled(FIGURES, result)
 
 
 def drawings(result: Result) -> dict[str, Drawing]:
-    """The figures of :func:`all_figures` as drawings that keep their bytes: pass them to several writers."""
-    return {name: Drawing(draw) for name, draw in all_figures(result).items()}
+    """The figures of :func:`all_figures` as drawings."""
+    return as_drawings(all_figures(result))
 
 
 def save_figures(

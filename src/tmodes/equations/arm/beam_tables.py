@@ -92,7 +92,6 @@ def beam_tables(beam: Beam, stations: tuple[float, ...] = ()) -> BeamTables:
         "mass": np.array([rule.masses.sum()]),
         "to_tip": beam.length * rule.integrals(np.ones(1)),
         "stretch": function_values(beam, "stretch", rule.points).T,
-        "stretch_tip": np.empty(0),
         "rotary": np.array([rule.rotary(beam, axis) for axis in range(shape.rotary)]).T,
         "to_station": beam.length * rule.integrals(np.array(stations)),
     }

@@ -79,7 +79,6 @@ class StrainShape:
             "mass": 1,
             "to_tip": g,
             "stretch": g * self.stretch,
-            "stretch_tip": 0,
             "rotary": g * self.rotary,
             "to_station": g * len(self.stations),
         }
