@@ -75,4 +75,6 @@ def mark_frequencies(panel: Axes, modes: Sequence[Mapping[str, Any]], highest: f
 
 
 def _wrapped(element: object) -> str:
-    return "\n".join(line.rstrip(",") for line in textwrap.wrap(str(element), width=LABEL_LETTERS))
+    """In short lines; names may be parted after an underscore."""
+    lines = textwrap.wrap(str(element).replace("_", "_ "), width=LABEL_LETTERS)
+    return "\n".join(line.rstrip(",").replace("_ ", "_") for line in lines)
