@@ -8,7 +8,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from tmodes.elements.frames import Vector, list_of_numbers
-from tmodes.elements.quantity import DataSheet, Misfit, any_sign, not_negative, positive, refuse
+from tmodes.elements.quantity import DataSheet, Misfit, any_sign, dissipation, not_negative, positive, refuse
 
 __all__ = ["Ball", "ContactLaw", "ContactSheet", "Plane", "Shape", "Wall"]
 
@@ -61,7 +61,7 @@ class ContactSheet(DataSheet):
     shape: Shape
     law: ContactLaw = Field(strict=False, description="bilateral or unilateral")
     stiffness: float = positive("N/m", "ka", "stiffness along the normal", plausible=(1.0, 1e9))
-    damping: float = not_negative("N*s/m", "be", "damping along the normal")
+    damping: float = dissipation("N*s/m", "be", "damping along the normal")
     preload: float = any_sign("N", "Fc_o", "force at zero penetration", default=0.0)
     mass: float = not_negative("kg", "me", "mass of the surface that moves with the point", default=0.0)
     friction: float = not_negative("-", "mu", "friction coefficient", default=0.0, at_most=10.0)

@@ -10,7 +10,7 @@ from typing import Any
 
 from pydantic import Field
 
-from tmodes.elements.quantity import DataSheet, any_sign, not_negative, positive
+from tmodes.elements.quantity import DataSheet, any_sign, dissipation, not_negative, positive
 
 __all__ = ["DynamicEnvironment", "FrictionLaw"]
 
@@ -30,7 +30,7 @@ class DynamicEnvironment(DataSheet):
     """Mass, damping, preload and stiffness along the radius, and friction across it."""
 
     mass: float = not_negative("kg", "me", "mass of the environment that moves with the tip's radius")
-    damping: float = not_negative("N*s/m", "be", "damping along the radius")
+    damping: float = dissipation("N*s/m", "be", "damping along the radius")
     preload: float = any_sign("N", "Fc_o", "force at zero radial deviation; positive presses outwards")
     stiffness: float = positive("N/m", "ka1", "stiffness along the radius")
     friction: float = not_negative("-", "mu", "friction coefficient, along the tip's velocity", at_most=10.0)

@@ -12,7 +12,7 @@ from tmodes.elements.beam_choices import Basis, BeamModel, RotaryInertia
 from tmodes.elements.beam_pieces import Piece, tapered_pieces, uniform_piece
 from tmodes.elements.frames import Origin, Vector, list_of_numbers
 from tmodes.elements.material import Material, find_material
-from tmodes.elements.quantity import DataSheet, Misfit, not_negative, positive, quantity, refuse
+from tmodes.elements.quantity import DataSheet, Misfit, dissipation, positive, quantity, refuse
 from tmodes.elements.section import GivenSection, Section
 from tmodes.errors import InputError
 
@@ -73,9 +73,7 @@ class BeamSheet(DataSheet):
         "-", "g", "Gauss points of a piece, 0: automatic (strain)", default=0, at_least=0, at_most=MOST_POINTS
     )
     length: float = positive("m", "L", "length", plausible=(1e-3, 50.0))
-    damping_time: float | None = not_negative(
-        "s", "eta", "Kelvin-Voigt damping over stiffness", default=None, plausible=(0.0, 0.1)
-    )
+    damping_time: float | None = dissipation("s", "eta", "Kelvin-Voigt damping over stiffness", default=None, most=0.1)
     section: Section | None = None
     material: MaterialChoice | None = Field(default=None, description="material by name, or its numbers")
     taper: Taper | None = None

@@ -17,6 +17,7 @@ from tmodes.elements.quantity import (
     DataSheet,
     Misfit,
     any_sign,
+    dissipation,
     not_negative,
     positive,
     refuse,
@@ -34,7 +35,7 @@ MOST_RANGES = 5
 class FrictionSheet(DataSheet):
     """Friction at a rate v: viscous v + (coulomb + static_extra/(1 + (v/stribeck_rate)^2)) sgn v, with a smooth sgn."""
 
-    viscous: float = not_negative("N*m*s/rad|N*s/m", "Bv", "viscous friction")
+    viscous: float = dissipation("N*m*s/rad|N*s/m", "Bv", "viscous friction")
     coulomb: float = not_negative("N*m|N", "Tc", "dry friction in motion", default=0.0)
     static_extra: float = not_negative("N*m|N", "Ts - Tc", "dry friction at rest beyond that in motion", default=0.0)
     stribeck_rate: float | None = positive(
@@ -143,7 +144,7 @@ class GearSheet(DataSheet):
     torque_limits: tuple[_Limit, ...] = list_of_numbers(
         "N*m|N", "T1, T2", "torques at which one stiffness gives way to the next, rising", default=()
     )
-    damping: float = not_negative("N*m*s/rad|N*s/m", "Bxi", "damping of the gear")
+    damping: float = dissipation("N*m*s/rad|N*s/m", "Bxi", "damping of the gear")
     backlash: float = not_negative("rad|m", "b", "half-width of the play", default=0.0, plausible=(0.0, 0.1))
 
     @field_validator("stiffness", mode="before")

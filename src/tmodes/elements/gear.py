@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.elements.quantity import DataSheet, not_negative, positive
+from tmodes.elements.quantity import DataSheet, dissipation, positive
 
 __all__ = ["ElasticGear"]
 
@@ -15,7 +15,7 @@ class ElasticGear(DataSheet):
     stiffness: float = positive(
         "N*m/rad", "Cxi", "torsional stiffness of the gear, after the reducer", rigid=True, plausible=(1.0, 1e9)
     )
-    damping: float = not_negative("N*m*s/rad", "Bxi", "torsional damping of the gear, after the reducer")
+    damping: float = dissipation("N*m*s/rad", "Bxi", "torsional damping of the gear, after the reducer")
 
     def stored(self, deflection: Any) -> Any:
         """Elastic energy [J] at a deflection xi [rad].

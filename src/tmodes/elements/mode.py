@@ -6,7 +6,7 @@ from typing import Any
 
 from pydantic import Field
 
-from tmodes.elements.quantity import DataSheet, not_negative, positive
+from tmodes.elements.quantity import DataSheet, dissipation, positive
 
 __all__ = ["FlexibleLink", "FlexibleMode", "shape_angle", "shape_deflection", "shape_slope"]
 
@@ -44,9 +44,7 @@ class FlexibleMode(DataSheet):
         "N*m^2", "EI", "bending stiffness E*I of the section, both planes", rigid=True, plausible=(1e-6, 1e10)
     )
     mass_per_length: float = positive("kg/m", "w", "mass per length", plausible=(1e-5, 1e4))
-    damping_time: float = not_negative(
-        "s", "eta", "Kelvin-Voigt damping over stiffness: Bs = eta Cs", plausible=(0.0, 0.1)
-    )
+    damping_time: float = dissipation("s", "eta", "Kelvin-Voigt damping over stiffness: Bs = eta Cs", most=0.1)
 
     @property
     def tip_stiffness(self) -> Any:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.elements.quantity import DataSheet, not_negative, positive
+from tmodes.elements.quantity import DataSheet, dissipation, positive
 
 __all__ = ["Motor"]
 
@@ -20,7 +20,7 @@ class Motor(DataSheet):
     back_emf_constant: float = positive("V*s/rad", "CE", "back electromotive force constant, after the reducer")
     torque_constant: float = positive("N*m/A", "CM", "torque constant, after the reducer")
     inertia: float = positive("kg*m^2", "I", "rotor inertia, reflected after the reducer", plausible=(1e-6, 1e4))
-    friction: float = not_negative("N*m*s/rad", "Bm", "viscous friction of the motor, after the reducer")
+    friction: float = dissipation("N*m*s/rad", "Bm", "viscous friction of the motor, after the reducer")
 
     def current(self, voltage: Any, speed: Any) -> Any:
         """Armature current [A].

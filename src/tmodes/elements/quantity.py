@@ -14,7 +14,18 @@ from typing import Any, NamedTuple
 from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
 from pydantic_core import PydanticCustomError
 
-__all__ = ["LARGEST", "SMALLEST", "DataSheet", "Misfit", "any_sign", "not_negative", "positive", "quantity", "refuse"]
+__all__ = [
+    "LARGEST",
+    "SMALLEST",
+    "DataSheet",
+    "Misfit",
+    "any_sign",
+    "dissipation",
+    "not_negative",
+    "positive",
+    "quantity",
+    "refuse",
+]
 
 LARGEST = 1e12
 """The largest finite magnitude a quantity may have [its unit]: beyond it products of quantities overflow a double."""
@@ -99,6 +110,11 @@ def positive(unit: str, symbol: str, meaning: str, *, smallest: float = SMALLEST
 def not_negative(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
     """A quantity for which zero is a right physical limit (a damping, a payload, a friction)."""
     return quantity(unit, symbol, meaning, at_least=0.0, **more)
+
+
+def dissipation(unit: str, symbol: str, meaning: str, *, most: float = LARGEST, **more: Any) -> Any:
+    """A quantity that takes energy from a motion; a negative one feeds it, which is told and not forbidden."""
+    return quantity(unit, symbol, meaning, plausible=(0.0, most), **more)
 
 
 def any_sign(unit: str, symbol: str, meaning: str, **more: Any) -> Any:

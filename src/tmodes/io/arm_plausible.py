@@ -12,7 +12,7 @@ from tmodes.elements.material import Material
 from tmodes.io.arm_check import arm_data
 from tmodes.io.arm_fields import named, quantities
 from tmodes.io.arm_plausible_motion import implausible_motion
-from tmodes.io.plausible import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, SLIPS
+from tmodes.io.plausible import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, SLIPS, feeds
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm
@@ -68,6 +68,9 @@ def _ranges(arm: Arm) -> Iterator[str]:
         if low <= value <= high or math.isinf(value) or value == 0.0:
             continue
         unit = place.unit or "-"
+        if value < 0.0 == low:
+            yield feeds(named(steps, data), value, unit)
+            continue
         slips = SLIPS.get(unit, {}) | MORE_SLIPS.get(unit, {})
         likely = next((f"{name} (factor {k:.4g})" for k, name in slips.items() if low <= k * value <= high), None)
         guess = f"; was it meant in {likely}?" if likely else "; is the unit right?"

@@ -9,7 +9,7 @@ from tmodes.elements.mode import FlexibleMode
 from tmodes.io.fields import places
 from tmodes.robot import Robot
 
-__all__ = ["implausible"]
+__all__ = ["feeds", "implausible"]
 
 SLIPS = {
     "m": {1e-3: "mm", 1e-2: "cm"},
@@ -47,13 +47,20 @@ def implausible(robot: Robot) -> list[str]:
     return sentences
 
 
+def feeds(path: str, value: float, unit: str) -> str:
+    """The sentence on a negative damping, which is allowed: a motion may grow, as in a model of chatter or flutter."""
+    return f"{path} = {value:g} {unit} is negative: it feeds energy into the motion; was a damping meant?"
+
+
 def _ranges(robot: Robot) -> Iterator[str]:
     values = dict(robot.numbers())
     values |= {"reference.start": robot.reference.start, "reference.end": robot.reference.end}
     for path, value in values.items():
         place = places()[path]
         low, high = place.extra["plausible"] or (-math.inf, math.inf)
-        if not low <= value <= high and not math.isinf(value):
+        if value < 0.0 == low:
+            yield feeds(path, value, place.unit or "-")
+        elif not low <= value <= high and not math.isinf(value):
             slips = SLIPS.get(place.unit or "", {})
             likely = next((f"{name} (factor {k:.4g})" for k, name in slips.items() if low <= k * value <= high), None)
             guess = f"; was it meant in {likely}?" if likely else "; is the unit right?"

@@ -155,8 +155,7 @@ def _friction(element: Element, which: str) -> dict[str, float]:
     check_attributes(dynamics, {"damping", "friction"}, f"{which}: dynamics")
     friction = {"viscous": "damping", "coulomb": "friction"}
     values = {key: number_at(dynamics, name, f"{which}: {name}", 0.0) for key, name in friction.items()}
-    for key, value in values.items():
-        if value < 0.0:
-            mend = "correct the sign: a negative one would drive the joint"
-            raise fault(dynamics, f"{which}: {friction[key]}", f"{value:g}", "a number not less than 0", mend)
+    if values["coulomb"] < 0.0:
+        mend = "correct the sign: a negative one would drive the joint"
+        raise fault(dynamics, f"{which}: friction", f"{values['coulomb']:g}", "a number not less than 0", mend)
     return values if any(values.values()) else {}

@@ -43,6 +43,14 @@ DOUBTS = [
         "drives.0 (`elbow`).signal = 400 m",
         "mm (factor 0.001)",
     ),
+    (lambda d: d["links"][0]["beam"].update(damping_time=-1e-4), "links.upper.beam.damping_time = -0.0001 s", "feeds"),
+    (
+        lambda d: d["joints"][0].update(
+            gear={"stiffness": 50.0, "damping": -1.0}, motor={"side": "joint", "inertia": 0.1, "ratio": 1.0}
+        ),
+        "gear.damping = -1 N*m*s/rad is negative",
+        "feeds energy",
+    ),
     (lambda d: d["links"][0]["beam"].update(functions=0), "links.upper.beam is rigid", "0 functions"),
     (
         lambda d: d["links"][0].update(beam={**beam(), "model": "segments", "segments": 4, "functions": None}),

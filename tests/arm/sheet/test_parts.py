@@ -98,7 +98,7 @@ def test_a_joint_side_motor_is_taken_as_it_is() -> None:
         ({"ratio": 9, "resistance": 1}, "motor.back_emf_constant"),
         ({"ratio": 9, "inductance": 1}, "motor.inductance"),
         ({"ratio": 9, "friction": {"viscous": 0, "static_extra": 1}}, "motor.friction.stribeck_rate"),
-        ({"ratio": 9, "friction": {"viscous": -1}}, "motor.friction.viscous"),
+        ({"ratio": 9, "friction": {"viscous": 0, "coulomb": -1}}, "motor.friction.coulomb"),
         ({"ratio": 9, "inertia": 0}, "motor.inertia"),
         ({"ratio": 9, "side": "Motor "}, "did you mean `motor`?"),
     ],
@@ -129,7 +129,7 @@ def test_a_gear_of_ranges() -> None:
         ({"stiffness": [1, 2]}, "gear.torque_limits"),
         ({"stiffness": [1, 2, 3], "torque_limits": [5, 5]}, "limits that rise"),
         ({"stiffness": [1, math.inf], "torque_limits": [5]}, "one .inf alone"),
-        ({"stiffness": 5, "damping": -1}, "gear.damping"),
+        ({"stiffness": 5, "damping": math.inf}, "gear.damping"),
         ({"stiffness": [1, True], "torque_limits": [5]}, "gear.stiffness.1"),
     ],
 )
@@ -250,7 +250,7 @@ BEAMS = [
     ({"model": "segments", "segments": 2, "rest_curvature": [0, 0, 1]}, "rest_curvature"),
     ({"model": "stran"}, "did you mean `strain`?"),
     ({"damping_time": None}, "beam.damping_time"),
-    ({"damping_time": -1}, "beam.damping_time"),
+    ({"damping_time": math.nan}, "beam.damping_time"),
     ({"points": 25}, "beam.points"),
 ]
 
