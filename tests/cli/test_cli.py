@@ -13,6 +13,8 @@ from pathlib import Path
 import numpy as np
 import pytest
 
+from disturbed import running
+
 STATES = Path(__file__).parents[1] / "oracle/reference_states.json"
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 LONG = {
@@ -180,25 +182,20 @@ def test_closed_pipe():
         assert process.stderr.read() == ""
 
 
-def interrupted(line, out, seconds):
-    """Start the command, press Ctrl-C after some seconds; what it said."""
-    with subprocess.Popen([*COMMAND, *line, "--out", str(out)], stderr=subprocess.PIPE, text=True) as process:
-        time.sleep(seconds)
-        process.send_signal(signal.SIGINT)
-        told = process.communicate(timeout=60)[1]
-    assert "Traceback" not in told
-    assert process.returncode == 130
-    return told
+SHORTER = LONG | {"integration.duration": "6000", "reference.duration": "6000"}
 
 
 def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
     """Ctrl-C, early and late: exit 130, a marked result; the same command then ends as if nobody had pressed it."""
     from tmodes.result import Result
 
-    longer = LONG | {"integration.duration": "9000", "reference.duration": "9000"}
-    line = ["run", "filipovic2010", "--no-figures", *settings(longer)]
-    for seconds in (1.7, 5.0):
-        interrupted(line, tmp_path / "a", seconds)
+    line = ["run", "filipovic2010", "--no-figures", *settings(SHORTER)]
+    for stage in ("prescribed", "controlled"):
+        with running(line, tmp_path / "a", stage) as process:
+            process.send_signal(signal.SIGINT)
+            told = process.communicate(timeout=60)[1]
+        assert "Traceback" not in told
+        assert process.returncode == 130
         first = Result.load(tmp_path / "a/result.nc")
         assert first.status == "interrupted"
         assert all(np.isfinite(v.values).all() for v in first.data.data_vars.values() if v.dtype.kind == "f")
@@ -220,13 +217,10 @@ def test_a_run_whose_report_was_not_written_goes_on_there(tmp_path):
 
 def test_killed_and_continued(tmp_path):
     """kill -9, twice; the third run ends with the same bytes as one that nobody disturbed."""
-    shorter = LONG | {"integration.duration": "9000", "reference.duration": "9000"}
-    line = ["run", "filipovic2010", "--no-figures", *settings(shorter)]
-    for _ in range(2):
-        process = subprocess.Popen([*COMMAND, *line, "--out", str(tmp_path / "a")], stderr=subprocess.DEVNULL)
-        time.sleep(5)
-        process.kill()
-        process.wait()
+    line = ["run", "filipovic2010", "--no-figures", *settings(SHORTER)]
+    for stage in ("prescribed", "controlled"):
+        with running(line, tmp_path / "a", stage) as process:
+            process.kill()
     assert not (tmp_path / "a/result.nc").exists()
     assert "continuing" in tmodes(*line, "--out", tmp_path / "a").stderr
     tmodes(*line, "--out", tmp_path / "b")

@@ -1,0 +1,34 @@
+"""Runs that are interrupted or killed in the middle, at moments that do not depend on the machine's speed."""
+
+from __future__ import annotations
+
+import subprocess
+import sys
+import time
+from collections.abc import Iterator
+from contextlib import contextmanager
+from pathlib import Path
+
+__all__ = ["running"]
+
+_KEEP_OFTEN = """
+from tmodes.io import journal
+journal.RunJournal.__init__.__defaults__ = (0.05,)
+from tmodes.cli.entry import start
+start()
+"""
+"""The command, but for its journals: they keep the progress every twentieth of a second, not every two seconds."""
+
+
+@contextmanager
+def running(line: list[object], out: Path, stage: str) -> Iterator[subprocess.Popen[str]]:
+    """The command line, started, once the journal of a stage of its run has records; the caller ends it."""
+    command = [sys.executable, "-c", _KEEP_OFTEN, *map(str, line), "--out", str(out)]
+    with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
+        journal, began = out / f".checkpoint-{stage}", time.monotonic()
+        before = journal.stat().st_size if journal.exists() else 0
+        while not (journal.exists() and journal.stat().st_size > before):
+            assert process.poll() is None, f"ended before its journal was written: {process.communicate()}"
+            assert time.monotonic() - began < 60, "no journal within a minute"
+            time.sleep(0.005)
+        yield process
