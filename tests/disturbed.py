@@ -5,7 +5,7 @@ from __future__ import annotations
 import subprocess
 import sys
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 
@@ -21,14 +21,17 @@ start()
 
 
 @contextmanager
-def running(line: list[object], out: Path, stage: str) -> Iterator[subprocess.Popen[str]]:
+def running(line: Sequence[object], out: Path, stage: str) -> Iterator[subprocess.Popen[str]]:
     """The command line, started, once the journal of a stage of its run has records; the caller ends it."""
     command = [sys.executable, "-c", _KEEP_OFTEN, *map(str, line), "--out", str(out)]
     with subprocess.Popen(command, stdout=subprocess.DEVNULL, stderr=subprocess.PIPE, text=True) as process:
-        journal, began = out / f".checkpoint-{stage}", time.monotonic()
-        before = journal.stat().st_size if journal.exists() else 0
-        while not (journal.exists() and journal.stat().st_size > before):
-            assert process.poll() is None, f"ended before its journal was written: {process.communicate()}"
-            assert time.monotonic() - began < 60, "no journal within a minute"
-            time.sleep(0.005)
-        yield process
+        try:
+            journal, began = out / f".checkpoint-{stage}", time.monotonic()
+            before = journal.stat().st_size if journal.exists() else 0
+            while not (journal.exists() and journal.stat().st_size > before):
+                assert process.poll() is None, f"ended before its journal was written: {process.communicate()}"
+                assert time.monotonic() - began < 60, "no journal within a minute"
+                time.sleep(0.005)
+            yield process
+        finally:
+            process.kill()
