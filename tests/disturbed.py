@@ -12,12 +12,17 @@ from pathlib import Path
 __all__ = ["running"]
 
 _KEEP_OFTEN = """
+import signal
+signal.signal(signal.SIGINT, signal.default_int_handler)
 from tmodes.io import journal
 journal.RunJournal.__init__.__defaults__ = (0.05,)
 from tmodes.cli.entry import start
 start()
 """
-"""The command, but for its journals: they keep the progress every twentieth of a second, not every two seconds."""
+"""The command, but for its journals: they keep the progress every twentieth of a second, not every two seconds.
+
+Ctrl-C is heard even where the tests run in the background of a shell, which makes its children deaf to it.
+"""
 
 
 @contextmanager
