@@ -17,7 +17,7 @@ from tmodes.robots import load_robot
 from tmodes.robots.load import load_sheet
 
 LIMIT = 256 * 1024
-SECONDS = 20.0  # unbounded would be minutes; a busy machine is slow
+SECONDS = 2.0
 
 
 def filled(line: str, head: str = "", tail: str = "") -> str:

@@ -110,7 +110,7 @@ def test_a_hostile_file_is_refused_in_time(text: str, tmp_path: Path) -> None:
     start = time.process_time()
     with pytest.raises(InputError, match=r"states\.json.*Mend: "):
         read_states(file)
-    assert time.process_time() - start < 20.0  # unbounded would be minutes; a busy machine is slow
+    assert time.process_time() - start < 2.0
 
 
 def test_bytes_that_are_no_text_and_places_that_are_no_files_are_refused(tmp_path: Path) -> None:

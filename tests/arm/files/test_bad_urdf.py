@@ -268,6 +268,16 @@ def test_a_zero_mass_that_is_said_is_refused_also_in_the_middle(tmp_path: Path) 
     assert message.startswith("bad.urdf:7: link upper: mass: got 0 on a moving link")
 
 
+def test_a_negative_damping_is_read_and_told(tmp_path: Path) -> None:
+    from tmodes.io.arm_plausible import implausible_arm
+    from tmodes.robots.load import load_sheet
+
+    path = tmp_path / "good.urdf"
+    path.write_text(GOOD.replace('damping="0.3"', 'damping="-0.3"'))
+    told = "\n".join(implausible_arm(load_sheet(path)))
+    assert "joints.elbow.friction.viscous = -0.3 N*m*s/rad is negative: it feeds energy" in told
+
+
 def test_coupled_joints_are_held_where_their_equation_holds(tmp_path: Path) -> None:
     path = tmp_path / "gripper.urdf"
     text = GOOD.replace('lower="-1" upper="1"', 'lower="0.2" upper="1"')
@@ -297,13 +307,13 @@ def test_a_chain_of_3000_links_takes_bounded_time(tmp_path: Path) -> None:
     path.write_text(f'<robot name="r">{links}{"".join(bend.format(i, i - 1) for i in range(1, 3000))}</robot>')
     start = time.process_time()
     data = read_arm_data(path)[0]
-    assert time.process_time() - start < 20.0
+    assert time.process_time() - start < 5.0
     assert len(data["joints"]) == 3000
     from tmodes.io.arm_check import arm_from_data
 
     with pytest.raises(InputErrors, match="500"):
         arm_from_data(data)
-    assert time.process_time() - start < 30.0
+    assert time.process_time() - start < 10.0
 
 
 def test_a_number_of_another_language(tmp_path: Path) -> None:

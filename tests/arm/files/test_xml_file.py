@@ -86,7 +86,7 @@ def test_a_file_that_is_too_large_is_not_read(tmp_path) -> None:
 def test_eight_megabytes_of_junk_cost_bounded_time_and_memory(content: bytes) -> None:
     start = time.process_time()
     said(content)
-    assert time.process_time() - start < 20.0  # unbounded would be minutes; a busy machine is slow
+    assert time.process_time() - start < 2.0
     tracemalloc.start()
     said(content)
     peak = tracemalloc.get_traced_memory()[1]

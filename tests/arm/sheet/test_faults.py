@@ -175,7 +175,7 @@ HUGE = [
 def test_huge_sheets_are_refused_with_the_numbers(change, words: str) -> None:
     start = time.monotonic()
     assert words in complaint(changed(change))
-    assert time.monotonic() - start < 20
+    assert time.monotonic() - start < 2
 
 
 def test_too_many_coordinates_are_counted_before_anything_is_made() -> None:

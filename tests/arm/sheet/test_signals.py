@@ -260,7 +260,7 @@ def test_attacks_on_the_grammar(text: str) -> None:
     start = time.monotonic()
     with pytest.raises(FormulaError):
         parse_formula(text)
-    assert time.monotonic() - start < 5.0
+    assert time.monotonic() - start < 0.5
 
 
 @settings(max_examples=300)
