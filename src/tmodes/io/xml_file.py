@@ -24,7 +24,7 @@ MOST_ATTRIBUTES = 100
 LONGEST_ATTRIBUTE = 20_000
 
 
-@dataclass(frozen=True, eq=False, repr=False)
+@dataclass(frozen=True, eq=False, repr=False, slots=True)
 class Element:
     """One element of a file: its tag as written (with its prefix), attributes, children and place."""
 
@@ -111,8 +111,9 @@ class _Builder:
         self.count += 1
         self._bound("elements", self.count, MOST_ELEMENTS)
         self._bound("levels of elements", len(self.open) + 1, MOST_DEPTH)
-        self._bound("attributes of one element", len(attributes), MOST_ATTRIBUTES)
-        self._bound("characters in one attribute", max(map(len, attributes.values()), default=0), LONGEST_ATTRIBUTE)
+        if attributes:
+            self._bound("attributes of one element", len(attributes), MOST_ATTRIBUTES)
+            self._bound("characters in one attribute", max(map(len, attributes.values())), LONGEST_ATTRIBUTE)
         element = Element(tag, attributes, self.source, self.parser.CurrentLineNumber)
         (self.open[-1].children if self.open else self.top).append(element)
         self.open.append(element)
