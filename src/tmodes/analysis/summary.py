@@ -14,7 +14,7 @@ from tmodes.errors import InputError
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["first_frequencies", "mean_over_time", "summarise", "told_deviation", "told_energy"]
+__all__ = ["first_frequencies", "mean_over_time", "summarise", "told_deviation", "told_energy", "told_settling"]
 
 Array = NDArray[np.float64]
 
@@ -63,10 +63,19 @@ def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any]:
     known = json.loads(data.attrs.get("settling", "null"))
     if known and known["band"] == band:
         return known
-    deviation = data["deviation"].values
-    limit = band * float(deviation.max())
     move_end = float(json.loads(data.attrs["robot"])["reference"]["duration"])
+    return told_settling(data["deviation"].values, time, move_end, band)
+
+
+def told_settling(deviation: Array, time: Array, move_end: float | None, band: float) -> dict[str, Any]:
+    """Time from the end of the move to the last sample at which the deviation is out of the band [s].
+
+    ``move_end`` [s] is None where what moves the tip changes up to the end of the run.
+    """
+    limit = band * float(deviation.max())
     told: dict[str, Any] = {"time_s": None, "band": band, "limit_m": limit, "reason": ""}
+    if move_end is None:
+        return told | {"reason": "what moves the arm changes up to the end of the run"}
     outside = time[(deviation > limit) & (time > move_end)]
     if time[-1] <= move_end * (1 + 1e-9):
         told["reason"] = f"the run ends at {time[-1]:g} s, the move at {move_end:g} s: simulate longer to see it settle"

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.summary import first_frequencies, mean_over_time, told_deviation, told_energy
+from tmodes.analysis.summary import first_frequencies, mean_over_time, told_deviation, told_energy, told_settling
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -45,22 +45,9 @@ def summarise_arm(data: Dataset, band: float = 0.05) -> dict[str, Any]:
 
 
 def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any] | None:
-    """Time from the end of the move to the last sample at which the deviation is out of the band [s]."""
     if "deviation" not in data:
         return None
-    deviation, end = data["deviation"].values, json.loads(data.attrs["move_end"])
-    limit = band * float(deviation.max())
-    told: dict[str, Any] = {"time_s": None, "band": band, "limit_m": limit, "reason": ""}
-    if end is None:
-        return told | {"reason": "what moves the arm changes up to the end of the run"}
-    outside = time[(deviation > limit) & (time > end)]
-    if time[-1] <= end * (1 + 1e-9):
-        told["reason"] = f"the run ends at {time[-1]:g} s, the move at {end:g} s: simulate longer to see it settle"
-    elif outside.size and outside[-1] == time[-1]:
-        told["reason"] = f"the deviation is still {deviation[-1]:.3g} m when the run ends at {time[-1]:g} s"
-    else:
-        told["time_s"] = float(outside[-1] - end) if outside.size else 0.0
-    return told
+    return told_settling(data["deviation"].values, time, json.loads(data.attrs["move_end"]), band)
 
 
 def _joints(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:

@@ -12,7 +12,7 @@ from tmodes.elements.material import Material
 from tmodes.io.arm_check import arm_data
 from tmodes.io.arm_fields import named, quantities
 from tmodes.io.arm_plausible_motion import implausible_motion
-from tmodes.io.plausible import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, SLIPS, feeds
+from tmodes.io.plausible import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, oddity
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm
@@ -30,13 +30,6 @@ MOST_SEGMENTS = 3
 
 CLAMPED_FREE = 1.8751040687119611
 """First root of cos x cosh x = -1: a clamped bare beam has 2 pi f = (x/L)^2 sqrt(EI/w)."""
-
-MORE_SLIPS = {
-    "Pa": {1e9: "GPa", 1e6: "MPa"},
-    "kg/m^3": {1e3: "g/cm^3"},
-    "m": {1e-3: "mm", 1e-2: "cm"},
-    "rad": {math.pi / 180: "deg"},
-}
 
 
 def implausible_arm(arm: Arm) -> list[str]:
@@ -63,18 +56,10 @@ def arm_notices(arm: Arm) -> list[str]:
 def _ranges(arm: Arm) -> Iterator[str]:
     data = arm_data(arm)
     for container, key, steps, place in quantities(data):
-        low, high = place.extra.get("plausible") or (-math.inf, math.inf)
         value = float(container[key])
-        if low <= value <= high or math.isinf(value) or value == 0.0:
-            continue
-        unit = place.unit or "-"
-        if value < 0.0 == low:
-            yield feeds(named(steps, data), value, unit)
-            continue
-        slips = SLIPS.get(unit, {}) | MORE_SLIPS.get(unit, {})
-        likely = next((f"{name} (factor {k:.4g})" for k, name in slips.items() if low <= k * value <= high), None)
-        guess = f"; was it meant in {likely}?" if likely else "; is the unit right?"
-        yield f"{named(steps, data)} = {value:g} {unit} is outside the usual {low:g} to {high:g}{guess}"
+        odd = oddity(value, place.unit or "-", place.extra.get("plausible"))
+        if odd and value != 0.0:
+            yield f"{named(steps, data)} {odd}"
 
 
 def _beam(name: str, beam: BeamSheet) -> Iterator[str]:

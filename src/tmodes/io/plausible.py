@@ -3,13 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 
 from tmodes.elements.mode import FlexibleMode
 from tmodes.io.fields import places
 from tmodes.robot import Robot
 
-__all__ = ["feeds", "implausible"]
+__all__ = ["implausible", "oddity"]
 
 SLIPS = {
     "m": {1e-3: "mm", 1e-2: "cm"},
@@ -22,6 +22,8 @@ SLIPS = {
     "s": {1e-3: "ms"},
     "m/s": {1e-3: "mm/s"},
     "m/s^2": {1e-2: "cm/s^2"},
+    "Pa": {1e9: "GPa", 1e6: "MPa"},
+    "kg/m^3": {1e3: "g/cm^3"},
     "ohm": {1e-3: "mohm"},
 }
 """Factor from a unit that people write by mistake to the unit of the sheet."""
@@ -47,9 +49,20 @@ def implausible(robot: Robot) -> list[str]:
     return sentences
 
 
-def feeds(path: str, value: float, unit: str) -> str:
-    """The sentence on a negative damping, which is allowed: a motion may grow, as in a model of chatter or flutter."""
-    return f"{path} = {value:g} {unit} is negative: it feeds energy into the motion; was a damping meant?"
+def oddity(value: float, unit: str, plausible: Sequence[float] | None) -> str | None:
+    """What is odd about a number outside the plausible range of its field, with the likely factor; None inside.
+
+    A negative damping is told in words of its own: it is allowed, as in a model of chatter or flutter.
+    """
+    low, high = plausible or (-math.inf, math.inf)
+    if low <= value <= high or math.isinf(value):
+        return None
+    if value < 0.0 == low:
+        return f"= {value:g} {unit} is negative: it feeds energy into the motion; was a damping meant?"
+    slips = SLIPS.get(unit, {})
+    likely = next((f"{name} (factor {k:.4g})" for k, name in slips.items() if low <= k * value <= high), None)
+    guess = f"; was it meant in {likely}?" if likely else "; is the unit right?"
+    return f"= {value:g} {unit} is outside the usual {low:g} to {high:g}{guess}"
 
 
 def _ranges(robot: Robot) -> Iterator[str]:
@@ -57,14 +70,8 @@ def _ranges(robot: Robot) -> Iterator[str]:
     values |= {"reference.start": robot.reference.start, "reference.end": robot.reference.end}
     for path, value in values.items():
         place = places()[path]
-        low, high = place.extra["plausible"] or (-math.inf, math.inf)
-        if value < 0.0 == low:
-            yield feeds(path, value, place.unit or "-")
-        elif not low <= value <= high and not math.isinf(value):
-            slips = SLIPS.get(place.unit or "", {})
-            likely = next((f"{name} (factor {k:.4g})" for k, name in slips.items() if low <= k * value <= high), None)
-            guess = f"; was it meant in {likely}?" if likely else "; is the unit right?"
-            yield f"{path} = {value:g} {place.unit} is outside the usual {low:g} to {high:g}{guess}"
+        if odd := oddity(value, place.unit or "-", place.extra["plausible"]):
+            yield f"{path} {odd}"
 
 
 def _motor(robot: Robot) -> Iterator[str]:

@@ -2,14 +2,11 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
-import numpy as np
-
-from tmodes.plot.energy import draw_residual
-from tmodes.plot.panels import AxesLike, letter, panels, side_legend, time_axis
+from tmodes.plot.energy import energy_panels
+from tmodes.plot.panels import AxesLike
 from tmodes.plot.style import COMPONENTS, INK, QUIET, house_style
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -31,30 +28,4 @@ def arm_energies(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
 
     Kinds that are zero throughout are left out. ``ax``: three axes, or None.
     """
-    axes = panels(ax, [["energy"], ["work"], ["balance"]], 6.0, sharex=ax is None)
-    data = result.data
-    _kinds(axes[0], data, "energy", "energy_kind")
-    _kinds(axes[1], data, "work", "work_kind")
-    draw_residual(axes[2], data)
-    time_axis(axes[2], data["time"].values)
-    titles = (
-        "Energy",
-        "Work since the start (motor, loads, base: in; others: out)",
-        "Residual, absolute",
-    )
-    letter(axes, titles)
-    return axes
-
-
-def _kinds(panel: Axes, data: Any, name: str, kind: str) -> None:
-    time, unit = data["time"].values, readable("J", data[name].values)
-    for label, look in zip(data[kind].values, LOOKS, strict=False):
-        values = data[name].sel({kind: label}).values
-        if np.any(values):
-            panel.plot(time, unit.of(values), label=str(label).replace("_", " "), **look)
-    panel.set_ylabel(f"{name} [{unit.name}]")
-    time_axis(panel, time, label=False)
-    if panel.get_legend_handles_labels()[1]:
-        side_legend(panel)
-    else:
-        panel.text(0.5, 0.5, "zero throughout", ha="center", transform=panel.transAxes)
+    return energy_panels(result.data, ax, LOOKS, "motor, loads, base: in; others: out", zeros=False)

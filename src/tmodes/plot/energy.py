@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -15,7 +16,7 @@ if TYPE_CHECKING:
 
     from tmodes.result import Result
 
-__all__ = ["draw_residual", "energies"]
+__all__ = ["energies", "energy_panels"]
 
 DECADES = 6
 """Where the residual changes its sign its logarithm has no floor; what lies further below the largest is cut off."""
@@ -27,26 +28,39 @@ def energies(result: Result, ax: AxesLike = None) -> list[Axes]:
 
     ``ax``: three axes, or None.
     """
+    return energy_panels(result.data, ax, COMPONENTS, "motor: brought in; others: taken out", zeros=True)
+
+
+def energy_panels(data: Any, ax: AxesLike, looks: Sequence[dict[str, Any]], works: str, *, zeros: bool) -> list[Axes]:
+    """Three panels: energies, works (``works`` says which come in), residual.
+
+    ``zeros``: kinds that are zero throughout are drawn too.
+    """
     axes = panels(ax, [["energy"], ["work"], ["balance"]], 6.0, sharex=ax is None)
-    data = result.data
-    _kinds(axes[0], data, "energy", "energy_kind")
-    _kinds(axes[1], data, "work", "work_kind")
-    draw_residual(axes[2], data)
+    for panel, name in zip(axes[:2], ("energy", "work"), strict=True):
+        _kinds(panel, data, name, looks, zeros=zeros)
+    _residual(axes[2], data)
     time_axis(axes[2], data["time"].values)
-    letter(axes, ("Energy", "Work since the start (motor: brought in; others: taken out)", "Residual, absolute"))
+    letter(axes, ("Energy", f"Work since the start ({works})", "Residual, absolute"))
     return axes
 
 
-def _kinds(panel: Axes, data: Any, name: str, kind: str) -> None:
+def _kinds(panel: Axes, data: Any, name: str, looks: Sequence[dict[str, Any]], *, zeros: bool) -> None:
+    kind = f"{name}_kind"
     time, unit = data["time"].values, readable("J", data[name].values)
-    for label, look in zip(data[kind].values, COMPONENTS, strict=False):
-        panel.plot(time, unit.of(data[name].sel({kind: label})), label=str(label).replace("_", " "), **look)
+    for label, look in zip(data[kind].values, looks, strict=False):
+        values = data[name].sel({kind: label}).values
+        if zeros or np.any(values):
+            panel.plot(time, unit.of(values), label=str(label).replace("_", " "), **look)
     panel.set_ylabel(f"{name} [{unit.name}]")
     time_axis(panel, time, label=False)
-    side_legend(panel)
+    if panel.get_legend_handles_labels()[1]:
+        side_legend(panel)
+    else:
+        panel.text(0.5, 0.5, "zero throughout", ha="center", transform=panel.transAxes)
 
 
-def draw_residual(panel: Axes, data: Any) -> None:
+def _residual(panel: Axes, data: Any) -> None:
     """A logarithm has no place for zero: exact zeros are left out, and told when there is nothing else."""
     residual = np.abs(data["energy_balance"].values)
     shown = residual > 0
