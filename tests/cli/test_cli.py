@@ -149,6 +149,8 @@ def test_eval_where_the_equations_end(tmp_path):
         (["run", "filipovic2010", "--set", "gear.stiffness=0"], 2, ["gear.stiffness", "greater than 0", "Mend:"]),
         (["run", "filipovic2010", "--set", "gear.stiffness=1e5 N"], 2, ["gear.stiffness", "Mend:"]),
         (["run", "filipovic2010", "--reading", "spatial"], 2, ["printed", "consistent"]),
+        (["run", "filipovic2010", "--reading", "spatial"], 2, ["--reading: got 'spatial'; expected one of", "Mend:"]),
+        (["run", "filipovic2010", "--duration", "abc"], 2, ["--duration: got 'abc'; expected a number", "Mend:"]),
         (["eval", "filipovic2010", "--states", "nowhere.json"], 2, ["nowhere.json", "Mend:"]),
         (["modes", "filipovic2010", "--set", "integration.duration=-1"], 2, ["integration.duration", "Mend:"]),
         (["modes", "filipovic2010", "--angle", "nan"], 2, ["angle", "Mend:"]),

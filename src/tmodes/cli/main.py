@@ -7,7 +7,7 @@ import os
 import sys
 from contextlib import suppress
 from pathlib import Path
-from typing import Annotated
+from typing import Annotated, Any
 
 import typer
 
@@ -20,7 +20,7 @@ from tmodes.cli.robots import robots
 from tmodes.cli.run import run
 from tmodes.cli.schema import schema
 from tmodes.cli.static import static
-from tmodes.errors import TmodesError
+from tmodes.errors import InputError, TmodesError
 
 __all__ = ["app", "main"]
 
@@ -70,7 +70,7 @@ def main() -> None:
         _say(f"tmodes: {error}")
         code = error.exit_code
     except typer.TyperException as error:
-        error.show()  # pyright: ignore[reportAttributeAccessIssue]: every error of a command line has it
+        _explain(error)
         code = error.exit_code
     except (KeyboardInterrupt, typer.Abort):
         code = INTERRUPTED
@@ -92,6 +92,22 @@ def main() -> None:
     if code == INTERRUPTED:
         _say("tmodes: interrupted; the same command goes on")
     _leave(code)
+
+
+def _explain(error: Any) -> None:
+    """A misuse of the line: of an option's value that is none in our own words, else in those of the library."""
+    from pydantic import ValidationError
+
+    if not isinstance(error.__cause__, ValidationError):
+        error.show()
+        return
+    found = error.__cause__.errors()[0]
+    kinds = {"float_parsing": "a number", "int_parsing": "a whole number"}
+    expected = kinds.get(found["type"]) or found["msg"].rpartition(" is not ")[2].removeprefix(
+        "Input should be "
+    ).rstrip(".")
+    mend = f"see {error.ctx.command_path} --help"
+    _say(f"tmodes: {InputError(error.param.opts[0], ascii(found['input']), expected, mend)}")
 
 
 def _prepare_streams() -> None:
