@@ -126,4 +126,4 @@ def _draw(panel: Axes, curves: Curves, si: str, highest: float) -> None:
         panel.set_yscale("log")
         panel.set_ylim(unit.factor * peak * 10**-DECADES, unit.factor * peak * 3)
     panel.set_ylabel(f"amplitude [{unit.name}]")
-    panel.legend(loc="upper right")
+    panel.legend(loc="upper right", frameon=True, facecolor="white", edgecolor="none", framealpha=0.9)  # over the marks

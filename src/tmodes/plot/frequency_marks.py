@@ -46,6 +46,10 @@ def keep_apart(wanted: Sequence[float], least: float, low: float = 0.0, high: fl
     return np.clip(places, low, room) + offsets
 
 
+_LEADER = {"arrowstyle": "-", "color": QUIET, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0, "relpos": (0.5, 0.0)}
+"""From below a label, so that a long leader passes under its neighbours and through none."""
+
+
 def mark_frequencies(panel: Axes, modes: Sequence[Mapping[str, Any]], highest: float) -> float:
     """A thin line at each frequency up to ``highest`` [Hz], and above the axes its value and its element.
 
@@ -68,7 +72,7 @@ def mark_frequencies(panel: Axes, modes: Sequence[Mapping[str, Any]], highest: f
             va="bottom",
             fontsize=LABEL_SIZE,
             color=QUIET,
-            arrowprops={"arrowstyle": "-", "color": QUIET, "linewidth": 0.5, "shrinkA": 0, "shrinkB": 0},
+            arrowprops=_LEADER,
         )
     lines = max((label.count("\n") + 1 for label in labels), default=0)
     return 1.25 * LABEL_SIZE * lines + 10
