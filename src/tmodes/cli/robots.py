@@ -41,11 +41,11 @@ def robots(
 def _known() -> list[dict[str, str]]:
     """Name, kind, title and citation of each, as its file tells them: not built, for an arm may need other files."""
     from tmodes.io.yaml_file import parse_yaml
-    from tmodes.robots.load import sheet_names
+    from tmodes.robots.load import sheet_names, sheet_text
 
     found = []
     for name in sheet_names():
-        data, _ = parse_yaml(_text(name), f"{name}.yaml")
+        data, _ = parse_yaml(sheet_text(name), f"{name}.yaml")
         told = {key: str(data.get(key, "")) for key in ("title", "citation")}
         found.append({"name": name, "kind": _kind(data), **told})
     return found
@@ -57,28 +57,16 @@ def _kind(data: dict[str, Any]) -> str:
     return str(data.get("kind", "robot"))
 
 
-def _text(name: str) -> str:
-    from importlib import resources
-
-    from tmodes.robots.load import FOLDERS
-
-    for folder in FOLDERS:
-        place = resources.files("tmodes.robots") / folder if folder else resources.files("tmodes.robots")
-        if (file := place / f"{name}.yaml").is_file():
-            return file.read_text(encoding="utf-8")
-    raise FileNotFoundError(name)
-
-
 def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
     from tmodes.arm import Arm
     from tmodes.cli.output import print_json
     from tmodes.io.arm_check import arm_data
-    from tmodes.robots.load import load_sheet, sheet_names
+    from tmodes.robots.load import load_sheet, sheet_names, sheet_text
 
     if name not in sheet_names():
         raise _unknown(name, sheet_names())
     if not as_json:
-        print(_text(name), end="")
+        print(sheet_text(name), end="")
         return
     sheet = load_sheet(name, roots=root or ())
     print_json(arm_data(sheet) if isinstance(sheet, Arm) else sheet.model_dump(mode="json"))

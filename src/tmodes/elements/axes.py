@@ -5,7 +5,15 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["bent_line", "cross_matrix", "quaternion_matrix", "rotation_about", "rpy_matrix", "unit"]
+__all__ = [
+    "bent_line",
+    "cross_matrix",
+    "matrix_quaternion",
+    "quaternion_matrix",
+    "rotation_about",
+    "rpy_matrix",
+    "unit",
+]
 
 Array = NDArray[np.float64]
 
@@ -40,6 +48,13 @@ def quaternion_matrix(quaternion: ArrayLike) -> Array:
     x, y, z, w = unit(quaternion)
     cross = cross_matrix((x, y, z))
     return np.eye(3) + 2 * w * cross + 2 * cross @ cross
+
+
+def matrix_quaternion(matrix: ArrayLike) -> list[float]:
+    """The quaternion (x, y, z, w), of unit length, of a rotation (3, 3): what :func:`quaternion_matrix` turns back."""
+    from scipy.spatial.transform import Rotation
+
+    return Rotation.from_matrix(matrix).as_quat().tolist()
 
 
 def bent_line(curvature: ArrayLike, length: float) -> tuple[Array, Array]:

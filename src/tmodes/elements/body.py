@@ -3,17 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Self
+from typing import Literal, Self
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 from pydantic import Field, model_validator
 
 from tmodes.elements.axes import rpy_matrix
 from tmodes.elements.frames import TURN, Vector, list_of_numbers
 from tmodes.elements.quantity import DataSheet, Misfit, any_sign, not_negative, positive, quantity, refuse
 
-__all__ = ["BodySheet", "Inertia"]
+__all__ = ["BodySheet", "Inertia", "entries", "principal_moments"]
 
 ROUNDING = 1e-4
 """Share of the largest principal moment by which printed digits may violate the triangle inequality [-]."""
@@ -25,6 +25,22 @@ def _moment(symbol: str, axis: str) -> float:
 
 def _product(symbol: str) -> float:
     return any_sign("kg*m^2", symbol, f"product of inertia: the entry {symbol[1:]} of the matrix", default=0.0)
+
+
+def principal_moments(matrix: ArrayLike) -> tuple[NDArray[np.float64], Literal["sign", "triangle", ""]]:
+    """Principal moments (3,) of an inertia (3, 3), ascending, and the rule of a real body that they break, or ``""``.
+
+    The rules: no moment is negative, and the largest is at most the sum of the others.
+    """
+    low, middle, high = moments = np.linalg.eigvalsh(np.asarray(matrix, dtype=float))
+    if low < -ROUNDING * high:
+        return moments, "sign"
+    return moments, "triangle" if low + middle < (1 - ROUNDING) * high else ""
+
+
+def entries(matrix: NDArray[np.float64]) -> dict[str, float]:
+    """The six entries by which a sheet tells a symmetric matrix (3, 3): what :meth:`Inertia.matrix` turns back."""
+    return {a + b: float(matrix["xyz".index(a), "xyz".index(b)]) for a, b in ("xx", "yy", "zz", "xy", "xz", "yz")}
 
 
 class Inertia(DataSheet):
@@ -43,13 +59,14 @@ class Inertia(DataSheet):
         return self
 
     def _misfits(self) -> Iterator[Misfit]:
-        least, middle, largest = moments = np.linalg.eigvalsh(self.matrix())
+        moments, broken = principal_moments(self.matrix())
         told = "an inertia with the principal moments " + ", ".join(f"{moment:.6g}" for moment in moments)
         mend = "check signs, units, and that it is about the center of mass"
-        if least < -ROUNDING * largest:
+        if broken == "sign":
             yield Misfit("", told, "principal moments that are not negative", mend)
-        elif least + middle < (1 - ROUNDING) * largest:
-            rule = f"the largest at most the sum of the others, {least + middle:.6g} (triangle inequality)"
+        elif broken == "triangle":
+            others = moments[0] + moments[1]
+            rule = f"the largest at most the sum of the others, {others:.6g} (triangle inequality)"
             yield Misfit("", told, rule, mend)
 
     def matrix(self) -> NDArray[np.float64]:

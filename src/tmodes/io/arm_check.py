@@ -13,10 +13,12 @@ from pydantic import ValidationError
 from tmodes.arm import ARM_FORMAT, Arm
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.arm_complaints import MOST_TOLD, SHEET, Complaint, arm_complaints
-from tmodes.io.arm_fields import ArmPlace, Step, at, named, place_of, quantities
+from tmodes.io.arm_fields import ArmPlace, Step, named, place_of, quantities
 from tmodes.io.arm_paths import entered, set_arm_paths, steps_of
+from tmodes.io.arm_units import at
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
+from tmodes.io.yaml_file import nearest_line
 
 __all__ = ["arm_data", "arm_from_data", "changed_arm", "real_arm"]
 
@@ -169,9 +171,7 @@ def _read_number(value: Any, place: ArmPlace) -> float:
 
 def _as_typed(error: InputError, steps: tuple[Step, ...], data: Any) -> InputError:
     """A number that was refused, shown as it stands in the file: with its own unit."""
-    place, value = place_of(steps, data), data
-    for step in steps:
-        value = at(value, step)
+    place, value = place_of(steps, data), at(data, *steps)
     if isinstance(value, str) and place and place.unit is not None and error.got != shown(value):
         error.got = f"{shown(value)}, which is {error.got} {place.unit}"
     return error
@@ -179,7 +179,7 @@ def _as_typed(error: InputError, steps: tuple[Step, ...], data: Any) -> InputErr
 
 def _located(told: list[Complaint], data: Any, positions: Mapping[str, int], source: str) -> InputErrors:
     """The errors in the order of the file, each with its place, and with names in its path."""
-    lines = {id(error): _line(steps, positions) for steps, error in told}
+    lines = {id(error): nearest_line(".".join(map(str, steps)), positions) for steps, error in told}
     for steps, error in told:
         error.which = named(steps, data) or SHEET
         line = lines[id(error)]
@@ -189,12 +189,3 @@ def _located(told: list[Complaint], data: Any, positions: Mapping[str, int], sou
         got, mend = f"more than {MOST_ERRORS} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
         errors = [*errors[:MOST_ERRORS], InputError("the file", got, "a data sheet of this format", mend, source)]
     return InputErrors(errors)
-
-
-def _line(steps: tuple[Step, ...], positions: Mapping[str, int]) -> int:
-    """The line of a path, or of the nearest group around it; 0 when there is none."""
-    for count in range(len(steps), -1, -1):
-        path = ".".join(map(str, steps[:count]))
-        if path in positions:
-            return positions[path]
-    return 0

@@ -12,7 +12,8 @@ from pydantic_core import ErrorDetails
 
 from tmodes.elements.quantity import LARGEST
 from tmodes.errors import InputError
-from tmodes.io.arm_fields import ROOT, ArmPlace, Step, at, chosen, inside, keys, place_of
+from tmodes.io.arm_fields import ROOT, ArmPlace, Step, chosen, inside, keys, place_of
+from tmodes.io.arm_units import at
 from tmodes.io.arm_words import kind_of
 from tmodes.io.words import nearest, shown
 
@@ -76,10 +77,8 @@ def _steps(loc: tuple[Step, ...], data: Any) -> tuple[Step, ...]:
 
 def _group(steps: tuple[Step, ...], data: Any) -> Any:
     """The type of the group at a path, of the kind that the data names."""
-    place, value = place_of(steps, data), data
-    for step in steps:
-        value = at(value, step)
-    return chosen(place.members, value) if place else None
+    place = place_of(steps, data)
+    return chosen(place.members, at(data, *steps)) if place else None
 
 
 def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
@@ -96,10 +95,9 @@ def _elsewhere(key: str) -> str:
 
 
 def _short(steps: tuple[Step, ...], data: Any) -> InputError:
-    place, value = place_of(steps, data), data
-    for step in steps:
-        value = at(value, step)
-    return InputError("", shown(value), place.expected if place else "a longer list", "write each of its numbers")
+    place = place_of(steps, data)
+    expected = place.expected if place else "a longer list"
+    return InputError("", shown(at(data, *steps)), expected, "write each of its numbers")
 
 
 def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
@@ -114,9 +112,7 @@ def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
 
 def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
     """A group that does not say, or says wrongly, of which of several kinds it is."""
-    place, value = place_of(steps, data), data
-    for step in steps:
-        value = at(value, step)
+    place, value = place_of(steps, data), at(data, *steps)
     kinds = [(key, str(kind)) for key, kind, _ in map(kind_of, place.members if place else []) if kind]
     key, names = kinds[0][0] if kinds else "type", [kind for _, kind in kinds]
     if not isinstance(value, Mapping):

@@ -14,10 +14,10 @@ from typing import Any, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from tmodes.arm import Arm
-from tmodes.io.arm_units import unit_at
+from tmodes.io.arm_units import at, unit_at
 from tmodes.io.arm_words import bounds, expected_kind, fields, first_line, is_group, kind_of, members_of, own_unit
 
-__all__ = ["ROOT", "ArmPlace", "Step", "at", "chosen", "inside", "keys", "named", "place_of", "quantities"]
+__all__ = ["ROOT", "ArmPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities"]
 
 Step = str | int
 
@@ -120,15 +120,6 @@ def place_of(steps: Sequence[Step], data: Any) -> ArmPlace | None:
     return place
 
 
-def at(value: Any, step: Step) -> Any:
-    """What stands one step further in plain data; None where there is nothing."""
-    if isinstance(value, Mapping):
-        return value.get(step)
-    if isinstance(value, (list, tuple)) and isinstance(step, int):
-        return value[step] if 0 <= step < len(value) else None
-    return None
-
-
 def chosen(members: Sequence[Any], value: Any) -> Any:
     """Which of several types a value means: the one whose kind it names; None when it names none of them."""
     if len(members) == 1:
@@ -173,7 +164,7 @@ def _quantities(
 def _holds_more(place: ArmPlace, value: Any) -> bool:
     """True for a list or a group at a place where one belongs: its items are the quantities."""
     kind = get_origin(chosen(place.members, value))
-    return (kind is tuple and isinstance(value, (list, dict))) or (kind is dict and isinstance(value, (list, dict)))
+    return kind in {tuple, dict} and isinstance(value, (list, dict))
 
 
 def named(steps: Sequence[Step], data: Any) -> str:

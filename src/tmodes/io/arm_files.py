@@ -9,15 +9,16 @@ from typing import Any
 
 from tmodes.errors import InputError
 from tmodes.io.dh_table import arm_of_table
-from tmodes.io.elasticity import read_elasticity
-from tmodes.io.mjcf import read_mjcf
-from tmodes.io.urdf import read_urdf
+from tmodes.io.elasticity import elasticity_of
+from tmodes.io.mesh_paths import folders_of
+from tmodes.io.mjcf import arm_of_mjcf
+from tmodes.io.urdf import urdf_robot
 from tmodes.io.words import shown, shown_path
 from tmodes.io.xacro import read_xacro
 from tmodes.io.xml_file import read_xml
 from tmodes.io.yaml_file import Positions, read_yaml
 
-__all__ = ["read_arm_data"]
+__all__ = ["arm_of_yaml", "read_arm_data"]
 
 ENDINGS = (".yaml", ".yml", ".urdf", ".xacro", ".xml")
 
@@ -33,24 +34,40 @@ def read_arm_data(
     :class:`tmodes.errors.InputErrors`; the data of a sheet is not checked here.
     """
     ending, source = Path(path).suffix.lower(), shown_path(path)
+    _check_ending(path)
     if ending in {".yaml", ".yml"}:
-        return *_from_yaml(path, roots, trust_paths), source
-    if ending == ".xml" and read_xml(path).tag == "mujoco":
-        return *read_mjcf(path, roots, trust_paths), source
-    if ending not in ENDINGS:
-        got, expected = f"a file with the ending {shown(ending)}", f"one of {', '.join(ENDINGS)}"
-        raise InputError(source, got, expected, "give the file the ending of what it is")
-    robot = (read_xacro if ending == ".xacro" else read_urdf)(path, roots, trust_paths)
+        return *arm_of_yaml(path, *read_yaml(path), roots, trust_paths), source
+    if ending == ".xacro":
+        robot = read_xacro(path, roots, trust_paths)
+        return robot.data, robot.positions, source
+    root = read_xml(path)
+    if ending == ".xml" and root.tag == "mujoco":
+        return *arm_of_mjcf(path, root, roots, trust_paths), source
+    robot = urdf_robot(root, folders_of(path, roots, trust_paths))
     return robot.data, robot.positions, source
 
 
-def _from_yaml(
-    path: str | os.PathLike[str], roots: Sequence[str | os.PathLike[str]], trust_paths: bool
+def arm_of_yaml(
+    path: str | os.PathLike[str],
+    data: dict[str, Any],
+    positions: Positions,
+    roots: Sequence[str | os.PathLike[str]],
+    trust_paths: bool,
 ) -> tuple[dict[str, Any], Positions]:
-    data, positions = read_yaml(path)
+    """Plain data and lines of the sheet that a YAML file means, from the data and positions that were read of it.
+
+    Raises as :func:`read_arm_data` does, also for a file whose ending is none of a robot's.
+    """
+    _check_ending(path)
     if "urdf" in data:
-        arm = read_elasticity(path, roots, trust_paths)
+        arm = elasticity_of(path, data, positions, roots, trust_paths)
         return arm.data, arm.positions
     if data.get("kind") == "dh":
         return arm_of_table(data, positions, shown_path(path))
     return data, positions
+
+
+def _check_ending(path: str | os.PathLike[str]) -> None:
+    if (ending := Path(path).suffix.lower()) not in ENDINGS:
+        got, expected = f"a file with the ending {shown(ending)}", f"one of {', '.join(ENDINGS)}"
+        raise InputError(shown_path(path), got, expected, "give the file the ending of what it is")

@@ -11,10 +11,11 @@ from typing import Any, get_args, get_origin
 
 from tmodes.elements.material import LIBRARY
 from tmodes.errors import InputError
-from tmodes.io.arm_fields import ROOT, ArmPlace, Step, at, chosen, inside, keys
+from tmodes.io.arm_fields import ROOT, ArmPlace, Step, chosen, inside, keys
+from tmodes.io.arm_units import at
 from tmodes.io.words import nearest, shown
 
-__all__ = ["entered", "set_arm_paths", "steps_of"]
+__all__ = ["changed_places", "entered", "set_arm_paths", "steps_of"]
 
 LONGEST = 500
 
@@ -25,24 +26,33 @@ def set_arm_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[s
     Every key that a data sheet may hold can be set, also one that this one leaves out. Raises
     :class:`tmodes.errors.InputError` with the nearest name for a path that does not exist.
     """
+    return changed_places(data, changes)[0]
+
+
+def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
+    """The changed data, as :func:`set_arm_paths` gives it, and where each change stands, by keys and numbers alone.
+
+    A path is looked up in what the changes before it have left: one may give a signal its type, the next a number that
+    only this type has.
+    """
     changed = copy.deepcopy(dict(data))
+    places = []
     for path, value in changes.items():
-        *groups, key = steps_of(path, changed)
+        *groups, key = steps = steps_of(path, changed)
         inner = entered(changed, groups, path)
         if not isinstance(inner, (dict, list)):
             raise InputError(path, f"{shown(inner)} around it", "a group", "mend the group first")
         inner[key] = copy.deepcopy(value)  # pyright: ignore[reportCallIssue, reportArgumentType]
-    return changed
+        places.append(".".join(map(str, steps)))
+    return changed, places
 
 
 def entered(data: Any, steps: Sequence[Step], path: str) -> Any:
     """What stands at steps of plain data. Groups that are left out are added; a material's name gives its numbers."""
     inner = data
     for step in steps:
-        value = at(inner, step)
-        if isinstance(value, str) and step == "material" and value in LIBRARY:
-            value = LIBRARY[value].model_dump(mode="json", exclude_none=True)
-        elif value is None:
+        value = _expanded(at(inner, step), [step])
+        if value is None:
             value = {}
         if not isinstance(inner, (dict, list)):
             raise InputError(path, f"{shown(inner)} around it", "a group", "mend the group first")
@@ -64,11 +74,12 @@ def steps_of(path: str, data: Any) -> list[Step]:
     while words:
         step, used = _step(value, words, place)
         where = ".".join(words[:used])
-        inner = inside(place, step, _expanded(value, steps), [*steps, step], data) if place else None
+        group = _expanded(value, steps)
+        inner = inside(place, step, group, [*steps, step], data) if place else None
         if inner is None:
             raise _unknown(path, where, value, place)
         steps.append(step)
-        place, value, words = inner, at(_expanded(value, steps[:-1]), step), words[used:]
+        place, value, words = inner, at(group, step), words[used:]
     return steps
 
 

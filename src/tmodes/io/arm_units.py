@@ -5,9 +5,21 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-__all__ = ["unit_at"]
+__all__ = ["at", "unit_at"]
 
 COMMANDS = {"voltage": "V", "torque": "N*m|N", "effort": "N*m|N", "position": "rad|m", "prescribed": "rad|m"}
+
+
+def at(value: Any, *steps: str | int) -> Any:
+    """What stands at steps of plain data; None where there is nothing."""
+    for step in steps:
+        if isinstance(value, Mapping):
+            value = value.get(step)
+        elif isinstance(value, (list, tuple)) and isinstance(step, int) and 0 <= step < len(value):
+            value = value[step]
+        else:
+            return None
+    return value
 
 
 def unit_at(unit: str | None, steps: Sequence[str | int], data: Any) -> str | None:
@@ -34,27 +46,27 @@ def _signal_unit(steps: Sequence[str | int], data: Any) -> str:
         case ["base_motion", *_]:
             return "rad"
         case ["drives", int(index), *_]:
-            return COMMANDS.get(str(_at(data, "drives", index, "command")), "rad|m")
+            return COMMANDS.get(str(at(data, "drives", index, "command")), "rad|m")
         case _:
             return "-"
 
 
 def _gain_unit(steps: Sequence[str | int], data: Any) -> str:
     joint = _joint(steps, data)
-    return "V/rad|V/m" if _at(joint, "motor", "resistance") is not None else "N*m/rad|N/m"
+    return "V/rad|V/m" if at(joint, "motor", "resistance") is not None else "N*m/rad|N/m"
 
 
 def _slides(steps: Sequence[str | int], data: Any) -> bool:
-    return _at(_joint(steps, data), "type") == "prismatic"
+    return at(_joint(steps, data), "type") == "prismatic"
 
 
 def _joint(steps: Sequence[str | int], data: Any) -> Any:
     """The joint that a path belongs to."""
     match list(steps):
         case ["joints", int(index), *_]:
-            return _at(data, "joints", index)
+            return at(data, "joints", index)
         case ["drives", int(index), *_]:
-            return _named_joint(data, _at(data, "drives", index, "joint"))
+            return _named_joint(data, at(data, "drives", index, "joint"))
         case ["initial", _, str(name), *_]:
             return _named_joint(data, name.removesuffix(".motor"))
         case _:
@@ -62,18 +74,6 @@ def _joint(steps: Sequence[str | int], data: Any) -> Any:
 
 
 def _named_joint(data: Any, name: Any) -> Any:
-    joints = _at(data, "joints")
-    found = (joint for joint in joints if _at(joint, "name") == name) if isinstance(joints, list) else iter(())
+    joints = at(data, "joints")
+    found = (joint for joint in joints if at(joint, "name") == name) if isinstance(joints, list) else iter(())
     return next(found, None)
-
-
-def _at(value: Any, *steps: str | int) -> Any:
-    """What stands at steps of plain data; None where there is nothing of the kind."""
-    for step in steps:
-        if isinstance(value, Mapping):
-            value = value.get(step)
-        elif isinstance(value, list) and isinstance(step, int) and step < len(value):
-            value = value[step]
-        else:
-            return None
-    return value

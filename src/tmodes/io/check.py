@@ -15,6 +15,7 @@ from tmodes.io.fields import Place, number_paths, place_at
 from tmodes.io.paths import set_paths
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import nearest, shown
+from tmodes.io.yaml_file import nearest_line
 from tmodes.robot import FORMAT, Robot
 
 __all__ = ["changed_robot", "robot_from_data"]
@@ -111,7 +112,7 @@ def _wrong_real(robot: Robot) -> Iterator[InputError]:
 
 def _located(errors: list[InputError], positions: Mapping[str, int], source: str) -> InputErrors:
     """The errors in the order of the file, each with its place."""
-    lines = {id(error): _line(error.which, positions) for error in errors}
+    lines = {id(error): nearest_line(error.which, positions) for error in errors}
     errors = sorted(errors, key=lambda error: lines[id(error)])
     if len(errors) > MOST_ERRORS:
         got, mend = f"{len(errors)} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
@@ -120,10 +121,3 @@ def _located(errors: list[InputError], positions: Mapping[str, int], source: str
         line = lines.get(id(error), 0)
         error.where = f"{source}:{line}" if source and line else source
     return InputErrors(errors)
-
-
-def _line(path: str, positions: Mapping[str, int]) -> int:
-    """The line of a path, or of the nearest group around it; 0 when there is none."""
-    while path and path not in positions:
-        path = path.rpartition(".")[0]
-    return positions.get(path, 0)

@@ -21,7 +21,7 @@ from typing import Any
 from tmodes.elements.frames import Convention
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import nearest, shown
-from tmodes.io.yaml_file import Positions
+from tmodes.io.yaml_file import Positions, nearest_line
 
 __all__ = ["arm_of_table"]
 
@@ -38,7 +38,7 @@ def arm_of_table(data: Mapping[str, Any], positions: Positions, source: str = ""
     Numbers are handed on as they are written, to be checked with the sheet. Raises
     :class:`tmodes.errors.InputErrors` for a table that is none.
     """
-    wrong = [InputError(*fault, f"{source}:{_line(fault[0], positions)}") for fault in _faults(data)]
+    wrong = [InputError(*fault, f"{source}:{nearest_line(fault[0], positions, 1)}") for fault in _faults(data)]
     if wrong:
         raise InputErrors(wrong)
     sheet = {key: copy.deepcopy(value) for key, value in data.items() if key not in OWN}
@@ -112,9 +112,3 @@ def _moved(path: str, rows: list[dict[str, Any]], links: list[dict[str, Any]]) -
     name = rows[int(index)].get("link", f"link_{int(index) + 1}")
     place = next(number for number, link in enumerate(links) if link["name"] == name)
     return [f"links.{place}.{inner}"]
-
-
-def _line(path: str, positions: Positions) -> int:
-    while path and path not in positions:
-        path = path.rpartition(".")[0]
-    return positions.get(path, 1)

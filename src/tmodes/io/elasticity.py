@@ -24,9 +24,9 @@ from tmodes.io.mesh_paths import folders_of
 from tmodes.io.urdf import UrdfRobot, read_urdf
 from tmodes.io.words import nearest, shown, shown_path
 from tmodes.io.xacro import read_xacro
-from tmodes.io.yaml_file import Positions, read_yaml
+from tmodes.io.yaml_file import Positions, nearest_line, read_yaml
 
-__all__ = ["lay_over", "read_elasticity"]
+__all__ = ["elasticity_of", "lay_over", "read_elasticity"]
 
 OF_JOINT = ("state", "locked_at", "limits", "friction", "motor", "gear")
 OF_LINK = ("beam", "bodies", "keep_inertial")
@@ -43,7 +43,17 @@ def read_elasticity(
 
     Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors`, each with its file and line.
     """
-    data, positions = read_yaml(path)
+    return elasticity_of(path, *read_yaml(path), roots, trust_paths)
+
+
+def elasticity_of(
+    path: str | os.PathLike[str],
+    data: dict[str, Any],
+    positions: Positions,
+    roots: Sequence[str | os.PathLike[str]] = (),
+    trust_paths: bool = False,
+) -> UrdfRobot:
+    """The same of an elasticity file whose ``data`` and ``positions`` are read already; see :func:`read_elasticity`."""
     source = shown_path(path)
     urdf = _urdf_path(path, data, positions, roots, trust_paths)
     groups = data.get("links")
@@ -194,10 +204,8 @@ class _Overlay:
         self._wrong(which, f"the unknown name {shown(name)}", expected, mend)
 
     def _wrong(self, which: str, got: str, expected: str, mend: str) -> None:
-        path = which
-        while path and path not in self.lines:
-            path = path.rpartition(".")[0]
-        self.errors.append(InputError(which, got, expected, mend, f"{self.source}:{self.lines.get(path, 1)}"))
+        place = f"{self.source}:{nearest_line(which, self.lines, 1)}"
+        self.errors.append(InputError(which, got, expected, mend, place))
 
     def _copy_lines(self, path: str, to: str) -> None:
         """The lines of a group of the elasticity file become those of the sheet's group."""

@@ -13,6 +13,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.elements.axes import matrix_quaternion
+from tmodes.elements.body import entries
 from tmodes.errors import InputError
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
@@ -65,8 +67,8 @@ def place_beam(beam: dict[str, Any], start: Array, end: Array) -> None:
     """Put length, root mount and tip mount into a beam's group; those that the file gives stay."""
     axes = section_axes(end - start)
     beam.setdefault("length", float(np.linalg.norm(end - start)))
-    beam.setdefault("root_mount", {"position": start.tolist(), "quaternion": _quaternion(axes)})
-    beam.setdefault("tip_mount", {"position": [0.0, 0.0, 0.0], "quaternion": _quaternion(axes.T)})
+    beam.setdefault("root_mount", {"position": start.tolist(), "quaternion": matrix_quaternion(axes)})
+    beam.setdefault("tip_mount", {"position": [0.0, 0.0, 0.0], "quaternion": matrix_quaternion(axes.T)})
     pieces = beam.get("pieces")
     if isinstance(pieces, list) and pieces and isinstance(pieces[-1], dict):
         pieces[-1].setdefault("end", beam["length"])
@@ -114,8 +116,7 @@ def _turned(inertia: dict[str, float], rpy: Sequence[float] | None, turn: Array)
 
     xx, yy, zz, xy, xz, yz = (inertia[pair] for pair in ("xx", "yy", "zz", "xy", "xz", "yz"))
     axes = turn @ Rotation.from_euler("xyz", rpy or [0.0, 0.0, 0.0]).as_matrix()
-    full = axes @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ axes.T
-    return {a + b: float(full["xyz".index(a), "xyz".index(b)]) for a, b in ("xx", "yy", "zz", "xy", "xz", "yz")}
+    return entries(axes @ np.array([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]]) @ axes.T)
 
 
 def _only_joint(which: str, carried: Sequence[dict[str, Any]]) -> Array:
@@ -160,12 +161,6 @@ def _sections(beam: dict[str, Any]) -> Iterator[dict[str, Any]]:
 
 def _has_mass(section: dict[str, Any]) -> bool:
     return "mass_per_length" in section or section.get("shape", "given") != "given"
-
-
-def _quaternion(axes: Array) -> list[float]:
-    from scipy.spatial.transform import Rotation
-
-    return Rotation.from_matrix(axes).as_quat().tolist()
 
 
 def _written(point: Array) -> str:

@@ -47,11 +47,12 @@ class Folders:
         if address and address[1].lower() == "package":
             return self._package(address[3], which, place)
         if address and address[1].lower() != "file":
-            return self._refused(None, name, f"the address {shown(name)}", which, place)
+            return self._refused(None, f"the address {shown(name)}", which, place)
         path = Path(address[3] if address else name.replace("\\", "/"))
         if address or path.is_absolute() or DRIVE.match(name):
             inside = self._is_inside(self._resolved(path, which, place))
-            return path if inside and _exists(path) else self._refused(path, name, "an absolute path", which, place)
+            got = f"an absolute path {shown(name)}"
+            return path if inside and _exists(path) else self._refused(path, got, which, place)
         return self._inside((base or self.home) / path, name, which, place)
 
     def _package(self, rest: str, which: str, place: str) -> Path | None:
@@ -86,11 +87,10 @@ class Folders:
     def _is_inside(self, resolved: Path) -> bool:
         return any(resolved.is_relative_to(folder) for folder in (self.home, *self.roots))
 
-    def _refused(self, path: Path | None, name: str, what: str, which: str, place: str) -> Path | None:
+    def _refused(self, path: Path | None, got: str, which: str, place: str) -> Path | None:
         """An absolute path or an address: kept only where it is trusted and on this machine."""
         if self.trust:
             return path.resolve() if path and _exists(path) else None
-        got = what if what.endswith(shown(name)) else f"{what} {shown(name)}"
         mend = f"write a path relative to the robot's file, or {ALLOW}"
         raise InputError(which, got, "a relative path or package://; nothing is ever fetched", mend, place)
 

@@ -21,7 +21,7 @@ from tmodes.io.words import shown, shown_path
 from tmodes.io.xml_file import Element, read_xml
 from tmodes.io.yaml_file import Positions
 
-__all__ = ["read_mjcf"]
+__all__ = ["arm_of_mjcf", "read_mjcf"]
 
 UNTOLD = "a model with {}, which no tree of joints with one axis has"
 
@@ -34,7 +34,16 @@ def read_mjcf(
     Raises :class:`tmodes.errors.InputError` for a broken model, one that is more than an arm, a path that leaves the
     folders, and where MuJoCo is not installed.
     """
-    root = read_xml(path)
+    return arm_of_mjcf(path, read_xml(path), roots, trust_paths)
+
+
+def arm_of_mjcf(
+    path: str | os.PathLike[str],
+    root: Element,
+    roots: Sequence[str | os.PathLike[str]] = (),
+    trust_paths: bool = False,
+) -> tuple[dict[str, Any], Positions]:
+    """The same of an MJCF file whose root element is read already; see :func:`read_mjcf`."""
     if root.tag != "mujoco":
         raise InputError("the root element", f"<{root.tag[:60]}>", "<mujoco>", "check that this is MJCF", root.place)
     folders = folders_of(path, roots, trust_paths)

@@ -15,7 +15,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.arm.topology import BASE
-from tmodes.elements.axes import quaternion_matrix, rotation_about
+from tmodes.elements.axes import matrix_quaternion, quaternion_matrix, rotation_about
+from tmodes.elements.body import entries
 from tmodes.errors import InputError
 from tmodes.io.words import shown
 from tmodes.io.yaml_file import Positions
@@ -128,8 +129,7 @@ class _Reader:
         if mass <= 0.0:
             return
         axes = quaternion_matrix(np.roll(model.body_iquat[body], -1))
-        full = axes @ np.diag(model.body_inertia[body]) @ axes.T
-        inertia = {a + b: float(full["xyz".index(a), "xyz".index(b)]) for a, b in ("xx", "yy", "zz", "xy", "xz", "yz")}
+        inertia = entries(axes @ np.diag(model.body_inertia[body]) @ axes.T)
         center = (model.body_ipos[body] - self.anchors[body]).tolist()
         self.positions[f"links.{len(self.links)}"] = self.lines.get(("body", self.names[body]), 1)
         self.links.append(
@@ -160,6 +160,4 @@ def _limits(model: Any, joint: int) -> dict[str, float]:
 
 
 def _origin(turn: Array, place: Array) -> dict[str, list[float]]:
-    from scipy.spatial.transform import Rotation
-
-    return {"position": place.tolist(), "quaternion": Rotation.from_matrix(turn).as_quat().tolist()}
+    return {"position": place.tolist(), "quaternion": matrix_quaternion(turn)}

@@ -4,9 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-import numpy as np
-
-from tmodes.elements.body import ROUNDING
+from tmodes.elements.body import principal_moments
 from tmodes.errors import InputError
 from tmodes.io.urdf_values import check_attributes, check_children, fault, number_at, only, origin_at
 from tmodes.io.xml_file import Element
@@ -15,6 +13,12 @@ __all__ = ["body_of", "says_massless"]
 
 LINK_CHILDREN = {"inertial", "visual", "collision"}
 COMPONENTS = ("xx", "yy", "zz", "xy", "xz", "yz")
+RULES = {
+    "sign": "none is negative",
+    "triangle": "the largest is at most the sum of the others (triangle inequality)",
+}
+"""The rules of :func:`tmodes.elements.body.principal_moments` in words."""
+
 NOTHING = 1e-12
 """Moments below this [kg*m^2] are the dust of a conversion and count as zero: the body is a point mass."""
 
@@ -96,13 +100,9 @@ def _inertia(inertial: Element, mass: float, which: str) -> dict[str, float]:
 def _broken_rule(values: dict[str, float]) -> tuple[str, str] | None:
     """The rule that principal moments break, and the moments in words; None for those of a real body."""
     xx, yy, zz, xy, xz, yz = (values[pair] for pair in COMPONENTS)
-    low, middle, high = np.linalg.eigvalsh([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
+    (low, middle, high), broken = principal_moments([[xx, xy, xz], [xy, yy, yz], [xz, yz, zz]])
     words = f"principal moments {low:.6g}, {middle:.6g} and {high:.6g}"
-    if low < -ROUNDING * max(high, -low):
-        return "none is negative", words
-    if low + middle < high * (1 - ROUNDING):
-        return "the largest is at most the sum of the others (triangle inequality)", words
-    return None
+    return (RULES[broken], words) if broken else None
 
 
 def _unphysical(element: Element, which: str, rule: str, words: str) -> InputError:

@@ -33,13 +33,6 @@ class Tree:
     root: str
     joints: tuple[UrdfJoint, ...]
 
-    def carried(self) -> dict[str, list[UrdfJoint]]:
-        """The joints that sit on each link."""
-        sitting: dict[str, list[UrdfJoint]] = {}
-        for joint in self.joints:
-            sitting.setdefault(joint.parent, []).append(joint)
-        return sitting
-
 
 def tree_of(robot: Element, links: dict[str, Element], joints: list[UrdfJoint]) -> Tree:
     """The tree that the joints make of the links; raises the first InputError of those that make none."""

@@ -14,12 +14,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-from tmodes.errors import InputError
 from tmodes.io.mesh_paths import Folders, folders_of
 from tmodes.io.urdf import UrdfRobot, urdf_robot
 from tmodes.io.words import nearest, shown
 from tmodes.io.xacro_expression import Value
-from tmodes.io.xacro_macro import Macro, macro_of
+from tmodes.io.xacro_macro import Macro, macro_of, xacro_fault
 from tmodes.io.xacro_text import as_value, filled, is_true, typed
 from tmodes.io.xml_file import MOST_ELEMENTS, Element, read_xml
 
@@ -28,7 +27,6 @@ __all__ = ["expand_xacro", "read_xacro"]
 PREFIX = "xacro:"
 MOST_DEPTH = 60
 MOST_FILES = 100
-BARE = {"macro", "property", "include", "if", "unless", "insert_block", "arg"}
 
 
 def read_xacro(
@@ -92,10 +90,10 @@ class _Expansion:
         self.steps += 1
         if self.steps > MOST_ELEMENTS or depth > MOST_DEPTH:
             got = f"more than {MOST_ELEMENTS} elements" if depth <= MOST_DEPTH else f"more than {MOST_DEPTH} levels"
-            raise _fault(element, got, "a robot of bounded size", "look for a macro that calls itself")
-        if element.tag in BARE:
+            raise xacro_fault(element, got, "a robot of bounded size", "look for a macro that calls itself")
+        if element.tag in self.commands:
             tag = f"<{PREFIX}{element.tag}>"
-            raise _fault(element, f"<{element.tag}> without its prefix", tag, f"write {tag}")
+            raise xacro_fault(element, f"<{element.tag}> without its prefix", tag, f"write {tag}")
         if not element.tag.startswith(PREFIX):
             return [self._plain(element, scope, depth)]
         name = element.tag.removeprefix(PREFIX)
@@ -132,7 +130,7 @@ class _Expansion:
         _refuse_others(element, {"name", "params"})
         name = _needed(element, "name").removeprefix(PREFIX)
         if name in self.commands:
-            raise _fault(element, f"a macro called {shown(name)}", "another name", "rename the macro")
+            raise xacro_fault(element, f"a macro called {shown(name)}", "another name", "rename the macro")
         self.macros[name] = macro_of(element)
         return []
 
@@ -143,7 +141,7 @@ class _Expansion:
         self.files += 1
         if path is None or self.files > MOST_FILES:
             got = f"{shown(name)}, which is not there" if path is None else f"more than {MOST_FILES} includes"
-            raise _fault(element, got, "a file", "check the path, or list its package's folder among the roots")
+            raise xacro_fault(element, got, "a file", "check the path, or list its package's folder among the roots")
         return self.inside(read_xml(path), scope, depth)
 
     def _insert(self, element: Element, scope: _Scope, depth: int) -> list[Element]:
@@ -151,7 +149,7 @@ class _Expansion:
         if name not in scope.blocks:
             close = nearest(name, scope.blocks)
             mend = f"did you mean {shown(close)}?" if close else "declare it in the macro's params as *name"
-            raise _fault(element, f"the unknown block {shown(name)}", "a block", mend)
+            raise xacro_fault(element, f"the unknown block {shown(name)}", "a block", mend)
         return [made for child in scope.blocks[name] for made in self.expand(child, scope, depth)]
 
     def _condition(self, element: Element, scope: _Scope, depth: int) -> list[Element]:
@@ -166,7 +164,7 @@ class _Expansion:
             close = nearest(name, [*self.macros, *self.commands])
             mend = f"did you mean <{PREFIX}{close}>?" if close else "define the macro above, or write it out"
             expected = "a macro, or property, arg, macro, include, if, unless, insert_block"
-            raise _fault(element, f"<{element.tag[:60]}>", expected, mend)
+            raise xacro_fault(element, f"<{element.tag[:60]}>", expected, mend)
         macro, inner = self.macros[name], scope.inner()
         given = {key: typed(text, element, scope.values, self.arguments) for key, text in element.attributes.items()}
         defaults = macro.fill(element, given, scope.values)
@@ -180,15 +178,11 @@ class _Expansion:
 def _needed(element: Element, name: str) -> str:
     text = element.attributes.get(name, "").strip()
     if not text:
-        raise _fault(element, f"no attribute `{name}`", f'{name}="..."', f'write {name}="..."')
+        raise xacro_fault(element, f"no attribute `{name}`", f'{name}="..."', f'write {name}="..."')
     return text
 
 
 def _refuse_others(element: Element, known: set[str]) -> None:
     if others := sorted(element.attributes.keys() - known):
         got = f"the attribute {shown(others[0])}"
-        raise _fault(element, got, f"only {', '.join(sorted(known))}", "write it without, or expand it with ROS")
-
-
-def _fault(element: Element, got: str, expected: str, mend: str) -> InputError:
-    return InputError(f"<{element.tag[:60]}>", got, expected, mend, element.place)
+        raise xacro_fault(element, got, f"only {', '.join(sorted(known))}", "write it without, or expand it with ROS")

@@ -11,10 +11,15 @@ from tmodes.io.words import nearest, shown
 from tmodes.io.xacro_expression import Value
 from tmodes.io.xml_file import Element
 
-__all__ = ["Macro", "macro_of"]
+__all__ = ["Macro", "macro_of", "xacro_fault"]
 
 PARAMETER = re.compile(r"""(\*{0,2})([A-Za-z_]\w*)(?::?=(\^\|?)?('[^']*'|"[^"]*"|\S*))?(?:\s+|$)""")
 MOST_PARAMETERS = 100
+
+
+def xacro_fault(element: Element, got: str, expected: str, mend: str) -> InputError:
+    """The error of an element of a xacro, with its place."""
+    return InputError(f"<{element.tag[:60]}>", got, expected, mend, element.place)
 
 
 @dataclass(frozen=True)
@@ -41,12 +46,13 @@ class Macro:
             if name not in names:
                 close = nearest(name, names)
                 mend = f"did you mean {shown(close)}?" if close else "remove it, or add it to the macro's params"
-                raise _fault(call, f"the unknown parameter {shown(name)}", f"of {', '.join(names) or 'none'}", mend)
+                got, expected = f"the unknown parameter {shown(name)}", f"of {', '.join(names) or 'none'}"
+                raise xacro_fault(call, got, expected, mend)
         left_out = [parameter for name, parameter in names.items() if name not in given]
         left_out = [parameter for parameter in left_out if not (parameter.outer and parameter.name in around)]
         if missing := [parameter.name for parameter in left_out if parameter.default is None]:
             mend = f'write {missing[0]}="..."'
-            raise _fault(call, f"no value for {', '.join(missing)}", "every parameter without a default", mend)
+            raise xacro_fault(call, f"no value for {', '.join(missing)}", "every parameter without a default", mend)
         return {parameter.name: parameter.default for parameter in left_out if parameter.default is not None}
 
     def blocks(self, call: Element, children: list[Element]) -> dict[str, list[Element]]:
@@ -55,7 +61,7 @@ class Macro:
         if len(wanted) != len(children):
             names = ", ".join(parameter.name for parameter in wanted) or "none"
             got, expected = f"{len(children)} elements inside", f"{len(wanted)}, one for each block ({names})"
-            raise _fault(call, got, expected, "add or remove elements inside the call")
+            raise xacro_fault(call, got, expected, "add or remove elements inside the call")
         pairs = zip(wanted, children, strict=True)
         return {parameter.name: [child] if parameter.stars == 1 else child.children for parameter, child in pairs}
 
@@ -69,7 +75,7 @@ def macro_of(element: Element) -> Macro:
         match = PARAMETER.match(text, position)
         if match is None or len(parameters) >= MOST_PARAMETERS or match.end() == position:
             mend = "write them as: name other:=1.0 *block"
-            raise _fault(element, f"the parameters {shown(text[position:])}", "names with spaces between", mend)
+            raise xacro_fault(element, f"the parameters {shown(text[position:])}", "names with spaces between", mend)
         parameters.append(_parameter(match))
         position = match.end()
     return Macro(element, tuple(parameters))
@@ -82,7 +88,3 @@ def _parameter(match: re.Match[str]) -> _Parameter:
     elif default is not None and default[:1] in {"'", '"'}:
         default = default[1:-1]
     return _Parameter(name, len(stars), default, outer is not None)
-
-
-def _fault(element: Element, got: str, expected: str, mend: str) -> InputError:
-    return InputError(f"<{element.tag[:60]}>", got, expected, mend, element.place)

@@ -7,7 +7,7 @@ is refused, so a hostile file costs a bounded time and memory: the data is built
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from typing import Any
 
 from tmodes.errors import InputError
@@ -15,7 +15,7 @@ from tmodes.io.files import read_bytes
 from tmodes.io.scalars import scalar
 from tmodes.io.words import shown, shown_path
 
-__all__ = ["Positions", "parse_yaml", "read_yaml"]
+__all__ = ["Positions", "nearest_line", "parse_yaml", "read_yaml"]
 
 Positions = dict[str, int]
 """Line of every key and list item, by its dotted path; the path of the whole file is empty."""
@@ -57,6 +57,13 @@ def parse_yaml(text: str, source: str) -> tuple[dict[str, Any], Positions]:
             1, MOST_EVENTS_OF_A_ROBOT, "check that this is a data sheet; one of an arm has `kind: arm`"
         )
     return data, builder.positions
+
+
+def nearest_line(path: str, positions: Mapping[str, int], default: int = 0) -> int:
+    """The line of a dotted path, or of the nearest group around it; ``default`` when there is none."""
+    while path and path not in positions:
+        path = path.rpartition(".")[0]
+    return positions.get(path, default)
 
 
 def _decoded(content: bytes, source: str) -> str:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Mapping
+from collections.abc import Collection, Mapping, Sequence
 from importlib import resources
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
@@ -13,7 +13,7 @@ from tmodes.errors import InputError
 if TYPE_CHECKING:
     from tmodes.robot import Robot
 
-__all__ = ["load_robot", "names", "text"]
+__all__ = ["kept_lines", "load_robot", "names", "text", "unknown"]
 
 
 def names() -> list[str]:
@@ -25,7 +25,7 @@ def names() -> list[str]:
 def text(name: str) -> str:
     """The data sheet of a published robot, as it stands in its file; an InputError for an unknown name."""
     if name not in names():
-        raise _unknown(name)
+        raise unknown(name, names())
     return (resources.files(__name__) / f"{name}.yaml").read_text(encoding="utf-8")
 
 
@@ -48,19 +48,25 @@ def load_robot(name_or_path: str | os.PathLike[str], changes: Mapping[str, Any] 
         source = shown_path(name_or_path)
         data, positions = read_yaml(name_or_path)
     else:
-        raise _unknown(shown_path(name_or_path))
+        raise unknown(shown_path(name_or_path), names())
     changes = changes or {}
-    lines = {path: line for path, line in positions.items() if not _is_changed(path, changes)}
-    return robot_from_data(set_paths(data, changes), lines | dict.fromkeys(changes, 0), source)
+    return robot_from_data(set_paths(data, changes), kept_lines(positions, changes), source)
 
 
-def _is_changed(path: str, changes: Mapping[str, Any]) -> bool:
-    return any(path == changed or path.startswith(f"{changed}.") for changed in changes)
+def kept_lines(positions: Mapping[str, int], changes: Collection[str]) -> dict[str, int]:
+    """The lines of what stands in the file; what was changed, given by its dotted paths, has none."""
+    lines = {
+        path: line
+        for path, line in positions.items()
+        if not any(path == changed or path.startswith(f"{changed}.") for changed in changes)
+    }
+    return lines | dict.fromkeys(changes, 0)
 
 
-def _unknown(name: str) -> InputError:
+def unknown(name: str, known: Sequence[str]) -> InputError:
+    """The error for a name that is none of the ``known`` ones, nor the path of a file."""
     from tmodes.io.words import nearest, shown
 
-    close = nearest(Path(name).stem, names())
+    close = nearest(Path(name).stem, known)
     mend = f"did you mean `{close}`?" if close else "check the path and its spelling"
-    return InputError("robot", shown(name), f"one of {', '.join(names())}, or the path of a file that exists", mend)
+    return InputError("robot", shown(name), f"one of {', '.join(known)}, or the path of a file that exists", mend)

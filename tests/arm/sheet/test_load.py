@@ -12,7 +12,8 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.arm_schema import arm_json_schema
 from tmodes.io.arm_write import arm_to_yaml
 from tmodes.robot import Robot
-from tmodes.robots.load import load_sheet, sheet_names
+from tmodes.robots import text
+from tmodes.robots.load import load_sheet, sheet_names, sheet_text
 
 
 @pytest.fixture
@@ -55,6 +56,36 @@ def test_a_wrong_change_has_no_line_and_a_wrong_file_has_one(file: Path) -> None
         load_sheet(file)
     line = next(k for k, text in enumerate(file.read_text().splitlines(), 1) if "mass: -1.0" in text)
     assert caught.value.errors[0].where == f"{file}:{line}"
+
+
+def test_a_change_stands_on_the_changes_before_it() -> None:
+    """The next change may name what only the new type has, and none of them has a line of the file."""
+    changes = {"drives.0.signal.type": "trapezoid", "drives.0.signal.ramp_fraction": 0.25}
+    plain, changed = load_sheet("spong1987"), load_sheet("spong1987", changes)
+    assert isinstance(plain, Arm)
+    assert changed == plain.with_(changes) != plain
+    with pytest.raises(InputErrors) as caught:
+        load_sheet("spong1987", {**changes, "drives.0.signal.ramp_fraction": -1})
+    assert [(error.which, error.where) for error in caught.value.errors] == [
+        ("drives.0.signal.ramp_fraction", "spong1987.yaml")
+    ]
+    with pytest.raises(InputError, match="unknown name 'ramp_fraction'"):
+        load_sheet("spong1987", dict(reversed(changes.items())))
+
+
+@pytest.mark.parametrize("content", ["kind: dh\nrows: []\n", "urdf: ur5.urdf\n"])
+def test_a_table_and_an_elasticity_file_want_the_ending_of_a_robot(tmp_path: Path, content: str) -> None:
+    path = tmp_path / "x.txt"
+    path.write_text(content)
+    with pytest.raises(InputError, match=r"a file with the ending '\.txt'"):
+        load_sheet(path)
+
+
+def test_the_text_of_a_sheet() -> None:
+    assert sheet_text("filipovic2010") == text("filipovic2010")
+    assert "\nkind: arm\n" in sheet_text("spong1987")
+    with pytest.raises(InputError, match="did you mean `spong1987`"):
+        sheet_text("spong1988")
 
 
 @pytest.mark.parametrize("content", [b"", b"\x00\xff\xfe", b"[1, 2]", b"a: &x [1]\nb: *x", b"{" * 5000, b"a: 1\na: 2"])
