@@ -85,8 +85,11 @@ class ArmModel:
         """Inertia of the rotors along each coordinate, a diagonal of the mass matrix, shape (nq,)."""
         return self.passes.rotor_inertias
 
-    def at_rest(self, *, gravity: bool = True) -> Array:
-        """The row (24) of a base at rest: acceleration less gravity (6), rate (3), pose and velocity in the world."""
+    def at_rest(self, *, gravity: float = 1.0) -> Array:
+        """The row (24) of a base at rest: acceleration less gravity (6), rate (3), pose and velocity in the world.
+
+        ``gravity``: share of it that pulls.
+        """
         return self.passes.at_rest(gravity=gravity)
 
     def forward_dynamics(
@@ -132,7 +135,7 @@ class ArmModel:
         n = self.nq
         many = Rows(np.repeat(rows.q, n, axis=0), np.zeros((rows.count * n, n)), n)
         units = np.tile(np.eye(n), (rows.count, 1))
-        columns = self.passes.inertia(many, units, self.passes.at_rest(gravity=False), None)["forces"]
+        columns = self.passes.inertia(many, units, self.passes.at_rest(gravity=0.0), None)["forces"]
         matrix = columns.reshape(rows.count, n, n)
         matrix = (matrix + matrix.transpose(0, 2, 1)) / 2
         return matrix[0] if rows.single else matrix
@@ -155,7 +158,7 @@ class ArmModel:
         """Energies [J] of shape (n,): kinetic, gravity (zero at the world's origin), elastic_gear, elastic_link."""
         rows = Rows(q, v, self.nq)
         still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
-        momentum = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=False), None)
+        momentum = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)
         elastic = self.passes.elastic(rows)["energies"].reshape(rows.count, -1, 2)
         found = {
             "kinetic": (momentum["forces"] * rows.v).sum(axis=1) / 2,
@@ -180,7 +183,7 @@ class ArmModel:
         """Linear momentum [kg*m/s] and angular momentum about the world's origin [kg*m^2/s], world axes, (n, 3)."""
         rows = Rows(q, v, self.nq)
         still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
-        told = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=False), None)["base_force"]
+        told = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)["base_force"]
         placed = self.chain.base
         linear, about_base = told[:, 3:] @ placed.rotation.T, told[:, :3] @ placed.rotation.T
         angular = about_base + np.cross(placed.position, linear)
@@ -191,7 +194,7 @@ class ArmModel:
     ) -> PointMotion:
         """Motion of the named points; the acceleration is that of the coordinates ``a`` without gravity."""
         rows = Rows(q, v, self.nq)
-        base = self.passes.at_rest(gravity=False) if base is None else base
+        base = self.passes.at_rest(gravity=0.0) if base is None else base
         told = self.passes.inertia(rows, a, base, None)["points"]
         motion = PointMotion.of(told)
         return PointMotion(*(part[0] for part in motion)) if rows.single else motion
@@ -224,7 +227,7 @@ class ArmModel:
         """M, D, K (nq, nq) about one state q (nq,), with exact derivatives: M a' + D v' + K q' = applied forces'.
 
         K and D hold what the rates ``v``, the accelerations ``a`` and dead wrenches contribute.
-        """  # fmt: skip
+        """
         n = self.nq
         here = [np.zeros(n) if x is None else np.asarray(x, dtype=float).reshape(n) for x in (q, v, a)]
         rows = Rows(np.tile(here[0], (n, 1)), np.tile(here[1], (n, 1)), n)

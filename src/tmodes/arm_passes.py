@@ -12,7 +12,7 @@ from tmodes.equations.arm.elastic import elastic_forces
 from tmodes.equations.arm.forward import forward_dynamics
 from tmodes.equations.arm.inertia import inertia_forces
 from tmodes.equations.arm.parts import Parts
-from tmodes.equations.arm.passes import BASE
+from tmodes.equations.arm.passes import BASE, resting_base
 from tmodes.equations.arm.schedule import Schedule
 from tmodes.evaluator import Blocks, Rows, derivatives, evaluate
 
@@ -83,12 +83,9 @@ class ArmPasses:
                 rotors[part.motor if part.motor >= 0 else part.angle] += motor.inertia
         return rotors
 
-    def at_rest(self, *, gravity: bool = True) -> Array:
-        """The row of a base at rest."""
-        placed, pull = self.parts.chain.base, np.zeros(3)
-        if gravity:
-            pull = placed.rotation.T @ np.asarray(self.parts.chain.gravity, dtype=float)
-        return np.concatenate([np.zeros(3), -pull, np.zeros(3), placed.rotation.ravel(), placed.position, np.zeros(3)])
+    def at_rest(self, *, gravity: float = 1.0) -> Array:
+        """The row of a base at rest; ``gravity``: share of it that pulls."""
+        return resting_base(self.parts.chain, gravity)
 
     def _common(self, rows: Rows, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
         blocks = {"q": rows.q, "v": rows.v, "base": rows.of(self.at_rest() if base is None else base, BASE)}

@@ -48,10 +48,7 @@ class Rows:
 
     def of(self, values: ArrayLike, width: int) -> Array:
         """Values as rows of ``width`` numbers, one for each state."""
-        array = np.asarray(values, dtype=float)
-        if array.ndim == 2 and array.shape[0] == 1:
-            array = array[0]
-        return np.broadcast_to(array, (self.count, width)).copy()
+        return np.broadcast_to(np.asarray(values, dtype=float), (self.count, width))
 
     def shaped(self, values: Array) -> Array:
         """Rows as the states were given."""

@@ -17,7 +17,7 @@ from tmodes.compile.trigonometry import sine_and_cosine
 
 __all__ = ["Arithmetic", "Derivative", "Double", "Lanes"]
 
-_FUSE = ("contract",)
+_FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
 
 
 class Arithmetic(ABC):

@@ -48,26 +48,18 @@ def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | Schedul
     """Write the loop: steps end exactly on the knots, where the first stage is taken anew."""
     loop = TimeLoop(module, name, lowered, (*_STAGES[1:], "probe", "new"), guarded)
     b = loop.builder
-    loop.stop_if(loop.finished(), Status.FINISHED)
-    loop.stop_if(b.fcmp_ordered(">=", loop.get("done"), loop.option("chunk")), Status.RUNNING)
     gate = Gate(loop, lowered.gate_offset)
     gate.begin("y", "probe")
     _first_stage(loop)
-    time, end = loop.get("t"), loop.knot(1)
-    wanted = loop.get("h")
-    last = b.fcmp_ordered(">=", b.fadd(time, b.fmul(number(1.0001), wanted)), end)
-    h = b.select(last, b.fsub(end, time), wanted)
-    time_after = b.select(last, end, b.fadd(time, h))
-    smallest = b.fmul(number(4e-15), loop.intrinsic("fabs", end))
-    loop.stop_if(b.not_(b.fcmp_ordered(">", h, smallest)), Status.STEP_TOO_SMALL)
+    time, wanted = loop.get("t"), loop.get("h")
+    h, last, time_after = loop.step_until(loop.knot(1))
     _stages(loop, time, h)
     error = _error(loop, h)
     loop.add("done", 1.0)
     accepted, rejected = loop.block("accepted"), loop.block("rejected")
     b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)
     b.position_at_end(rejected)
-    _shrink(loop, h, error)
-    b.branch(loop.again)
+    loop.reject(h, b.fdiv(number(_SAFETY), power(loop, error, 0.2 - 0.75 * _BETA)), _SMALLEST)
     b.position_at_end(accepted)
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
     gate.meet(h)
@@ -110,17 +102,12 @@ def _scale(loop: TimeLoop, i: Any, *states: str) -> Any:
 def mean_square(loop: TimeLoop, value_of: Any, *states: str) -> Any:
     """Root of the mean square of ``value_of(i)`` over the scale of each component."""
     b = loop.builder
-    total = loop.cell["total"] = loop.cell.get("total") or _cell_in_entry(loop)
+    total = loop.cell["total"] = loop.cell.get("total") or loop.local("total")
     b.store(number(0.0), total)
     with counted(b, loop.size) as i:
         ratio = b.fdiv(value_of(i), _scale(loop, i, *states))
         b.store(b.fadd(b.load(total, typ=F64), b.fmul(ratio, ratio)), total)
     return loop.intrinsic("sqrt", b.fdiv(b.load(total, typ=F64), number(float(loop.size))))
-
-
-def _cell_in_entry(loop: TimeLoop) -> Any:
-    with loop.builder.goto_entry_block():
-        return loop.builder.alloca(F64, name="total")
 
 
 def _norm(loop: TimeLoop, label: str, state: str) -> Any:
@@ -148,15 +135,6 @@ def power(loop: TimeLoop, base: Any, exponent: Any) -> Any:
     return loop.builder.call(function, [base, exponent])
 
 
-def _shrink(loop: TimeLoop, h: Any, error: Any) -> None:
-    """After a rejected step; an error that is not a number shrinks the step most."""
-    b = loop.builder
-    factor = b.fdiv(number(_SAFETY), power(loop, error, 0.2 - 0.75 * _BETA))
-    usable = b.fcmp_ordered(">", factor, number(_SMALLEST))
-    loop.put("h", b.fmul(h, b.select(usable, factor, number(_SMALLEST))))
-    loop.add("rejected", 1.0)
-
-
 def _accept(loop: TimeLoop, wanted: Any, h: Any, error: Any, last: Any, time_after: Any) -> None:
     b = loop.builder
     error = loop.intrinsic("maxnum", error, number(1e-10))
@@ -177,22 +155,14 @@ def _accept(loop: TimeLoop, wanted: Any, h: Any, error: Any, last: Any, time_aft
 
 def _write_samples(loop: TimeLoop, time: Any, h: Any, time_after: Any) -> None:
     b = loop.builder
-    check, write, done = loop.block("sample_check"), loop.block("sample_write"), loop.block("sample_done")
-    b.branch(check)
-    b.position_at_end(check)
-    b.cbranch(loop.sample_due(time_after), write, done)
-    b.position_at_end(write)
-    s = b.fdiv(b.fsub(loop.sample_time(), time), h)
-    weights = {stage: b.fmul(h, _dense(b, s, row)) for stage, row in zip(_STAGES, DENSE, strict=True) if any(row)}
-    target = loop.sample_row()
-    with counted(b, loop.size) as i:
-        value = load(b, loop.array["y"], i)
-        for stage, weight in weights.items():
-            value = b.fadd(value, b.fmul(weight, load(b, loop.array[stage], i)))
-        store(b, value, target, i)
-    loop.add("sample", 1.0)
-    b.branch(check)
-    b.position_at_end(done)
+    with loop.due_samples(time_after) as target:
+        s = b.fdiv(b.fsub(loop.sample_time(), time), h)
+        weights = {stage: b.fmul(h, _dense(b, s, row)) for stage, row in zip(_STAGES, DENSE, strict=True) if any(row)}
+        with counted(b, loop.size) as i:
+            value = load(b, loop.array["y"], i)
+            for stage, weight in weights.items():
+                value = b.fadd(value, b.fmul(weight, load(b, loop.array[stage], i)))
+            store(b, value, target, i)
 
 
 def _dense(b: Any, s: Any, row: tuple[float, ...]) -> Any:

@@ -44,30 +44,17 @@ class _Writer:
     def __init__(self, loop: TimeLoop, pairs: int, step_offset: int, gate_offset: int | None) -> None:
         self.loop, self.pairs, self.step_offset = loop, pairs, step_offset
         self.b: Any = loop.builder
-        self.error = self._cell("error")
-        self.rows = self._cell("rows")
-        self.time = self._cell("time")
+        self.error, self.rows, self.time = loop.local("error"), loop.local("rows"), loop.local("time")
         self.gate = Gate(loop, gate_offset)
-
-    def _cell(self, name: str) -> Any:
-        with self.b.goto_entry_block():
-            return self.b.alloca(F64, name=name)
 
     def write(self) -> None:
         """One attempt of a step, from the block ``again`` back to it."""
         loop, b = self.loop, self.b
-        loop.stop_if(loop.finished(), Status.FINISHED)
-        loop.stop_if(b.fcmp_ordered(">=", loop.get("done"), loop.option("chunk")), Status.RUNNING)
         self.gate.begin("y", "slope")
         with b.if_then(b.fcmp_ordered("<=", loop.get("h"), number(0.0)), likely=False):
             loop.put("h", loop.intrinsic("minnum", number(_FIRST), b.fsub(loop.knot(1), loop.knot(0))))
         time, wanted = loop.get("t"), loop.get("h")
-        end = self._next_stop()
-        last = b.fcmp_ordered(">=", b.fadd(time, b.fmul(number(1.0001), wanted)), end)
-        h = b.select(last, b.fsub(end, time), wanted)
-        time_after = b.select(last, end, b.fadd(time, h))
-        smallest = b.fmul(number(4e-15), loop.intrinsic("fabs", end))
-        loop.stop_if(b.not_(b.fcmp_ordered(">", h, smallest)), Status.STEP_TOO_SMALL)
+        h, last, time_after = loop.step_until(self._next_stop())
         judged = loop.block("judged")
         for row in range(1, ROWS + 1):
             self._row(row, time, h)
@@ -148,17 +135,15 @@ class _Writer:
         factor = b.fdiv(number(_SAFETY), power(loop, floor, b.fdiv(number(1.0), rows)))
         b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)
         b.position_at_end(rejected)
-        usable = b.fcmp_ordered(">", factor, number(_SMALLEST))
-        loop.put("h", b.fmul(h, b.select(usable, factor, number(_SMALLEST))))
-        loop.add("rejected", 1.0)
-        b.branch(loop.again)
+        loop.reject(h, factor, _SMALLEST)
         b.position_at_end(accepted)
         loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
         if self.gate.offset is not None:
             loop.evaluate(time_after, "new", "slope")
             self.gate.meet(h)
         loop.copy("y", "new")
-        self._write_sample(time_after)
+        with loop.due_samples(b.fadd(time_after, self._rounding(time_after))) as target, counted(b, loop.size) as i:
+            store(b, load(b, loop.array["new"], i), target, i)
         bounded = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(_SMALLEST)), number(_LARGEST))
         grown = b.fmul(h, bounded)
         loop.put("h", b.select(last, loop.intrinsic("maxnum", grown, wanted), grown))
@@ -167,17 +152,3 @@ class _Writer:
         loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(at_knot, F64)))
         loop.add("steps", 1.0)
         b.branch(loop.again)
-
-    def _write_sample(self, time_after: Any) -> None:
-        loop, b = self.loop, self.b
-        check, write, done = loop.block("sample_check"), loop.block("sample_write"), loop.block("sample_done")
-        b.branch(check)
-        b.position_at_end(check)
-        b.cbranch(loop.sample_due(b.fadd(time_after, self._rounding(time_after))), write, done)
-        b.position_at_end(write)
-        target = loop.sample_row()
-        with counted(b, loop.size) as i:
-            store(b, load(b, loop.array["new"], i), target, i)
-        loop.add("sample", 1.0)
-        b.branch(check)
-        b.position_at_end(done)

@@ -24,9 +24,8 @@ class Gate:
         self.loop, self.offset = loop, offset
         if offset is None:
             return
+        self.before, self.known = [loop.local(f"gate{k}") for k in range(2)], loop.local("gate_known")
         with loop.builder.goto_entry_block():
-            self.before = [loop.builder.alloca(F64, name=f"gate{k}") for k in range(2)]
-            self.known = loop.builder.alloca(F64, name="gate_known")
             loop.builder.store(number(0.0), self.known)
 
     def _now(self) -> list[Any]:

@@ -32,7 +32,7 @@ def _library(
         while len(_loaded) > _KEPT:
             _loaded.popitem(last=False)
     _loaded.move_to_end(key)
-    return _loaded[key]  # fmt: skip
+    return _loaded[key]
 
 
 def _binary(key: str, write: Callable[[], Any], level: int) -> bytes:

@@ -2,19 +2,16 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
 from llvmlite import ir
 
+from tmodes.compile.arithmetic import Double
 from tmodes.compile.emit import F64, POINTER, VOID, declare, load, number, store
 from tmodes.compile.program import Instruction, Program
-from tmodes.compile.trigonometry import sine_and_cosine
 
 __all__ = ["Lowered", "lower"]
-
-_FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
 
 
 @dataclass(frozen=True)
@@ -62,6 +59,7 @@ class _Writer:
     def __init__(self, module: Any, program: Program, arguments: dict[int, Any], function: Any) -> None:
         self.module, self.program, self.arguments = module, program, arguments
         self.builder = ir.IRBuilder(function.append_basic_block("entry"))
+        self.double = Double(module)
         self.known: dict[int, Any] = {}
         self.turned: dict[int, Any] = {}
 
@@ -97,42 +95,8 @@ class _Writer:
             holder = self.arguments[argument]
             return load(self.builder, holder, element) if isinstance(holder.type, ir.PointerType) else holder
         if value.kind in ("sin", "cos"):
-            return self._turn(value)
-        return self._operation(value.kind, *(self.known[arg] for arg in value.args))
-
-    def _turn(self, value: Instruction) -> Any:
-        """One call for the sine and the cosine of an angle."""
-        angle = value.args[0]
-        if angle not in self.turned:
-            self.turned[angle] = self.builder.call(sine_and_cosine(self.module), [self.known[angle]])
-        return self.builder.extract_value(self.turned[angle], 0 if value.kind == "sin" else 1)
-
-    def _operation(self, kind: str, a: Any, c: Any = None) -> Any:
-        b: Any = self.builder
-        if kind in _INTRINSICS:
-            return b.call(self.module.declare_intrinsic(_INTRINSICS[kind], [F64]), [a])
-        return _OPERATIONS[kind](b, a, c)
-
-
-def _truth(b: Any, condition: Any) -> Any:
-    """CasADi's truth values are the numbers 1 and 0."""
-    return b.uitofp(condition, F64)
-
-
-_INTRINSICS = {"sqrt": "llvm.sqrt", "fabs": "llvm.fabs"}
-
-_OPERATIONS: dict[str, Callable[[Any, Any, Any], Any]] = {
-    "add": lambda b, x, y: b.fadd(x, y, flags=_FUSE),
-    "sub": lambda b, x, y: b.fsub(x, y, flags=_FUSE),
-    "mul": lambda b, x, y: b.fmul(x, y, flags=_FUSE),
-    "sq": lambda b, x, _: b.fmul(x, x, flags=_FUSE),
-    "twice": lambda b, x, _: b.fmul(x, number(2.0), flags=_FUSE),
-    "div": lambda b, x, y: b.fdiv(x, y),
-    "inv": lambda b, x, _: b.fdiv(number(1.0), x),
-    "neg": lambda b, x, _: b.fneg(x),
-    "copy": lambda b, x, _: x,
-    "lt": lambda b, x, y: _truth(b, b.fcmp_ordered("<", x, y)),
-    "le": lambda b, x, y: _truth(b, b.fcmp_ordered("<=", x, y)),
-    "not": lambda b, x, _: _truth(b, b.fcmp_ordered("==", x, number(0.0))),
-    "if_else_zero": lambda b, x, y: b.select(b.fcmp_unordered("!=", x, number(0.0)), y, number(0.0)),
-}
+            angle = value.args[0]
+            if angle not in self.turned:
+                self.turned[angle] = self.double.turn(self.builder, self.known[angle])
+            return self.turned[angle][0 if value.kind == "sin" else 1]
+        return self.double.operation(self.builder, value.kind, *(self.known[arg] for arg in value.args))

@@ -19,8 +19,6 @@ def write_rk4_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guar
     """
     loop = TimeLoop(module, name, lowered, ("k2", "k3", "k4", "probe", "new"), guarded)
     b = loop.builder
-    loop.stop_if(loop.finished(), Status.FINISHED)
-    loop.stop_if(b.fcmp_ordered(">=", loop.get("done"), loop.option("chunk")), Status.RUNNING)
     start, end = loop.knot(0), loop.knot(1)
     length = b.fsub(end, start)
     ratio = b.fdiv(length, loop.option("step"))
@@ -59,26 +57,24 @@ def _step(loop: TimeLoop, time: Any, h: Any) -> None:
 
 def _write_samples(loop: TimeLoop, time: Any, h: Any, time_after: Any) -> None:
     b = loop.builder
-    check, write, done = loop.block("sample_check"), loop.block("sample_write"), loop.block("sample_done")
-    b.branch(check)
-    b.position_at_end(check)
-    b.cbranch(loop.sample_due(b.fadd(time_after, b.fmul(h, number(1e-9)))), write, done)
-    b.position_at_end(write)
+    with loop.due_samples(b.fadd(time_after, b.fmul(h, number(1e-9)))) as target:
+        _write_sample(loop, target, time, h, time_after)
+
+
+def _write_sample(loop: TimeLoop, target: Any, time: Any, h: Any, time_after: Any) -> None:
+    b = loop.builder
     share = b.fdiv(b.fsub(loop.sample_time(), time), h)
     inside = b.fcmp_ordered("<", share, number(1 - 1e-9))
     exact, between, written = loop.block("sample_exact"), loop.block("sample_between"), loop.block("sample_written")
     b.cbranch(inside, between, exact)
     b.position_at_end(exact)
-    _write_row(loop, {"new": number(1.0)})
+    _write_row(loop, target, {"new": number(1.0)})
     b.branch(written)
     b.position_at_end(between)
     loop.evaluate(time_after, "new", "k4")
-    _write_row(loop, _hermite(b, share, h))
+    _write_row(loop, target, _hermite(b, share, h))
     b.branch(written)
     b.position_at_end(written)
-    loop.add("sample", 1.0)
-    b.branch(check)
-    b.position_at_end(done)
 
 
 def _hermite(b: Any, s: Any, h: Any) -> dict[str, Any]:
@@ -93,9 +89,8 @@ def _hermite(b: Any, s: Any, h: Any) -> dict[str, Any]:
     }
 
 
-def _write_row(loop: TimeLoop, weights: dict[str, Any]) -> None:
+def _write_row(loop: TimeLoop, target: Any, weights: dict[str, Any]) -> None:
     b = loop.builder
-    target = loop.sample_row()
     with counted(b, loop.size) as i:
         total: Any = number(0.0)
         for label, weight in weights.items():

@@ -6,7 +6,8 @@ memory as if it had never stopped, so progress, interruption and checkpoints cha
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from enum import IntEnum
 from typing import Any
 
@@ -62,6 +63,45 @@ class TimeLoop:
         self.builder.branch(self.again)
         self._write_leave()
         self.builder.position_at_end(self.again)
+        self.stop_if(self.finished(), Status.FINISHED)
+        self.stop_if(self.builder.fcmp_ordered(">=", self.get("done"), self.option("chunk")), Status.RUNNING)
+
+    def local(self, name: str) -> Any:
+        """A double on the stack of the function."""
+        with self.builder.goto_entry_block():
+            return self.builder.alloca(F64, name=name)
+
+    def step_until(self, end: Any) -> tuple[Any, Any, Any]:
+        """Length of the next step, whether it ends on ``end``, and the time after it; fails where it is too short."""
+        b: Any = self.builder
+        time, wanted = self.get("t"), self.get("h")
+        last = b.fcmp_ordered(">=", b.fadd(time, b.fmul(number(1.0001), wanted)), end)
+        h = b.select(last, b.fsub(end, time), wanted)
+        smallest = b.fmul(number(4e-15), self.intrinsic("fabs", end))
+        self.stop_if(b.not_(b.fcmp_ordered(">", h, smallest)), Status.STEP_TOO_SMALL)
+        return h, last, b.select(last, end, b.fadd(time, h))
+
+    def reject(self, h: Any, factor: Any, smallest: float) -> None:
+        """Try again with a step of h times a factor; one that is not a number shrinks the step most."""
+        b: Any = self.builder
+        usable = b.fcmp_ordered(">", factor, number(smallest))
+        self.put("h", b.fmul(h, b.select(usable, factor, number(smallest))))
+        self.add("rejected", 1.0)
+        b.branch(self.again)
+
+    @contextmanager
+    def due_samples(self, until: Any) -> Iterator[Any]:
+        """For each sample that is due: yields where it is written."""
+        b = self.builder
+        check, write, done = self.block("sample_check"), self.block("sample_write"), self.block("sample_done")
+        b.branch(check)
+        b.position_at_end(check)
+        b.cbranch(self.sample_due(until), write, done)
+        b.position_at_end(write)
+        yield self.sample_row()
+        self.add("sample", 1.0)
+        b.branch(check)
+        b.position_at_end(done)
 
     def block(self, name: str) -> Any:
         """A new basic block."""

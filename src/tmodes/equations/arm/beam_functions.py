@@ -41,13 +41,18 @@ def pieces_at(beam: Beam, name: str, s: ArrayLike) -> Array:
     ``name``: a field of :class:`tmodes.chain.BeamPiece`; ``inertia0``, ``inertia1``, ``inertia2`` about x, y, z.
     """
     s = np.asarray(s, dtype=float)
-    ends = np.array([piece.end for piece in beam.pieces])
-    starts = np.concatenate([[0.0], ends[:-1]])
+    starts, ends = _bounds(beam)
     k = np.minimum(np.searchsorted(ends, s - 1e-12), len(ends) - 1)
     values = _ends(beam, name)
     rise = np.zeros(len(values))
     np.subtract(values[:, 1], values[:, 0], out=rise, where=values[:, 1] != values[:, 0])  # infinite ones are equal
     return values[k, 0] + rise[k] * (s - starts[k]) / (ends - starts)[k]
+
+
+def _bounds(beam: Beam) -> tuple[Array, Array]:
+    """Where each piece starts and where it ends."""
+    ends = np.array([piece.end for piece in beam.pieces])
+    return np.concatenate([[0.0], ends[:-1]]), ends
 
 
 def _ends(beam: Beam, name: str) -> Array:
@@ -70,8 +75,7 @@ def _weighted(beam: Beam, direction: str) -> bool:
 
 def fine_rule(beam: Beam) -> tuple[Array, Array]:
     """Points and weights (sum 1) of a fine quadrature over all pieces."""
-    ends = np.array([piece.end for piece in beam.pieces])
-    starts = np.concatenate([[0.0], ends[:-1]])
+    starts, ends = _bounds(beam)
     half = (ends - starts)[:, None] / 2
     return (starts[:, None] + half * (1 + _X)).ravel(), (half * _W).ravel()
 
@@ -103,17 +107,13 @@ def interval_integrals(beam: Beam, start: Array, end: Array) -> tuple[Array, Arr
     """
     middle, length = (start + end) / 2, end - start
     per_length = np.divide(1.0, length, out=np.zeros_like(length), where=length > 0)
-    turning = sum(getattr(beam, direction) for direction in _TURNING)
-    alpha, beta = np.zeros((len(start), turning)), np.zeros((len(start), turning))
-    first = 0.0
-    for piece in beam.pieces:
-        low, high = np.clip(start, first, piece.end), np.clip(end, first, piece.end)
-        s = low[:, None] + (high - low)[:, None] * (1 + _X) / 2
-        weights = (high - low)[:, None] * _W / 2
-        values = np.concatenate([function_values(beam, direction, s) for direction in _TURNING])
-        alpha += (values * weights).sum(axis=2).T
-        beta += (values * weights * (s - middle[:, None]) * per_length[:, None]).sum(axis=2).T
-        first = piece.end
+    starts, ends = _bounds(beam)
+    low, high = (np.clip(place, starts[:, None], ends[:, None]) for place in (start, end))
+    s = low[..., None] + (high - low)[..., None] * (1 + _X) / 2
+    weights = (high - low)[..., None] * _W / 2
+    values = np.concatenate([function_values(beam, direction, s) for direction in _TURNING]) * weights
+    moments = values * (s - middle[:, None]) * per_length[:, None]
+    alpha, beta = (part.sum(axis=-1).sum(axis=1).T for part in (values, moments))
     return alpha, beta
 
 

@@ -21,7 +21,7 @@ from tmodes.equations.arm.beam_functions import (
 from tmodes.equations.arm.beam_rule import Rule, beam_rule
 from tmodes.equations.arm.strain_shape import StrainShape
 
-__all__ = ["BeamTables", "beam_tables", "section_edges", "stations_of", "strain_shape"]
+__all__ = ["BeamTables", "beam_tables", "section_edges", "stations_of"]
 
 Array = NDArray[np.float64]
 
@@ -41,21 +41,11 @@ class BeamTables:
         """The Gauss points (g,)."""
         return self.rule.points
 
-    @property
-    def masses(self) -> Array:
-        """Their masses (g,) [kg]."""
-        return self.rule.masses
-
 
 def stations_of(beam: Beam, asked: tuple[float, ...] = ()) -> tuple[float, ...]:
     """Where sections must be told besides the tip: bodies and named points at s < 1, rising."""
     found = {s for s, _ in beam.bodies if s < 1.0} | {s for s in asked if s < 1.0}
     return tuple(sorted(found))
-
-
-def strain_shape(beam: Beam, stations: tuple[float, ...] = ()) -> StrainShape:
-    """The structure of a beam's equations."""
-    return _shape(beam, beam_rule(beam), stations)
 
 
 def _shape(beam: Beam, rule: Rule, stations: tuple[float, ...]) -> StrainShape:

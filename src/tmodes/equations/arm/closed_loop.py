@@ -9,14 +9,13 @@ from __future__ import annotations
 from dataclasses import dataclass, field, replace
 from functools import cached_property
 
-import numpy as np
-
 from tmodes.chain import Drive
 from tmodes.equations.arm.closed_loop_instant import Instant
 from tmodes.equations.arm.closed_loop_plan import DrivePlan, LoopPlan, StateLayout
 from tmodes.equations.arm.closed_loop_powers import Powers
 from tmodes.equations.arm.drive_kernels import DriveKind, drive_kind, drive_numbers
 from tmodes.equations.arm.parts import NodePart, Parts
+from tmodes.equations.arm.passes import resting_base
 from tmodes.equations.arm.schedule import Schedule, Slot
 
 __all__ = ["ClosedLoop", "Driver"]
@@ -56,11 +55,9 @@ class ClosedLoop:
         self.loads = [numbers.block(load.wrench) for load in plan.loads]
         self.always = numbers.block([1.0, 0.0, 0.0])
         self.touch = numbers.block(plan.touch.numbers) if plan.touch else None
-        placed, gravity = chain.base, np.asarray(chain.gravity, dtype=float)
-        place = [*placed.rotation.ravel(), *placed.position]
-        pull = placed.rotation.T @ gravity
-        still = [0.0, 0.0, 0.0, *(-pull), 0.0, 0.0, 0.0, *place, 0.0, 0.0, 0.0]
-        self.base = numbers.block([*place, *gravity] if plan.base else still)
+        placed = chain.base
+        moved = [*placed.rotation.ravel(), *placed.position, *chain.gravity]
+        self.base = numbers.block(moved if plan.base else resting_base(chain))
 
     def _driver(self, plan: DrivePlan) -> Driver:
         names = [part.node.joint.name for part in self.parts.nodes]

@@ -61,16 +61,12 @@ class Powers:
 
     def _need(self) -> None:
         """What the motors that follow their signals exactly must do."""
-        inputs = self.way.coupled_inputs()
-        torques: dict[int, Slot] = {}
+        inputs, loads = self.recursion.coupled, self.recursion.coupled_loads
         for k, driver in enumerate(self.loop.drivers):
             load, gear = self._losses_of(driver, inputs)
-            if gear:
-                torques[driver.part.motor] = gear
             self.gear[k] = gear or self.none[1]
             if driver.plan.servo is None and driver.part.motor not in inputs:
                 self._needed(k, driver, load)
-        loads = self.way.coupled_loads(torques)
         for k, driver in enumerate(self.loop.drivers):
             if driver.plan.servo is None and driver.part.motor in loads:
                 speed, motor = self.way.motor(driver.part)[1], driver.part.motor
@@ -83,11 +79,10 @@ class Powers:
         if part.motor in inputs:
             blocks = (driver.kind_numbers, *inputs[part.motor], *self.way.angle(part))
             lost = self._call(driver.kind.coupled_elastic(), *blocks)[2]
-            torque = self._call(driver.kind.coupled(), *blocks)[1]
             own = self._call(driver.kind.coupled_motor(), driver.kind_numbers, self.way.motor(part)[1], none, none)[2]
             self.powers["friction"] += [lost.part(1, 1), own]
             self.powers["gear_damping"].append(lost.part(0, 1))
-            return none, torque
+            return none, self.recursion.torques[part.motor]
         blocks = (driver.kind_numbers, *self.way.motor(part), *self.way.angle(part))
         forces, _, lost = self._call(driver.kind.elastic(), *blocks)
         self.powers["friction"].append(lost.part(1, 1))

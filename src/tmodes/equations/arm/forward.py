@@ -47,6 +47,7 @@ class Recursion:
         self.motor_terms: dict[int, Slot] = {}
         self.coupled = way.coupled_inputs()
         self.torques: dict[int, Slot] = {}
+        self.coupled_loads: dict[int, Slot] = {}
 
     def run(self) -> list[Slot]:
         """Add all calls; the accelerations of the coordinates, in their order."""
@@ -99,7 +100,7 @@ class Recursion:
         return effort, own
 
     def _couple_motors(self) -> None:
-        loads = self.way.coupled_loads(self.torques)
+        self.coupled_loads = loads = self.way.coupled_loads(self.torques)
         for index, part in enumerate(self.parts.nodes):
             if part.motor in loads and part.drive and part.drive_numbers:
                 effort = self.effort.part(part.effort, 1)

@@ -181,7 +181,4 @@ def _about(axis: int | None, e: v.Vector, angle: Any) -> v.Matrix:
         part = v.outer(v.scale(1 - c, e), e)
         lever = v.skew(e)
         return [[part[i][j] + (c if i == j else 0.0) + s * lever[i][j] for j in range(3)] for i in range(3)]
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    matrix = v.identity()
-    matrix[i][i], matrix[j][j], matrix[i][j], matrix[j][i] = c, c, -s, s
-    return matrix
+    return v.about(axis, c, s)

@@ -6,7 +6,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from tmodes.equations.arm import vectors as v
-from tmodes.equations.arm.spatial import Force, Inertia
+from tmodes.equations.arm.spatial import Force, Inertia, body_inertia
 from tmodes.equations.arm.strain_shape import FRAME
 
 __all__ = ["LinkTerms", "Section"]
@@ -75,16 +75,14 @@ class LinkTerms:
 
     def packed(self) -> list[Any]:
         """All numbers in order."""
-        a = self.angular
-        six = [a[0][0], a[1][1], a[2][2], a[0][1], a[0][2], a[1][2]]
         coupling = [column.packed() for column in self.coupling]
-        return v.flat(self.mass, coupling, six, self.moment, self.total, self.bias_q, self.bias.packed())
+        base = (v.six(self.angular), self.moment, self.total)
+        return v.flat(self.mass, coupling, *base, self.bias_q, self.bias.packed())
 
     @property
     def base(self) -> Inertia:
         """M_bb."""
-        mass = [[self.total if i == j else 0.0 for j in range(3)] for i in range(3)]
-        return Inertia(self.angular, v.skew(self.moment), mass)
+        return body_inertia(self.total, self.moment, self.angular)
 
     def with_load(
         self, section: Section, inertia: Inertia, force: Force

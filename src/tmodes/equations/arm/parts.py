@@ -34,6 +34,11 @@ class LinkPart:
     first: int
     names: tuple[str, ...]
 
+    @property
+    def own(self) -> slice:
+        """Where its coordinates stand."""
+        return slice(self.first, self.first + len(self.names))
+
 
 @dataclass(frozen=True)
 class NodePart:

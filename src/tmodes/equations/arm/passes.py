@@ -4,6 +4,10 @@ from __future__ import annotations
 
 from dataclasses import dataclass, field
 
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.chain import Chain
 from tmodes.equations.arm.body_kernels import body_kernel, push_kernel, sum_kernel
 from tmodes.equations.arm.drive_kernels import mixing_kernel
 from tmodes.equations.arm.hinge import POSE
@@ -11,10 +15,17 @@ from tmodes.equations.arm.parts import LinkPart, NodePart, Parts
 from tmodes.equations.arm.schedule import Schedule, Slot
 from tmodes.equations.arm.spatial import FORCE
 
-__all__ = ["BASE", "Blocks", "Passes", "Way"]
+__all__ = ["BASE", "Blocks", "Passes", "Way", "resting_base"]
 
 BASE = 2 * FORCE - 3 + POSE
 """Numbers of the base: acceleration less gravity (6) and rate (3) in its own axes, pose in the world (15)."""
+
+
+def resting_base(chain: Chain, factor: float = 1.0) -> NDArray[np.float64]:
+    """The row of a base that stands still under ``factor`` times gravity."""
+    placed = chain.base
+    pull = placed.rotation.T @ (factor * np.asarray(chain.gravity, dtype=float))
+    return np.concatenate([np.zeros(3), -pull, np.zeros(3), placed.rotation.ravel(), placed.position, np.zeros(3)])
 
 
 @dataclass

@@ -83,7 +83,7 @@ class Inertia:
 
     def packed(self) -> list[Any]:
         """The 21 numbers."""
-        return [*_six(self.angular), *v.flat(self.coupling), *_six(self.linear)]
+        return [*v.six(self.angular), *v.flat(self.coupling), *v.six(self.linear)]
 
     def __add__(self, other: Inertia) -> Inertia:
         return Inertia(
@@ -147,10 +147,6 @@ def body_bias(moment: v.Vector, inertia: v.Matrix, rate: v.Vector) -> Force:
     W x (I_o W) about the origin, and W x (W x m c).
     """
     return Force(v.cross(rate, v.matvec(inertia, rate)), v.cross(rate, v.cross(rate, moment)))
-
-
-def _six(a: v.Matrix) -> list[Any]:
-    return [a[0][0], a[1][1], a[2][2], a[0][1], a[0][2], a[1][2]]
 
 
 def _sum(a: v.Matrix, b: v.Matrix) -> v.Matrix:

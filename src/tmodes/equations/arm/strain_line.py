@@ -6,7 +6,6 @@ The frame is integrated from section to section by the fourth-order Magnus step 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from math import factorial
 from typing import Any
 
 import casadi as ca
@@ -59,21 +58,13 @@ def _planar_line(shape: StrainShape, table: TableReader, rate: v.Vector, q: Any,
         speed = speed + v.total([alpha * qd[j] for j, alpha in enumerate(alphas)])
         turned = v.scale(speed, axis)
         state = SectionState(
-            _rotation(shape.planar, angle),
+            v.about(shape.planar, ca.cos(angle), ca.sin(angle)),
             v.add(rate, turned),
             v.cross(rate, turned),
             [v.scale(s, axis) for s in slopes],
         )
         _keep(line, place, state)
     return line
-
-
-def _rotation(axis: int, angle: Any) -> v.Matrix:
-    c, s = ca.cos(angle), ca.sin(angle)
-    i, j = (axis + 1) % 3, (axis + 2) % 3
-    matrix = v.identity()
-    matrix[i][i], matrix[j][j], matrix[i][j], matrix[j][i] = c, c, -s, s
-    return matrix
 
 
 def _keep(line: StrainLine, place: tuple[str, int], state: SectionState) -> None:
@@ -107,14 +98,15 @@ def _magnus_step(
     turn_rate = v.add(ad, v.cross(ad, b), v.cross(a, bd))
     turn_bias = v.scale(2, v.cross(ad, bd))
     z = v.dot(turn, turn)
-    f1, f2, f3 = _series(z, 1), _series(z, 2), _series(z, 3)
+    f1, f2, f3 = (v.series(z, first, _TERMS) for first in (1, 2, 3))
+    g2, g3 = (v.slope_of_series(z, first, _TERMS) for first in (2, 3))
     once = [v.cross(row, turn) for row in old.rotation]
     twice = [v.cross(row, turn) for row in once]
     spread = _mix(old.rotation, (f2, once), (f3, twice))
     gained = v.matvec(spread, turn_rate)
     c1 = v.cross(turn, turn_rate)
     inner = v.add(
-        v.scale(2 * v.dot(turn, turn_rate), v.add(v.scale(_slope(z, 2), c1), v.scale(_slope(z, 3), v.cross(turn, c1)))),
+        v.scale(2 * v.dot(turn, turn_rate), v.add(v.scale(g2, c1), v.scale(g3, v.cross(turn, c1)))),
         v.scale(f3, v.cross(turn_rate, c1)),
     )
     bias = v.add(old.bias, v.cross(old.rate, gained), v.matvec(old.rotation, inner), v.matvec(spread, turn_bias))
@@ -128,22 +120,6 @@ def _sums(shape: StrainShape, weights: list[Any], q: Any) -> v.Vector:
     for j, direction in enumerate(shape.directions):
         sums[direction] = sums[direction] + weights[j] * q[j]
     return sums
-
-
-def _series(z: Any, first: int) -> Any:
-    """Sum of (-z)^k/(2k + first)!: sin(x)/x for first = 1, (1 - cos x)/x^2 for 2, (x - sin x)/x^3 for 3; z = x^2."""
-    value: Any = 0.0
-    for k in reversed(range(_TERMS)):
-        value = value * z + (-1) ** k / factorial(2 * k + first)
-    return value
-
-
-def _slope(z: Any, first: int) -> Any:
-    """Derivative of the series by z."""
-    value: Any = 0.0
-    for k in reversed(range(1, _TERMS)):
-        value = value * z + k * (-1) ** k / factorial(2 * k + first)
-    return value
 
 
 def _mix(base: v.Matrix, *terms: tuple[Any, v.Matrix]) -> v.Matrix:

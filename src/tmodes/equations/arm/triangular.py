@@ -12,7 +12,6 @@ def factor(matrix: list[list[Any]]) -> tuple[list[list[Any]], list[Any]]:
     n = len(matrix)
     lower: list[list[Any]] = [[0.0] * i for i in range(n)]
     share: list[Any] = []
-    pivots: list[Any] = []
     for i in range(n):
         scaled: list[Any] = []
         for j in range(i):
@@ -24,7 +23,6 @@ def factor(matrix: list[list[Any]]) -> tuple[list[list[Any]], list[Any]]:
         pivot = matrix[i][i]
         for j, value in enumerate(scaled):
             pivot = pivot - value * lower[i][j]
-        pivots.append(pivot)
         share.append(1 / pivot)
     return lower, share
 

@@ -3,13 +3,14 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
+from math import factorial
 from typing import Any
 
 __all__ = [
     "Matrix",
     "Vector",
+    "about",
     "add",
-    "columns",
     "cross",
     "dot",
     "flat",
@@ -18,7 +19,10 @@ __all__ = [
     "matvec",
     "outer",
     "scale",
+    "series",
+    "six",
     "skew",
+    "slope_of_series",
     "sub",
     "symmetric",
     "total",
@@ -114,9 +118,17 @@ def matmul(a: Matrix, b: Matrix) -> Matrix:
     return [[dot(a[i], other[j]) for j in range(3)] for i in range(3)]
 
 
-def columns(a: Matrix) -> list[Vector]:
-    """The columns of a matrix."""
-    return transpose(a)
+def about(axis: int, cosine: Any, sine: Any) -> Matrix:
+    """Rotation about an axis of the frame."""
+    i, j = (axis + 1) % 3, (axis + 2) % 3
+    matrix = identity()
+    matrix[i][i], matrix[j][j], matrix[i][j], matrix[j][i] = cosine, cosine, -sine, sine
+    return matrix
+
+
+def six(a: Matrix) -> list[Any]:
+    """The six entries of a symmetric matrix."""
+    return [a[0][0], a[1][1], a[2][2], a[0][1], a[0][2], a[1][2]]
 
 
 def tri(symbol: Any, start: int = 0) -> Matrix:
@@ -148,3 +160,19 @@ def flat(*parts: Any) -> list[Any]:
         else:
             result.append(part)
     return result
+
+
+def series(z: Any, first: int, terms: int) -> Any:
+    """Sum of (-z)^k/(2k + first)!: sin(x)/x for first = 1, (1 - cos x)/x^2 for 2, (x - sin x)/x^3 for 3; z = x^2."""
+    value: Any = 0.0
+    for k in reversed(range(terms)):
+        value = value * z + (-1) ** k / factorial(2 * k + first)
+    return value
+
+
+def slope_of_series(z: Any, first: int, terms: int) -> Any:
+    """Derivative of the series by z."""
+    value: Any = 0.0
+    for k in reversed(range(1, terms)):
+        value = value * z + k * (-1) ** k / factorial(2 * k + first)
+    return value
