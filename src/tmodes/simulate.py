@@ -23,6 +23,9 @@ __all__ = ["simulate"]
 
 Progress = Callable[[str, float], None]
 
+_CAUSES = "buckling under environment.preload, friction that feeds power in where Fc < 0, or the controller"
+"""What makes a start unstable."""
+
 
 def simulate(
     robot: Robot | NominalRealPair,
@@ -77,5 +80,5 @@ def _verdict(pair: NominalRealPair) -> tuple[StepVerdict, list[str]]:
     for whose, robot, drive in regimes:
         spectrum = closed_loop_spectrum(robot, drive=drive)
         verdicts.append(step_size_verdict(robot.integration, spectrum))
-        growth += growth_warnings(spectrum, whose)
+        growth += growth_warnings(spectrum, whose, _CAUSES)
     return max(verdicts, key=lambda verdict: (not verdict.stable, verdict.highest)), growth

@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.equilibrium import Equilibrium
-from tmodes.analysis.equilibrium_system import base_row
 from tmodes.arm_model import ArmModel
 from tmodes.errors import SimulationError
 
@@ -88,7 +87,7 @@ def springs_of(model: ArmModel, q: Array) -> dict[str, Spring]:
 
     Together they are the slope of the elastic forces; the weight has no part in it.
     """
-    elastic = model.stiffness(q, base=base_row(model, 0.0))
+    elastic = model.stiffness(q, base=model.at_rest(gravity=0.0))
     found: dict[str, Spring] = {}
     for part in model.parts.nodes:
         if part.drive and part.drive.ranges:

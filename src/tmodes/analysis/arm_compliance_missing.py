@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from tmodes.analysis.arm_compliance import NOTHING, PointCompliance
 from tmodes.analysis.arm_line import elastic_line
 from tmodes.analysis.equilibrium import Equilibrium
-from tmodes.analysis.equilibrium_system import base_row
 from tmodes.chain import Beam, Segment
 
 __all__ = ["missing_functions"]
@@ -56,7 +55,7 @@ def _unloaded(rest: Equilibrium, point: int) -> Array:
     q[model.deformations] = 0.0
     if not len(free):
         return np.zeros(6)
-    stiffness = model.stiffness(q, base=base_row(model, 0.0))[np.ix_(free, free)]
+    stiffness = model.stiffness(q, base=model.at_rest(gravity=0.0))[np.ix_(free, free)]
     jacobian = model.jacobian(q)[point][:, free]
     flow = np.linalg.lstsq(stiffness, jacobian.T, rcond=None)[0]
     return np.abs(np.einsum("dn,nd->d", jacobian, flow))

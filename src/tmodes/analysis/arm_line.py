@@ -120,7 +120,8 @@ def elastic_line(
     _refuse_huge(len(q) * len(asked) * len(nodes) * _PER_PLACE)
     tables = [_tables(model, index, asked) for index in range(len(nodes))]
     pushed = None if wrenches is None else _rows(wrenches, (len(q), len(model.parts.points), 6))
-    walked = walk(model, tables, asked, q, v, a, _base_rows(model, len(q), base))
+    bases = _rows(model.at_rest() if base is None else base, (len(q), 24))
+    walked = walk(model, tables, asked, q, v, a, bases)
     loads = node_loads(model, tables, walked, pushed)
     lines = {}
     for index, node in enumerate(nodes):
@@ -150,15 +151,6 @@ def _rows(values: ArrayLike, shape: tuple[int, ...]) -> Array:
     return np.broadcast_to(array.reshape((-1, *shape[1:])), shape)
 
 
-def _base_rows(model: ArmModel, count: int, base: ArrayLike | None) -> Array:
-    if base is not None:
-        return _rows(base, (count, 24))
-    placed = model.chain.base
-    pull = placed.rotation.T @ np.asarray(model.chain.gravity, dtype=float)
-    rest = [np.zeros(3), -pull, np.zeros(3), placed.rotation.ravel(), placed.position, np.zeros(3)]
-    return np.broadcast_to(np.concatenate(rest), (count, 24))
-
-
 def _tables(model: ArmModel, index: int, asked: Array) -> LineTables | None:
     beam, link = model.chain.nodes[index].link, model.parts.nodes[index].link
     if link is None or not isinstance(beam, Beam):
@@ -176,12 +168,11 @@ def _line(
         return _straight(model, index, asked, way)
     told = slice(1, 1 + len(asked))
     rotation, position = way.rotation[:, told], way.position[:, told]
-    own = slice(part.first, part.first + part.kernels.n)
     if isinstance(node.link, Segment):
-        shape = segment_shape(node.link, asked, position, q[:, own], v[:, own])
+        shape = segment_shape(node.link, asked, position, q[:, part.own], v[:, part.own])
     else:
         assert table is not None  # noqa: S101
-        shape = beam_shape(table, told, rotation, position, q[:, own], v[:, own])
+        shape = beam_shape(table, told, rotation, position, q[:, part.own], v[:, part.own])
     back = rotation.swapaxes(-1, -2)
     force, moment = ((back @ x[:, told, :, None])[..., 0] for x in (loads.places.force, loads.places.moment))
     axial = force[..., 0]

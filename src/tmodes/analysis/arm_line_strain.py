@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.arm_line_tables import Interval, LineTables
-from tmodes.analysis.arm_line_vectors import across, applied, cross, series, slope_of_series
+from tmodes.analysis.arm_line_vectors import across, applied, cross
+from tmodes.equations.arm.vectors import series, slope_of_series
 
 __all__ = ["Sections", "StrainMotion", "strain_motion"]
 

@@ -74,8 +74,8 @@ def walk(
         before = found[part.node.parent].tip if part.node.parent >= 0 else start
         angle = [np.zeros(len(q)) if part.angle < 0 else x[:, part.angle] for x in (q, v, a)]
         root = _jointed(part.node.joint, before, *angle)
-        of_link = slice(part.link.first, part.link.first + part.link.kernels.n) if part.link else slice(0)
-        found.append(_walked(part.node.link, table, asked, root, q[:, of_link], v[:, of_link], a[:, of_link]))
+        own = part.link.own if part.link else slice(0)
+        found.append(_walked(part.node.link, table, asked, root, q[:, own], v[:, own], a[:, own]))
     return found
 
 

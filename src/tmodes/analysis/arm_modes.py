@@ -12,10 +12,10 @@ from numpy.typing import NDArray
 from tmodes.analysis.arm_compliance import Spring, springs_of
 from tmodes.analysis.equilibrium import Equilibrium
 from tmodes.analysis.equilibrium_held import driven
-from tmodes.analysis.modes import MotorState
+from tmodes.analysis.equilibrium_stability import mass_root
+from tmodes.analysis.modes import GROWING, MotorState, damped_motions
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Chain, Drive, Friction
-from tmodes.errors import SimulationError
 
 __all__ = ["ArmMode", "MotorState", "Servo", "arm_modes"]
 
@@ -24,9 +24,6 @@ Complex = NDArray[np.complex128]
 
 RINGS = 1e-9
 """Imaginary over absolute value of an eigenvalue above which its motion rings."""
-
-GROWING = 1e-7
-"""Real over absolute value of an eigenvalue above which its motion grows, and is not just undamped."""
 
 ROUNDING = 1e-13
 """Real over absolute value of an eigenvalue below which its motion is undamped."""
@@ -120,7 +117,7 @@ def _eigenvalues(mass: Array, damping: Array, stiffness: Array, shapes: Array) -
     if len(shapes) > shapes.shape[1]:
         mass, damping, stiffness = (shapes.T @ matrix @ shapes for matrix in (mass, damping, stiffness))
         shapes = np.eye(len(mass))
-    return _partners(mass, shapes, *_damped(mass, damping, stiffness))
+    return _partners(mass, shapes, *damped_motions(mass, damping, stiffness))
 
 
 def _controlled(mode: ArmMode, value: complex) -> ArmMode:
@@ -166,6 +163,7 @@ def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
     """
     from scipy.linalg import eigh
 
+    mass_root(mass)  # refuses one that is not positive definite, before anything is divided by it
     size = len(mass)
     if np.abs(stiffness - stiffness.T).max() > 1e-9 * np.abs(stiffness).max():
         values, vectors = np.linalg.eig(np.linalg.solve(mass, stiffness))
@@ -174,13 +172,6 @@ def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
         shapes = np.real(vectors[:, order])
         return squares[order], shapes / np.sqrt(np.einsum("ik,ij,jk->k", shapes, mass, shapes))
     stiffness = (stiffness + stiffness.T) / 2
-    try:
-        np.linalg.cholesky(mass)
-    except np.linalg.LinAlgError:
-        raise SimulationError(
-            "mass matrix: got one that is not positive definite; expected mass or inertia along every coordinate. "
-            "Mend: give the parts beyond the last joint a mass, and twisting beams a rotary inertia"
-        ) from None
     some = size > MOST_WHOLE
     lowest: dict[str, Any] = {"subset_by_index": [0, LOWEST - 1]} if some else {}
     highest: dict[str, Any] = {"subset_by_index": [size - LOWEST, size - 1]} if some else {}
@@ -192,14 +183,6 @@ def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
     if values[0] <= NOTHING * size * values[-1]:
         return eigh(stiffness, mass, **lowest)
     return values, shapes[:, ::-1] * np.sqrt(values)
-
-
-def _damped(mass: Array, damping: Array, stiffness: Array) -> tuple[Complex, Complex]:
-    """Eigenvalues [1/s] and the coordinates' part of the eigenvectors of the first-order form."""
-    size = len(mass)
-    below = [-np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)]
-    values, vectors = np.linalg.eig(np.block([[np.zeros((size, size)), np.eye(size)], below]))
-    return values.astype(complex), vectors[:size].astype(complex)
 
 
 def _partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> Complex:

@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Drive
 
-__all__ = ["Split", "deflections", "elastic_names", "held_shape", "split_motion"]
+__all__ = ["Split", "deflections", "elastic_names", "gear_inputs", "held_shape", "split_motion", "sprung"]
 
 Array = NDArray[np.float64]
 
@@ -53,14 +53,14 @@ class Split:
 
 def elastic_names(model: ArmModel) -> tuple[str, ...]:
     """``joint.gear`` of each elastic gear, then the links' coordinates."""
-    gears = [f"{model.coordinates[joint]}.gear" for joint in _sprung(model)]
+    gears = [f"{model.coordinates[joint]}.gear" for joint in sprung(model)]
     return (*gears, *(model.coordinates[k] for k in model.deformations))
 
 
 def deflections(model: ArmModel, q: ArrayLike) -> Array:
     """Elastic coordinates (n, m) of states q (n, nq): gear output less gear input, and the links' coordinates."""
     q = np.atleast_2d(np.asarray(q, dtype=float))
-    return np.concatenate([q[:, _sprung(model)] - _inputs(model, q, rest=True), q[:, model.deformations]], axis=1)
+    return np.concatenate([q[:, sprung(model)] - gear_inputs(model, q, rest=True), q[:, model.deformations]], axis=1)
 
 
 def split_motion(
@@ -84,7 +84,7 @@ def held_shape(
     """
     q = np.atleast_2d(np.asarray(q, dtype=float))
     rates, gains = (_gross(model, np.broadcast_to(np.asarray(x, dtype=float), q.shape)) for x in (v, a))
-    free = np.array([*_sprung(model), *model.deformations], dtype=int)
+    free = np.array([*sprung(model), *model.deformations], dtype=int)
     if not len(free):
         return q.copy(), np.ones(len(q), dtype=bool)
     size = max(1, _ROWS // len(free))
@@ -101,13 +101,13 @@ def held_shape(
     return found, held
 
 
-def _sprung(model: ArmModel) -> list[int]:
+def sprung(model: ArmModel) -> list[int]:
     """Coordinates of the joints behind an elastic gear, in the order of the nodes."""
     parts = model.parts.nodes
     return [part.angle for part in parts if part.angle >= 0 and part.node.joint.drive in {Drive.ELASTIC, Drive.SPRING}]
 
 
-def _inputs(model: ArmModel, values: Array, *, rest: bool = False) -> Array:
+def gear_inputs(model: ArmModel, values: Array, *, rest: bool = False) -> Array:
     """Gear inputs of these joints (n, gears) from motor angles (or their rates); of locked motors ``rest``, or 0."""
     couplings = np.eye(len(model.motors)) if model.chain.couplings is None else np.asarray(model.chain.couplings)
     motors, column = values[:, model.motors] @ couplings.T, 0
@@ -125,7 +125,7 @@ def _inputs(model: ArmModel, values: Array, *, rest: bool = False) -> Array:
 def _gross(model: ArmModel, values: Array) -> Array:
     """Rates, or accelerations, of the gross motion: no deflection moves."""
     gross = values.copy()
-    gross[:, _sprung(model)] = _inputs(model, values)
+    gross[:, sprung(model)] = gear_inputs(model, values)
     gross[:, model.deformations] = 0.0
     return gross
 

@@ -1,4 +1,4 @@
-"""Where a run of an arm leaves what its model, its material or its joints are good for: told, never hidden."""
+"""Where a run of an arm leaves what its model or its material are good for: told, never hidden."""
 
 from __future__ import annotations
 
@@ -10,11 +10,12 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.analysis.arm_line import LinkLine, LinkLines
 from tmodes.analysis.arm_line_segment import planes
 from tmodes.analysis.arm_line_tables import pieces_at
+from tmodes.analysis.range import bent
 from tmodes.arm import Arm
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Beam, Segment
 from tmodes.elements.material import find_material
-from tmodes.equations.arm.beam_tables import beam_tables
+from tmodes.equations.arm.beam_tables import beam_tables, section_edges
 
 __all__ = ["MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "rest_warnings", "run_warnings"]
 
@@ -33,22 +34,13 @@ _NEGLIGIBLE = 1e-4
 """Share of a link's energy below which a direction does not count."""
 
 
-def run_warnings(
-    arm: Arm, model: ArmModel, times: ArrayLike, q: ArrayLike, v: ArrayLike, a: ArrayLike, effort: ArrayLike,
-    lines: LinkLines,
-) -> list[str]:  # fmt: skip
-    """Sentences on a run at n times [s]; each says what, when first, how far, and what to do.
+def run_warnings(arm: Arm, model: ArmModel, times: ArrayLike, q: ArrayLike, lines: LinkLines) -> list[str]:
+    """Sentences on the links in a run at n times [s]; each says what, when first, how far, and what to do.
 
-    ``q``, ``v``, ``a`` (n, nq); ``effort`` (n, efforts) in the order of ``model.efforts``; ``lines`` of the same
-    samples, under the same wrenches.
+    ``q`` (n, nq); ``lines`` of the same samples, under the same wrenches.
     """
-    time, q, v = (np.asarray(x, dtype=float) for x in (times, q, v))
-    del a
-    efforts = np.asarray(effort, dtype=float)
-    found = [*_range(model, time, q), *_functions(model, lines)]
-    for line in lines.bending():
-        found += [*_yielding(arm, time, line), *_buckling(model, time, line)]
-    return [*found, *_limits(arm, model, time, q, v, efforts)]
+    time, q = (np.asarray(x, dtype=float) for x in (times, q))
+    return [*_range(model, time, q), *_of_lines(arm, model, time, lines)]
 
 
 def rest_warnings(arm: Arm, model: ArmModel, lines: LinkLines) -> list[str]:
@@ -56,10 +48,14 @@ def rest_warnings(arm: Arm, model: ArmModel, lines: LinkLines) -> list[str]:
 
     ``lines``: of the one pose, under its loads.
     """
-    time, found = np.zeros(1), [*_functions(model, lines)]
+    return [*_of_lines(arm, model, np.zeros(1), lines)]
+
+
+def _of_lines(arm: Arm, model: ArmModel, time: Array, lines: LinkLines) -> Iterator[str]:
+    yield from _functions(model, lines)
     for line in lines.bending():
-        found += [*_yielding(arm, time, line), *_buckling(model, time, line)]
-    return found
+        yield from _yielding(arm, time, line)
+        yield from _buckling(model, time, line)
 
 
 def _range(model: ArmModel, time: Array, q: Array) -> Iterator[str]:
@@ -67,7 +63,7 @@ def _range(model: ArmModel, time: Array, q: Array) -> Iterator[str]:
     for part in model.parts.nodes:
         if part.link is None:
             continue
-        own, link = q[:, part.link.first : part.link.first + part.link.kernels.n], part.node.link
+        own, link = q[:, part.link.own], part.node.link
         if isinstance(link, Segment):
             yield from _beyond(
                 time, np.abs(planes(link, own)).max(axis=1), SEGMENT_LIMIT,
@@ -84,17 +80,9 @@ def _range(model: ArmModel, time: Array, q: Array) -> Iterator[str]:
 
 def _turns(beam: Beam, stations: tuple[float, ...], q: Array) -> Array:
     """Largest angle [rad] between neighbouring sections of the model, (n,)."""
-    from tmodes.equations.arm.strain_shape import TableReader
-
     tables = beam_tables(beam, stations)
-    shape, intervals = tables.shape, len(tables.shape.breaks)
-    table, turns = TableReader(shape, tables.packed), shape.turning
-    alpha = np.array([table("alpha", k) for k in range(intervals * turns)]).reshape(intervals, turns)
-    weights = alpha[:, :, None] * np.eye(3)[list(shape.directions)].reshape(-1, 3)
-    angles = np.einsum("nj,kjc->nkc", q[:, :turns], weights)
-    if shape.curved:
-        angles = angles + np.array([table("rest", k) for k in range(3 * intervals)]).reshape(-1, 3)
-    return np.linalg.norm(angles, axis=2).max(axis=1)
+    edges = section_edges(tables.shape, tables.points, stations)
+    return np.linalg.norm(bent(beam, q, edges), axis=2).max(axis=1)
 
 
 def missing_share(line: LinkLine, link: Beam) -> dict[str, float]:
@@ -175,34 +163,13 @@ def _buckling(model: ArmModel, time: Array, line: LinkLine) -> Iterator[str]:
     )  # fmt: skip
 
 
-def _limits(arm: Arm, model: ArmModel, time: Array, q: Array, v: Array, effort: Array) -> Iterator[str]:
-    """Limits of the joints that are passed: position, speed, effort."""
-    for joint in arm.joints:
-        limits = joint.limits
-        if limits is None or joint.name not in model.coordinates:
-            continue
-        k, unit = model.coordinates.index(joint.name), "m" if joint.type == "prismatic" else "rad"
-        for name, bound, sign in (("upper", limits.upper, 1), ("lower", limits.lower, -1)):
-            if bound is not None:
-                past = f"joint {joint.name} passes its {name} limit ({bound:.4g} {unit})"
-                yield from _beyond(time, sign * q[:, k], sign * bound, past, unit, "change the move", sign)
-        if limits.speed is not None:
-            past = f"joint {joint.name} is faster than its limit ({limits.speed:.4g} {unit}/s)"
-            yield from _beyond(time, np.abs(v[:, k]), limits.speed, past, f"{unit}/s", "take more time for the move")
-        if limits.effort is not None and joint.name in model.efforts:
-            told = "N" if unit == "m" else "N*m"
-            past = f"joint {joint.name} asks more effort than its limit ({limits.effort:.4g} {told})"
-            size = np.abs(effort[:, model.efforts.index(joint.name)])
-            yield from _beyond(time, size, limits.effort, past, told, "take more time for the move, or less payload")
-
-
-def _beyond(time: Array, value: Array, bound: float, what: str, unit: str, mend: str, sign: int = 1) -> Iterator[str]:
+def _beyond(time: Array, value: Array, bound: float, what: str, unit: str, mend: str) -> Iterator[str]:
     """A sentence where a value passes its bound."""
     past = np.flatnonzero(value > bound)
     if len(past):
         worst = int(past[np.argmax(value[past])])
         if len(time) == 1:
-            yield f"{what}: {sign * value[worst]:.4g} {unit}; {mend}"
+            yield f"{what}: {value[worst]:.4g} {unit}; {mend}"
             return
-        reached = f"reaches {sign * value[worst]:.4g} {unit} at t = {time[worst]:.4g} s"
+        reached = f"reaches {value[worst]:.4g} {unit} at t = {time[worst]:.4g} s"
         yield f"{what} first at t = {time[past[0]]:.4g} s and {reached}: {mend}"

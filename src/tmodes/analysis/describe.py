@@ -54,7 +54,7 @@ def describe(
         "total_mass_kg": float(sum(link["mass_kg"] for link in links)),
         "joints": joint_rows(arm),
         "links": links,
-        "gears": gear_rows(arm, chain),
+        "gears": gear_rows(arm, links),
         "sag": sag(rest) if rest else None,
         "stiffness": compliance_table(rest) if rest else None,
     }

@@ -9,6 +9,7 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from tmodes.chain import Beam
+from tmodes.equations.arm.beam_functions import fine_rule, pieces_at
 
 __all__ = ["BareBeam", "bare_beam"]
 
@@ -16,8 +17,6 @@ Array = NDArray[np.float64]
 
 FUNCTIONS = 10
 """Legendre functions of curvature or twist: the first frequency of a uniform beam is exact to 1e-12."""
-
-_RULE = 24
 
 
 class BareBeam(NamedTuple):
@@ -33,43 +32,33 @@ class BareBeam(NamedTuple):
     compliance: tuple[float, float]
 
 
+class _Functions(NamedTuple):
+    """Functions of curvature or twist at the points of a rule, and their first and second integrals from the root."""
+
+    own: Array
+    once: Array
+    twice: Array
+
+
 def bare_beam(beam: Beam) -> BareBeam:
     """The beam by itself, without section inertia in bending (Euler and Bernoulli)."""
-    s, weight, numbers = _rule(beam)
-    mass, polar = numbers["mass"], numbers["inertia"]
-    about_y, about_z = (_bending(beam.length, s, weight, numbers[name], mass) for name in ("bend_y", "bend_z"))
+    s, weight = fine_rule(beam)
+    numbers = {name: pieces_at(beam, name, s) for name in ("bend_y", "bend_z", "torsion", "mass", "inertia0")}
+    mass, functions = numbers["mass"], _integrals(s)
+    about_y, about_z = (_bending(beam.length, functions, weight, numbers[name], mass) for name in ("bend_y", "bend_z"))
     give_y, give_z = (
         float(np.sum(weight * (1 - s) ** 2 / numbers[name])) * beam.length**3 for name in ("bend_y", "bend_z")
     )
-    twist = _twisting(beam.length, s, weight, numbers["torsion"], polar)
+    twist = _twisting(beam.length, functions, weight, numbers["torsion"], numbers["inertia0"])
     return BareBeam(float(np.sum(weight * mass)) * beam.length, about_y, about_z, twist, (give_y, give_z))
 
 
-def _rule(beam: Beam) -> tuple[Array, Array, dict[str, Array]]:
-    """Quadrature over all pieces, and the numbers of the section there."""
-    x, w = legendre.leggauss(_RULE)
-    places, weights, rows, start = [], [], [], 0.0
-    for piece in beam.pieces:
-        share, width = (1 + x) / 2, piece.end - start
-        ends = {name: getattr(piece, name) for name in ("bend_y", "bend_z", "torsion", "mass")}
-        ends["inertia"] = piece.inertia[0]
-        rows.append({name: a + (b - a) * share if a != b else np.full(_RULE, a) for name, (a, b) in ends.items()})
-        places.append(start + width * share)
-        weights.append(width * w / 2)
-        start = piece.end
-    numbers = {name: np.concatenate([row[name] for row in rows]) for name in rows[0]}
-    return np.concatenate(places), np.concatenate(weights), numbers
-
-
-def _integrals(s: Array) -> tuple[list[Array], list[Array], list[Array]]:
+def _integrals(s: Array) -> _Functions:
     """Legendre functions of 2 s - 1 at s, their integrals from 0, and the integrals of those."""
-    tables: tuple[list[Array], list[Array], list[Array]] = ([], [], [])
-    for order in range(FUNCTIONS):
-        own = legendre.Legendre.basis(order, domain=[0, 1])
-        once = own.integ(lbnd=0)
-        for table, function in zip(tables, (own, once, once.integ(lbnd=0)), strict=True):
-            table.append(np.asarray(function(s)))
-    return tables
+    own = [legendre.Legendre.basis(order, domain=[0, 1]) for order in range(FUNCTIONS)]
+    once = [function.integ(lbnd=0) for function in own]
+    twice = [function.integ(lbnd=0) for function in once]
+    return _Functions(*(np.array([function(s) for function in kind]) for kind in (own, once, twice)))
 
 
 def _first(stiffness: Array, mass: Array) -> float | None:
@@ -81,17 +70,17 @@ def _first(stiffness: Array, mass: Array) -> float | None:
     return float(1 / np.sqrt(largest)) / (2 * np.pi)
 
 
-def _bending(length: float, s: Array, weight: Array, stiffness: Array, mass: Array) -> float | None:
+def _bending(length: float, functions: _Functions, weight: Array, stiffness: Array, mass: Array) -> float | None:
     if not np.isfinite(stiffness).all():
         return None
-    curvature, _, deflection = (np.array(table) for table in _integrals(s))
+    curvature, _, deflection = functions
     return _first(
         (curvature * weight * stiffness) @ curvature.T / length**4, (deflection * weight * mass) @ deflection.T
     )
 
 
-def _twisting(length: float, s: Array, weight: Array, stiffness: Array, inertia: Array) -> float | None:
+def _twisting(length: float, functions: _Functions, weight: Array, stiffness: Array, inertia: Array) -> float | None:
     if not (np.isfinite(stiffness) & (stiffness > 0)).all():
         return None
-    twist, turn, _ = (np.array(table) for table in _integrals(s))
+    twist, turn, _ = functions
     return _first((twist * weight * stiffness) @ twist.T / length**2, (turn * weight * inertia) @ turn.T)

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
 import numpy as np
@@ -128,13 +128,15 @@ def _segment_masses(link: LinkSheet, equivalent: float) -> dict[str, float]:
     return {"mass_kg": own + beam_mass, "beam_mass_kg": beam_mass, "equivalent_mass_kg": equivalent}
 
 
-def gear_rows(arm: Arm, chain: Chain) -> list[dict[str, Any]]:
-    """Each elastic gear: stiffness, and that over EI/L of the softer bending of the link it carries."""
+def gear_rows(arm: Arm, links: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+    """Each elastic gear: stiffness, and that over EI/L of the softer bending of the link it carries.
+
+    ``links``: the rows of :func:`link_rows`, one for each joint.
+    """
     rows = []
-    for joint in arm.joints:
+    for joint, link in zip(arm.joints, links, strict=True):
         if joint.gear is None or not joint.is_elastic:
             continue
-        link = _link_row(arm, chain, joint.child)
         stiffness = list(joint.gear.stiffness)
         bending = [link.get(f"bending_stiffness_{axis}_Nm2") for axis in ("y", "z")]
         soft = min((ends[0] for ends in bending if ends and ends[0]), default=None)

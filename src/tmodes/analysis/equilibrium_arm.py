@@ -12,7 +12,7 @@ from tmodes.arm import Arm
 from tmodes.arm.parts import Command, LoadFrame
 from tmodes.arm_model import ArmModel
 
-__all__ = ["arm_rest", "first_commands", "sheet_loads"]
+__all__ = ["arm_rest", "first_commands", "first_value", "sheet_loads"]
 
 
 def arm_rest(
@@ -51,7 +51,7 @@ def first_commands(arm: Arm, model: ArmModel) -> dict[str, float]:
             motor = f"{drive.joint}.motor"
             name = motor if motor in model.coordinates else drive.joint
             if name in model.coordinates:
-                commands[name] = _first(drive.signal)
+                commands[name] = first_value(arm, drive.signal)
     return commands
 
 
@@ -59,12 +59,12 @@ def sheet_loads(arm: Arm) -> list[Load]:
     """The loads of a data sheet at time 0."""
     loads = []
     for load in arm.loads:
-        factor = 1.0 if load.signal is None else _first(load.signal)
+        factor = 1.0 if load.signal is None else first_value(arm, load.signal)
         force, moment = ([factor * x for x in part] for part in (load.force, load.moment))
         loads.append(Load(load.point, force, moment, follows=load.frame is LoadFrame.SECTION))
     return loads
 
 
-def _first(signal: Any) -> float:
-    """The value of a signal at time 0."""
-    return float(signal.schedule(1.0).coefficients[0, 0])
+def first_value(arm: Arm, signal: Any) -> float:
+    """The value of a signal at time 0; beyond the arm's run it may have none."""
+    return float(signal.schedule(min(1.0, arm.integration.duration)).coefficients[0, 0])

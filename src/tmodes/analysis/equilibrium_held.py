@@ -7,6 +7,7 @@ from collections.abc import Iterable, Mapping, Sequence
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.arm_split import gear_inputs, sprung
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Drive
 from tmodes.errors import InputError
@@ -46,13 +47,8 @@ def starting_pose(model: ArmModel, held: Mapping[str, float], start: Mapping[str
     _check_numbers(given)
     q = np.zeros(model.nq)
     names = list(model.coordinates)
-    for part in model.parts.nodes:
-        if part.angle >= 0 and part.node.joint.drive is Drive.SPRING:
-            q[part.angle] = part.node.joint.rest
     q[model.motors] = [given.get(names[k], given.get(names[k].removesuffix(".motor"), 0.0)) for k in model.motors]
-    behind = [part.angle for part in model.parts.nodes if part.angle >= 0 and part.motor >= 0]
-    couplings = model.chain.couplings
-    q[behind] = q[model.motors] if couplings is None else couplings @ q[model.motors]
+    q[sprung(model)] = gear_inputs(model, q[None], rest=True)[0]
     for name, value in given.items():
         q[names.index(name)] = value
     return q

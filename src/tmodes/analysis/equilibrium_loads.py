@@ -13,9 +13,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.arm_model import ArmModel
+from tmodes.elements.axes import cross_matrix
 from tmodes.errors import InputError
 
-__all__ = ["Act", "Load", "Pose", "acts_of", "cross_matrix", "point_index"]
+__all__ = ["Act", "Load", "Pose", "acts_of", "point_index"]
 
 Array = NDArray[np.float64]
 
@@ -117,11 +118,6 @@ def point_index(model: ArmModel, name: str) -> int:
     if name not in names:
         raise InputError("point", f"`{name}`", f"one of {', '.join(names)}", "name a point of the arm, or add it there")
     return names.index(name)
-
-
-def cross_matrix(x: Array) -> Array:
-    """The matrix of x cross, shape (3, 3)."""
-    return np.array([[0.0, -x[2], x[1]], [x[2], 0.0, -x[0]], [-x[1], x[0], 0.0]])
 
 
 def _three(which: str, values: ArrayLike, unit: str) -> Array:

@@ -51,7 +51,7 @@ def newton(system: StaticSystem, q: Array, factor: float) -> Root | None:
     """The equilibrium near a pose, with the exact slope and a line search; None where it does not settle."""
     before = np.inf
     for _ in range(MOST_STEPS):
-        _, stiffness = system.reduced(q, factor)
+        stiffness = system.stiffness(q, factor)[system.block]
         forces = system.forces(q, factor)
         step = _solved(stiffness, forces.rest)
         if step is None:

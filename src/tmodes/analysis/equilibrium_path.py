@@ -128,7 +128,7 @@ def _first(system: StaticSystem, q: Array) -> Station:
         return start
     root = descend(system, q, LITTLE)
     if root is None:
-        stiffness = np.abs(np.diagonal(system.reduced(q, 0.0)[1]))
+        stiffness = np.abs(np.diagonal(system.stiffness(q, 0.0)[system.block]))
         loose = system.model.coordinates[system.free[int(stiffness.argmin())]]
         raise SimulationError(
             f"static equilibrium: got coordinate {loose} that no spring holds and that comes to no rest; expected a "
@@ -138,13 +138,13 @@ def _first(system: StaticSystem, q: Array) -> Station:
 
 
 def _at(system: StaticSystem, root: Root, factor: float) -> Station:
-    mass, stiffness = system.reduced(root.q, factor)
+    mass = system.mass(root.q)[system.block]
     by_factor = system.forces(root.q, factor).by_factor
     try:
-        tangent = -np.asarray(np.linalg.solve(stiffness, by_factor), dtype=float)
+        tangent = -np.asarray(np.linalg.solve(root.stiffness, by_factor), dtype=float)
     except np.linalg.LinAlgError:
         tangent = np.zeros_like(by_factor)
-    return Station(factor, root.q, root.residual, stability_of(mass, stiffness), tangent)
+    return Station(factor, root.q, root.residual, stability_of(mass, root.stiffness), tangent)
 
 
 def _crossing(system: StaticSystem, stable: Station, unstable: Station) -> float:
@@ -154,7 +154,9 @@ def _crossing(system: StaticSystem, stable: Station, unstable: Station) -> float
     def margin(factor: float) -> float:
         share = (factor - stable.factor) / (unstable.factor - stable.factor)
         root = newton(system, stable.q + share * (unstable.q - stable.q), factor)
-        return -1.0 if root is None else stability_of(*system.reduced(root.q, factor)).margin
+        if root is None:
+            return -1.0
+        return stability_of(system.mass(root.q)[system.block], root.stiffness).margin
 
     if unstable.stability.margin == 0.0:
         return unstable.factor

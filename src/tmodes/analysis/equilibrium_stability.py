@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import SimulationError
 
-__all__ = ["Growth", "Stability", "stability_of"]
+__all__ = ["Growth", "Stability", "mass_root", "stability_of"]
 
 Array = NDArray[np.float64]
 
@@ -59,7 +59,7 @@ def stability_of(mass: Array, stiffness: Array) -> Stability:
         return Stability(np.inf, ())
     from scipy.linalg import solve_triangular
 
-    root = _root(mass)
+    root = mass_root(mass)
     scaled = solve_triangular(root, solve_triangular(root, stiffness, lower=True).T, lower=True).T
     values, shapes = _eigen(scaled)
     zero = NOTHING * len(mass) * float(np.abs(values).max())
@@ -71,7 +71,8 @@ def stability_of(mass: Array, stiffness: Array) -> Stability:
     return Stability(0.0 if abs(margin) <= zero else margin, tuple(sorted(found, reverse=True)))
 
 
-def _root(mass: Array) -> Array:
+def mass_root(mass: Array) -> Array:
+    """The lower triangle L with L L^T = M. Raises :class:`SimulationError` for a mass matrix that has none."""
     try:
         return np.asarray(np.linalg.cholesky(mass), dtype=float)
     except np.linalg.LinAlgError:

@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.equilibrium_loads import Act, Pose
 from tmodes.arm_model import ArmModel
 
-__all__ = ["Forces", "StaticSystem", "base_row"]
+__all__ = ["Forces", "StaticSystem"]
 
 Array = NDArray[np.float64]
 
@@ -28,13 +28,6 @@ class Forces(NamedTuple):
     rest: Array
     by_factor: Array
     elastic: Array
-
-
-def base_row(model: ArmModel, factor: float = 1.0) -> Array:
-    """The base standing still under ``factor`` times gravity, as the model's functions want it, shape (24,)."""
-    placed = model.chain.base
-    pull = placed.rotation.T @ (factor * np.asarray(model.chain.gravity, dtype=float))
-    return np.concatenate([np.zeros(3), -pull, np.zeros(3), placed.rotation.ravel(), placed.position, np.zeros(3)])
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,27 +50,45 @@ class StaticSystem:
     def forces(self, q: Array, factor: float) -> Forces:
         """Forces along the free coordinates at a pose (nq,)."""
         still = np.zeros_like(q)
-        loaded = self.model.inverse_dynamics(q, still, still, wrenches=self.wrenches(q), base=base_row(self.model))
+        loaded = self.model.inverse_dynamics(q, still, still, wrenches=self.wrenches(q), base=self.model.at_rest())
         elastic = self.model.elastic_forces(q, still)
         by_factor = loaded - elastic
         return Forces(*(part[self.free] for part in (elastic + factor * by_factor, by_factor, elastic)))
 
-    def matrices(self, q: Array, factor: float) -> tuple[Array, Array, Array]:
-        """M, D, K (nq, nq) about a pose, with what following loads and surfaces add to K, and surfaces to M and D."""
-        wrenches = self.wrenches(q, factor)
-        mass, damping, stiffness = self.model.linearised(q, wrenches=wrenches, base=base_row(self.model, factor))
+    def mass(self, q: Array) -> Array:
+        """M (nq, nq) in a pose, with what surfaces add."""
+        mass = self.model.mass_matrix(q)
         for act, pose in self._posed(q, turning=True):
-            added, carried = act.stiffness(pose), act.carried(pose)
+            carried = act.carried(pose)
+            mass = mass + carried[0] if carried else mass
+        return mass
+
+    def stiffness(self, q: Array, factor: float) -> Array:
+        """K (nq, nq) about a pose, with what following loads and surfaces add."""
+        base = self.model.at_rest(gravity=factor)
+        stiffness = self.model.stiffness(q, wrenches=self.wrenches(q, factor), base=base)
+        for act, pose in self._posed(q, turning=True):
+            added = act.stiffness(pose)
             stiffness = stiffness if added is None else stiffness + factor * added
-            if carried:
-                mass, damping = mass + carried[0], damping + carried[1]
-        return mass, damping, stiffness
+        return stiffness
+
+    def matrices(self, q: Array, factor: float) -> tuple[Array, Array, Array]:
+        """M, D, K (nq, nq) about a pose, with what loads and surfaces add to them; Newton's method needs only K."""
+        base = self.model.at_rest(gravity=factor)
+        _, damping, _ = self.model.linearised(q, wrenches=self.wrenches(q, factor), base=base)
+        for act, pose in self._posed(q, turning=True):
+            carried = act.carried(pose)
+            damping = damping + carried[1] if carried else damping
+        return self.mass(q), damping, self.stiffness(q, factor)
 
     def reduced(self, q: Array, factor: float) -> tuple[Array, Array]:
         """M and K in the free coordinates."""
-        mass, _, stiffness = self.matrices(q, factor)
-        chosen = np.ix_(self.free, self.free)
-        return mass[chosen], stiffness[chosen]
+        return self.mass(q)[self.block], self.stiffness(q, factor)[self.block]
+
+    @property
+    def block(self) -> tuple[NDArray[np.intp], ...]:
+        """Where the free coordinates stand in a matrix (nq, nq)."""
+        return np.ix_(self.free, self.free)
 
     def _posed(self, q: Array, *, turning: bool) -> list[tuple[Act, Pose]]:
         """Acts with the poses of their points; jacobians only where the slope is wanted."""

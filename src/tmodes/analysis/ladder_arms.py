@@ -10,11 +10,11 @@ from numpy.typing import NDArray
 
 from tmodes.arm import Arm
 from tmodes.arm.parts import LinkSheet
-from tmodes.chain import Chain, Drive, JointKind, Node, Placement, RigidLink
+from tmodes.chain import Chain, Drive, Joint, JointKind, Node, Placement, RigidLink
 from tmodes.elements.beam import BeamModel, BeamSheet, Functions
 from tmodes.errors import InputError
 
-__all__ = ["SEGMENTS", "input_mix", "moved_chain", "rungs", "whole_chain"]
+__all__ = ["SEGMENTS", "driven", "input_mix", "moved_chain", "rungs", "whole_chain"]
 
 SEGMENTS = (1, 2, 3)
 """Numbers of segments that are tried."""
@@ -82,12 +82,17 @@ def moved_chain(chain: Chain) -> Chain:
     return replace(chain, nodes=tuple(nodes), points=points, couplings=None)
 
 
+def driven(chain: Chain) -> list[Joint]:
+    """Joints that a motor or an effort moves, in the order of the chain."""
+    moving = [node.joint for node in chain.nodes if node.joint.kind is not JointKind.FIXED]
+    return [joint for joint in moving if joint.drive in {Drive.ELASTIC, Drive.EFFORT}]
+
+
 def input_mix(chain: Chain) -> NDArray[np.float64]:
-    """Given joints over motors, in the order of the moving joints: the couplings of the gears' inputs."""
-    driven = [node.joint for node in chain.nodes if node.joint.kind is not JointKind.FIXED]
-    driven = [joint for joint in driven if joint.drive in {Drive.ELASTIC, Drive.EFFORT}]
-    mix = np.eye(len(driven))
+    """Given joints over motors, in the order of :func:`driven`: the couplings of the gears' inputs."""
+    joints = driven(chain)
+    mix = np.eye(len(joints))
     if chain.couplings is not None:
-        elastic = [k for k, joint in enumerate(driven) if joint.drive is Drive.ELASTIC]
+        elastic = [k for k, joint in enumerate(joints) if joint.drive is Drive.ELASTIC]
         mix[np.ix_(elastic, elastic)] = chain.couplings
     return mix

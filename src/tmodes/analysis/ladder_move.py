@@ -12,14 +12,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.analysis.equilibrium_arm import first_value
+from tmodes.analysis.ladder_arms import driven, input_mix, whole_chain
 from tmodes.arm import Arm
 from tmodes.arm.parts import Command
 from tmodes.arm_model import ArmModel
-from tmodes.chain import Drive, JointKind
 from tmodes.errors import SimulationError
 from tmodes.reference.signals import Constant, MergedSchedule, Quintic, merge
 
-__all__ = ["Move", "chosen_move", "driven_joints", "followed"]
+__all__ = ["Move", "chosen_move", "followed"]
 
 Array = NDArray[np.float64]
 
@@ -55,20 +56,10 @@ class Move:
         return self.signals.at(time, derivative) @ self.mix.T
 
 
-def driven_joints(arm: Arm) -> list[str]:
-    """Joints that a motor or an effort moves, in the order of the chain."""
-    from tmodes.analysis.ladder_arms import whole_chain
-
-    joints = [node.joint for node in whole_chain(arm).nodes]
-    driven = (Drive.ELASTIC, Drive.EFFORT)
-    return [joint.name for joint in joints if joint.kind is not JointKind.FIXED and joint.drive in driven]
-
-
 def chosen_move(arm: Arm, lowest_frequency: float) -> Move:
     """The arm's own drives where they are smooth; else 0.2 rad in each joint over max(0.5 s, three periods)."""
-    from tmodes.analysis.ladder_arms import input_mix, whole_chain
-
-    joints, mix = driven_joints(arm), input_mix(whole_chain(arm))
+    chain = whole_chain(arm)
+    joints, mix = [joint.name for joint in driven(chain)], input_mix(chain)
     own = {drive.joint: drive for drive in arm.drives if drive.command in {Command.POSITION, Command.PRESCRIBED}}
     if own:
         until = min(arm.integration.duration, _LONGEST)
@@ -77,8 +68,7 @@ def chosen_move(arm: Arm, lowest_frequency: float) -> Move:
         if _is_smooth(merged):
             return Move(merged, _times(merged), f"the arm's own drives, {until:.3g} s", mix)
     until = float(np.clip(3 / max(lowest_frequency, 1e-9), _SHORTEST, _LONGEST))
-    starts = [float(own[name].signal.schedule(1.0).coefficients[0, 0]) if name in own else _held(arm, name).value
-              for name in joints]  # fmt: skip
+    starts = [first_value(arm, own[name].signal) if name in own else _held(arm, name).value for name in joints]
     moves = [Quintic(type="quintic", start=x, end=x + AMPLITUDE, duration=until) for x in starts]
     merged = merge([move.schedule(1.3 * until) for move in moves])
     return Move(merged, _times(merged), f"{AMPLITUDE:g} rad (m) in each joint in {until:.3g} s, quintic", mix)

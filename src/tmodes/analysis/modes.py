@@ -24,6 +24,7 @@ __all__ = [
     "VibrationMode",
     "all_modes",
     "closed_loop_spectrum",
+    "damped_motions",
     "vibration_modes",
 ]
 
@@ -89,7 +90,7 @@ def vibration_modes(
     squares, undamped_shapes = np.real(eigen.eigenvalues), eigen.eigenvectors
     order = np.argsort(squares)
     undamped = np.sqrt(np.maximum(squares[order], 0)) / (2 * np.pi)
-    eigenvalues, shapes = _eigen(mass, damping, stiffness)
+    eigenvalues, shapes = damped_motions(mass, damping, stiffness)
     columns = free_columns(mechanism.rigid, state is MotorState.LOCKED)
     shapes_now = undamped_shapes[:, order]
     match = _partners(shapes_now, shapes, eigenvalues)
@@ -159,7 +160,7 @@ def closed_loop_spectrum(robot: Robot, *, drive: Drive) -> Spectrum:
     matrices = _matrices(robot, mechanism, parameters, phi, state)
     if not len(matrices[0]):
         return Spectrum(np.zeros(0, dtype=complex), ())
-    eigenvalues, shapes = _eigen(*matrices)
+    eigenvalues, shapes = damped_motions(*matrices)
     moved = np.abs(free_columns(mechanism.rigid, state is MotorState.LOCKED) @ shapes)
     return Spectrum(eigenvalues, tuple(COORDINATES[k] for k in moved.argmax(axis=0)))
 
@@ -181,7 +182,7 @@ def _matrices(
     return mass, damping, stiffness
 
 
-def _eigen(
+def damped_motions(
     mass: NDArray[np.float64], damping: NDArray[np.float64], stiffness: NDArray[np.float64]
 ) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
     """Eigenvalues [1/s] and the coordinates' part of the eigenvectors of the first-order system."""
@@ -193,7 +194,7 @@ def _eigen(
         ]
     )
     eigenvalues, vectors = np.linalg.eig(dynamics)
-    return eigenvalues, vectors[:size]
+    return eigenvalues.astype(complex), vectors[:size].astype(complex)
 
 
 def _mode(robot: Robot, undamped: float, eigenvalue: complex, shape: NDArray[Any]) -> VibrationMode:

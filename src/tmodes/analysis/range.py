@@ -7,13 +7,14 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.analysis.arm_line_segment import planes, segment_line
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Beam, Segment
 from tmodes.equations.arm.beam_functions import interval_integrals
 from tmodes.equations.arm.beam_rule import beam_rule
 from tmodes.equations.arm.parts import LinkPart, NodePart
 
-__all__ = ["LIMITS", "LinkRange", "link_angles", "link_ranges", "range_warnings"]
+__all__ = ["LIMITS", "LinkRange", "bent", "link_angles", "link_ranges"]
 
 Array = NDArray[np.float64]
 
@@ -57,25 +58,6 @@ def link_ranges(model: ArmModel, q: ArrayLike) -> list[LinkRange]:
     return [_range(part, pose, float(angles[part.node.name][0])) for part, _ in _bending(model)]
 
 
-def range_warnings(model: ArmModel, times: ArrayLike, q: ArrayLike) -> list[str]:
-    """Links that leave the range of their model on a motion q (n, nq): the first time [s] and the largest angle."""
-    instants, warnings = np.asarray(times, dtype=float), []
-    kinds = {part.node.name: _kind(part) for part, _ in _bending(model)}
-    for name, angles in link_angles(model, q).items():
-        limit = LIMITS[kinds[name]][1]
-        beyond = np.flatnonzero(angles > limit)
-        if len(beyond):
-            warnings.append(
-                f"link {name} leaves the range of its model {kinds[name]} (angle <= {limit:g} rad) first at "
-                f"t = {instants[beyond[0]]:.4g} s and reaches {angles.max():.3g} rad: {_mend(kinds[name])}"
-            )
-    return warnings
-
-
-def _mend(kind: str) -> str:
-    return "take the model strain" if kind == "segments" else "give it more functions (or points), or divide it"
-
-
 def _bending(model: ArmModel) -> list[tuple[NodePart, LinkPart]]:
     return [(part, part.link) for part in model.parts.nodes if part.link]
 
@@ -100,17 +82,20 @@ def _turns(part: NodePart, poses: Array) -> Array:
     """Rotation vectors over the intervals between the points of the line, shape (n, intervals, 3)."""
     link, shape = part.link, part.node.link
     assert link is not None  # noqa: S101
-    own = poses[:, link.first : link.first + len(link.names)]
+    own = poses[:, link.own]
     if isinstance(shape, Segment):
         angles = np.zeros((len(poses), 1, 3))
-        angles[:, 0, [axis for axis, bends in ((1, shape.bend_y), (2, shape.bend_z)) if bends]] = own
+        angles[:, 0, 1:] = planes(shape, own)
         return angles
     assert isinstance(shape, Beam)  # noqa: S101
-    return _bent(shape, own, np.array([0.0, *beam_rule(shape).points, 1.0]))
+    return bent(shape, own, np.array([0.0, *beam_rule(shape).points, 1.0]))
 
 
-def _bent(beam: Beam, own: Array, edges: Array) -> Array:
-    """Integral of twist and curvature about y and z [rad] over each interval, shape (n, intervals, 3)."""
+def bent(beam: Beam, own: Array, edges: Array) -> Array:
+    """Integral of twist and curvature about y and z [rad] over each interval, shape (n, intervals, 3).
+
+    ``own``: the coordinates (n, names) of the link; ``edges`` (intervals + 1,): places along it in 0..1.
+    """
     directions = np.repeat(np.arange(3), (beam.twist, beam.bend_y, beam.bend_z))
     alpha = interval_integrals(beam, edges[:-1], edges[1:])[0]
     turned = np.einsum("nj,ij,jc->nic", own[:, : len(directions)], alpha, np.eye(3)[directions])
@@ -127,13 +112,12 @@ def _end(part: NodePart, pose: Array) -> tuple[Array, Array]:
 
     link, shape = part.link, part.node.link
     assert link is not None  # noqa: S101
+    own = pose[None, link.own]
     if isinstance(shape, Segment):
-        y, z = _turns(part, pose[None, :])[0, 0, 1:]
-        chord, tangent = (Rotation.from_euler("ZY", [share * z, share * y]).as_matrix() for share in (1.0, 1.5))
-        return tangent, shape.length * chord[:, 0]
+        turned, moved = segment_line(shape, own, np.ones(1))
+        return turned[0, 0], moved[0, 0]
     assert isinstance(shape, Beam)  # noqa: S101
-    own = pose[None, link.first : link.first + len(link.names)]
-    turns = _bent(shape, own, np.linspace(0.0, 1.0, _PIECES + 1))[0]
+    turns = bent(shape, own, np.linspace(0.0, 1.0, _PIECES + 1))[0]
     steps, halves = (Rotation.from_rotvec(share * turns).as_matrix() for share in (1.0, 0.5))
     rotation, position = np.eye(3), np.zeros(3)
     for step, half in zip(steps, halves, strict=True):

@@ -13,6 +13,7 @@ from tmodes.robot import Robot
 __all__ = [
     "BENDING_LIMIT",
     "deflection_warnings",
+    "energy_sentence",
     "energy_warnings",
     "first_energy_error",
     "held_warnings",
@@ -45,22 +46,36 @@ def deflection_warnings(data: Any) -> list[str]:
 def first_energy_error(data: Any, tolerance: float) -> int | None:
     """Index of the first sample at which the balance is off by more than ``tolerance`` of the energy moved, or None."""
     moved = largest_flow(data["energy"].values, data["work"].values)
-    beyond = np.flatnonzero(np.abs(data["energy_balance"].values) > max(tolerance * moved, _ROUNDING))
+    return _first_beyond(np.abs(data["energy_balance"].values), moved, tolerance)
+
+
+def _first_beyond(off: NDArray[np.float64], moved: float, tolerance: float) -> int | None:
+    beyond = np.flatnonzero(off > max(tolerance * moved, _ROUNDING))
     return int(beyond[0]) if len(beyond) else None
 
 
 def energy_warnings(data: Any, tolerance: float) -> list[str]:
     """An energy balance that does not close, with the first time and the worst value."""
-    first = first_energy_error(data, tolerance)
-    if first is None:
-        return []
     moved = largest_flow(data["energy"].values, data["work"].values)
-    worst = float(np.abs(data["energy_balance"].values).max())
-    return [
-        f"the energy balance is off first at t = {float(data['time'].values[first]):.4g} s, by {worst:.2g} J at worst, "
+    mend = "lower integration.relative_tolerance (dormand_prince) or integration.step (rk4)"
+    told = energy_sentence(data["time"].values, data["energy_balance"].values, moved, tolerance, mend)
+    return [told] if told else []
+
+
+def energy_sentence(
+    times: NDArray[np.float64], residual: NDArray[np.float64], moved: float, tolerance: float, mend: str
+) -> str:
+    """A residual [J] beyond ``tolerance`` of the energy moved [J], in words, with its mend; empty within it."""
+    off = np.abs(residual)
+    first = _first_beyond(off, moved, tolerance)
+    if first is None:
+        return ""
+    worst = float(off.max())
+    return (
+        f"the energy balance is off first at t = {float(times[first]):.4g} s, by {worst:.2g} J at worst, "
         f"{worst / moved if moved else np.inf:.1e} of the energy moved ({moved:.3g} J): the integration is too "
-        "coarse; lower integration.relative_tolerance (dormand_prince) or integration.step (rk4)"
-    ]
+        f"coarse; {mend}"
+    )
 
 
 def start_warnings(data: Any, robot: Robot) -> list[str]:

@@ -15,7 +15,8 @@ from tmodes.analysis.arm_modes import MotorState, Servo, arm_modes
 from tmodes.analysis.equilibrium import Load, equilibrium
 from tmodes.arm.contact import ContactLaw, ContactSheet, Plane
 from tmodes.arm_model import ArmModel
-from tmodes.chain import Body, Chain, Friction, Joint, JointKind, Motor, Node, Segment
+from tmodes.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, JointKind, Motor, Node, Segment
+from tmodes.errors import SimulationError
 
 INERTIA, ROTOR, STIFFNESS = 0.1 + 2 * 0.25, 0.1, 300.0
 NONE = np.zeros(3)
@@ -61,6 +62,20 @@ def test_motor_locked_and_free():
     assert 2 * np.pi * ringing.frequency_Hz == pytest.approx(np.sqrt(STIFFNESS * (1 / INERTIA + 1 / ROTOR)), rel=1e-10)
     assert ringing.shape == pytest.approx([1.0, -ROTOR / INERTIA], rel=1e-9)
     assert (ringing.element, ringing.share) == ("hinge.gear", pytest.approx(1.0))
+
+
+@pytest.mark.parametrize("follows", [False, True])
+def test_a_free_motor_without_inertia_is_told(follows):
+    """Also where a following force makes the stiffness asymmetric."""
+    same, none = (50.0, 50.0), (0.0, 0.0)
+    piece = BeamPiece(1.0, same, same, same, none, (1.0, 1.0), (none, none, none))
+    model = on_joint(replace(geared(), motor=Motor(0.0)), Beam(0.6, (piece,), bend_y=2), gravity=NONE)
+    rest = equilibrium(model, [Load("tip", (-5.0, 0.0, 1.0), follows=follows)])
+    stiffness = rest.matrices[2]
+    assert (np.abs(stiffness - stiffness.T).max() > 1e-6 * np.abs(stiffness).max()) == follows
+    assert len(arm_modes(rest)) == 3
+    with pytest.raises(SimulationError, match="not positive definite"):
+        arm_modes(rest, MotorState.FREE)
 
 
 def test_motor_under_control():

@@ -14,8 +14,8 @@ from scipy.integrate import solve_ivp
 
 from arm.analysis.sheets import clamped_sheet
 from tmodes.analysis.ladder import Ladder, ladder
-from tmodes.analysis.ladder_arms import input_mix, moved_chain, rungs, whole_chain
-from tmodes.analysis.ladder_move import chosen_move, driven_joints, followed
+from tmodes.analysis.ladder_arms import driven, input_mix, moved_chain, rungs, whole_chain
+from tmodes.analysis.ladder_move import chosen_move, followed
 from tmodes.arm import Arm
 from tmodes.arm_model import ArmModel
 from tmodes.errors import InputError
@@ -126,7 +126,7 @@ def test_couplings_mix_the_motors() -> None:
     data["joints"].append(second)
     data["links"].append({"name": "tool", "bodies": [{"name": "b", "mass": 0.2, "center": [0.1, 0, 0]}]})
     arm = Arm.from_data(data)
-    assert driven_joints(arm) == ["hub", "elbow"]
+    assert [joint.name for joint in driven(whole_chain(arm))] == ["hub", "elbow"]
     assert input_mix(whole_chain(arm)).tolist() == [[1.0, 0.0], [-0.5, 1.0]]
     moved = moved_chain(whole_chain(arm))
     assert [node.parent for node in moved.nodes] == [-1, 0, 1, 2]

@@ -1,0 +1,57 @@
+"""The rest of a data sheet: its signals are asked at time 0 only, whatever they are beyond the sheet's own run."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import pytest
+
+from tmodes.analysis.equilibrium_arm import arm_rest, first_value, sheet_loads
+from tmodes.analysis.ladder_move import chosen_move
+from tmodes.arm import Arm
+from tmodes.motion.simulate import simulate_arm
+
+ENDING = {"type": "expression", "formula": "sqrt(0.6 - t)"}
+FAST = {"type": "sine", "frequency": 9000, "amplitude": 0.1, "offset": 0.3}
+
+
+def sheet(signal: dict[str, Any], duration: float) -> Arm:
+    """A rod on a hinge about z that follows a signal, with a force of the same signal on its tip."""
+    hinge = {"name": "hinge", "type": "revolute", "parent": "base", "child": "rod", "axis": [0, 0, 1]}
+    body = {"name": "body", "mass": 1.0, "center": [0.5, 0, 0]}
+    return Arm.from_data({
+        "format": 1, "kind": "arm", "name": "short", "joints": [hinge], "links": [{"name": "rod", "bodies": [body]}],
+        "tip": {"link": "rod", "position": [1, 0, 0]},
+        "drives": [{"joint": "hinge", "command": "prescribed", "signal": signal}],
+        "loads": [{"point": "tip", "frame": "world", "force": [0, 0, 2], "signal": signal}],
+        "integration": {"duration": duration, "output_step": duration / 10},
+    })  # fmt: skip
+
+
+@pytest.mark.parametrize(
+    ("signal", "duration", "first"),
+    [(ENDING, 0.5, 0.6**0.5), (FAST, 0.1, 0.3)],
+    ids=["no value after 0.6 s", "too fast for more than its run"],
+)
+def test_a_signal_that_holds_for_the_run_alone_rests_and_runs(signal, duration, first):
+    arm = sheet(signal, duration)
+    assert first_value(arm, arm.drives[0].signal) == pytest.approx(first, abs=1e-12)
+    assert arm_rest(arm).named == {"hinge": pytest.approx(first, abs=1e-12)}
+    assert sheet_loads(arm)[0].force == pytest.approx([0.0, 0.0, 2 * first], abs=1e-12)
+    run = simulate_arm(arm)
+    assert run.status == "finished"
+    assert run.q[0] == pytest.approx([first], abs=1e-12)
+
+
+def test_the_ladders_own_move_starts_where_such_a_signal_starts():
+    """A kink, which the ladder does not follow, in a formula without a value after 0.6 s."""
+    move = chosen_move(sheet({"type": "expression", "formula": "abs(t - 0.2) + sqrt(0.6 - t)"}, 0.5), 3.0)
+    assert "quintic" in move.words
+    assert move.at(0.0) == pytest.approx([0.2 + 0.6**0.5], abs=1e-12)
+
+
+@pytest.mark.parametrize("duration", [0.5, 20.0])
+def test_a_jump_within_the_run_is_not_at_its_start(duration):
+    arm = sheet({"type": "step", "start": 0.2, "end": 0.9, "time": 0.3}, duration)
+    assert arm_rest(arm).named == {"hinge": 0.2}
+    assert chosen_move(arm, 3.0).at(0.0) == pytest.approx([0.2])
