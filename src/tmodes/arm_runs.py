@@ -12,7 +12,7 @@ from tmodes.arm.parts import Command
 from tmodes.arm_result import ArmResult, assemble_arm
 from tmodes.chain import Chain, Drive, JointKind, RigidLink
 from tmodes.errors import InputError
-from tmodes.integrate.settings import MOST_BYTES
+from tmodes.integrate.settings import refuse_too_large
 from tmodes.runs import RunFolder
 from tmodes.trajectory import sample_times
 
@@ -68,15 +68,8 @@ class ArmRunFolder(RunFolder):
 def result_bytes(arm: Arm) -> int:
     """Size of an arm's result in memory [bytes]; raises :class:`tmodes.errors.InputError` where it is too large."""
     samples, each = len(sample_times(arm.integration)), _bytes_per_sample(arm.chain(), arm.integration.line_points)
-    if samples * each <= MOST_BYTES:
-        return samples * each
-    least = 1.005 * arm.integration.duration * each / MOST_BYTES
-    raise InputError(
-        "integration.output_step",
-        f"{arm.integration.output_step!r}, that is {samples:.3g} samples, about {samples * each / 1e9:.3g} GB",
-        f"at most {MOST_BYTES / each:.3g} samples of {each} bytes, {MOST_BYTES / 1e9:.3g} GB",
-        f"write at least {least:.3g} s, a shorter duration, or fewer integration.line_points",
-    )
+    refuse_too_large(arm.integration, samples, each, "a shorter duration, or fewer integration.line_points")
+    return samples * each
 
 
 def _bytes_per_sample(chain: Chain, stations: int) -> int:

@@ -8,9 +8,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.arm_line import LinkLine, LinkLines, elastic_line
 from tmodes.analysis.arm_split import deflections, elastic_names, split_motion
 from tmodes.analysis.arm_validity import run_warnings
-from tmodes.arm import Arm
 from tmodes.arm_result.series import Variables
-from tmodes.motion.plan import planned
 from tmodes.motion.run import ArmRun
 
 __all__ = ["line_series", "run_wrenches", "straight_shape"]
@@ -35,8 +33,7 @@ def line_series(run: ArmRun, stations: Array, count: int) -> tuple[Variables, di
     split = split_motion(*motion, wrenches=wrenches, base=base)
     found = _shapes(shown, straight) | _loads(bending) | _stresses(stressed)
     found |= _split(split.stationary, split.oscillatory)
-    no_efforts = np.zeros((count, 0))
-    doubts = [*run_warnings(_without_limits(run.arm), run.model, run.times[part], *motion[1:], no_efforts, lines)]
+    doubts = run_warnings(run.arm, run.model, run.times[part], run.q[part], lines)
     loose = np.flatnonzero(~split.held)
     if len(loose):
         doubts.append(
@@ -47,15 +44,9 @@ def line_series(run: ArmRun, stations: Array, count: int) -> tuple[Variables, di
     return {name: told for name, told in found.items() if told[1].size}, plain, doubts
 
 
-def _without_limits(arm: Arm) -> Arm:
-    """Limits of joints are told by the run itself."""
-    joints = tuple(joint.model_copy(update={"limits": None}) for joint in arm.joints)
-    return arm.model_copy(update={"joints": joints})
-
-
 def run_wrenches(run: ArmRun) -> Array:
     """Force and moment by the surroundings on each named point at each sample, world axes, (n, points, 6)."""
-    plan = planned(run.arm)
+    plan = run.planned
     wrenches = np.zeros((len(run.times), len(run.model.parts.points), 6))
     for load in plan.plan.loads:
         factor = np.ones(len(run.times)) if load.signal < 0 else plan.signals.at(run.times)[:, load.signal]

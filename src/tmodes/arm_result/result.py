@@ -38,7 +38,7 @@ class ArmResult(RunRecord):
     """What a run of an arm gave: ``result.data["tip"].sel(axis="z")``, ``result.data["q"].sel(coordinate="elbow")``."""
 
     kind: ClassVar[str] = "arm"
-    series: ClassVar[tuple[str, ...]] = (*RunRecord.series, "a", "effort", "position")
+    series: ClassVar[tuple[str, ...]] = (*RunRecord.series, "a", "position")
 
     @property
     def arm(self) -> Arm:
@@ -101,7 +101,7 @@ def assemble_arm(run: ArmRun, known: Arm | None = None, *, progress: Progress = 
     data.attrs = provenance(run, known) | {
         "status": status,
         "message": message,
-        "move_end": json.dumps(move_end(run.arm)),
+        "move_end": json.dumps(move_end(run.planned)),
     }
     data.attrs |= {name: json.dumps(value) for name, value in told.items()}
     progress("gathering", 1.0)

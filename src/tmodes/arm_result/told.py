@@ -11,7 +11,7 @@ import numpy as np
 
 from tmodes.arm import Arm
 from tmodes.errors import SimulationError
-from tmodes.motion.plan import planned
+from tmodes.motion.plan import Planned
 from tmodes.motion.run import ArmRun
 from tmodes.result import RESULT_FORMAT
 
@@ -52,15 +52,14 @@ def _frequencies(arm: Arm) -> dict[str, list[dict[str, Any]]]:
     return {case: [{key: mode[key] for key in _MODE} for mode in modes] for case, modes in found.items()}
 
 
-def move_end(arm: Arm) -> float | None:
+def move_end(planned: Planned) -> float | None:
     """When the last signal of a drive, a load or the base stops changing [s]; None where one never does."""
-    plan = planned(arm)
-    knots, powers = plan.signals.knots, np.array(plan.signals.coefficients)
+    knots, powers = planned.signals.knots, np.array(planned.signals.coefficients)
     size = np.abs(powers[:, :, :1]).max(axis=0, keepdims=True, initial=0.0)
     lengths = np.diff(knots)[:, None, None] ** np.arange(powers.shape[2])
     changes = np.abs(powers * lengths)[:, :, 1:].max(axis=2, initial=0.0) > _STILL * np.maximum(size[..., 0], 1e-12)
     jumps = np.zeros_like(changes)
-    jumps[1:] = np.abs(np.diff(plan.signals.at(knots[:-1]), axis=0)) > _STILL * np.maximum(size[0, :, 0], 1e-12)
+    jumps[1:] = np.abs(np.diff(planned.signals.at(knots[:-1]), axis=0)) > _STILL * np.maximum(size[0, :, 0], 1e-12)
     moving = np.flatnonzero((changes | jumps).any(axis=1))
     if not len(moving):
         return 0.0

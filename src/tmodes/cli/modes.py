@@ -6,15 +6,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_robot
+from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.static import print_links
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from tmodes.arm import Arm
-    from tmodes.mechanism import Reading
 
 __all__ = ["modes"]
 
@@ -55,15 +52,20 @@ def modes(
     at which it rings (- where it is over-damped). Modes of an arm marked ! change with more functions.
     """
     from tmodes.analysis.modes import all_modes
+    from tmodes.arm import Arm
     from tmodes.cli.output import print_json
 
     if angle is not None and not abs(angle) <= _MOST_ANGLE:
         expected = f"an angle between -{_MOST_ANGLE:g} and {_MOST_ANGLE:g} rad"
         raise InputError("--angle", repr(angle), expected, "give the motor's angle in radians, or leave it out")
-    if arm := _arm(robot, settings, reading, angle, root, trust_paths=trust_paths):
-        _modes_of_arm(arm, contact=contact, as_json=as_json)
+    sheet = chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths)
+    if isinstance(sheet, Arm):
+        if angle is not None:
+            mend = "set the start of its drives: --set drives.0.signal.start=0.5"
+            raise InputError("--angle", repr(angle), "no angle: an arm has several motors", mend)
+        _modes_of_arm(sheet, contact=contact, as_json=as_json)
         return
-    pair = chosen_robot(robot, settings, reading).pair()
+    pair = sheet.pair()
     found = {"real": all_modes(pair.real, contact=contact, theta=angle)}
     if pair.real is not pair.nominal:
         found["nominal"] = all_modes(pair.nominal, contact=contact, theta=angle)
@@ -76,33 +78,6 @@ def modes(
         whose = "real robot" if kind == "real" else "robot as known"
         for state, lines in states.items():
             _print(f"{pair.nominal.name}, {whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
-
-
-def _arm(
-    robot: str,
-    settings: list[str] | None,
-    reading: Reading | None,
-    angle: float | None,
-    root: list[Path] | None,
-    *,
-    trust_paths: bool,
-) -> Arm | None:
-    """The arm that the command line names; None where it names a robot of the 2010 paper."""
-    from tmodes.arm import Arm
-    from tmodes.io.paths import parse_assignment
-    from tmodes.robots import names
-    from tmodes.robots.load import load_sheet
-
-    if reading is not None or robot in names():
-        return None
-    changes = dict(parse_assignment(text) for text in settings or [])
-    sheet = load_sheet(robot, changes, roots=root or (), trust_paths=trust_paths)
-    if not isinstance(sheet, Arm):
-        return None
-    if angle is not None:
-        mend = "set the start of its drives: --set drives.0.signal.start=0.5"
-        raise InputError("--angle", repr(angle), "no angle: an arm has several motors", mend)
-    return sheet
 
 
 def _modes_of_arm(arm: Arm, *, contact: bool, as_json: bool) -> None:

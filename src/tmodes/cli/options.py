@@ -20,20 +20,15 @@ __all__ = [
     "Duration",
     "IntegratorOption",
     "ReadingOption",
-    "RobotArgument",
     "Roots",
     "Settings",
     "SheetArgument",
     "Tolerance",
     "TrustPaths",
-    "chosen_robot",
     "chosen_sheet",
     "integration_changes",
 ]
 
-RobotArgument = Annotated[
-    str, typer.Argument(metavar="ROBOT|FILE", help="A published robot (see: tmodes robots), or a data sheet (.yaml).")
-]
 SheetArgument = Annotated[
     str,
     typer.Argument(
@@ -73,21 +68,6 @@ Tolerance = Annotated[
     float | None, typer.Option("--rtol", metavar="SHARE", help="integration.relative_tolerance, per step.")
 ]
 Duration = Annotated[float | None, typer.Option(metavar="SECONDS", help="integration.duration, simulated time.")]
-
-
-def chosen_robot(
-    robot: str, settings: list[str] | None, reading: Reading | None = None, contact: bool | None = None
-) -> Robot:
-    """The robot that a command line names, with its changes; raises an InputError for any wrong part."""
-    from tmodes.io.paths import parse_assignment
-    from tmodes.robots import load_robot
-
-    changes = dict(parse_assignment(text) for text in settings or [])
-    if reading is not None:
-        changes["reading"] = reading.value
-    if contact is not None:
-        changes["contact"] = contact
-    return load_robot(robot, changes)
 
 
 def chosen_sheet(

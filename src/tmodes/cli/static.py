@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, Roots, Settings, TrustPaths
+from tmodes.cli.options import AsJson, Roots, Settings, TrustPaths, chosen_sheet
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -88,11 +88,8 @@ def chosen_arm(
 ) -> Arm:
     """The arm that a command line names, with its changes; raises an InputError for a sheet of another kind."""
     from tmodes.arm import Arm
-    from tmodes.io.paths import parse_assignment
-    from tmodes.robots.load import load_sheet
 
-    changes = dict(parse_assignment(text) for text in settings or [])
-    sheet = load_sheet(robot, changes, roots=root or (), trust_paths=trust_paths)
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     if not isinstance(sheet, Arm):
         mend = "take tmodes modes and tmodes run, which know it, or write a sheet with `kind: arm`"
         raise InputError("robot", f"`{sheet.name}`, the robot of the 2010 paper", "a data sheet of an arm", mend)

@@ -9,8 +9,9 @@ from typing import Self
 from pydantic import Field, model_validator
 
 from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
+from tmodes.errors import InputError
 
-__all__ = ["MOST_BYTES", "ArmIntegration", "Integration", "Method"]
+__all__ = ["MOST_BYTES", "ArmIntegration", "Integration", "Method", "refuse_too_large"]
 
 MOST_BYTES = 1_800_000_000
 """Size of the largest result on disk [bytes]; gathering it takes about three times that in memory."""
@@ -111,3 +112,19 @@ class ArmIntegration(Integration):
             defaults = {"relative_tolerance": 1e-7, "absolute_tolerance": 1e-9}
             changes |= {name: value for name, value in defaults.items() if name not in self.model_fields_set}
         return self.model_copy(update=changes)
+
+
+def refuse_too_large(settings: Integration, samples: float, each: int, others: str) -> None:
+    """Refuse ``samples`` of ``each`` bytes that are more than memory is meant for.
+
+    ``others`` names what helps beside a longer output step. Raises :class:`tmodes.errors.InputError`.
+    """
+    if samples * each <= MOST_BYTES:
+        return
+    least = 1.005 * settings.duration * each / MOST_BYTES
+    raise InputError(
+        "integration.output_step",
+        f"{settings.output_step!r}, that is {samples:.3g} samples, about {samples * each / 1e9:.3g} GB",
+        f"at most {MOST_BYTES / each:.3g} samples of {each} bytes, {MOST_BYTES / 1e9:.3g} GB",
+        f"write at least {least:.3g} s, {others}",
+    )

@@ -28,8 +28,8 @@ Controller = Callable[[float, Array, Array], ArrayLike]
 """(time [s], q (nq,), v (nq,)) -> effort (m,) [N*m, N] of each drive that follows no signal, in their order."""
 
 
-def driven_by(regime: ArmRegime) -> tuple[ArmRegime, tuple[str, ...]]:
-    """The regime with the efforts of its servos taken from the rows, and the joints of these."""
+def driven_by(regime: ArmRegime) -> ArmRegime:
+    """The regime with the efforts of its servos taken from the rows."""
     plan = regime.planned.plan
     drives = tuple(
         replace(drive, servo=Servo(controlled=False, driven=False, winding=drive.winding)) if drive.servo else drive
@@ -39,8 +39,7 @@ def driven_by(regime: ArmRegime) -> tuple[ArmRegime, tuple[str, ...]]:
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
     start[: 2 * len(model.coordinates)] = regime.start[: 2 * len(model.coordinates)]
-    names = tuple(drive.joint for drive in drives if drive.servo)
-    return ArmRegime(regime.arm, replace(regime.planned, plan=own), model, start), names
+    return ArmRegime(regime.arm, replace(regime.planned, plan=own), model, start)
 
 
 @dataclass
@@ -60,8 +59,6 @@ class _Guarded:
         q.flags.writeable = v.flags.writeable = False
         try:
             effort = np.asarray(self.controller(time, q, v), dtype=float)
-        except KeyboardInterrupt:
-            raise
         except Exception as error:
             raise self._failed(time, f"{type(error).__name__}: {error}", "an answer") from error
         wanted = f"{len(self.joints)} efforts, of {', '.join(self.joints)}"
@@ -90,6 +87,7 @@ class _Run:
     states: list[Array] = field(default_factory=list)
     evaluations: int = 0
     steps: int = 0
+    began: float = field(default_factory=clock.monotonic)
 
     def row(self, time: float, state: Array, piece: float) -> Array:
         """The row of the signals at a time, of the piece that starts at ``piece``, with the controller's efforts."""
@@ -109,6 +107,15 @@ class _Run:
         """A sample."""
         self.rows.append(self.row(time, state, time))
         self.states.append(state)
+
+    def count_step(self, time: float) -> None:
+        """Count a step that begins at ``time`` [s]; raises where no steps or seconds of computing are left for it."""
+        s = self.settings
+        spent = {"max_steps": self.steps, "max_wall_time": clock.monotonic() - self.began}
+        for name, value in spent.items():
+            if value >= getattr(s, name):
+                raise SimulationError(f"stopped at t = {time:.6g} s of {s.duration:g} s: integration.{name} is used up")
+        self.steps += 1
 
 
 def run_with_controller(
@@ -132,7 +139,7 @@ def run_with_controller(
 
 
 def _advance(run: _Run, times: Array, progress: Callable[[float], None]) -> tuple[str, str]:
-    began, state, length = clock.monotonic(), run.states[0], 0.0
+    state, length = run.states[0], 0.0
     end = float(times[-1])
     try:
         for before, after, is_sample in _intervals(run.regime.planned.schedule.knots, times):
@@ -143,10 +150,6 @@ def _advance(run: _Run, times: Array, progress: Callable[[float], None]) -> tupl
             if is_sample:
                 run.keep(after, state)
                 progress(after / end)
-            if run.steps >= run.settings.max_steps:
-                return "stopped", f"stopped at t = {after:.6g} s of {end:g} s: integration.max_steps is used up"
-            if clock.monotonic() - began >= run.settings.max_wall_time:
-                return "stopped", f"stopped at t = {after:.6g} s of {end:g} s: integration.max_wall_time is used up"
     except KeyboardInterrupt:
         return "interrupted", f"interrupted after t = {times[len(run.states) - 1]:.6g} s; what was done is kept"
     except SimulationError as error:
@@ -170,18 +173,20 @@ def _across(run: _Run, before: float, after: float, state: Array, length: float)
 
     s = run.settings
     first = min(length, after - before) if length > 0 else None
-    solver = RK45(
-        lambda t, y: run.rate(t, y, before), before, state, after,
-        rtol=max(s.relative_tolerance, 3e-14), atol=s.absolute_tolerance, first_step=first,
-    )  # fmt: skip
     wish = length
-    while solver.status == "running":
-        if solver.step():
-            break
-        run.steps += 1
-        wish = max(wish if solver.status != "running" else 0.0, solver.h_abs)
-        if _lost(run, solver.t, solver.y):
-            break
+    with np.errstate(over="ignore", invalid="ignore"):  # where a trial step leaves the numbers, a shorter one is taken
+        solver = RK45(
+            lambda t, y: run.rate(t, y, before), before, state, after,
+            rtol=max(s.relative_tolerance, 3e-14), atol=s.absolute_tolerance, first_step=first,
+        )  # fmt: skip
+        while solver.status == "running":
+            run.count_step(solver.t)
+            # From a length that is no number, SciPy would look for a shorter one for ever.
+            if not np.isfinite(solver.h_abs) or solver.step():
+                raise SimulationError(f"stopped at t = {solver.t:.6g} s: no step is small enough")
+            wish = max(wish if solver.status != "running" else 0.0, solver.h_abs)
+            if _lost(run, solver.t, solver.y):
+                break
     return solver.y, wish
 
 
@@ -190,12 +195,12 @@ def _rk4(run: _Run, before: float, after: float, state: Array) -> Array:
     h = (after - before) / count
     for k in range(count):
         t = before + k * h
+        run.count_step(t)
         k1 = run.rate(t, state, before)
         k2 = run.rate(t + h / 2, state + h / 2 * k1, before)
         k3 = run.rate(t + h / 2, state + h / 2 * k2, before)
         k4 = run.rate(t + h, state + h * k3, before)
         state = state + h / 6 * (k1 + 2 * k2 + 2 * k3 + k4)
-        run.steps += 1
         if _lost(run, t, state):
             break
     return state

@@ -30,7 +30,6 @@ class Follow(StrEnum):
 
     SHEET = "sheet"  # those that the sheet says
     WANTED = "wanted"  # every position: the reference run, in which all motors are where they should be
-    HELD = "held"  # all, standing still where they start
 
 
 @dataclass(frozen=True, eq=False)
@@ -80,7 +79,7 @@ def planned(arm: Arm, follow: Follow = Follow.SHEET) -> Planned:
         joints[joint.name] = replace(joint, drive=_kind(joint, plan))
     nodes = tuple(replace(node, joint=joints.get(node.joint.name, node.joint)) for node in chain.nodes)
     chain = replace(chain, nodes=nodes)
-    names = [point.name for point in chain.points or (chain.tip,)]
+    names = [point.name for point in chain.points]
     loads = tuple(_loads(arm, names, signals))
     base = tuple(_base(arm, signals))
     touch = _touch(arm, chain, names)
@@ -111,9 +110,8 @@ def _drive(
 ) -> DrivePlan:
     winding, numbers = _winding(joint.motor)
     command = sheet.command if sheet else Command.PRESCRIBED
-    exact = command is Command.PRESCRIBED or follow is Follow.HELD
-    exact = exact or (follow is Follow.WANTED and command is Command.POSITION)
-    if sheet is None or follow is Follow.HELD:
+    exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command is Command.POSITION)
+    if sheet is None:
         held = Constant(type="constant", value=initial_value(arm, joint.name))
         return DrivePlan(joint.name, signals.add(held, "initial"), None, winding, (0.0, 0.0, *numbers))
     signal = signals.add(sheet.signal, f"drives.{index}.signal")
@@ -160,7 +158,7 @@ def _touch(arm: Arm, chain: Chain, names: list[str]) -> TouchPlan | None:
     if sheet is None:
         return None
     point = names.index(sheet.point)
-    told = (chain.points or (chain.tip,))[point]
+    told = chain.points[point]
     unilateral = sheet.law is ContactLaw.UNILATERAL
     if sheet.mass > 0:
         mend = "remove `mass`, or take the law `bilateral`"

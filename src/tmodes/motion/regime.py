@@ -1,4 +1,4 @@
-"""One arm in motion: as its drives are planned, under control as it really is, or held; from its first state on."""
+"""One arm in motion: as its drives are planned, or under control as it really is; from its first state on."""
 
 from __future__ import annotations
 

@@ -8,11 +8,13 @@ from typing import TYPE_CHECKING
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.energy import largest_flow
 from tmodes.arm_model import ArmModel, PointMotion
 from tmodes.chain import Chain
 from tmodes.equations.arm.closed_loop_plan import BROUGHT_IN, WORKS
 from tmodes.evaluator import Rows
 from tmodes.motion.loop import LoopModel
+from tmodes.motion.plan import Planned
 from tmodes.motion.regime import ArmRegime
 from tmodes.trajectory import Trajectory
 
@@ -30,18 +32,20 @@ _CHUNK = 20_000
 class ArmRun:
     """A motion of an arm at n samples, SI units.
 
-    ``times`` (n,); ``q``, ``v``, ``a`` (n, nq) in the order of ``coordinates``. Of the drives, in the order of
-    ``drives`` (their joints): ``effort`` (n, drives), of the motor after the reducer, or of the joint without a motor;
-    ``voltage`` and ``current``, 0 where there is no electric side; ``wanted``, the value of the drive's signal;
-    ``gear_torque``, 0 where no gear is elastic. ``points``: motion of the named points. ``contact_force`` (n, 3), by
-    the point on the surface; ``contact_normal`` (n,) its part into the surface; ``penetration`` (n,) [m]; None without
-    contact. ``base`` (n, 24): acceleration less gravity (6) and rate (3) in base axes, pose and velocity in the world
-    (15). ``energies`` and ``works`` (n,) [J] by kind: works of ``motor``, ``loads`` and ``base`` are brought in, the
-    others taken out; ``energy_balance`` (n,): what is there less what came in, plus what went out. ``reference``: the
-    same of the nominal arm whose motors are where they should be; None where no such motion is possible.
+    ``planned``: what moves it, and its signals. ``times`` (n,); ``q``, ``v``, ``a`` (n, nq) in the order of
+    ``coordinates``. Of the drives, in the order of ``drives`` (their joints): ``effort`` (n, drives), of the motor
+    after the reducer, or of the joint without a motor; ``voltage`` and ``current``, 0 where there is no electric side;
+    ``wanted``, the value of the drive's signal; ``gear_torque``, 0 where no gear is elastic. ``points``: motion of the
+    named points. ``contact_force`` (n, 3), by the point on the surface; ``contact_normal`` (n,) its part into the
+    surface; ``penetration`` (n,) [m]; None without contact. ``base`` (n, 24): acceleration less gravity (6) and rate
+    (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind: works of
+    ``motor``, ``loads`` and ``base`` are brought in, the others taken out; ``energy_balance`` (n,): what is there less
+    what came in, plus what went out. ``reference``: the same of the nominal arm whose motors are where they should be;
+    None where no such motion is possible.
     """
 
     arm: Arm
+    planned: Planned
     chain: Chain
     model: ArmModel
     drives: tuple[str, ...]
@@ -83,8 +87,7 @@ class ArmRun:
     @property
     def energy_moved(self) -> float:
         """The largest change of any kind of energy, or work of any kind, within the run [J]."""
-        changes = [np.abs(energy - energy[0]).max() for energy in self.energies.values()]
-        return float(max(*changes, *(np.abs(work).max() for work in self.works.values())))
+        return largest_flow(np.column_stack([*self.energies.values()]), np.column_stack([*self.works.values()]))
 
 
 def bytes_per_sample(model: LoopModel) -> int:
@@ -109,8 +112,8 @@ def gathered(regime: ArmRegime, trajectory: Trajectory, rows: Array | None = Non
     contact = seen["contact"] if plan.plan.touch else None
     works = states[:, loop.layout.works]
     return ArmRun(
-        arm=regime.arm, chain=plan.chain, model=model, drives=tuple(drive.joint for drive in plan.plan.drives),
-        times=times, q=q, v=v, a=a,
+        arm=regime.arm, planned=plan, chain=plan.chain, model=model,
+        drives=tuple(drive.joint for drive in plan.plan.drives), times=times, q=q, v=v, a=a,
         effort=drives[:, :, 0], voltage=drives[:, :, 1], current=drives[:, :, 2], wanted=drives[:, :, 3],
         gear_torque=seen["gear"], points=model.points(q, v, a, base=moving),
         contact_force=None if contact is None else contact[:, :3],

@@ -17,7 +17,7 @@ from tmodes.arm import Arm, ArmPair
 from tmodes.arm.parts import Command
 from tmodes.errors import InputError
 from tmodes.integrate.choice import chosen_method
-from tmodes.integrate.settings import MOST_BYTES, Method
+from tmodes.integrate.settings import refuse_too_large
 from tmodes.motion.callback import Controller, driven_by, run_with_controller
 from tmodes.motion.plan import Follow
 from tmodes.motion.regime import ArmRegime, arm_regime, run_arm_regime
@@ -28,6 +28,9 @@ from tmodes.trajectory import Journal
 __all__ = ["closed_loop_spectrum", "simulate_arm"]
 
 Progress = Callable[[str, float], None]
+
+_CAUSES = "an equilibrium above the horizontal that tips over, buckling, a loose joint that falls, or the controller"
+"""What makes a start unstable."""
 
 _UNDAMPED = 1e-9
 """Real over absolute value of an eigenvalue below which it is taken as undamped."""
@@ -55,21 +58,22 @@ def simulate_arm(
     """
     pair = arm if isinstance(arm, ArmPair) else arm.pair()
     real = arm_regime(pair.real)
-    _refuse_too_large(real)
+    samples = real.arm.integration.duration / real.arm.integration.output_step
+    refuse_too_large(real.arm.integration, samples, 2 * bytes_per_sample(real.model), "or a shorter duration")
     if not real.model.coordinates:
         expected, mend = "a joint that moves or a link that bends", "unlock a joint, or give a beam functions"
         raise InputError("joints", "an arm in which nothing moves or bends", expected, mend)
     spectrum = closed_loop_spectrum(real)
     real, pair, why = _with_method(real, pair, spectrum)
-    verdict = _verdict(real, spectrum)
-    warnings = [*([verdict.sentence] if verdict.sentence else []), *growth_warnings(spectrum, "real arm")]
+    verdict = step_size_verdict(real.arm.integration, spectrum)
+    warnings = [*([verdict.sentence] if verdict.sentence else []), *growth_warnings(spectrum, "real arm", _CAUSES)]
     warnings += start_warnings(real)
     reference, until = _reference(pair, progress, journals, warnings)
     rows = None
     if controller is None:
         trajectory = run_arm_regime(real, lambda share: progress("real arm", share), journals("real"), until)
     else:
-        real, _ = driven_by(real)
+        real = driven_by(real)
         trajectory, rows = run_with_controller(real, controller, lambda share: progress("real arm", share))
     if trajectory.status == "diverged":
         trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
@@ -138,30 +142,8 @@ def _with_method(regime: ArmRegime, pair: ArmPair, spectrum: Spectrum) -> tuple[
     return replace(regime, arm=by(regime.arm)), ArmPair(by(pair.nominal), by(pair.real)), why
 
 
-def _verdict(regime: ArmRegime, spectrum: Spectrum) -> StepVerdict:
-    settings = regime.arm.integration
-    if settings.method not in (Method.RK4, Method.DORMAND_PRINCE):
-        return StepVerdict(float(np.abs(spectrum.eigenvalues).max(initial=0.0)), None, True)
-    return step_size_verdict(settings, spectrum)
-
-
 def _cause(verdict: StepVerdict, warnings: list[str]) -> str:
     if not verdict.stable:
         return verdict.sentence
     growing = next((warning for warning in warnings if "unstable at its start" in warning), "")
     return growing or "what drives the arm runs away: a signal, gains of the wrong size, or a singular motion"
-
-
-def _refuse_too_large(regime: ArmRegime) -> None:
-    """Refuse more samples than memory is meant for, before any is made."""
-    settings = regime.arm.integration
-    samples, each = settings.duration / settings.output_step, 2 * bytes_per_sample(regime.model)
-    if samples * each <= MOST_BYTES:
-        return
-    least = 1.005 * settings.duration * each / MOST_BYTES
-    raise InputError(
-        "integration.output_step",
-        f"{settings.output_step!r}, that is {samples:.3g} samples, about {samples * each / 1e9:.3g} GB",
-        f"at most {MOST_BYTES / each:.3g} samples of {each} bytes, {MOST_BYTES / 1e9:.3g} GB",
-        f"write at least {least:.3g} s, or a shorter duration",
-    )

@@ -6,6 +6,7 @@ from collections.abc import Iterator
 
 import numpy as np
 
+from tmodes.analysis.validity import energy_sentence
 from tmodes.arm.contact import ContactLaw, ContactSheet
 from tmodes.motion.regime import ArmRegime
 from tmodes.motion.run import ArmRun
@@ -17,9 +18,6 @@ _SAME = 1e-6
 
 _OFF = 1e-3
 """Distance [m] from a surface that holds a point, from which on it is told."""
-
-_ROUNDING = 1e-12
-"""A residual [J] that is rounding, however little energy was moved."""
 
 
 def start_warnings(regime: ArmRegime) -> list[str]:
@@ -70,39 +68,32 @@ _WAYS = ("x", "y", "z", "roll", "pitch", "yaw")
 
 def run_warnings(run: ArmRun) -> list[str]:
     """Limits passed, and energy that does not add up, with the first time and the worst value."""
-    return [*_energy(run), *_limits(run)]
-
-
-def _energy(run: ArmRun) -> Iterator[str]:
-    off, moved, tolerance = np.abs(run.energy_balance), run.energy_moved, run.arm.integration.energy_tolerance
-    beyond = np.flatnonzero(off > max(tolerance * moved, _ROUNDING))
-    if len(beyond):
-        yield (
-            f"the energy balance is off first at t = {run.times[beyond[0]]:.4g} s, by {off.max():.2g} J at worst, "
-            f"{off.max() / moved if moved else np.inf:.1e} of the energy moved ({moved:.3g} J): the integration is too "
-            "coarse; lower integration.relative_tolerance or integration.step"
-        )
+    tolerance, mend = run.arm.integration.energy_tolerance, "lower integration.relative_tolerance or integration.step"
+    energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, mend)
+    return [*([energy] if energy else []), *_limits(run)]
 
 
 def _limits(run: ArmRun) -> Iterator[str]:
-    sheets = {joint.name: joint for joint in run.arm.joints}
-    for k, name in enumerate(run.drives):
-        limits = sheets[name].limits
-        if limits is None:
+    for joint in run.arm.joints:
+        limits = joint.limits
+        if limits is None or joint.name not in run.coordinates:
             continue
-        place = run.coordinates.index(name)
-        kinds = (
-            ("position", run.q[:, place], limits.lower, limits.upper),
-            ("speed", np.abs(run.v[:, place]), None, limits.speed),
-            ("effort", np.abs(run.effort[:, k]), None, limits.effort),
-        )
-        for kind, values, lower, upper in kinds:
+        place, unit = run.coordinates.index(joint.name), "m" if joint.type == "prismatic" else "rad"
+        kinds = [
+            ("position", unit, run.q[:, place], limits.lower, limits.upper),
+            ("speed", f"{unit}/s", np.abs(run.v[:, place]), None, limits.speed),
+        ]
+        if joint.name in run.drives:
+            effort = np.abs(run.effort[:, run.drives.index(joint.name)])
+            kinds.append(("effort", "N" if unit == "m" else "N*m", effort, None, limits.effort))
+        for kind, unit_of, values, lower, upper in kinds:
             low, high = -np.inf if lower is None else lower, np.inf if upper is None else upper
             beyond = np.flatnonzero((values < low) | (values > high))
             if len(beyond):
-                worst = values[beyond[np.argmax(np.maximum(low - values[beyond], values[beyond] - high))]]
-                bound = low if worst < low else high
+                worst = beyond[np.argmax(np.maximum(low - values[beyond], values[beyond] - high))]
+                bound = low if values[worst] < low else high
                 yield (
-                    f"joint {name} passes its limit of {kind}, {bound:.6g}, first at t = {run.times[beyond[0]]:.4g} s, "
-                    f"and reaches {worst:.6g}"
+                    f"joint {joint.name} passes its limit of {kind}, {bound:.6g} {unit_of}, first at "
+                    f"t = {run.times[beyond[0]]:.4g} s, and reaches {values[worst]:.6g} {unit_of} "
+                    f"at t = {run.times[worst]:.4g} s"
                 )

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tmodes.plot.arm_facts import largest, plain
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import BAND, BLUE, COMPONENTS, QUIET, RED, house_style
-from tmodes.plot.units import readable
+from tmodes.plot.units import Unit, readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
@@ -56,8 +56,7 @@ def link_loads(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
 
 def _moments(panel: Axes, data: Any, moments: Array) -> None:
     unit, s = readable("N m", moments), data["s"].values
-    for (kind, label), values, look in zip(_KINDS.items(), moments.T, COMPONENTS, strict=False):
-        del kind
+    for label, values, look in zip(_KINDS.values(), moments.T, COMPONENTS, strict=False):
         panel.plot(s, unit.of(values), label=label, **look)
     panel.axhline(0.0, color=QUIET, linewidth=0.6)
     panel.set_xlim(0.0, 1.0)
@@ -68,16 +67,17 @@ def _right(panel: Axes, data: Any, name: str) -> str:
     """Stress where it is known, else the size of the shear force; returns the panel's title."""
     known = "stressed_link" in data.dims and name in data["stressed_link"].values
     if known:
-        values, si, words = data["stress"].sel(stressed_link=name).transpose("time", "s").values, "Pa", "stress"
+        values = data["stress"].sel(stressed_link=name).transpose("time", "s").values
+        words, unit = "stress", Unit("MPa", 1e-6)
     else:
         shear = data["shear_force"].sel(bending_link=name).transpose("time", "s", "plane").values
-        values, si, words = np.linalg.norm(shear, axis=-1), "N", "shear force"
+        values = np.linalg.norm(shear, axis=-1)
+        words, unit = "shear force", readable("N", values)
+    s = data["s"].values
     sample = int(np.unravel_index(np.argmax(values), values.shape)[0])
-    unit, s = readable(si, values / 1e6 if known else values), data["s"].values
-    scale, name_of_unit = (1e-6, "MPa") if known else (unit.factor, unit.name)
-    low, high = values.min(axis=0) * scale, values.max(axis=0) * scale
+    low, high, worst = (unit.of(line) for line in (values.min(axis=0), values.max(axis=0), values[sample]))
     panel.fill_between(s, low, high, facecolor=BAND, edgecolor=BLUE, linewidth=0.6, label="range over the run")
-    panel.plot(s, values[sample] * scale, color=RED, linewidth=1.2, linestyle=(0, (5, 1.5)), label="when it is largest")
+    panel.plot(s, worst, color=RED, linewidth=1.2, linestyle=(0, (5, 1.5)), label="when it is largest")
     panel.set_xlim(0.0, 1.0)
-    panel.set_ylabel(f"{words} [{name_of_unit}]")
+    panel.set_ylabel(f"{words} [{unit.name}]")
     return f"{words.capitalize()}, worst at {float(data['time'][sample]):.3g} s"

@@ -24,13 +24,13 @@ FLAT = 0.02
 """An arm that leaves a plane by less than this share of its reach is shown in that plane only."""
 
 
-def views(points: Any, most: int = 2) -> list[tuple[str, str]]:
+def views(points: Any) -> list[tuple[str, str]]:
     """The pairs of axes in which points (..., 3) are to be seen: one where they stay in a plane, else two."""
     extents = dict(zip("xyz", np.ptp(points.reshape(-1, 3), axis=0), strict=True))
     thin = min(extents, key=lambda name: extents[name])
     if extents[thin] <= FLAT * max(extents.values()):
         return [next(pair for pair in PLANES if thin not in pair)]
-    widest = sorted(PLANES, key=lambda pair: -extents[pair[0]] * extents[pair[1]])[:most]
+    widest = sorted(PLANES, key=lambda pair: -extents[pair[0]] * extents[pair[1]])[:2]
     return sorted(widest, key=list(PLANES).index)
 
 

@@ -173,8 +173,8 @@ class Table(DataSheet):
         """A piece between each two rows, and the first and last value held, up to ``until`` [s]."""
         times, values = np.array(self.times), np.array(self.values)
         pieces = self._cubic(times, values) if self.interpolation is Interpolation.CUBIC else _straight(times, values)
-        gaps = np.append(np.diff(times) > 0, [])
-        move = Schedule(np.append(times[:-1][gaps.astype(bool)], times[-1]) - times[0], pieces[gaps.astype(bool)])
+        rising = np.diff(times) > 0
+        move = Schedule(np.append(times[:-1][rising], times[-1]) - times[0], pieces[rising])
         return _ending(_delayed(move, float(times[0]), until, first=self.values[0]), float(times[-1]), self.values[-1])
 
     @staticmethod

@@ -26,7 +26,7 @@ def test_real_and_known_arm():
     assert "arm as known, motor locked" in told
 
 
-@pytest.mark.parametrize("arguments", [["--angle", "0.5"], ["--contact"]])
+@pytest.mark.parametrize("arguments", [["--angle", "0.5"], ["--contact"], ["--reading", "printed"]])
 def test_what_an_arm_has_not_is_refused(arguments):
     assert arguments[0] in tmodes("modes", "spong1987", *arguments, code=2).stderr
 

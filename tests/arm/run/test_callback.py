@@ -14,9 +14,9 @@ DRIVE = {"command": "position", "signal": SIGNAL,
          "controller": {"type": "pd", "position_gain": 80.0, "velocity_gain": 12.0}}  # fmt: skip
 
 
-def sheet(**integration):
+def sheet(initial=None, **integration):
     settings = {"duration": 0.5, "output_step": 0.01, **integration}
-    return pendulum({"inertia": 0.3}, {"stiffness": 100.0, "damping": 0.5}, DRIVE, initial={"state": "zero"},
+    return pendulum({"inertia": 0.3}, {"stiffness": 100.0, "damping": 0.5}, DRIVE, initial=initial or {"state": "zero"},
                     integration=settings)  # fmt: skip
 
 
@@ -83,3 +83,44 @@ def test_time_limit():
     run = simulate_arm(sheet(method="rk4", step=1e-4, max_wall_time=0.01), controller=law)
     assert run.status == "stopped"
     assert "max_wall_time" in run.message
+
+
+def test_steps_that_fail_end_the_run():
+    """An effort of 1e308 N*m after 0.12 s: no step across is small enough; what was done before is kept as it was."""
+    run = simulate_arm(sheet(), controller=lambda time, q, v: [1e308 if time > 0.12 else 1.0])
+    free = simulate_arm(sheet(), controller=lambda time, q, v: [1.0])
+    assert run.status == "stopped"
+    assert "no step is small enough" in run.message
+    assert run.times[-1] == pytest.approx(0.12)
+    assert np.array_equal(run.q, free.q[: len(run.times)])
+
+
+def test_no_acceleration_from_the_start():
+    """No length of a first step can be told; the run ends at once."""
+    run = simulate_arm(sheet(initial={"state": "zero", "rates": {"joint": 1.0}}), controller=lambda time, q, v: [1e308])
+    assert run.status == "stopped"
+    assert len(run.times) == 1
+
+
+def chatters(time, q, v):
+    """A bang-bang law with a steep switching line, on which an adaptive step shrinks to nearly nothing."""
+    return [50.0 * np.sign(0.1 - q[0] - 0.2 * v[0])]
+
+
+@pytest.mark.parametrize("limit", [{"max_steps": 60}, {"max_wall_time": 0.05}])
+def test_limits_hold_within_an_interval(limit):
+    """One sample, at 0.5 s, is not reached; what is left is the start."""
+    run = simulate_arm(sheet(output_step=0.5, **limit), controller=chatters)
+    assert run.status == "stopped"
+    assert f"integration.{next(iter(limit))} is used up" in run.message
+    assert run.statistics["steps"] <= limit.get("max_steps", np.inf)
+    assert run.times.tolist() == [0.0]
+
+
+def test_all_steps_may_be_used():
+    """500 steps of 1 ms reach the end; 17 of at most 0.6 ms for each sample are 850, more than 834."""
+    assert simulate_arm(sheet(method="rk4", step=1e-3, max_steps=500), controller=law).status == "finished"
+    stopped = simulate_arm(sheet(method="rk4", step=6e-4, max_steps=834), controller=law)
+    assert stopped.status == "stopped"
+    assert "max_steps" in stopped.message
+    assert len(stopped.times) == 1 + 834 // 17

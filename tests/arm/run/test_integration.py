@@ -125,6 +125,21 @@ def test_joint_without_a_drive_is_held_and_told():
     assert np.abs(run.q[-1, 0]) > 0.5
 
 
+def test_limits_of_a_joint_that_nothing_drives_are_told():
+    """A locked joint whose gear gives way swings past its limit."""
+    sheet = arm(gravity=9.8, joints=[{"name": "joint", "type": "revolute", "parent": "base", "child": "link",
+                "axis": [0, 1, 0], "state": "locked", "gear": {"stiffness": 5.0, "damping": 0.0},
+                "limits": {"upper": 0.2}}],
+                links=[{"name": "link", "bodies": [{"name": "bob", "mass": 1.0, "center": [0, 0, -1]}]}],
+                initial={"state": "zero", "coordinates": {"joint": 0.1}, "rates": {"joint": 2.0}},
+                integration={"duration": 1.0, "output_step": 0.01})  # fmt: skip
+    run = simulate_arm(sheet)
+    assert run.drives == ()
+    (told,) = [warning for warning in run.warnings if "limit" in warning]
+    first = run.times[np.flatnonzero(run.q[:, 0] > 0.2)[0]]
+    assert f"limit of position, 0.2 rad, first at t = {first:.4g} s" in told
+
+
 def test_limits_are_told_with_time_and_value():
     limits = {"lower": -1.0, "upper": 0.1, "speed": 100.0, "effort": 4.0}
     sheet = pendulum(MOTOR, GEAR, torque(5.0), initial={"state": "zero"},

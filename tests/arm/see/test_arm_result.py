@@ -15,6 +15,7 @@ from tmodes.arm_result.lines import run_wrenches, straight_shape
 from tmodes.arm_result.told import move_end
 from tmodes.arm_runs import ready_to_run, result_bytes
 from tmodes.errors import InputError, ResultFileError
+from tmodes.motion.plan import planned
 from tmodes.motion.simulate import simulate_arm
 from tmodes.result import Result
 
@@ -110,6 +111,21 @@ def test_saved_and_loaded(tmp_path):
         load_result(tmp_path / "c.nc")
 
 
+def test_an_arm_without_drives_is_saved_and_loaded(tmp_path):
+    """A clamped tube that is pulled at its tip: no joint moves, so there is no effort to tell."""
+    joint = {"name": "wall", "type": "fixed", "parent": "base", "child": "rod"}
+    pull = {"point": "tip", "force": [0, 0, FORCE], "frame": "world"}
+    arm = ready_to_run(Arm.from_data(sheet(joints=[joint], links=[{"name": "rod", "beam": tube()}], loads=[pull])))
+    result = assemble_arm(simulate_arm(arm), arm)
+    assert "effort" not in result.data
+    result.save(tmp_path / "a.nc")
+    assert ArmResult.load(tmp_path / "a.nc").data.identical(result.data)
+    back = load_result(tmp_path / "a.nc")
+    assert isinstance(back, ArmResult)
+    assert back.arm == arm
+    assert back.summary()["joints"] == {}
+
+
 def test_the_other_kind_is_told(tmp_path):
     result_of("pendulum").save(tmp_path / "arm.nc")
     synthetic_result().save(tmp_path / "robot.nc")
@@ -131,7 +147,7 @@ def test_the_other_kind_is_told(tmp_path):
 )
 def test_when_the_move_ends(signal, end):
     arm = Arm.from_data(pendulum() | {"drives": [{"joint": "joint", "command": "effort", "signal": signal}]})
-    assert move_end(arm) == (None if end is None else pytest.approx(end))
+    assert move_end(planned(arm)) == (None if end is None else pytest.approx(end))
 
 
 def test_an_arm_that_nothing_moves():
