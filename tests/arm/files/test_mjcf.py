@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from importlib.util import find_spec
 from pathlib import Path
 from typing import Any
@@ -54,9 +55,7 @@ def written(folder: Path, text: str = MODEL) -> Path:
 @needs_mujoco
 @pytest.mark.parametrize("seed", range(5))
 def test_frames_and_masses_are_mujocos(seed: int, tmp_path: Path) -> None:
-    import mujoco as untyped
-
-    mujoco: Any = untyped
+    mujoco: Any = import_module("mujoco")
     data, positions, _ = read_arm_data(written(tmp_path))
     model = mujoco.MjModel.from_xml_path(str(tmp_path / "model.xml"))
     state = mujoco.MjData(model)

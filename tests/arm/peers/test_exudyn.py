@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from importlib import import_module
 from typing import Any
 
 import numpy as np
@@ -20,9 +21,8 @@ LINKS = ({"L": 0.6, "rhoA": 0.5, "EI": 8.0, "EA": 4e5}, {"L": 0.5, "rhoA": 0.3, 
 
 def cables(count: int, elements: int = 12, steps: int = 4000) -> np.ndarray:
     """Tips of links that hang from a pin and from each other and fall from the horizontal, shape (SAMPLES, 2)."""
-    import exudyn.utilities as made
-    from exudyn.beams import GenerateBeamElementsAlongLine
-
+    made: Any = import_module("exudyn.utilities")
+    beams: Any = import_module("exudyn.beams")
     system = exudyn.SystemContainer()
     bodies = system.AddSystem()
     ground = bodies.AddObject(made.ObjectGround())
@@ -32,7 +32,7 @@ def cables(count: int, elements: int = 12, steps: int = 4000) -> np.ndarray:
         template = made.ObjectANCFCable2D(
             physicsMassPerLength=link["rhoA"], physicsBendingStiffness=link["EI"], physicsAxialStiffness=link["EA"]
         )
-        nodes = GenerateBeamElementsAlongLine(
+        nodes = beams.GenerateBeamElementsAlongLine(
             bodies, [start, 0, 0], [start + link["L"], 0, 0], elements, beamTemplate=template, gravity=[0, -9.81, 0]
         )["nodes"]
         root = bodies.AddMarker(made.MarkerNodePosition(nodeNumber=nodes[0]))
