@@ -15,10 +15,13 @@ from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.settings import Integration, Method
 from tmodes.reference.schedule import Schedule
 
-__all__ = ["BOUND", "Journal", "Moving", "Numbers", "Trajectory", "integrate", "sample_times"]
+__all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "Journal", "Moving", "Numbers", "Trajectory", "integrate", "sample_times"]
 
 BOUND = 1e8
 """A coordinate [rad] or rate [rad/s] beyond this is no motion any more: the run has diverged."""
+
+MOST_EVENTS, EVENT_TIME = 1000, 1e-3
+"""A contact that sets in and ends more often than this within this time [s] chatters: no motion gets through that."""
 
 _PIECE_SECONDS = 0.05
 _FIRST_PIECE = 500
@@ -146,6 +149,7 @@ class _Run:
         self.state = np.array(state, dtype=float)
         self.samples = np.zeros((len(self.times), len(self.state)))
         self.samples[0] = self.state
+        self.errors, self.errors_out = np.zeros(len(state)), np.zeros_like(self.samples)
         for name, value in {"sample": 1.0, "fresh": 1.0, "old_error": 1e-4}.items():
             self.memory[CELLS.index(name)] = value
         self.loop = model.loops[settings.method.value]
@@ -165,11 +169,15 @@ class _Run:
     def advance(self, steps: int) -> None:
         """Let the native loop do at most so many steps."""
         s = self.settings
-        chosen = {"step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance}
-        options = np.array([{**chosen, "chunk": float(steps), "bound": BOUND}[name] for name in OPTIONS])
+        chosen = {
+            "step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "chunk": float(steps),
+            "bound": BOUND, "watch": 0.0, "most_events": MOST_EVENTS, "event_time": EVENT_TIME,
+        }  # fmt: skip
+        options = np.array([chosen[name] for name in OPTIONS], dtype=float)
         arrays = {
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
             "rows": self.rows, "times": self.times, "out": self.samples, "options": options,
+            "errors": self.errors, "errors_out": self.errors_out,
         }  # fmt: skip
         addresses = {name: array.ctypes.data for name, array in arrays.items()}
         counts = {"segments": len(self.rows), "samples": len(self.times)}

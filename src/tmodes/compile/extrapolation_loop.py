@@ -11,9 +11,9 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.compile.block import ScheduleRate
-from tmodes.compile.dormand_prince_loop import mean_square, power
 from tmodes.compile.emit import F64, counted, load, number, store, whole
 from tmodes.compile.gate import Gate
+from tmodes.compile.step_control import add_local_errors, mean_square, power
 from tmodes.compile.time_loop import Status, TimeLoop
 from tmodes.errors import CompileError
 
@@ -115,7 +115,9 @@ class _Writer:
         loop, b = self.loop, self.b
 
         def difference(i: Any) -> Any:
-            return b.fsub(load(b, loop.array[f"row{row - 1}"], i), load(b, loop.array[f"row{row - 2}"], i))
+            apart = b.fsub(load(b, loop.array[f"row{row - 1}"], i), load(b, loop.array[f"row{row - 2}"], i))
+            store(b, apart, loop.array["kept"], i)
+            return apart
 
         b.store(mean_square(loop, difference, "y", f"row{row - 1}"), self.error)
         b.store(number(float(row)), self.rows)
@@ -142,6 +144,7 @@ class _Writer:
             loop.evaluate(time_after, "new", "slope")
             self.gate.meet(h)
         loop.copy("y", "new")
+        add_local_errors(loop, "kept", number(1.0))
         with loop.due_samples(b.fadd(time_after, self._rounding(time_after))) as target, counted(b, loop.size) as i:
             store(b, load(b, loop.array["new"], i), target, i)
         bounded = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(_SMALLEST)), number(_LARGEST))
@@ -150,5 +153,5 @@ class _Writer:
         loop.put("t", time_after)
         at_knot = b.fcmp_ordered(">=", time_after, loop.knot(1))
         loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(at_knot, F64)))
-        loop.add("steps", 1.0)
+        loop.count_step(h, last)
         b.branch(loop.again)

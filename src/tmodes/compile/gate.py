@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.compile.emit import F64, load, number
-from tmodes.compile.time_loop import TimeLoop
+from tmodes.compile.time_loop import Status, TimeLoop
 
 __all__ = ["Gate"]
 
@@ -58,7 +58,7 @@ class Gate:
         if self.offset is None:
             return
         loop, b = self.loop, self.loop.builder
-        missed, shorter = self._missed(h)
+        changed, missed, shorter = self._missed(h)
         again, met = loop.block("gate_missed"), loop.block("gate_met")
         b.cbranch(missed, again, met)
         b.position_at_end(again)
@@ -66,10 +66,21 @@ class Gate:
         loop.add("rejected", 1.0)
         b.branch(loop.again)
         b.position_at_end(met)
+        with b.if_then(changed, likely=False):
+            self._count()
+        loop.stop_if(b.fcmp_ordered(">", loop.get("burst"), loop.option("most_events")), Status.CHATTERING)
         self.pass_on()
 
-    def _missed(self, h: Any) -> tuple[Any, Any]:
-        """Whether a step must be shortened, and to what."""
+    def _count(self) -> None:
+        """Count a change, also among those that came within a short time: too many are no motion any more."""
+        loop, b = self.loop, self.loop.builder
+        loop.add("events", 1.0)
+        later = b.fcmp_ordered(">", b.fsub(loop.get("t"), loop.get("burst_time")), loop.option("event_time"))
+        loop.put("burst", b.fadd(b.select(later, number(0.0), loop.get("burst")), number(1.0)))
+        loop.put("burst_time", b.select(later, loop.get("t"), loop.get("burst_time")))
+
+    def _missed(self, h: Any) -> tuple[Any, Any, Any]:
+        """Whether the gate changed, whether the step must be shortened, and to what."""
         b: Any = self.loop.builder
         before, now = [b.load(cell, typ=F64) for cell in self.before], self._now()
         was, is_ = (b.and_(*(b.fcmp_ordered(">", x, number(0.0)) for x in pair)) for pair in (before, now))
@@ -82,4 +93,4 @@ class Gate:
         shortest = b.fmul(number(_SHORTEST), size)
         changed = b.icmp_unsigned("!=", was, is_)
         far = b.fcmp_ordered(">", h, shortest)
-        return b.and_(changed, far), self.loop.intrinsic("maxnum", b.fmul(h, share), shortest)
+        return changed, b.and_(changed, far), self.loop.intrinsic("maxnum", b.fmul(h, share), shortest)

@@ -73,6 +73,7 @@ def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Li
     def write() -> Any:
         from llvmlite import ir
 
+        from tmodes.compile.dop853_loop import write_dop853_loop
         from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
         from tmodes.compile.lower import lower
         from tmodes.compile.program import straight_line
@@ -82,9 +83,10 @@ def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Li
         lowered = lower(module, straight_line(make(), invariant=3))
         write_rk4_loop(module, "rk4", lowered, guarded)
         write_dormand_prince_loop(module, "dormand_prince", lowered, guarded)
+        write_dop853_loop(module, "dop853", lowered, guarded)
         return module
 
-    return _library(name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince")}, level=3)
+    return _library(name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince", "dop853")}, level=3)
 
 
 def _kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
@@ -139,7 +141,7 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
 def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Library:
     """The native time loops around a schedule whose inputs are time, state, row and step, its output the state's rate.
 
-    The state begins with ``pairs`` coordinates and as many rates. Loops: rk4, dormand_prince, extrapolation.
+    The state begins with ``pairs`` coordinates and as many rates. Loops: rk4, dormand_prince, dop853, extrapolation.
     """
     from tmodes.compile.time_loop import ARGUMENTS
 
@@ -147,6 +149,7 @@ def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
         from llvmlite import ir
 
         from tmodes.compile.block import write_rate
+        from tmodes.compile.dop853_loop import write_dop853_loop
         from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
         from tmodes.compile.extrapolation_loop import write_extrapolation_loop
         from tmodes.compile.rk4_loop import write_rk4_loop
@@ -155,8 +158,9 @@ def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
         rate = write_rate(module, schedule, _arithmetic("double")(module), "rate")
         write_rk4_loop(module, "rk4", rate, guarded)
         write_dormand_prince_loop(module, "dormand_prince", rate, guarded)
+        write_dop853_loop(module, "dop853", rate, guarded)
         write_extrapolation_loop(module, "extrapolation", rate, guarded, pairs=pairs)
         return module
 
-    functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince", "extrapolation"), len(ARGUMENTS))
+    functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince", "dop853", "extrapolation"), len(ARGUMENTS))
     return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))

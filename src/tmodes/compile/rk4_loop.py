@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+from llvmlite import ir
+
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import F64, counted, load, number, store
 from tmodes.compile.lower import Lowered
@@ -34,7 +36,7 @@ def write_rk4_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guar
     _write_samples(loop, time, h, time_after)
     loop.copy("y", "new")
     loop.put("t", time_after)
-    loop.add("steps", 1.0)
+    loop.count_step(h, ir.Constant(ir.IntType(1), 0))
     loop.add("done", 1.0)
     loop.put("index", b.select(last, number(0.0), after))
     loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(last, F64)))

@@ -19,14 +19,26 @@ from tmodes.compile.lower import Lowered
 
 __all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "Status", "TimeLoop"]
 
-CELLS = ("t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status")
+CELLS = (
+    "t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status",
+    "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time",
+)  # fmt: skip
 """Memory of a loop between calls, one double each."""
 
-OPTIONS = ("step", "rtol", "atol", "chunk", "bound")
-"""Settings of a loop; ``bound``: the largest coordinate or rate that still counts as motion."""
+OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "watch", "most_events", "event_time")
+"""Settings of a loop.
 
-ARGUMENTS = ("memory", "y", "k1", "p", "knots", "rows", "times", "out", "options", "segments", "samples")
-"""Arguments of a loop, in order; the last two are int64, the others point to doubles."""
+``bound``: the largest coordinate or rate that still counts as motion; ``watch``: not 0 ends an explicit loop where the
+motion turns out stiff; ``most_events``: how often a contact may change within ``event_time`` [s].
+"""
+
+ARGUMENTS = (
+    "memory", "y", "k1", "p", "knots", "rows", "times", "out", "options", "errors", "errors_out", "segments", "samples",
+)  # fmt: skip
+"""Arguments of a loop, in order; the last two are int64, the others point to doubles.
+
+``errors`` (size,) holds the sums of the sizes of all local errors, ``errors_out`` (samples, size) those at the samples.
+"""
 
 
 class Status(IntEnum):
@@ -36,6 +48,8 @@ class Status(IntEnum):
     FINISHED = 1
     DIVERGED = 2
     STEP_TOO_SMALL = 3
+    STIFF = 4
+    CHATTERING = 5
 
 
 class TimeLoop:
@@ -53,7 +67,7 @@ class TimeLoop:
         self.builder = ir.IRBuilder(self.function.append_basic_block("entry"))
         self.cell = {label: self.builder.alloca(F64, name=label) for label in (*CELLS, "done")}
         self.array = {label: scratch(self.builder, self.size, label) for label in scratch_arrays}
-        self.array |= {"y": self.argument["y"], "k1": self.argument["k1"]}
+        self.array |= {label: self.argument[label] for label in ("y", "k1", "errors")}
         self.held = scratch(self.builder, lowered.held_size, "held")
         self.builder.call(lowered.prepare, [self.argument["p"], self.held])
         for slot, label in enumerate(CELLS):
@@ -98,10 +112,22 @@ class TimeLoop:
         b.position_at_end(check)
         b.cbranch(self.sample_due(until), write, done)
         b.position_at_end(write)
-        yield self.sample_row()
+        yield self.sample_row("out")
+        errors = self.sample_row("errors_out")
+        with counted(b, self.size) as i:
+            store(b, load(b, self.array["errors"], i), errors, i)
         self.add("sample", 1.0)
         b.branch(check)
         b.position_at_end(done)
+
+    def count_step(self, h: Any, cut: Any) -> None:
+        """Count a step of length h; the smallest of all that were not ``cut`` short is kept."""
+        b: Any = self.builder
+        smallest = self.get("smallest")
+        first = b.fcmp_ordered("==", smallest, number(0.0))
+        least = b.select(first, h, self.intrinsic("minnum", smallest, h))
+        self.put("smallest", b.select(cut, smallest, least))
+        self.add("steps", 1.0)
 
     def block(self, name: str) -> Any:
         """A new basic block."""
@@ -197,10 +223,10 @@ class TimeLoop:
         """Time of the next sample."""
         return load(self.builder, self.argument["times"], self.integer("sample"))
 
-    def sample_row(self) -> Any:
-        """Where the next sample is written."""
+    def sample_row(self, label: str) -> Any:
+        """Where the next sample is written in an array of samples."""
         index = self.builder.mul(self.integer("sample"), whole(self.size))
-        return at(self.builder, self.argument["out"], index)
+        return at(self.builder, self.argument[label], index)
 
     def _write_leave(self) -> None:
         self.builder.position_at_end(self.leave)

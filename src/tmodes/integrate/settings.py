@@ -21,6 +21,7 @@ class Method(StrEnum):
     """The integrators that files and the command line can name; ``auto`` and ``extrapolation`` are for arms."""
 
     DORMAND_PRINCE = "dormand_prince"
+    DOP853 = "dop853"
     RK4 = "rk4"
     EXTRAPOLATION = "extrapolation"
     AUTO = "auto"
@@ -40,12 +41,12 @@ class Integration(DataSheet):
         "-", "s", "points of each mode at which the elastic line is kept, its ends included", default=21, at_most=1001
     )
     relative_tolerance: float = positive(
-        "-", "rtol", "error allowed per step, relative (dormand_prince)", default=1e-9, at_most=1e-2, smallest=1e-13
+        "-", "rtol", "error allowed per step, relative (not of rk4)", default=1e-9, at_most=1e-2, smallest=1e-13
     )
     absolute_tolerance: float = positive(
         "rad",
         "atol",
-        "error allowed per step, absolute (dormand_prince)",
+        "error allowed per step, absolute (not of rk4)",
         default=1e-12,
         at_most=1e-2,
         smallest=1e-18,
