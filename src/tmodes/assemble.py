@@ -28,7 +28,7 @@ from tmodes.regime import Regime
 from tmodes.result import RESULT_FORMAT, Result
 from tmodes.robot import NominalRealPair
 
-__all__ = ["assemble"]
+__all__ = ["assemble", "series_of"]
 
 _COORDINATES: dict[str, Any] = {
     "coordinate": list(COORDINATES),
@@ -70,9 +70,7 @@ def assemble(
     import xarray as xr
 
     count = min(len(reference.trajectory.times), len(real.trajectory.times))
-    seen = real.observed(count)
-    states = real.trajectory.states[:count]
-    held, found = real.model.quasistatic(_gross(states, seen), _angles(states), real.parameters)
+    seen, held, found = _held(real, count)
     variables = _tracking(real, reference, seen, held) | _line(real, seen, count)
     data = xr.Dataset(
         {
@@ -95,6 +93,18 @@ def assemble(
     data.attrs = _provenance(pair, real, reference, verdict) | {"status": status, "message": message}
     data.attrs |= {name: json.dumps(value) for name, value in told.items()}
     return Result(data)
+
+
+def series_of(real: Regime, reference: Regime, count: int) -> Variables:
+    """The series of the first ``count`` samples of a run and its reference."""
+    seen, held, _ = _held(real, count)
+    return _tracking(real, reference, seen, held) | _line(real, seen, count)
+
+
+def _held(real: Regime, count: int) -> tuple[Observed, NDArray[np.float64], NDArray[np.bool_]]:
+    """What is observed; the deformations that its loads would hold statically; and where these were found."""
+    seen, states = real.observed(count), real.trajectory.states[:count]
+    return seen, *real.model.quasistatic(_gross(states, seen), _angles(states), real.parameters)
 
 
 def _angles(states: NDArray[np.float64]) -> NDArray[np.float64]:

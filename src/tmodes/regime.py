@@ -8,6 +8,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.error_estimate import with_error
 from tmodes.mechanism import Drive, Parameters
 from tmodes.model import Model
 from tmodes.robot import Robot
@@ -49,7 +50,9 @@ def run_regime(
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
     if until is None:
-        trajectory = integrate(model, parameters, schedule, start, settings, progress, journals(drive.value))
+        motion = (model, parameters, schedule, start)
+        trajectory = integrate(*motion, settings, progress, journals(drive.value))
+        trajectory = with_error(trajectory, settings, lambda changed: integrate(*motion, changed))
     elif until > 0:
         shorter = settings.model_copy(update={"duration": until})
         trajectory = integrate(model, parameters, schedule, start, shorter, progress)

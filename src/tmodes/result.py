@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -32,14 +32,19 @@ _SERIES = ("time", "q", "v", "tip", "energy", "work", "energy_balance")
 KINDS = {"robot": "the robot of the 2010 paper (Result.load)", "arm": "an arm (ArmResult.load)"}
 """The kinds of results, and who reads them; a result that does not tell its kind is of the first."""
 
-STATUSES = ("finished", "diverged", "stopped", "interrupted")
+STATUSES = ("finished", "diverged", "stopped", "chattering", "interrupted")
 
 
 @dataclass(frozen=True, eq=False)
 class RunRecord:
-    """What a run gave, as an xarray Dataset, whatever ran."""
+    """What a run gave, as an xarray Dataset, whatever ran.
+
+    ``timing``: seconds of computing for each simulated second, by the name of each run that was made just now. It is no
+    part of the record and never stored: the same run gives the same bytes, on a slow machine too.
+    """
 
     data: Dataset
+    timing: dict[str, float] = field(default_factory=dict)
 
     kind: ClassVar[str] = ""
     needed: ClassVar[tuple[str, ...]] = _NEEDED

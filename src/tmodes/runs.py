@@ -163,6 +163,7 @@ class RunFolder:
             "summary": result.summary(),
             "frequencies": result.frequencies,
             "statistics": result.statistics,
+            "seconds_per_simulated_second": result.timing,
         }
 
     def _journal(self, stage: str) -> RunJournal:

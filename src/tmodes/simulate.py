@@ -6,6 +6,7 @@ pair -> reference regime (nominal robot, motor follows theta_o exactly) -> contr
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from tmodes.analysis.modes import all_modes, closed_loop_spectrum
@@ -40,6 +41,7 @@ def simulate(
     cannot start (no equilibrium, singular mass matrix, too stiff for the steps allowed).
     """
     from tmodes.assemble import assemble
+    from tmodes.headline_errors import with_headline_errors
 
     pair = robot if isinstance(robot, NominalRealPair) else robot.pair()
     verdict, growth = _verdict(pair)
@@ -56,9 +58,10 @@ def simulate(
         except KeyboardInterrupt:
             real.trajectory.status = "interrupted"
             real.trajectory.message = "interrupted after its end, before it was told how the tip settles"
-    result = assemble(pair, reference, real, told, verdict)
+    result = with_headline_errors(assemble(pair, reference, real, told, verdict), reference, real)
     progress("gathering", 1.0)
-    return result
+    runs = {"reference": reference, "real": real}
+    return replace(result, timing={name: regime.trajectory.seconds for name, regime in runs.items()})
 
 
 def _as_far_as(reference: Regime) -> float | None:

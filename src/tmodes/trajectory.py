@@ -11,17 +11,11 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
+from tmodes.native_run import BOUND, Moving, NativeRun, Numbers
 from tmodes.reference.schedule import Schedule
 
-__all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "Journal", "Moving", "Numbers", "Trajectory", "integrate", "sample_times"]
-
-BOUND = 1e8
-"""A coordinate [rad] or rate [rad/s] beyond this is no motion any more: the run has diverged."""
-
-MOST_EVENTS, EVENT_TIME = 1000, 1e-3
-"""A contact that sets in and ends more often than this within this time [s] chatters: no motion gets through that."""
+__all__ = ["BOUND", "ErrorEstimate", "Journal", "Moving", "Numbers", "Trajectory", "integrate", "sample_times"]
 
 _PIECE_SECONDS = 0.05
 _FIRST_PIECE = 500
@@ -39,48 +33,34 @@ class Journal(Protocol):
         ...
 
 
-class Numbers(Protocol):
-    """The numbers of a robot, as its compiled code reads them."""
+@dataclass(frozen=True)
+class ErrorEstimate:
+    """How far the states of a run may be from the exact ones: ``values`` (n, size), and ``how`` they were found.
 
-    @property
-    def vector(self) -> NDArray[np.float64]:
-        """All of them."""
-        ...
-
-
-class Moving(Protocol):
-    """What a run needs of a model: its native loops, its right-hand side, and the names of its coordinates.
-
-    A state holds the coordinates, then their rates, then what else is integrated.
+    ``signed``: exact less computed, all components together; else the size of the error of each component by itself.
     """
 
-    @property
-    def coordinates(self) -> tuple[str, ...]:
-        """Names of the coordinates."""
-        ...
-
-    @property
-    def loops(self) -> Any:
-        """A native loop for each method."""
-        ...
-
-    def rate(self, time: Any, state: Any, row: Any, parameters: Any) -> NDArray[np.float64]:
-        """Derivative of the state by time, (n, size)."""
-        ...
+    values: NDArray[np.float64]
+    how: str
+    signed: bool
 
 
 @dataclass
 class Trajectory:
     """Samples of a run: ``times`` (n,) [s], ``states`` (n, size).
 
-    ``status``: finished, diverged, stopped, interrupted.
+    ``status``: finished, diverged, stopped, chattering, interrupted. ``statistics``: steps, rejected, evaluations, ...;
+    the same for the same run, whatever the machine. ``error``: None where it is not known. ``seconds``: of computing
+    in this process, for each simulated second; it is no part of a result.
     """
 
     times: NDArray[np.float64]
     states: NDArray[np.float64]
     status: str
     message: str
-    statistics: dict[str, float] = field(default_factory=dict)
+    statistics: dict[str, Any] = field(default_factory=dict)
+    error: ErrorEstimate | None = None
+    seconds: float = 0.0
 
 
 def sample_times(settings: Integration) -> NDArray[np.float64]:
@@ -101,131 +81,47 @@ def integrate(
     settings: Integration,
     progress: Callable[[float], None] = lambda share: None,
     journal: Journal | None = None,
+    otherwise: Integration | None = None,
 ) -> Trajectory:
     """Integrate from ``state`` (size,) over ``settings.duration``.
 
+    ``otherwise``: the settings to go on with where the motion turns out stiff for the explicit method of ``settings``.
     ``progress`` is told the share of the time that is done. Ctrl-C ends the run with what it has (``interrupted``).
     Stopping, continuing from a journal, and the pieces in which the loop is called change no bit of the samples.
     """
-    run = _Run(model, parameters, schedule.until(settings.duration), state, settings)
+    schedule = schedule.until(settings.duration)
+    run = NativeRun(model, parameters, schedule, state, sample_times(settings), settings, otherwise)
     if journal and (record := journal.restore()):
         run.resume(record)
-    began, piece = clock.monotonic(), _FIRST_PIECE
+    begun, began = run.cell("t"), clock.monotonic()
+    status, message = _advanced(run, progress, journal, began)
+    done = max(run.cell("t") - begun, 1e-300)
+    return Trajectory(
+        run.times[: run.done], run.samples[: run.done], status, message, run.statistics(),
+        ErrorEstimate(run.errors_out[: run.done], "sum of the local errors", signed=False) if run.adaptive else None,
+        (clock.monotonic() - began) / done,
+    )  # fmt: skip
+
+
+def _advanced(
+    run: NativeRun, progress: Callable[[float], None], journal: Journal | None, began: float
+) -> tuple[str, str]:
+    """Let a run go on to its end; how it ended."""
+    piece = _FIRST_PIECE
     try:
-        while run.status is Status.RUNNING:
+        while run.running:
             started = clock.monotonic()
             run.advance(piece)
             spent = clock.monotonic() - started
             piece = max(1, int(piece * min(4.0, _PIECE_SECONDS / max(spent, 1e-6))))
-            progress(run.cell("t") / settings.duration)
+            progress(run.cell("t") / run.settings.duration)
             if journal:
-                journal.keep(run.record(), last=run.status is not Status.RUNNING)
+                journal.keep(run.record(), last=not run.running)
             reason = run.exhausted(clock.monotonic() - began)
-            if reason and run.status is Status.RUNNING:
-                return run.trajectory("stopped", reason)
+            if reason and run.running:
+                return "stopped", reason
     except KeyboardInterrupt:
         if journal:
             journal.keep(run.record(), now=True)
-        return run.trajectory("interrupted", f"interrupted at t = {run.cell('t'):.6g} s; what was done is kept")
-    return run.end()
-
-
-class _Run:
-    """The arrays that a native loop works on."""
-
-    def __init__(
-        self,
-        model: Moving,
-        parameters: Numbers,
-        schedule: Schedule,
-        state: NDArray[np.float64],
-        settings: Integration,
-    ) -> None:
-        self.settings, self.parameters, self.model = settings, parameters, model
-        self.times = sample_times(settings)
-        self.knots = np.ascontiguousarray(schedule.knots)
-        self.rows = np.ascontiguousarray(np.column_stack([schedule.knots[:-1], schedule.coefficients]))
-        self.memory, self.slope = np.zeros(len(CELLS)), np.zeros(len(state))
-        self.state = np.array(state, dtype=float)
-        self.samples = np.zeros((len(self.times), len(self.state)))
-        self.samples[0] = self.state
-        self.errors, self.errors_out = np.zeros(len(state)), np.zeros_like(self.samples)
-        for name, value in {"sample": 1.0, "fresh": 1.0, "old_error": 1e-4}.items():
-            self.memory[CELLS.index(name)] = value
-        self.loop = model.loops[settings.method.value]
-
-    def cell(self, name: str) -> float:
-        return float(self.memory[CELLS.index(name)])
-
-    @property
-    def status(self) -> Status:
-        return Status(int(self.cell("status")))
-
-    @property
-    def done(self) -> int:
-        """Number of samples written."""
-        return int(self.cell("sample"))
-
-    def advance(self, steps: int) -> None:
-        """Let the native loop do at most so many steps."""
-        s = self.settings
-        chosen = {
-            "step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "chunk": float(steps),
-            "bound": BOUND, "watch": 0.0, "most_events": MOST_EVENTS, "event_time": EVENT_TIME,
-        }  # fmt: skip
-        options = np.array([chosen[name] for name in OPTIONS], dtype=float)
-        arrays = {
-            "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
-            "rows": self.rows, "times": self.times, "out": self.samples, "options": options,
-            "errors": self.errors, "errors_out": self.errors_out,
-        }  # fmt: skip
-        addresses = {name: array.ctypes.data for name, array in arrays.items()}
-        counts = {"segments": len(self.rows), "samples": len(self.times)}
-        self.loop(*((addresses | counts)[name] for name in ARGUMENTS))
-
-    def exhausted(self, seconds: float) -> str:
-        """Why the run may not go on, or nothing."""
-        where = f"at t = {self.cell('t'):.6g} s of {self.settings.duration:g} s"
-        if self.cell("steps") + self.cell("rejected") >= self.settings.max_steps:
-            return f"stopped {where}: integration.max_steps = {self.settings.max_steps} is used up"
-        if seconds >= self.settings.max_wall_time:
-            return f"stopped {where}: integration.max_wall_time = {self.settings.max_wall_time:g} s is used up"
-        return ""
-
-    def record(self) -> dict[str, NDArray[np.float64]]:
-        """All that the run needs to go on."""
-        return {
-            "memory": self.memory, "state": self.state, "slope": self.slope, "samples": self.samples[: self.done],
-        }  # fmt: skip
-
-    def resume(self, record: dict[str, NDArray[np.float64]]) -> None:
-        """Go on where a record ends."""
-        self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
-        self.samples[: self.done] = record["samples"]
-
-    def end(self) -> Trajectory:
-        """The run after its loop ended by itself."""
-        if self.status is Status.FINISHED:
-            return self.trajectory("finished", f"reached the end, t = {self.settings.duration:g} s")
-        return self.trajectory("diverged", self._cause())
-
-    def _cause(self) -> str:
-        """Where and in which coordinate the motion was lost."""
-        names = self.model.coordinates
-        accelerations = self._rates_now()[len(names) : 2 * len(names)]
-        wildest = int(np.argmax(np.where(np.isfinite(accelerations), np.abs(accelerations), np.inf)))
-        where = f"diverged at t = {self.cell('t'):.6g} s in coordinate {names[wildest]}"
-        value = f"its acceleration is {accelerations[wildest]:.3g} rad/s^2"
-        if self.status is Status.STEP_TOO_SMALL:
-            return f"{where}: {value} and no step is small enough (last {self.cell('h'):.3g} s)"
-        return f"{where}: {value}; its next step leaves {BOUND:g} rad or rad/s"
-
-    def _rates_now(self) -> NDArray[np.float64]:
-        segment = min(int(self.cell("segment")), len(self.rows) - 1)
-        return self.model.rate([self.cell("t")], self.state, self.rows[segment], self.parameters)[0]
-
-    def trajectory(self, status: str, message: str) -> Trajectory:
-        counts: dict[str, float] = {name: int(self.cell(name)) for name in ("steps", "rejected", "evaluations")}
-        if self.settings.method is Method.RK4:
-            counts["step"] = self.cell("h")
-        return Trajectory(self.times[: self.done], self.samples[: self.done], status, message, counts)
+        return "interrupted", f"interrupted at t = {run.cell('t'):.6g} s; what was done is kept"
+    return run.ending()

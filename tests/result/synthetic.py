@@ -79,6 +79,7 @@ ROBOT: dict[str, Any] = {
         "output_step": 1.0e-3,
         "relative_tolerance": 1.0e-9,
         "absolute_tolerance": 1.0e-12,
+        "check_error": False,
         "step": 2 / 37500,
         "line_points": 21,
         "energy_tolerance": 1.0e-6,

@@ -13,8 +13,8 @@ from tmodes.integrate.settings import Integration, Method
 __all__ = ["StepVerdict", "growth_warnings", "step_size_verdict"]
 
 
-_REACH = 3.3
-"""Largest step times eigenvalue at which Dormand and Prince's method of order 5 is stable, about."""
+_REACH = {Method.DORMAND_PRINCE: 3.3, Method.DOP853: 6.1}
+"""Largest step times eigenvalue at which each explicit method is stable, about."""
 
 
 @dataclass(frozen=True)
@@ -37,7 +37,7 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
     highest = float(np.abs(eigenvalues).max(initial=0.0))
     coordinate = spectrum.homes[int(np.argmax(np.abs(eigenvalues)))] if highest else "none"
     if settings.method is not Method.RK4:
-        if settings.method is Method.DORMAND_PRINCE:
+        if settings.method in _REACH:
             _refuse_too_stiff(settings, highest, coordinate)
         return StepVerdict(highest, None, True)
     z = settings.step * eigenvalues[eigenvalues.real <= 0]
@@ -67,12 +67,12 @@ def growth_warnings(spectrum: Spectrum, whose: str, causes: str) -> list[str]:
 
 
 def _refuse_too_stiff(settings: Integration, highest: float, coordinate: str) -> None:
-    """An explicit method may step about 3.3 over the largest eigenvalue, however little happens."""
-    steps = settings.duration * highest / _REACH
+    """An explicit method may step no longer than its reach over the largest eigenvalue, however little happens."""
+    steps = settings.duration * highest / _REACH[settings.method]
     if steps <= settings.max_steps:
         return
     raise SimulationError(
-        f"the equations are too stiff for dormand_prince: got an eigenvalue of {highest:.3g} 1/s in coordinate "
+        f"the equations are too stiff for {settings.method}: got an eigenvalue of {highest:.3g} 1/s in coordinate "
         f"{coordinate}, which takes about {steps:.1e} steps; expected at most integration.max_steps = "
         f"{settings.max_steps}. Mend: lower the stiffness or damping that acts there (.inf makes an element rigid), "
         "raise the friction velocity, shorten the run, or raise integration.max_steps"

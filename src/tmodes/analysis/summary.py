@@ -14,7 +14,15 @@ from tmodes.errors import InputError
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["first_frequencies", "mean_over_time", "summarise", "told_deviation", "told_energy", "told_settling"]
+__all__ = [
+    "first_frequencies",
+    "mean_over_time",
+    "summarise",
+    "told_deviation",
+    "told_energy",
+    "told_errors",
+    "told_settling",
+]
 
 Array = NDArray[np.float64]
 
@@ -39,6 +47,7 @@ def summarise(data: Dataset, band: float = 0.05) -> dict[str, Any]:
         "gear_torque": _largest_torque(data, time),
         "contact_force_radial": _contact(data, time),
         "energy": told_energy(data),
+        "error": told_errors(data),
     }
 
 
@@ -135,6 +144,11 @@ def told_energy(data: Dataset) -> dict[str, float | None]:
     moved = largest_flow(data["energy"].values, data["work"].values)
     worst = float(np.abs(data["energy_balance"].values).max())
     return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}
+
+
+def told_errors(data: Dataset) -> dict[str, Any] | None:
+    """How the error of the integration was estimated, and that of each figure by its path; None where it is unknown."""
+    return json.loads(data.attrs.get("errors", "null")) or None
 
 
 def mean_over_time(time: Array, values: Array) -> float:

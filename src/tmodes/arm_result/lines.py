@@ -11,7 +11,7 @@ from tmodes.analysis.arm_validity import run_warnings
 from tmodes.arm_result.series import Variables
 from tmodes.motion.run import ArmRun
 
-__all__ = ["line_series", "run_wrenches", "straight_shape"]
+__all__ = ["line_series", "load_series", "run_wrenches", "straight_shape"]
 
 Array = NDArray[np.float64]
 
@@ -42,6 +42,15 @@ def line_series(run: ArmRun, stations: Array, count: int) -> tuple[Variables, di
         )
     plain = {dim: [line.name for line in group] for dim, group in names.items()}
     return {name: told for name, told in found.items() if told[1].size}, plain, doubts
+
+
+def load_series(run: ArmRun, stations: Array, count: int) -> Variables:
+    """Deflections, moments and stresses alone, of the first ``count`` samples."""
+    part = slice(count)
+    motion = (run.model, run.q[part], run.v[part], run.a[part])
+    loads = {"wrenches": run_wrenches(run)[part], "base": run.base[part]}
+    bending = elastic_line(*motion, stations=[*map(float, stations)], **loads).bending()
+    return _loads(bending) | _stresses([line for line in bending if line.stress is not None])
 
 
 def run_wrenches(run: ArmRun) -> Array:

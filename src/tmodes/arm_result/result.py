@@ -17,6 +17,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
+from tmodes.analysis.arm_split import elastic_names
+from tmodes.arm_result.errors import arm_figure_errors
 from tmodes.arm_result.lines import line_series
 from tmodes.arm_result.series import coordinates_of, motion_series
 from tmodes.arm_result.told import ending, move_end, provenance, told_of
@@ -95,6 +97,8 @@ def assemble_arm(run: ArmRun, known: Arm | None = None, *, progress: Progress = 
         coords=coordinates_of(run, count, names, stations),
     )
     told = told_of(run, known)
+    labels = names | {"deformation_kind": list(elastic_names(run.model)), "drive": list(run.drives)}
+    told["errors"] = arm_figure_errors(run, stations, variables, labels)
     told["warnings"] = [*run.warnings, *told["warnings"], *doubts]
     status, message = ending(run)
     data, status, message = _stopped_by_energy(run, data, status, message)
@@ -105,7 +109,8 @@ def assemble_arm(run: ArmRun, known: Arm | None = None, *, progress: Progress = 
     }
     data.attrs |= {name: json.dumps(value) for name, value in told.items()}
     progress("gathering", 1.0)
-    return ArmResult(data)
+    timing = {"real": run.seconds} | ({"reference": run.reference.seconds} if run.reference else {})
+    return ArmResult(data, timing)
 
 
 def _stopped_by_energy(run: ArmRun, data: Dataset, status: str, message: str) -> tuple[Dataset, str, str]:

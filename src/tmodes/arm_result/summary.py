@@ -8,7 +8,14 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.summary import first_frequencies, mean_over_time, told_deviation, told_energy, told_settling
+from tmodes.analysis.summary import (
+    first_frequencies,
+    mean_over_time,
+    told_deviation,
+    told_energy,
+    told_errors,
+    told_settling,
+)
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -41,6 +48,7 @@ def summarise_arm(data: Dataset, band: float = 0.05) -> dict[str, Any]:
         "links": _links(data, time),
         "contact_force": _contact(data, time),
         "energy": told_energy(data),
+        "error": told_errors(data),
     }
 
 

@@ -15,7 +15,9 @@ if TYPE_CHECKING:
     from tmodes.arm import Arm
 
 __all__ = [
+    "AbsoluteTolerance",
     "AsJson",
+    "CheckError",
     "Contact",
     "Duration",
     "IntegratorOption",
@@ -62,10 +64,32 @@ TrustPaths = Annotated[
 ]
 IntegratorOption = Annotated[
     str | None,
-    typer.Option("--integrator", metavar="METHOD", help="dormand_prince or rk4; of arms also extrapolation or auto."),
+    typer.Option(
+        "--integrator",
+        metavar="METHOD",
+        help="dormand_prince: explicit, order 5, for most motions. dop853: explicit, order 8, for rtol below 1e-8. "
+        "rk4: fixed integration.step, to repeat the work of others. Of arms also extrapolation: implicit, for stiff "
+        "links and gears; auto (the default): the stiffness chooses, before and during the run.",
+    ),
 ]
 Tolerance = Annotated[
-    float | None, typer.Option("--rtol", metavar="SHARE", help="integration.relative_tolerance, per step.")
+    float | None,
+    typer.Option(
+        "--rtol",
+        metavar="SHARE",
+        help="integration.relative_tolerance: error of a step over the size of each coordinate and rate.",
+    ),
+]
+AbsoluteTolerance = Annotated[
+    float | None,
+    typer.Option("--atol", metavar="RAD", help="integration.absolute_tolerance: for what is near zero; rtol / 1000."),
+]
+CheckError = Annotated[
+    bool,
+    typer.Option(
+        "--check-error",
+        help="Run again with a tenth of the tolerances (rk4: half the step), and tell the error of every figure by it.",
+    ),
 ]
 Duration = Annotated[float | None, typer.Option(metavar="SECONDS", help="integration.duration, simulated time.")]
 
@@ -93,9 +117,12 @@ def chosen_sheet(
     return sheet if isinstance(sheet, Robot) or not own else _as_wished(sheet, own)
 
 
-def integration_changes(integrator: str | None, rtol: float | None, duration: float | None) -> dict[str, Any]:
+def integration_changes(
+    integrator: str | None, rtol: float | None, atol: float | None, duration: float | None, check_error: bool
+) -> dict[str, Any]:
     """The options of the command line as changes by path."""
-    told = {"method": integrator, "relative_tolerance": rtol, "duration": duration}
+    told = {"method": integrator, "relative_tolerance": rtol, "absolute_tolerance": atol, "duration": duration}
+    told |= {"check_error": check_error or None}
     return {f"integration.{name}": value for name, value in told.items() if value is not None}
 
 

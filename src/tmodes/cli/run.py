@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import (
+    AbsoluteTolerance,
     AsJson,
+    CheckError,
     Contact,
     Duration,
     IntegratorOption,
@@ -37,6 +39,8 @@ def run(
     settings: Settings = None,
     integrator: IntegratorOption = None,
     rtol: Tolerance = None,
+    atol: AbsoluteTolerance = None,
+    check_error: CheckError = False,
     duration: Duration = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
@@ -52,8 +56,11 @@ def run(
     Writes result.nc (NetCDF, all series with units), report.html (open it first) and figures/*.svg, *.png. A run that
     was killed goes on where it was when the same command is given again. An arm needs `drives`, or an `initial` state
     from which it runs freely.
+
+    Example, an exact run whose error is told: tmodes run spong1987 --integrator dop853 --rtol 1e-11 --atol 1e-14
+    --check-error
     """
-    changes = integration_changes(integrator, rtol, duration)
+    changes = integration_changes(integrator, rtol, atol, duration, check_error)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     folder = _folder(out or Path("results") / _folder_name(sheet.name), sheet, overwrite)
     result = _computed(folder, sheet, figures)

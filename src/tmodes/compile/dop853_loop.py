@@ -10,7 +10,7 @@ from typing import Any
 
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
-from tmodes.compile.emit import counted, load, number, store
+from tmodes.compile.emit import F64, counted, load, number, store
 from tmodes.compile.gate import Gate
 from tmodes.compile.lower import Lowered
 from tmodes.compile.step_control import StepControl, add_local_errors, first_stage, mean_square
@@ -18,6 +18,12 @@ from tmodes.compile.stiffness import StiffnessTest
 from tmodes.compile.time_loop import Status, TimeLoop
 
 __all__ = ["write_dop853_loop"]
+
+_DENSE = 10.0
+"""How far the last term of the dense output may reach beyond the tolerance of a step."""
+
+_LAST_TERM = (4 / 7) ** 4 * (3 / 7) ** 3
+"""Largest value of s^4 r^3."""
 
 _CONTROL = StepControl(order=8.0, beta=0.0, damping=0.2, smallest=1 / 3, largest=6.0)
 _K = tuple(f"k{stage + 1}" for stage in range(len(A)))
@@ -27,7 +33,7 @@ _STIFFNESS = StiffnessTest(slopes=(_END, _K[STAGES - 1]), states=("new", "probe"
 
 def write_dop853_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
     """Write the loop: steps end exactly on the knots, where the first stage is taken anew."""
-    loop = TimeLoop(module, name, lowered, (*_K[1:], "probe", "new", "local"), guarded)
+    loop = TimeLoop(module, name, lowered, (*_K[1:], "probe", "new", "local", "between"), guarded)
     b = loop.builder
     gate = Gate(loop, lowered.gate_offset)
     gate.begin("y", "probe")
@@ -38,6 +44,7 @@ def write_dop853_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, g
         # The last two states stay where the test of stiffness finds them: "probe" and "new".
         _stage(loop, stage, time, h, "new" if stage == STAGES else "probe")
     error, share = _error(loop, h)
+    error = _with_dense_error(loop, error, time, h, time_after)
     _CONTROL.judge(loop, h, error)
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
     gate.meet(h)
@@ -63,7 +70,7 @@ def _weighted(loop: TimeLoop, i: Any, weights: dict[int, float]) -> Any:
 
 
 def _error(loop: TimeLoop, h: Any) -> tuple[Any, Any]:
-    """h e5^2 / sqrt(e5^2 + e3^2/100), and its share of h e5; the errors of order 5 themselves go to ``local``."""
+    """The error h e5^2 / sqrt(e5^2 + e3^2/100), and its share of h e5; those of order 5 go to ``local``."""
     b: Any = loop.builder
 
     def fifth(i: Any) -> Any:
@@ -78,12 +85,26 @@ def _error(loop: TimeLoop, h: Any) -> tuple[Any, Any]:
     return b.fmul(b.fmul(h, e5), share), share
 
 
-def _write_samples(loop: TimeLoop, time: Any, h: Any, time_after: Any) -> None:
+def _with_dense_error(loop: TimeLoop, error: Any, time: Any, h: Any, time_after: Any) -> Any:
+    """The larger of the step's error and, where a sample lies in it, that of the polynomial between its ends.
+
+    Takes the stages of the polynomial. Fast motions that are stable but not followed (step times eigenvalue near the
+    limit) leave the ends of a step untouched and not what lies between; its last term tells.
+    """
     b: Any = loop.builder
+    worst = loop.local("worst")
+    b.store(error, worst)
     with b.if_then(loop.sample_due(time_after)):
         for stage in range(STAGES + 1, len(A)):
-            # The last state of the step's own stages is kept for the test of stiffness.
-            _stage(loop, stage, time, h, "local")
+            _stage(loop, stage, time, h, "between")
+        largest = b.fmul(h, number(_LAST_TERM / _DENSE))
+        dense = mean_square(loop, lambda i: b.fmul(largest, _weighted(loop, i, DENSE[-1])), "y", "new")
+        b.store(loop.intrinsic("maxnum", error, dense), worst)
+    return b.load(worst, typ=F64)
+
+
+def _write_samples(loop: TimeLoop, time: Any, h: Any, time_after: Any) -> None:
+    b: Any = loop.builder
     with loop.due_samples(time_after) as target:
         change, weights = _dense(b, b.fdiv(b.fsub(loop.sample_time(), time), h), h)
         with counted(b, loop.size) as i:

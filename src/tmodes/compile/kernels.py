@@ -86,7 +86,9 @@ def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Li
         write_dop853_loop(module, "dop853", lowered, guarded)
         return module
 
-    return _library(name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince", "dop853")}, level=3)
+    return _library(
+        name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince", "dop853")}, level=3
+    )
 
 
 def _kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:

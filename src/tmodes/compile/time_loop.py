@@ -67,7 +67,7 @@ class TimeLoop:
         self.builder = ir.IRBuilder(self.function.append_basic_block("entry"))
         self.cell = {label: self.builder.alloca(F64, name=label) for label in (*CELLS, "done")}
         self.array = {label: scratch(self.builder, self.size, label) for label in scratch_arrays}
-        self.array |= {label: self.argument[label] for label in ("y", "k1", "errors")}
+        self.array |= {"y": self.argument["y"], "k1": self.argument["k1"], "errors": self.argument["errors"]}
         self.held = scratch(self.builder, lowered.held_size, "held")
         self.builder.call(lowered.prepare, [self.argument["p"], self.held])
         for slot, label in enumerate(CELLS):

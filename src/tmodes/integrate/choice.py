@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
-from tmodes.integrate.settings import Method
+from tmodes.integrate.settings import ArmIntegration, Method
 
-__all__ = ["STIFF", "chosen_method"]
+__all__ = ["STIFF", "chosen_method", "otherwise", "worth_switching"]
 
 STIFF = 20_000
 """Explicit steps over a whole run beyond which the implicit method is the cheaper one."""
+
+_SHORT = 2_000
+"""Explicit steps for the rest of a run up to which it does not pay to change the method."""
 
 _REACH = 3.3
 """Largest step times eigenvalue at which Dormand and Prince's method is stable, about."""
@@ -22,3 +25,21 @@ def chosen_method(method: Method, highest: float, duration: float) -> tuple[Meth
     if steps > STIFF:
         return Method.EXTRAPOLATION, f"by extrapolation, because {told}"
     return Method.DORMAND_PRINCE, f"by dormand_prince: {told}"
+
+
+def otherwise(given: ArmIntegration, method: Method) -> ArmIntegration | None:
+    """The settings to go on with where a motion turns out stiff; None where its method was named or is implicit.
+
+    ``given``: the settings of the sheet; ``method``: the one that was chosen by them.
+    """
+    if given.method is not Method.AUTO or method is not Method.DORMAND_PRINCE:
+        return None
+    return given.chosen(Method.EXTRAPOLATION)
+
+
+def worth_switching(left: float, step: float) -> bool:
+    """Whether a run that turned out stiff is better ended by the implicit method.
+
+    ``left``: what is left of it [s]; ``step``: of the explicit method now [s].
+    """
+    return left > _SHORT * step

@@ -11,10 +11,13 @@ from pydantic import Field, model_validator
 from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
 from tmodes.errors import InputError
 
-__all__ = ["MOST_BYTES", "ArmIntegration", "Integration", "Method", "refuse_too_large"]
+__all__ = ["LEAST_TOLERANCE", "MOST_BYTES", "ArmIntegration", "Integration", "Method", "refuse_too_large"]
 
 MOST_BYTES = 1_800_000_000
 """Size of the largest result on disk [bytes]; gathering it takes about three times that in memory."""
+
+LEAST_TOLERANCE = 1e-14
+"""A relative tolerance below this is lost in the rounding of a step."""
 
 
 class Method(StrEnum):
@@ -34,7 +37,7 @@ class Integration(DataSheet):
     {test_slip_step_divides_the_move}
     """
 
-    method: Method = Field(default=Method.DORMAND_PRINCE, strict=False, description="which integrator")
+    method: Method = Field(default=Method.DORMAND_PRINCE, strict=False, description="integrator")
     duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6)
     output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3)
     line_points: int = positive(
@@ -50,6 +53,9 @@ class Integration(DataSheet):
         default=1e-12,
         at_most=1e-2,
         smallest=1e-18,
+    )
+    check_error: bool = Field(
+        default=False, description="true: run again with a tenth of the tolerances (rk4: half the step) for the error"
     )
     step: float = positive("s", "dt", "fixed step (rk4)", default=2 / 37500)
     energy_tolerance: float = positive(
@@ -89,6 +95,17 @@ class Integration(DataSheet):
             mend = f"write at least {self.duration / self.max_steps:.3g} s, or raise max_steps"
             yield Misfit("step", got, most, mend)
 
+    def finer(self) -> Self:
+        """The settings of the run that tells the error of this one: a tenth of the tolerances, half the step."""
+        return self.model_copy(update={
+            "relative_tolerance": max(self.relative_tolerance / 10, LEAST_TOLERANCE), "step": self.step / 2,
+            "absolute_tolerance": self.absolute_tolerance / 10, "max_steps": 4 * self.max_steps,
+        })  # fmt: skip
+
+    def coarser(self) -> Self:
+        """The settings of the cheap run that tells the error of one by rk4: twice the step."""
+        return self.model_copy(update={"step": 2 * self.step})
+
     @property
     def bytes_per_sample(self) -> int:
         """Size of one sample of a result [bytes]: its series, and thirteen numbers at each point of both lines."""
@@ -101,7 +118,7 @@ class Integration(DataSheet):
 class ArmIntegration(Integration):
     """The same settings for an arm, whose integrator is chosen by its stiffness unless one is named."""
 
-    method: Method = Field(default=Method.AUTO, strict=False, description="which integrator; auto: by the stiffness")
+    method: Method = Field(default=Method.AUTO, strict=False, description="integrator; auto: chosen by the stiffness")
 
     def chosen(self, method: Method) -> ArmIntegration:
         """The settings with the integrator that is taken, and with its tolerances where none are given.

@@ -169,13 +169,13 @@ def _across(run: _Run, before: float, after: float, state: Array, length: float)
     """The state at the end of an interval without jumps, and the length of step to begin the next with."""
     if run.settings.method is Method.RK4:
         return _rk4(run, before, after, state), length
-    from scipy.integrate import RK45
+    from scipy.integrate import DOP853, RK45
 
     s = run.settings
     first = min(length, after - before) if length > 0 else None
     wish = length
     with np.errstate(over="ignore", invalid="ignore"):  # where a trial step leaves the numbers, a shorter one is taken
-        solver = RK45(
+        solver = (DOP853 if s.method is Method.DOP853 else RK45)(
             lambda t, y: run.rate(t, y, before), before, state, after,
             rtol=max(s.relative_tolerance, 3e-14), atol=s.absolute_tolerance, first_step=first,
         )  # fmt: skip

@@ -10,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.arm_model import ArmModel
+from tmodes.error_estimate import with_error
 from tmodes.errors import InputError, SimulationError
 from tmodes.motion.loop import LoopModel
 from tmodes.motion.plan import Follow, Planned, initial_value, planned, starts_at_rest
@@ -17,6 +18,7 @@ from tmodes.trajectory import Journal, Trajectory, integrate
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm
+    from tmodes.integrate.settings import ArmIntegration
 
 __all__ = ["ArmRegime", "arm_regime", "run_arm_regime"]
 
@@ -25,12 +27,16 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class ArmRegime:
-    """An arm and all that moves it: its plan, its model in the run, and the state (size,) from which it starts."""
+    """An arm and all that moves it: its plan, its model in the run, and the state (size,) from which it starts.
+
+    ``otherwise``: the settings to go on with where the motion turns out stiff; None: those of the arm to the end.
+    """
 
     arm: Arm
     planned: Planned
     model: LoopModel
     start: Array
+    otherwise: ArmIntegration | None = None
 
     @property
     def first_row(self) -> Array:
@@ -100,12 +106,12 @@ def run_arm_regime(
     until: float | None = None,
 ) -> Trajectory:
     """Integrate from the regime's start; ``until`` [s] ends the run before its duration, 0 gives the first sample."""
-    settings = regime.arm.integration
+    settings, otherwise = regime.arm.integration, regime.otherwise
+    motion = (regime.model, regime.model.numbers, regime.planned.schedule, regime.start)
     if until is None:
-        return integrate(
-            regime.model, regime.model.numbers, regime.planned.schedule, regime.start, settings, progress, journal
-        )
+        done = integrate(*motion, settings, progress, journal, otherwise)
+        later = otherwise and otherwise.finer()
+        return with_error(done, settings, lambda changed: integrate(*motion, changed, otherwise=later))
     if until <= 0:
         return Trajectory(np.zeros(1), regime.start[None, :], "stopped", "not begun")
-    shorter = settings.model_copy(update={"duration": until})
-    return integrate(regime.model, regime.model.numbers, regime.planned.schedule, regime.start, shorter, progress)
+    return integrate(*motion, settings.model_copy(update={"duration": until}), progress, None, otherwise)

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -16,7 +16,7 @@ from tmodes.evaluator import Rows
 from tmodes.motion.loop import LoopModel
 from tmodes.motion.plan import Planned
 from tmodes.motion.regime import ArmRegime
-from tmodes.trajectory import Trajectory
+from tmodes.trajectory import ErrorEstimate, Trajectory
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm
@@ -41,7 +41,8 @@ class ArmRun:
     (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind: works of
     ``motor``, ``loads`` and ``base`` are brought in, the others taken out; ``energy_balance`` (n,): what is there less
     what came in, plus what went out. ``reference``: the same of the nominal arm whose motors are where they should be;
-    None where no such motion is possible.
+    None where no such motion is possible. ``states`` (n, size) as they were integrated, by ``regime``, and their
+    ``error``; None where that is not known. ``seconds`` of computing for each simulated second.
     """
 
     arm: Arm
@@ -68,8 +69,12 @@ class ArmRun:
     status: str
     message: str
     warnings: tuple[str, ...] = ()
-    statistics: dict[str, float] = field(default_factory=dict)
+    statistics: dict[str, Any] = field(default_factory=dict)
     reference: ArmRun | None = None
+    states: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    regime: ArmRegime | None = None
+    error: ErrorEstimate | None = None
+    seconds: float = 0.0
 
     @property
     def coordinates(self) -> tuple[str, ...]:
@@ -122,6 +127,7 @@ def gathered(regime: ArmRegime, trajectory: Trajectory, rows: Array | None = Non
         base=base, energies=_energies(regime, model, q, v, base),
         works={name: works[:, k] for k, name in enumerate(WORKS)},
         status=trajectory.status, message=trajectory.message, statistics=dict(trajectory.statistics),
+        states=states, regime=regime, error=trajectory.error, seconds=trajectory.seconds,
     )  # fmt: skip
 
 

@@ -16,8 +16,8 @@ from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_ve
 from tmodes.arm import Arm, ArmPair
 from tmodes.arm.parts import Command
 from tmodes.errors import InputError
-from tmodes.integrate.choice import chosen_method
-from tmodes.integrate.settings import refuse_too_large
+from tmodes.integrate.choice import chosen_method, otherwise
+from tmodes.integrate.settings import ArmIntegration, refuse_too_large
 from tmodes.motion.callback import Controller, driven_by, run_with_controller
 from tmodes.motion.plan import Follow
 from tmodes.motion.regime import ArmRegime, arm_regime, run_arm_regime
@@ -64,11 +64,14 @@ def simulate_arm(
         expected, mend = "a joint that moves or a link that bends", "unlock a joint, or give a beam functions"
         raise InputError("joints", "an arm in which nothing moves or bends", expected, mend)
     spectrum = closed_loop_spectrum(real)
+    given = real.arm.integration
     real, pair, why = _with_method(real, pair, spectrum)
     verdict = step_size_verdict(real.arm.integration, spectrum)
     warnings = [*([verdict.sentence] if verdict.sentence else []), *growth_warnings(spectrum, "real arm", _CAUSES)]
     warnings += start_warnings(real)
-    reference, until = _reference(pair, progress, journals, warnings)
+    later = otherwise(given, real.arm.integration.method)
+    reference, until = _reference(pair, later, progress, journals, warnings)
+    real = replace(real, otherwise=later)
     rows = None
     if controller is None:
         trajectory = run_arm_regime(real, lambda share: progress("real arm", share), journals("real"), until)
@@ -85,7 +88,11 @@ def simulate_arm(
 
 
 def _reference(
-    pair: ArmPair, progress: Progress, journals: Callable[[str], Journal | None], warnings: list[str]
+    pair: ArmPair,
+    later: ArmIntegration | None,
+    progress: Progress,
+    journals: Callable[[str], Journal | None],
+    warnings: list[str],
 ) -> tuple[ArmRun | None, float | None]:
     """The reference run, and the time [s] at which the real one must end to be compared with it (None: its own end)."""
     if any(drive.command is Command.POSITION for drive in pair.nominal.drives):
@@ -98,6 +105,7 @@ def _reference(
         nominal = arm_regime(pair.nominal)
     else:
         return None, None
+    nominal = replace(nominal, otherwise=later)
     done = run_arm_regime(nominal, lambda share: progress("reference", share), journals("reference"))
     run = gathered(nominal, done)
     run = replace(run, warnings=tuple(run_warnings(run)))

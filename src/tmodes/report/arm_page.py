@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 from tmodes.plot.arm_figures import ARM_FIGURES, arm_left_out
 from tmodes.report.arm_numbers import arm_cards, deformations_table, joints_table, links_table
 from tmodes.report.markup import Markup, tag
-from tmodes.report.numbers import frequency_tables
+from tmodes.report.numbers import error_table, frequency_tables
 from tmodes.report.parts import document, figures_section, rows_of, section, status, warnings
 from tmodes.report.tables import table
 
@@ -72,6 +72,8 @@ def _numbers(result: ArmResult) -> Markup:
         tag("h3", "Frequencies"),
         tag("p", note, class_="note"),
         frequency_tables(_lowest(result.frequencies), beside=False),
+        tag("h3", "Error of the integration"),
+        error_table(told["error"]),
     )
 
 

@@ -10,7 +10,7 @@ from tmodes.report.markup import Markup, tag
 from tmodes.report.tables import table
 
 __all__ = [
-    "card_list", "cards", "deformation_table", "deviation_card", "energy_card", "first_frequency_card",
+    "card_list", "cards", "deformation_table", "deviation_card", "energy_card", "error_table", "first_frequency_card",
     "frequency_tables", "power_of_ten", "settling_card", "written",
 ]  # fmt: skip
 
@@ -161,3 +161,12 @@ def _deformation(name: str, told: dict[str, float | None]) -> list[str]:
 
 def _order(name: str) -> int:
     return list(PLACES).index(name) if name in PLACES else len(PLACES)
+
+
+def error_table(told: dict[str, Any] | None) -> Markup:
+    """The estimated error of the integration in each headline figure; None where it is not known."""
+    if told is None:
+        return tag("p", "The error of the integration was not estimated.", class_="note")
+    bound = "At most about" if "sum" in told["how"] else "Error"
+    rows = [[name.replace(".", ", ").replace("_", " "), power_of_ten(value)] for name, value in told["figures"].items()]
+    return table(f"Error of the integration, by a {told['how']}", ("Figure", f"{bound} [SI]"), rows, numeric=(1,))

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.plot.figures import FIGURES, left_out
 from tmodes.report.markup import Markup, tag
-from tmodes.report.numbers import cards, deformation_table, frequency_tables
+from tmodes.report.numbers import cards, deformation_table, error_table, frequency_tables
 from tmodes.report.parts import document, figures_section, rows_of, section, status, warnings
 from tmodes.report.sheet import data_sheet
 from tmodes.report.tables import table
@@ -56,6 +56,8 @@ def _numbers(result: Result) -> Markup:
         frequency_tables(result.frequencies),
         tag("h3", "Elastic angles"),
         deformation_table(told["deformations"]),
+        tag("h3", "Error of the integration"),
+        error_table(told["error"]),
     )
 
 

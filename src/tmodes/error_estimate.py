@@ -1,0 +1,45 @@
+"""How far a run is from the exact motion: told by its own local errors, or by a second run."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import replace
+
+from tmodes.integrate.settings import Integration, Method
+from tmodes.trajectory import ErrorEstimate, Trajectory
+
+__all__ = ["with_error"]
+
+
+def with_error(run: Trajectory, settings: Integration, again: Callable[[Integration], Trajectory]) -> Trajectory:
+    """The run with an estimate of its error at each sample; ``again`` runs the same with other settings.
+
+    - ``check_error``: from a run with a tenth of the tolerances, whose error is a tenth as large (tolerance
+      proportionality); of rk4 with half the step, whose error is a sixteenth (Richardson);
+    - else of rk4: from a run with twice the step, at half the cost; none where that one is unstable;
+    - else the sizes of the local errors, summed over the steps as the method tells them of each component. It bounds
+      what motions that do not grow make of them; it is mostly far too large, because what goes on is the solution of
+      higher order. Where a motion is unstable, or its frequency changes with its energy, errors grow faster than this
+      sum; where a slow coordinate is fed by the error of its own rate, they may pass it.
+
+    A second run that does not reach the end tells nothing. Interrupted within it, the run counts as interrupted.
+    """
+    rk4 = settings.method is Method.RK4
+    if run.status != "finished" or not (rk4 or settings.check_error):
+        return run
+    other = again(settings.finer() if settings.check_error else settings.coarser())
+    seconds = run.seconds + other.seconds
+    if other.status == "interrupted":
+        message = "interrupted after its end, before its error was told"
+        return replace(run, status="interrupted", message=message, seconds=seconds)
+    if other.status != "finished":
+        return replace(run, seconds=seconds)
+    share, how = (_FINER[rk4]) if settings.check_error else (-1 / 15, "run with twice the step")
+    return replace(run, error=ErrorEstimate(share * (other.states - run.states), how, signed=True), seconds=seconds)
+
+
+_FINER = {
+    True: (16 / 15, "run with half the step"),
+    False: (10 / 9, "run with a tenth of the tolerances"),
+}
+"""What the difference to the finer run is multiplied with: of rk4 or not."""

@@ -1,0 +1,229 @@
+"""The arrays that a native time loop works on, and what they tell: how a run goes on, how it ended, what it took."""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
+from tmodes.integrate.choice import worth_switching
+from tmodes.integrate.settings import Integration, Method
+from tmodes.reference.schedule import Schedule
+
+__all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "Moving", "NativeRun", "Numbers"]
+
+Array = NDArray[np.float64]
+
+BOUND = 1e8
+"""A coordinate [rad] or rate [rad/s] beyond this is no motion any more: the run has diverged."""
+
+MOST_EVENTS, EVENT_TIME = 1000, 1e-3
+"""A contact that sets in and ends more often than this within this time [s] chatters: no motion gets through that."""
+
+_COUNTED = ("steps", "rejected", "evaluations")
+_PART = ("end", *_COUNTED, "smallest")
+"""What is kept of the part of a run before its method changed; an end [s] of 0: it did not."""
+
+
+class Numbers(Protocol):
+    """The numbers of a robot, as its compiled code reads them."""
+
+    @property
+    def vector(self) -> NDArray[np.float64]:
+        """All of them."""
+        ...
+
+
+class Moving(Protocol):
+    """What a run needs of a model: its native loops, its right-hand side, and the names of its coordinates.
+
+    A state holds the coordinates, then their rates, then what else is integrated.
+    """
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
+        ...
+
+    @property
+    def loops(self) -> Any:
+        """A native loop for each method."""
+        ...
+
+    def rate(self, time: Any, state: Any, row: Any, parameters: Any) -> NDArray[np.float64]:
+        """Derivative of the state by time, (n, size)."""
+        ...
+
+
+class NativeRun:
+    """One run: its settings, the memory of its loop, and its samples; ``otherwise`` as in ``trajectory.integrate``."""
+
+    def __init__(
+        self,
+        model: Moving,
+        parameters: Numbers,
+        schedule: Schedule,
+        state: Array,
+        times: Array,
+        settings: Integration,
+        otherwise: Integration | None = None,
+    ) -> None:
+        self.first, self.otherwise, self.parameters, self.model = settings, otherwise, parameters, model
+        self.times = times
+        self.knots = np.ascontiguousarray(schedule.knots)
+        self.rows = np.ascontiguousarray(np.column_stack([schedule.knots[:-1], schedule.coefficients]))
+        self.memory, self.slope, self.part = np.zeros(len(CELLS)), np.zeros(len(state)), np.zeros(len(_PART))
+        self.state = np.array(state, dtype=float)
+        self.samples = np.zeros((len(self.times), len(self.state)))
+        self.samples[0] = self.state
+        self.errors, self.errors_out = np.zeros(len(state)), np.zeros_like(self.samples)
+        self._put(sample=1.0, fresh=1.0, old_error=1e-4)
+
+    def cell(self, name: str) -> float:
+        """A number of the loop's memory."""
+        return float(self.memory[CELLS.index(name)])
+
+    def _put(self, **values: float) -> None:
+        for name, value in values.items():
+            self.memory[CELLS.index(name)] = value
+
+    @property
+    def settings(self) -> Integration:
+        """Those of the present part of the run."""
+        return self.otherwise if self.otherwise is not None and self.part[0] > 0 else self.first
+
+    @property
+    def status(self) -> Status:
+        """As the loop left it."""
+        return Status(int(self.cell("status")))
+
+    @property
+    def running(self) -> bool:
+        """Whether something is left to do."""
+        return self.status is Status.RUNNING
+
+    @property
+    def adaptive(self) -> bool:
+        """Whether the steps tell their errors."""
+        return self.first.method is not Method.RK4
+
+    @property
+    def done(self) -> int:
+        """Number of samples written."""
+        return int(self.cell("sample"))
+
+    def advance(self, steps: int) -> None:
+        """Let the native loop do at most so many steps."""
+        s = self.settings
+        watch = self.otherwise is not None and self.part[0] == 0 and self.cell("stiff_time") == 0
+        chosen = {
+            "step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "chunk": float(steps),
+            "bound": BOUND, "watch": float(watch), "most_events": MOST_EVENTS, "event_time": EVENT_TIME,
+        }  # fmt: skip
+        options = np.array([chosen[name] for name in OPTIONS], dtype=float)
+        arrays = {
+            "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
+            "rows": self.rows, "times": self.times, "out": self.samples, "options": options,
+            "errors": self.errors, "errors_out": self.errors_out,
+        }  # fmt: skip
+        addresses = {name: array.ctypes.data for name, array in arrays.items()}
+        counts = {"segments": len(self.rows), "samples": len(self.times)}
+        self.model.loops[s.method.value](*((addresses | counts)[name] for name in ARGUMENTS))
+        if self.status is Status.STIFF:
+            self._on_stiff()
+
+    def _on_stiff(self) -> None:
+        """Go on: with the other method where enough of the run is left, else with the same one, unwatched."""
+        self._put(status=float(Status.RUNNING))
+        t = self.cell("t")
+        if not worth_switching(self.first.duration - t, self.cell("h")):
+            return
+        self.part[:] = [t, *(self.cell(name) for name in _PART[1:])]
+        self._put(h=0.0, fresh=1.0, old_error=1e-4, smallest=0.0, stiff=0.0, calm=0.0)
+
+    def exhausted(self, seconds: float) -> str:
+        """Why the run may not go on, or nothing."""
+        s = self.first
+        where = f"at t = {self.cell('t'):.6g} s of {s.duration:g} s"
+        if self.cell("steps") + self.cell("rejected") >= s.max_steps:
+            return f"stopped {where}: integration.max_steps = {s.max_steps} is used up"
+        if seconds >= s.max_wall_time:
+            return f"stopped {where}: integration.max_wall_time = {s.max_wall_time:g} s is used up"
+        return ""
+
+    def record(self) -> dict[str, Array]:
+        """All that the run needs to go on."""
+        return {
+            "memory": self.memory, "state": self.state, "slope": self.slope, "part": self.part, "errors": self.errors,
+            "samples": self.samples[: self.done], "errors_out": self.errors_out[: self.done],
+        }  # fmt: skip
+
+    def resume(self, record: dict[str, Array]) -> None:
+        """Go on where a record ends."""
+        self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
+        self.part[:], self.errors[:] = record["part"], record["errors"]
+        self.samples[: self.done], self.errors_out[: self.done] = record["samples"], record["errors_out"]
+
+    def ending(self) -> tuple[str, str]:
+        """Status and sentence, after the loop ended by itself."""
+        if self.status is Status.FINISHED:
+            return "finished", f"reached the end, t = {self.first.duration:g} s{self._stiffness()}"
+        if self.status is Status.CHATTERING:
+            return "chattering", (
+                f"stopped at t = {self.cell('t'):.6g} s: the contact set in or ended more than {MOST_EVENTS} times "
+                f"within {EVENT_TIME:g} s; give the surface damping, or a lower stiffness"
+            )
+        return "diverged", self._cause()
+
+    def _stiffness(self) -> str:
+        """Where the motion turned out stiff, and what was done."""
+        name, time = self.first.method.value, self.cell("stiff_time")
+        if time <= 0:
+            return ""
+        why = f"its steps stood at the limit of stability of {name} there"
+        if self.part[0] > 0:
+            return f", from t = {self.part[0]:.6g} s on by {self.settings.method.value}: {why}"
+        return f"; the motion is stiff from t = {time:.6g} s on: {why}"
+
+    def statistics(self) -> dict[str, Any]:
+        """What the run took, and how; the smallest step is that of all which no knot cut short [s]."""
+        steps, t = self.cell("steps"), self.cell("t")
+        told: dict[str, Any] = {name: int(self.cell(name)) for name in _COUNTED}
+        told |= {"method": self.settings.method.value, "mean_step_s": t / steps if steps else None}
+        smallest = [value for value in (self.part[-1], self.cell("smallest")) if value > 0]
+        told["smallest_step_s"] = min(smallest, default=told["mean_step_s"])
+        if self.settings.method is Method.RK4:
+            told["step"] = self.cell("h")
+        if self.cell("events"):
+            told["contact_changes"] = int(self.cell("events"))
+        if self.cell("stiff_time") > 0:
+            told["stiff_from_s"] = self.cell("stiff_time")
+        if self.part[0] > 0:
+            told["parts"] = self._parts()
+        return told
+
+    def _parts(self) -> dict[str, dict[str, Any]]:
+        """Method, begin and counts of each part of a run whose method changed."""
+        before = {name: int(value) for name, value in zip(_COUNTED, self.part[1:], strict=False)}
+        after = {name: int(self.cell(name)) - before[name] for name in _COUNTED}
+        return {
+            "1": {"method": self.first.method.value, "from_s": 0.0} | before,
+            "2": {"method": self.settings.method.value, "from_s": float(self.part[0])} | after,
+        }
+
+    def _cause(self) -> str:
+        """Where and in which coordinate the motion was lost."""
+        names = self.model.coordinates
+        accelerations = self._rates_now()[len(names) : 2 * len(names)]
+        wildest = int(np.argmax(np.where(np.isfinite(accelerations), np.abs(accelerations), np.inf)))
+        where = f"diverged at t = {self.cell('t'):.6g} s in coordinate {names[wildest]}"
+        value = f"its acceleration is {accelerations[wildest]:.3g} rad/s^2"
+        if self.status is Status.STEP_TOO_SMALL:
+            return f"{where}: {value} and no step is small enough (last {self.cell('h'):.3g} s)"
+        return f"{where}: {value}; its next step leaves {BOUND:g} rad or rad/s"
+
+    def _rates_now(self) -> Array:
+        segment = min(int(self.cell("segment")), len(self.rows) - 1)
+        return self.model.rate([self.cell("t")], self.state, self.rows[segment], self.parameters)[0]
