@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,8 +11,9 @@ from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.choice import worth_switching
 from tmodes.integrate.settings import Integration, Method
 from tmodes.reference.schedule import Schedule
+from tmodes.run_parts import ErrorEstimate, Moving, Numbers, Trajectory, sample_times
 
-__all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "Moving", "NativeRun", "Numbers"]
+__all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
 
 Array = NDArray[np.float64]
 
@@ -22,43 +23,16 @@ BOUND = 1e8
 MOST_EVENTS, EVENT_TIME = 1000, 1e-3
 """A contact that sets in and ends more often than this within this time [s] chatters: no motion gets through that."""
 
+_TELLING = {Method.DORMAND_PRINCE, Method.DOP853, Method.EXTRAPOLATION}
+"""Methods whose loops sum their local errors."""
+
 _COUNTED = ("steps", "rejected", "evaluations")
 _PART = ("end", *_COUNTED, "smallest")
 """What is kept of the part of a run before its method changed; an end [s] of 0: it did not."""
 
 
-class Numbers(Protocol):
-    """The numbers of a robot, as its compiled code reads them."""
-
-    @property
-    def vector(self) -> NDArray[np.float64]:
-        """All of them."""
-        ...
-
-
-class Moving(Protocol):
-    """What a run needs of a model: its native loops, its right-hand side, and the names of its coordinates.
-
-    A state holds the coordinates, then their rates, then what else is integrated.
-    """
-
-    @property
-    def coordinates(self) -> tuple[str, ...]:
-        """Names of the coordinates."""
-        ...
-
-    @property
-    def loops(self) -> Any:
-        """A native loop for each method."""
-        ...
-
-    def rate(self, time: Any, state: Any, row: Any, parameters: Any) -> NDArray[np.float64]:
-        """Derivative of the state by time, (n, size)."""
-        ...
-
-
 class NativeRun:
-    """One run: its settings, the memory of its loop, and its samples; ``otherwise`` as in ``trajectory.integrate``."""
+    """One run, advanced piece by piece: its settings, the memory of its loop, and its samples."""
 
     def __init__(
         self,
@@ -66,17 +40,21 @@ class NativeRun:
         parameters: Numbers,
         schedule: Schedule,
         state: Array,
-        times: Array,
         settings: Integration,
+        samples: Array | None = None,
         otherwise: Integration | None = None,
     ) -> None:
+        """``otherwise``: the settings to go on with where the motion turns out stiff.
+
+        ``samples``: where the samples are written, (samples, size), C-ordered; by default an array of its own.
+        """
         self.first, self.otherwise, self.parameters, self.model = settings, otherwise, parameters, model
-        self.times = times
+        self.times = sample_times(settings)
         self.knots = np.ascontiguousarray(schedule.knots)
         self.rows = np.ascontiguousarray(np.column_stack([schedule.knots[:-1], schedule.coefficients]))
         self.memory, self.slope, self.part = np.zeros(len(CELLS)), np.zeros(len(state)), np.zeros(len(_PART))
         self.state = np.array(state, dtype=float)
-        self.samples = np.zeros((len(self.times), len(self.state)))
+        self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
         self.samples[0] = self.state
         self.errors, self.errors_out = np.zeros(len(state)), np.zeros_like(self.samples)
         self._put(sample=1.0, fresh=1.0, old_error=1e-4)
@@ -105,18 +83,14 @@ class NativeRun:
         return self.status is Status.RUNNING
 
     @property
-    def adaptive(self) -> bool:
-        """Whether the steps tell their errors."""
-        return self.first.method is not Method.RK4
-
-    @property
     def done(self) -> int:
         """Number of samples written."""
         return int(self.cell("sample"))
 
     def advance(self, steps: int) -> None:
-        """Let the native loop do at most so many steps."""
+        """Let the native loop do at most so many steps, and no more than the settings allow."""
         s = self.settings
+        steps = min(steps, max(1, self.first.max_steps - int(self.cell("steps") + self.cell("rejected"))))
         watch = self.otherwise is not None and self.part[0] == 0 and self.cell("stiff_time") == 0
         chosen = {
             "step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "chunk": float(steps),
@@ -166,8 +140,18 @@ class NativeRun:
         self.part[:], self.errors[:] = record["part"], record["errors"]
         self.samples[: self.done], self.errors_out[: self.done] = record["samples"], record["errors_out"]
 
-    def ending(self) -> tuple[str, str]:
-        """Status and sentence, after the loop ended by itself."""
+    def end(self) -> Trajectory:
+        """The run after its loop ended by itself."""
+        return self.trajectory(*self._ending())
+
+    def trajectory(self, status: str, message: str) -> Trajectory:
+        """The run so far; its error is told where the loops of all its parts sum their local errors."""
+        samples, error = slice(self.done), None
+        if self.errors.any() and {self.first.method, self.settings.method} <= _TELLING:
+            error = ErrorEstimate(self.errors_out[samples], "sum of the local errors", signed=False)
+        return Trajectory(self.times[samples], self.samples[samples], status, message, self.statistics(), error)
+
+    def _ending(self) -> tuple[str, str]:
         if self.status is Status.FINISHED:
             return "finished", f"reached the end, t = {self.first.duration:g} s{self._stiffness()}"
         if self.status is Status.CHATTERING:
@@ -184,7 +168,7 @@ class NativeRun:
             return ""
         why = f"its steps stood at the limit of stability of {name} there"
         if self.part[0] > 0:
-            return f", from t = {self.part[0]:.6g} s on by {self.settings.method.value}: {why}"
+            return f"; from t = {self.part[0]:.6g} s on by {self.settings.method.value}: {why}"
         return f"; the motion is stiff from t = {time:.6g} s on: {why}"
 
     def statistics(self) -> dict[str, Any]:
@@ -192,7 +176,7 @@ class NativeRun:
         steps, t = self.cell("steps"), self.cell("t")
         told: dict[str, Any] = {name: int(self.cell(name)) for name in _COUNTED}
         told |= {"method": self.settings.method.value, "mean_step_s": t / steps if steps else None}
-        smallest = [value for value in (self.part[-1], self.cell("smallest")) if value > 0]
+        smallest = [value for value in (float(self.part[-1]), self.cell("smallest")) if value > 0]
         told["smallest_step_s"] = min(smallest, default=told["mean_step_s"])
         if self.settings.method is Method.RK4:
             told["step"] = self.cell("h")
@@ -221,7 +205,8 @@ class NativeRun:
         where = f"diverged at t = {self.cell('t'):.6g} s in coordinate {names[wildest]}"
         value = f"its acceleration is {accelerations[wildest]:.3g} rad/s^2"
         if self.status is Status.STEP_TOO_SMALL:
-            return f"{where}: {value} and no step is small enough (last {self.cell('h'):.3g} s)"
+            mend = "raise integration.relative_tolerance where rounding alone is larger"
+            return f"{where}: {value} and no step is small enough (last {self.cell('h'):.3g} s); {mend}"
         return f"{where}: {value}; its next step leaves {BOUND:g} rad or rad/s"
 
     def _rates_now(self) -> Array:

@@ -74,7 +74,7 @@ def test_dormand_prince_tableau():
 
 
 @pytest.mark.parametrize("reading", list(Reading))
-@pytest.mark.parametrize(("method", "order"), [("rk4", 4), ("dormand_prince", 4)])
+@pytest.mark.parametrize(("method", "order"), [("rk4", 4), ("dormand_prince", 4), ("dop853", 5)])
 def test_energy_without_losses(robot, reading, method, order):
     """Locked motor, no loss: energy drifts only by the integrator, and the drift falls at least at its order."""
     quiet = robot.with_(LOSSLESS)
@@ -96,7 +96,7 @@ def test_energy_without_losses(robot, reading, method, order):
     assert drifts[-1] < 1e-5
 
 
-@pytest.mark.parametrize("method", ["rk4", "dormand_prince"])
+@pytest.mark.parametrize("method", ["rk4", "dormand_prince", "dop853"])
 def test_chunks_change_no_bit(robot, monkeypatch, method):
     """However the loop is cut into calls, the samples are the same bytes."""
     whole = run(robot, duration=0.7, method=method)
@@ -105,7 +105,7 @@ def test_chunks_change_no_bit(robot, monkeypatch, method):
     assert run(robot, duration=0.7, method=method).states.tobytes() == whole.states.tobytes()
 
 
-@pytest.mark.parametrize("method", ["rk4", "dormand_prince"])
+@pytest.mark.parametrize("method", ["rk4", "dormand_prince", "dop853"])
 def test_agrees_with_scipy(robot, method):
     """The same right-hand side through SciPy's DOP853, restarted at the jumps, at tight tolerance."""
     mechanism, parameters = robot.split(Drive.CONTROLLED)

@@ -16,7 +16,9 @@ from tmodes.compile.step_control import StepControl, add_local_errors, first_sta
 from tmodes.compile.stiffness import StiffnessTest
 from tmodes.compile.time_loop import Status, TimeLoop
 
-__all__ = ["B_ERROR", "DENSE", "A", "C", "write_dormand_prince_loop"]
+__all__ = [
+    "BETA", "B_ERROR", "DENSE", "LARGEST", "SAFETY", "SMALLEST", "STAGES", "A", "C", "write_dormand_prince_loop",
+]  # fmt: skip
 
 C = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
 A = (
@@ -41,14 +43,15 @@ DENSE = (
 )
 """Weight of stage i at the share s of a step: sum over j of DENSE[i][j] s^(j+1)."""
 
-_CONTROL = StepControl(order=5.0, beta=0.04, damping=0.75, smallest=0.2, largest=10.0)
+SAFETY, SMALLEST, LARGEST, BETA = 0.9, 0.2, 10.0, 0.04
+_CONTROL = StepControl(order=5.0, beta=BETA, damping=0.75, smallest=SMALLEST, largest=LARGEST, safety=SAFETY)
 _STIFFNESS = StiffnessTest(slopes=("k7", "k6"), states=("new", "probe"), limit=3.25)
-_STAGES = tuple(f"k{i}" for i in range(1, 8))
+STAGES = tuple(f"k{i}" for i in range(1, 8))
 
 
 def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
     """Write the loop: steps end exactly on the knots, where the first stage is taken anew."""
-    loop = TimeLoop(module, name, lowered, (*_STAGES[1:], "probe", "new", "local"), guarded)
+    loop = TimeLoop(module, name, lowered, (*STAGES[1:], "probe", "new", "local"), guarded)
     b = loop.builder
     gate = Gate(loop, lowered.gate_offset)
     gate.begin("y", "probe")
@@ -71,9 +74,9 @@ def _stages(loop: TimeLoop, time: Any, h: Any) -> None:
     b = loop.builder
     for stage in range(1, 7):
         into = "new" if stage == 6 else "probe"
-        weights = {_STAGES[j]: b.fmul(h, number(a)) for j, a in enumerate(A[stage]) if a}
+        weights = {STAGES[j]: b.fmul(h, number(a)) for j, a in enumerate(A[stage]) if a}
         loop.combine(into, weights)
-        loop.evaluate(b.fadd(time, b.fmul(number(C[stage]), h)), into, _STAGES[stage])
+        loop.evaluate(b.fadd(time, b.fmul(number(C[stage]), h)), into, STAGES[stage])
 
 
 def _error(loop: TimeLoop, h: Any) -> Any:
@@ -81,7 +84,7 @@ def _error(loop: TimeLoop, h: Any) -> Any:
 
     def difference(i: Any) -> Any:
         total: Any = number(0.0)
-        for stage, weight in zip(_STAGES, B_ERROR, strict=True):
+        for stage, weight in zip(STAGES, B_ERROR, strict=True):
             if weight:
                 total = b.fadd(total, b.fmul(number(weight), load(b, loop.array[stage], i)))
         error = b.fmul(h, total)
@@ -95,7 +98,7 @@ def _write_samples(loop: TimeLoop, time: Any, h: Any, time_after: Any) -> None:
     b = loop.builder
     with loop.due_samples(time_after) as target:
         s = b.fdiv(b.fsub(loop.sample_time(), time), h)
-        weights = {stage: b.fmul(h, _dense(b, s, row)) for stage, row in zip(_STAGES, DENSE, strict=True) if any(row)}
+        weights = {stage: b.fmul(h, _dense(b, s, row)) for stage, row in zip(STAGES, DENSE, strict=True) if any(row)}
         with counted(b, loop.size) as i:
             value = load(b, loop.array["y"], i)
             for stage, weight in weights.items():

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Mapping
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
@@ -66,29 +67,48 @@ def sample_functions(name: str, key: str, make: Callable[[], Mapping[str, Any]],
     return _library(name, key, write, {label: count + 3 for label, count in inputs.items()}, level=0)
 
 
-def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Library:
-    """The native time loops around one right-hand side of (time, state, row, parameters)."""
+@dataclass(frozen=True)
+class _Loops:
+    """The native time loops around one right-hand side by the name of their method, each made at its first use."""
+
+    library: Callable[[str], Library]
+
+    def __getitem__(self, method: str) -> Any:
+        """The function of a method."""
+        return self.library(method)[method]
+
+
+def _writers() -> dict[str, Any]:
+    """What writes the explicit loop of each method."""
+    from tmodes.compile.dop853_loop import write_dop853_loop
+    from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
+    from tmodes.compile.rk4_loop import write_rk4_loop
+
+    return {"rk4": write_rk4_loop, "dormand_prince": write_dormand_prince_loop, "dop853": write_dop853_loop}
+
+
+def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Any:
+    """The native time loops, by their methods, around one right-hand side of (time, state, row, parameters).
+
+    Methods: rk4, dormand_prince, dop853.
+    """
     from tmodes.compile.time_loop import ARGUMENTS
 
-    def write() -> Any:
+    def write(method: str) -> Any:
         from llvmlite import ir
 
-        from tmodes.compile.dop853_loop import write_dop853_loop
-        from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
         from tmodes.compile.lower import lower
         from tmodes.compile.program import straight_line
-        from tmodes.compile.rk4_loop import write_rk4_loop
 
         module = ir.Module(name)
         lowered = lower(module, straight_line(make(), invariant=3))
-        write_rk4_loop(module, "rk4", lowered, guarded)
-        write_dormand_prince_loop(module, "dormand_prince", lowered, guarded)
-        write_dop853_loop(module, "dop853", lowered, guarded)
+        _writers()[method](module, method, lowered, guarded)
         return module
 
-    return _library(
-        name, key, write, {method: len(ARGUMENTS) for method in ("rk4", "dormand_prince", "dop853")}, level=3
-    )
+    def library(method: str) -> Library:
+        return _library(f"{name} {method}", key, partial(write, method), {method: len(ARGUMENTS)}, level=3)
+
+    return _Loops(library)
 
 
 def _kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
@@ -140,29 +160,27 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
     )
 
 
-def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Library:
-    """The native time loops around a schedule whose inputs are time, state, row and step, its output the state's rate.
+def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Any:
+    """The native time loops, by their methods, around a schedule of time, state, row and step that gives their rate.
 
-    The state begins with ``pairs`` coordinates and as many rates. Loops: rk4, dormand_prince, dop853, extrapolation.
+    The state begins with ``pairs`` coordinates and as many rates. Methods: rk4, dormand_prince, dop853, extrapolation.
     """
     from tmodes.compile.time_loop import ARGUMENTS
 
-    def write() -> Any:
+    def write(method: str) -> Any:
         from llvmlite import ir
 
         from tmodes.compile.block import write_rate
-        from tmodes.compile.dop853_loop import write_dop853_loop
-        from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
         from tmodes.compile.extrapolation_loop import write_extrapolation_loop
-        from tmodes.compile.rk4_loop import write_rk4_loop
 
         module = ir.Module(name)
         rate = write_rate(module, schedule, _arithmetic("double")(module), "rate")
-        write_rk4_loop(module, "rk4", rate, guarded)
-        write_dormand_prince_loop(module, "dormand_prince", rate, guarded)
-        write_dop853_loop(module, "dop853", rate, guarded)
-        write_extrapolation_loop(module, "extrapolation", rate, guarded, pairs=pairs)
+        writers = _writers() | {"extrapolation": partial(write_extrapolation_loop, pairs=pairs)}
+        writers[method](module, method, rate, guarded)
         return module
 
-    functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince", "dop853", "extrapolation"), len(ARGUMENTS))
-    return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))
+    def library(method: str) -> Library:
+        imports = partial(_kernels_of, schedule, "double")
+        return _library(f"{name} {method}", schedule.key, partial(write, method), {method: len(ARGUMENTS)}, 1, imports)
+
+    return _Loops(library)

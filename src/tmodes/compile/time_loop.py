@@ -48,8 +48,8 @@ class Status(IntEnum):
     FINISHED = 1
     DIVERGED = 2
     STEP_TOO_SMALL = 3
-    STIFF = 4
-    CHATTERING = 5
+    STIFF = 6
+    CHATTERING = 7
 
 
 class TimeLoop:
@@ -63,7 +63,7 @@ class TimeLoop:
         self.size = lowered.size
         kinds = [(label, I64 if label in ("segments", "samples") else POINTER) for label in ARGUMENTS]
         self.function = declare(module, name, VOID, kinds)
-        self.argument = dict(zip(ARGUMENTS, self.function.args, strict=True))
+        self.argument: dict[str, Any] = dict(zip(ARGUMENTS, self.function.args, strict=True))
         self.builder = ir.IRBuilder(self.function.append_basic_block("entry"))
         self.cell = {label: self.builder.alloca(F64, name=label) for label in (*CELLS, "done")}
         self.array = {label: scratch(self.builder, self.size, label) for label in scratch_arrays}

@@ -9,9 +9,6 @@ __all__ = ["STIFF", "chosen_method", "otherwise", "worth_switching"]
 STIFF = 20_000
 """Explicit steps over a whole run beyond which the implicit method is the cheaper one."""
 
-_SHORT = 2_000
-"""Explicit steps for the rest of a run up to which it does not pay to change the method."""
-
 _REACH = 3.3
 """Largest step times eigenvalue at which Dormand and Prince's method is stable, about."""
 
@@ -38,8 +35,8 @@ def otherwise(given: ArmIntegration, method: Method) -> ArmIntegration | None:
 
 
 def worth_switching(left: float, step: float) -> bool:
-    """Whether a run that turned out stiff is better ended by the implicit method.
+    """Whether a run that turned out stiff is better ended by the implicit method, by the measure of ``STIFF``.
 
     ``left``: what is left of it [s]; ``step``: of the explicit method now [s].
     """
-    return left > _SHORT * step
+    return left > STIFF * step

@@ -81,7 +81,8 @@ def simulate_arm(
     if trajectory.status == "diverged":
         trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
     elif why:
-        trajectory.message += f", {why}"
+        ending, semicolon, later_on = trajectory.message.partition("; ")
+        trajectory.message = f"{ending}, {why}{semicolon}{later_on}"
     run = gathered(real, trajectory, rows)
     statistics = run.statistics | {"highest_eigenvalue": verdict.highest}
     return replace(run, warnings=(*warnings, *run_warnings(run)), reference=reference, statistics=statistics)

@@ -1,0 +1,155 @@
+"""Motions that turn stiff during a run: seen, told, and gone on with by the implicit method where it may choose."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from arm.run.sheets import arm
+from arm.run.test_extrapolation import stiff
+from tmodes.integrate.choice import STIFF, chosen_method, worth_switching
+from tmodes.integrate.settings import Method
+from tmodes.motion.simulate import simulate_arm
+
+
+def landing(damping: float = 3e5, stiffness: float = 2e5, **integration: Any) -> Any:
+    """A mass that falls 50 mm onto a surface, whose damper makes its motion stiff: b/m = 2e5 1/s."""
+    return arm(
+        gravity=9.81,
+        joints=[{"name": "s", "type": "prismatic", "child": "b", "axis": [0, 0, 1]}],
+        links=[{"name": "b", "bodies": [{"name": "m", "mass": 1.5}]}],
+        drives=[{"joint": "s", "command": "effort", "signal": {"type": "constant", "value": 0.0}}],
+        initial={"state": "zero", "coordinates": {"s": 0.05}},
+        contact={"shape": {"type": "plane", "position": [0, 0, 0], "normal": [0, 0, 1]}, "law": "unilateral",
+                 "stiffness": stiffness, "damping": damping},
+        integration={"duration": 0.6, "output_step": 0.01, "relative_tolerance": 1e-8, "absolute_tolerance": 1e-10,
+                     **integration},
+    )  # fmt: skip
+
+
+def sunk(time: np.ndarray) -> np.ndarray:
+    """Closed form of the height: free fall, then a spring and an overdamped damper."""
+    mass, damping, stiffness = 1.5, 3e5, 2e5
+    touch, speed = np.sqrt(2 * 0.05 / 9.81), np.sqrt(2 * 0.05 * 9.81)
+    root = np.sqrt(damping**2 - 4 * mass * stiffness)
+    fast, slow = -(damping + root) / (2 * mass), -2 * stiffness / (damping + root)
+    rest = -mass * 9.81 / stiffness
+    first = (-speed + slow * rest) / (fast - slow)
+    later = np.maximum(time - touch, 0.0)
+    depth = rest + first * np.exp(fast * later) + (-rest - first) * np.exp(slow * later)
+    return np.where(time < touch, 0.05 - 9.81 * time**2 / 2, depth)
+
+
+@pytest.mark.parametrize("method", ["auto", "dormand_prince", "dop853"])
+def test_stiffness_is_seen_and_told(method: str) -> None:
+    run = simulate_arm(landing(method=method))
+    assert run.status == "finished"
+    assert np.abs(run.q[:, 0] - sunk(run.times)).max() < 2e-8
+    assert run.statistics["stiff_from_s"] == pytest.approx(np.sqrt(0.1 / 9.81), abs=2e-3)
+    if method == "auto":
+        assert "by dormand_prince" in run.message
+        assert "; from t = 0.10" in run.message
+        assert "on by extrapolation" in run.message
+        parts = run.statistics["parts"]
+        assert [parts[k]["method"] for k in "12"] == ["dormand_prince", "extrapolation"]
+        assert sum(parts[k]["steps"] for k in "12") == run.statistics["steps"]
+    else:
+        assert "the motion is stiff from t = 0.10" in run.message
+        assert "parts" not in run.statistics
+
+
+def test_what_is_not_stiff_is_not_called_so() -> None:
+    """A hard bounce: short steps for the sake of the error only."""
+    run = simulate_arm(landing(damping=0.0, method="auto", duration=1.0))
+    assert run.status == "finished"
+    assert "stiff" not in run.message
+    assert run.statistics["contact_changes"] > 4
+
+
+def test_short_runs_keep_their_method() -> None:
+    assert not worth_switching(0.1, 0.1 / (STIFF - 1))
+    assert worth_switching(0.1, 0.1 / (STIFF + 1))
+    assert chosen_method(Method.AUTO, 0.0, 1.0)[0] is Method.DORMAND_PRINCE
+    assert "extrapolation" not in simulate_arm(landing(method="auto", duration=0.2)).message
+
+
+class Journal:
+    """Keeps every record; an interruption gives the last."""
+
+    def __init__(self) -> None:
+        self.record: Any = None
+
+    def restore(self) -> Any:
+        return self.record
+
+    def keep(self, record: Any, *, last: bool = False, now: bool = False) -> None:
+        self.record = {name: array.copy() for name, array in record.items()}
+
+
+@pytest.mark.parametrize("share", [0.1, 0.169, 0.3])
+def test_same_bits_after_a_kill_on_either_side(share: float, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Killed before the method changes, about then, or after: the bytes, counts and errors of a whole run."""
+    whole = simulate_arm(landing(method="auto"))
+    monkeypatch.setattr("tmodes.trajectory._FIRST_PIECE", 20)
+    monkeypatch.setattr("tmodes.trajectory._PIECE_SECONDS", 1e-4)
+    journal = Journal()
+
+    def progress(stage: str, done: float) -> None:
+        if done > share:
+            raise MemoryError
+
+    with pytest.raises(MemoryError):
+        simulate_arm(landing(method="auto"), progress=progress, journals=lambda stage: journal)
+    again = simulate_arm(landing(method="auto"), journals=lambda stage: journal)
+    assert again.states.tobytes() == whole.states.tobytes()
+    assert again.statistics == whole.statistics
+    assert again.error is not None
+    assert whole.error is not None
+    assert again.error.values.tobytes() == whole.error.values.tobytes()
+    assert again.message == whole.message
+
+
+def test_chattering_ends_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
+    """A contact that sets in and ends too often within a time: a status of its own, and what was done is kept."""
+    monkeypatch.setattr("tmodes.native_run.MOST_EVENTS", 3)
+    monkeypatch.setattr("tmodes.native_run.EVENT_TIME", 10.0)
+    run = simulate_arm(landing(damping=0.0, method="dormand_prince", duration=1.0))
+    assert run.status == "chattering"
+    assert "more than 3 times" in run.message
+    assert 10 < len(run.times) < 101
+    assert np.isfinite(run.q).all()
+    monkeypatch.setattr("tmodes.native_run.EVENT_TIME", 1e-3)
+    assert simulate_arm(landing(damping=0.0, method="dormand_prince", duration=1.0)).status == "finished"
+
+
+@pytest.mark.parametrize("method", ["dop853", "extrapolation"])
+def test_errors_bound_the_true_ones(method: str) -> None:
+    """The sums of local errors of a damped arm that bends are above its true errors."""
+    exact = simulate_arm(stiff(method="dormand_prince", relative_tolerance=1e-12, absolute_tolerance=1e-14))
+    run = simulate_arm(stiff(method=method, relative_tolerance=1e-7, absolute_tolerance=1e-9))
+    count = 2 * len(run.coordinates)
+    assert run.error is not None
+    true = np.abs(run.states - exact.states)[:, :count].max(axis=0)
+    assert (run.error.values[:, :count].max(axis=0) > true / 3).all()
+
+
+def test_errors_of_an_arms_figures() -> None:
+    """Beside each headline figure of an arm; sharp with a second run."""
+    from tmodes.arm_result import assemble_arm
+
+    coarse = {"method": "dormand_prince", "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8, "duration": 0.1}
+    tight = {**coarse, "relative_tolerance": 1e-12, "absolute_tolerance": 1e-14}
+    exact = assemble_arm(simulate_arm(stiff(**tight))).summary()
+    for check in (False, True):
+        told = assemble_arm(simulate_arm(stiff(check_error=check, **coarse))).summary()
+        errors = told["error"]["figures"]
+        for path in ("links.link.bending_moment.max_Nm", "joints.j.largest_gear_torque", "deviation.end_m"):
+            group, *keys = path.split(".")
+            is_, should = told[group], exact[group]
+            for key in keys:
+                is_, should = is_[key], should[key]
+            assert errors[path] > abs(is_ - should) / 3
+            assert not check or errors[path] < 3 * abs(is_ - should)
+        assert 0 < errors["tip_m"] < 1e-5

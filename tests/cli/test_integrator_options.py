@@ -1,0 +1,61 @@
+"""``tmodes run --integrator --rtol --atol --check-error``: what they do, and what a run says of its integration."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+from tmodes.result import Result
+
+COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
+SHORT = ["--duration", "0.2", "--no-contact", "--no-figures"]
+
+
+def tmodes(*arguments: object, code: int = 0) -> subprocess.CompletedProcess[str]:
+    done = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False)
+    assert done.returncode == code, done.stderr
+    return done
+
+
+def test_options_and_what_is_told(tmp_path):
+    """Method and both tolerances reach the run; steps, time of computing and errors are told."""
+    options = ["--integrator", "dop853", "--rtol", 1e-8, "--atol", 1e-11, *SHORT]
+    told = tmodes("run", "filipovic2010", *options, "--out", tmp_path / "table").stdout
+    for words in ("of dop853 (", "of computing for each simulated second", "error", "< ", "--check-error"):
+        assert words in told
+    printed = json.loads(tmodes("run", "filipovic2010", *options, "--json", "--out", tmp_path / "json").stdout)
+    assert printed["statistics"]["real"]["method"] == "dop853"
+    assert 0 < printed["statistics"]["real"]["smallest_step_s"] <= printed["statistics"]["real"]["mean_step_s"]
+    assert printed["seconds_per_simulated_second"]["real"] > 0
+    assert printed["summary"]["error"]["figures"]["deviation.max_m"] > 0
+    kept = Result.load(tmp_path / "json" / "result.nc")
+    assert kept.robot.integration.absolute_tolerance == 1e-11
+    assert kept.timing == {}
+    assert (tmp_path / "table" / "result.nc").read_bytes() == (tmp_path / "json" / "result.nc").read_bytes()
+
+
+def test_check_error(tmp_path):
+    told = tmodes("run", "filipovic2010", "--check-error", *SHORT, "--out", tmp_path).stdout
+    assert "by a run with a tenth of the tolerances" in told
+    assert "< " not in told
+
+
+def test_unknown_integrator(tmp_path):
+    """The known ones are listed."""
+    for name, known in (("filipovic2010", ("dormand_prince", "dop853", "rk4")), ("spong1987", ("extrapolation",))):
+        told = tmodes("run", name, "--integrator", "euler", "--out", tmp_path, code=2).stderr
+        assert "euler" in told
+        assert all(word in told for word in known)
+
+
+def test_help_teaches():
+    told = " ".join(tmodes("run", "--help").stdout.split())
+    for words in ("dop853: explicit, order 8", "extrapolation: implicit", "--check-error", "--atol", "Example"):
+        assert words in told
+
+
+def test_tolerance_below_rounding(tmp_path):
+    told = tmodes("run", "filipovic2010", "--rtol", 1e-15, "--out", tmp_path, code=2).stderr
+    assert "relative_tolerance" in told
+    assert "1e-13" in told
