@@ -145,9 +145,12 @@ class NativeRun:
         return self.trajectory(*self._ending())
 
     def trajectory(self, status: str, message: str) -> Trajectory:
-        """The run so far; its error is told where the loops of all its parts sum their local errors."""
+        """The run so far; its error is told where the loops of all its parts sum their local errors.
+
+        The error of a motion that was lost is not known.
+        """
         samples, error = slice(self.done), None
-        if self.errors.any() and {self.first.method, self.settings.method} <= _TELLING:
+        if status != "diverged" and self.errors.any() and {self.first.method, self.settings.method} <= _TELLING:
             error = ErrorEstimate(self.errors_out[samples], "sum of the local errors", signed=False)
         return Trajectory(self.times[samples], self.samples[samples], status, message, self.statistics(), error)
 

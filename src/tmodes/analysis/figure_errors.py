@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 from collections.abc import Callable, Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -71,10 +72,13 @@ def _signs(size: int, turn: int) -> Array:
 def figure_errors(
     figures: Sequence[Figure], samples: Sequence[int], rows: int, variables: Variables
 ) -> dict[str, float]:
-    """The error of each figure by its name; ``variables`` of the rows of :func:`disturbed_rows` at these samples."""
+    """The error of each figure by its name, where it is a number.
+
+    ``variables`` of the rows of :func:`disturbed_rows` at these samples.
+    """
     told = {}
     for figure in figures:
         values = figure.value(variables).reshape(len(samples), rows, -1)
         apart = np.linalg.norm(values[:, 1:] - values[:, :1], axis=2).max(axis=1)
         told[figure.name] = float(max(apart[samples.index(k)] for k in figure.samples))
-    return told
+    return {name: error for name, error in told.items() if math.isfinite(error)}

@@ -133,8 +133,9 @@ def run_with_controller(
     times = sample_times(settings)
     run.keep(0.0, regime.start)
     status, message = _advance(run, times, progress)
-    counts = {"steps": float(run.steps), "evaluations": float(run.evaluations), "rejected": 0.0}
     done = len(run.states)
+    method = settings.method if settings.method in (Method.RK4, Method.DOP853) else Method.DORMAND_PRINCE
+    counts = {"steps": run.steps, "evaluations": run.evaluations, "rejected": 0, "method": method.value}
     return Trajectory(times[:done], np.array(run.states), status, message, counts), np.array(run.rows)
 
 
