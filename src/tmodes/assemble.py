@@ -12,7 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.energy import balance
-from tmodes.analysis.stability import StepVerdict
+from tmodes.analysis.stability import StepVerdict, step_times_eigenvalue
 from tmodes.analysis.validity import (
     deflection_warnings,
     energy_warnings,
@@ -199,7 +199,8 @@ def _warnings(pair: NominalRealPair, data: Any, verdict: StepVerdict) -> list[st
 def _provenance(pair: NominalRealPair, real: Regime, reference: Regime, verdict: StepVerdict) -> dict[str, Any]:
     packages = ("tmodes", "numpy", "casadi", "llvmlite", "xarray")
     counts = {name: regime.trajectory.statistics for name, regime in (("reference", reference), ("real", real))}
-    statistics = counts | {"highest_eigenvalue": verdict.highest, "dt_omega": verdict.dt_omega}
+    dt_omega = step_times_eigenvalue(verdict, counts["real"])
+    statistics = counts | {"highest_eigenvalue": verdict.highest, "dt_omega": dt_omega}
     return {
         "tmodes_format": RESULT_FORMAT,
         "title": pair.nominal.title or pair.nominal.name,

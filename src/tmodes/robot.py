@@ -83,8 +83,9 @@ class Robot(DataSheet):
     def _explicit_steps(self) -> Robot:
         """The equations of the paper's robot have no implicit steps."""
         method = self.integration.method
-        if method in (Method.AUTO, Method.EXTRAPOLATION):
-            expected = f"{Method.DORMAND_PRINCE} or {Method.RK4}"
+        explicit = (Method.DORMAND_PRINCE, Method.DOP853, Method.RK4)
+        if method not in explicit:
+            expected = f"one of {', '.join(explicit)}"
             refuse([Misfit("integration.method", method.value, expected, f"write {Method.DORMAND_PRINCE}")])
         return self
 

@@ -49,6 +49,11 @@ def test_unknown_integrator(tmp_path):
         assert all(word in told for word in known)
 
 
+def test_the_2010_robot_has_no_implicit_steps(tmp_path):
+    told = tmodes("run", "filipovic2010", "--integrator", "auto", "--out", tmp_path, code=2).stderr
+    assert "one of dormand_prince, dop853, rk4" in told
+
+
 def test_help_teaches():
     told = " ".join(tmodes("run", "--help").stdout.split())
     for words in ("dop853: explicit, order 8", "extrapolation: implicit", "--check-error", "--atol", "Example"):

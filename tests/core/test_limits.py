@@ -9,7 +9,7 @@ import pytest
 
 from io_cases import bad_numbers
 from tmodes.analysis.modes import MotorState, Spectrum, all_modes, vibration_modes
-from tmodes.analysis.stability import step_size_verdict
+from tmodes.analysis.stability import step_size_verdict, step_times_eigenvalue
 from tmodes.analysis.validity import jam_warnings
 from tmodes.equations.coordinates import deformations
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
@@ -107,7 +107,12 @@ def test_step_verdict():
     decay = np.array([-1000.0 + 0j])
     assert step_size_verdict(Integration(method=Method.RK4, step=2.78e-3), spectrum(decay)).stable
     assert not step_size_verdict(Integration(method=Method.RK4, step=2.79e-3), spectrum(decay)).stable
-    assert step_size_verdict(Integration(step=1.0), spectrum(ring)).stable
+    adaptive = step_size_verdict(Integration(step=1.0), spectrum(ring))
+    assert adaptive.stable
+    assert step_times_eigenvalue(adaptive, {"mean_step_s": 2e-3}) == pytest.approx(2.0)
+    assert step_times_eigenvalue(adaptive, {"mean_step_s": None}) is None
+    fixed = step_size_verdict(Integration(method=Method.RK4, step=1e-3), spectrum(ring))
+    assert step_times_eigenvalue(fixed, {"mean_step_s": 9.0}) == pytest.approx(1.0)
 
 
 def test_too_stiff_is_told_before_the_run(robot):

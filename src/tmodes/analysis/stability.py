@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 
@@ -10,7 +11,7 @@ from tmodes.analysis.modes import GROWING, Spectrum
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
 
-__all__ = ["StepVerdict", "growth_warnings", "step_size_verdict"]
+__all__ = ["StepVerdict", "growth_warnings", "step_size_verdict", "step_times_eigenvalue"]
 
 
 _REACH = {Method.DORMAND_PRINCE: 3.3, Method.DOP853: 6.1}
@@ -51,6 +52,13 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
         mend = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
         return StepVerdict(highest, dt_omega, True, f"rk4 is stable but inaccurate at this step: {told}; {mend}")
     return StepVerdict(highest, dt_omega, True)
+
+
+def step_times_eigenvalue(verdict: StepVerdict, statistics: dict[str, Any]) -> float | None:
+    """dt*omega of a run: of its fixed step, or of its mean one where the method chose; None before any step."""
+    if verdict.dt_omega is not None or not statistics.get("mean_step_s"):
+        return verdict.dt_omega
+    return float(statistics["mean_step_s"] * verdict.highest)
 
 
 def growth_warnings(spectrum: Spectrum, whose: str, causes: str) -> list[str]:

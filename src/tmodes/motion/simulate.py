@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.analysis.modes import Spectrum
-from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict
+from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict, step_times_eigenvalue
 from tmodes.arm import Arm, ArmPair
 from tmodes.arm.parts import Command
 from tmodes.errors import InputError
@@ -84,7 +84,8 @@ def simulate_arm(
         ending, semicolon, later_on = trajectory.message.partition("; ")
         trajectory.message = f"{ending}, {why}{semicolon}{later_on}"
     run = gathered(real, trajectory, rows)
-    statistics = run.statistics | {"highest_eigenvalue": verdict.highest}
+    dt_omega = step_times_eigenvalue(verdict, run.statistics)
+    statistics = run.statistics | {"highest_eigenvalue": verdict.highest, "dt_omega": dt_omega}
     return replace(run, warnings=(*warnings, *run_warnings(run)), reference=reference, statistics=statistics)
 
 
