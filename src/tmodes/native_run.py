@@ -87,26 +87,34 @@ class NativeRun:
         """Number of samples written."""
         return int(self.cell("sample"))
 
+    @property
+    def loop(self) -> Any:
+        """The native loop of the present part of the run."""
+        return self.model.loops[self.settings.method.value]
+
     def advance(self, steps: int) -> None:
         """Let the native loop do at most so many steps, and no more than the settings allow."""
-        s = self.settings
         steps = min(steps, max(1, self.first.max_steps - int(self.cell("steps") + self.cell("rejected"))))
+        values = self.arguments(steps).values()
+        self.loop(*(value if isinstance(value, int) else value.ctypes.data for value in values))
+        if self.status is Status.STIFF:
+            self._on_stiff()
+
+    def arguments(self, steps: int) -> dict[str, Any]:
+        """Those of the native loop, for at most so many steps: arrays, and whole numbers."""
+        s = self.settings
         watch = self.otherwise is not None and self.part[0] == 0 and self.cell("stiff_time") == 0
         chosen = {
             "step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "chunk": float(steps),
             "bound": BOUND, "watch": float(watch), "most_events": MOST_EVENTS, "event_time": EVENT_TIME,
         }  # fmt: skip
-        options = np.array([chosen[name] for name in OPTIONS], dtype=float)
-        arrays = {
+        given: dict[str, Any] = {
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
-            "rows": self.rows, "times": self.times, "out": self.samples, "options": options,
-            "errors": self.errors, "errors_out": self.errors_out,
+            "rows": self.rows, "times": self.times, "out": self.samples, "errors": self.errors,
+            "errors_out": self.errors_out, "segments": len(self.rows), "samples": len(self.times),
+            "options": np.array([chosen[name] for name in OPTIONS], dtype=float),
         }  # fmt: skip
-        addresses = {name: array.ctypes.data for name, array in arrays.items()}
-        counts = {"segments": len(self.rows), "samples": len(self.times)}
-        self.model.loops[s.method.value](*((addresses | counts)[name] for name in ARGUMENTS))
-        if self.status is Status.STIFF:
-            self._on_stiff()
+        return {name: given[name] for name in ARGUMENTS}
 
     def _on_stiff(self) -> None:
         """Go on: with the other method where enough of the run is left, else with the same one, unwatched."""
