@@ -10,7 +10,7 @@ from typing import Any
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["sample_functions", "schedule_function", "schedule_loops", "time_loops"]
+__all__ = ["implicit_loops", "sample_functions", "schedule_function", "schedule_loops", "time_loops"]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -136,10 +136,10 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
     )
 
 
-def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Library:
-    """The native time loops around a schedule whose inputs are time, state, row and step, its output the state's rate.
+def schedule_loops(name: str, schedule: Any, guarded: int) -> Library:
+    """The explicit time loops around a schedule whose inputs are time, state, row and step, its output the state's rate.
 
-    The state begins with ``pairs`` coordinates and as many rates. Loops: rk4, dormand_prince, extrapolation.
+    Loops: rk4, dormand_prince.
     """
     from tmodes.compile.time_loop import ARGUMENTS
 
@@ -148,15 +148,35 @@ def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
 
         from tmodes.compile.block import write_rate
         from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
-        from tmodes.compile.extrapolation_loop import write_extrapolation_loop
         from tmodes.compile.rk4_loop import write_rk4_loop
 
         module = ir.Module(name)
         rate = write_rate(module, schedule, _arithmetic("double")(module), "rate")
         write_rk4_loop(module, "rk4", rate, guarded)
         write_dormand_prince_loop(module, "dormand_prince", rate, guarded)
+        return module
+
+    functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince"), len(ARGUMENTS))
+    return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))
+
+
+def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Library:
+    """The loops of implicit steps around a schedule that has the input ``start`` too.
+
+    The state begins with ``pairs`` coordinates and as many rates. Loops: extrapolation.
+    """
+    from tmodes.compile.time_loop import ARGUMENTS
+
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.block import write_rate
+        from tmodes.compile.extrapolation_loop import write_extrapolation_loop
+
+        module = ir.Module(name)
+        rate = write_rate(module, schedule, _arithmetic("double")(module), "rate")
         write_extrapolation_loop(module, "extrapolation", rate, guarded, pairs=pairs)
         return module
 
-    functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince", "extrapolation"), len(ARGUMENTS))
+    functions: dict[str, int] = dict.fromkeys(("extrapolation",), len(ARGUMENTS))
     return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))
