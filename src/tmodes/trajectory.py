@@ -210,6 +210,8 @@ class _Run:
         value = f"its acceleration is {accelerations[wildest]:.3g} rad/s^2"
         if self.status is Status.STEP_TOO_SMALL:
             return f"{where}: {value} and no step is small enough (last {self.cell('h'):.3g} s)"
+        if self.status is Status.NOT_CONVERGED:
+            return f"{where}: {value} and the iterations of a step of {self.cell('h'):.3g} s do not converge"
         return f"{where}: {value}; its next step leaves {BOUND:g} rad or rad/s"
 
     def _rates_now(self) -> NDArray[np.float64]:
@@ -218,6 +220,6 @@ class _Run:
 
     def trajectory(self, status: str, message: str) -> Trajectory:
         counts: dict[str, float] = {name: int(self.cell(name)) for name in ("steps", "rejected", "evaluations")}
-        if self.settings.method is Method.RK4:
+        if self.settings.method in (Method.RK4, Method.MIDPOINT):
             counts["step"] = self.cell("h")
         return Trajectory(self.times[: self.done], self.samples[: self.done], status, message, counts)

@@ -52,7 +52,7 @@ class DenseOutput:
                 told = difference_weights(rows, order) if 1 <= order < rows else []
                 numbers += told + [0.0] * (self.count - len(told))
         kind = ir.ArrayType(F64, len(numbers))
-        table = ir.GlobalVariable(self.loop.module, kind, f"{self.loop.function.name}.differences")
+        table: Any = ir.GlobalVariable(self.loop.module, kind, f"{self.loop.function.name}.differences")
         table.global_constant, table.linkage = True, "internal"
         table.initializer = ir.Constant(kind, numbers)
         return self.b.bitcast(table, POINTER)

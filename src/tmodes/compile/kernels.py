@@ -10,7 +10,7 @@ from typing import Any
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["implicit_loops", "sample_functions", "schedule_function", "schedule_loops", "time_loops"]
+__all__ = ["implicit_loops", "rosenbrock_loop", "sample_functions", "schedule_function", "schedule_loops", "time_loops"]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -137,7 +137,7 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
 
 
 def schedule_loops(name: str, schedule: Any, guarded: int) -> Library:
-    """The explicit time loops around a schedule whose inputs are time, state, row and step, its output the state's rate.
+    """The explicit time loops around a schedule whose inputs are time, state, row and step, its output their rate.
 
     Loops: rk4, dormand_prince.
     """
@@ -163,7 +163,7 @@ def schedule_loops(name: str, schedule: Any, guarded: int) -> Library:
 def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Library:
     """The loops of implicit steps around a schedule that has the input ``start`` too.
 
-    The state begins with ``pairs`` coordinates and as many rates. Loops: extrapolation.
+    The state begins with ``pairs`` coordinates and as many rates. Loops: extrapolation, midpoint.
     """
     from tmodes.compile.time_loop import ARGUMENTS
 
@@ -172,11 +172,35 @@ def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
 
         from tmodes.compile.block import write_rate
         from tmodes.compile.extrapolation_loop import write_extrapolation_loop
+        from tmodes.compile.midpoint_loop import write_midpoint_loop
 
         module = ir.Module(name)
         rate = write_rate(module, schedule, _arithmetic("double")(module), "rate")
+        write_midpoint_loop(module, "midpoint", rate, guarded, pairs=pairs)
         write_extrapolation_loop(module, "extrapolation", rate, guarded, pairs=pairs)
         return module
 
-    functions: dict[str, int] = dict.fromkeys(("extrapolation",), len(ARGUMENTS))
+    functions: dict[str, int] = dict.fromkeys(("extrapolation", "midpoint"), len(ARGUMENTS))
     return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))
+
+
+def rosenbrock_loop(name: str, schedule: Any, guarded: int, pairs: int, columns: int) -> Library:
+    """The loop of a Rosenbrock method, with the exact Jacobian by the first ``columns`` numbers of the state."""
+    from tmodes.compile.time_loop import ARGUMENTS
+
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.block import write_rate
+        from tmodes.compile.rosenbrock_loop import write_rosenbrock_loop
+
+        module = ir.Module(name)
+        rate = write_rate(module, schedule, _arithmetic("double")(module), "rate")
+        more = {"schedule": schedule, "pairs": pairs, "columns": columns}
+        write_rosenbrock_loop(module, "rosenbrock", rate, guarded, **more)
+        return module
+
+    def imports() -> dict[str, Library]:
+        return _kernels_of(schedule, "double") | _kernels_of(schedule, "derivative")
+
+    return _library(name, f"{schedule.key} {columns}", write, {"rosenbrock": len(ARGUMENTS)}, 1, imports)

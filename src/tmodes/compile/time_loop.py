@@ -36,6 +36,7 @@ class Status(IntEnum):
     FINISHED = 1
     DIVERGED = 2
     STEP_TOO_SMALL = 3
+    NOT_CONVERGED = 4
 
 
 class TimeLoop:

@@ -18,11 +18,13 @@ MOST_BYTES = 1_800_000_000
 
 
 class Method(StrEnum):
-    """The integrators that files and the command line can name; ``auto`` and ``extrapolation`` are for arms."""
+    """The integrators that files and the command line can name; all but the first two are for arms."""
 
     DORMAND_PRINCE = "dormand_prince"
     RK4 = "rk4"
     EXTRAPOLATION = "extrapolation"
+    MIDPOINT = "midpoint"
+    ROSENBROCK = "rosenbrock"
     AUTO = "auto"
 
 
@@ -77,7 +79,7 @@ class Integration(DataSheet):
             yield Misfit("output_step", got, f"at most {self._size(most_samples)}", mend)
 
     def _stepping_misfits(self) -> Iterator[Misfit]:
-        if self.method is not Method.RK4:
+        if self.method not in (Method.RK4, Method.MIDPOINT):
             return
         steps = self.duration / self.step
         if self.step > self.duration:

@@ -40,7 +40,7 @@ class Instant:
         self.step = self.schedule.input("step", 1)
         self.signals = [self._signal(k) for k in range(loop.plan.signals)]
         self.way = self._outwards()
-        self.start = self._start(apart=apart)
+        self.apart, self.start = apart, self._start(apart=apart)
         self.efforts: dict[int, Slot] = {}
         self.told: dict[int, Slot] = {}
         self.change: dict[int, Slot] = {}
@@ -136,14 +136,13 @@ class Instant:
                 else:
                     given[plan.joint] = signal.part(2, 1)
                 continue
-            place = driver.coordinate
-            angle, speed = (block.part(place, 1) for block in self.start)
-            blocks = (driver.numbers, signal, angle, speed, self._current(driver), self.step)
-            found = self.call(plan.servo.kernel(), *blocks)
+            found = self._serve(driver, *self.start)
             efforts[plan.joint], feedback[plan.joint], change, self.told[k] = found
+            self.efforts[k] = efforts[plan.joint]
+            if self.apart:  # what is told and works is the effort where the state is
+                self.efforts[k], _, _, self.told[k] = self._serve(driver, self.way.q, self.way.v)
             if driver.current >= 0:
                 self.change[driver.current] = change
-            self.efforts[k] = efforts[plan.joint]
         parts, none = self.parts, self.none
         effort = self.pack(*(efforts.get(name, none[1]) for name in parts.efforts))
         swing = self.pack(*(feedback.get(name, none[2]) for name in parts.efforts))
@@ -151,6 +150,13 @@ class Instant:
         recursion = Recursion(self.way, effort, moved, self.step, self.start, feedback=swing)
         recursion.followed = followed
         return recursion
+
+    def _serve(self, driver: Driver, q: Slot, rates: Slot) -> tuple[Slot, ...]:
+        """The servo's effort, feedback, rate of the current, and what is told, at coordinates and rates."""
+        place, signal = driver.coordinate, self.signals[driver.plan.signal]
+        assert driver.plan.servo is not None  # noqa: S101
+        blocks = (driver.numbers, signal, q.part(place, 1), rates.part(place, 1), self._current(driver), self.step)
+        return self.call(driver.plan.servo.kernel(), *blocks)
 
     def _current(self, driver: Driver) -> Slot:
         if driver.current < 0:
