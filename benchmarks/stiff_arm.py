@@ -13,7 +13,7 @@ from tmodes.analysis.equilibrium_arm import arm_rest
 from tmodes.arm import Arm
 from tmodes.arm_model import ArmModel
 
-__all__ = ["DAMPING_TIME", "stiff_arm"]
+__all__ = ["DAMPING_TIME", "falling_arm", "stiff_arm"]
 
 DAMPING_TIME = 3e-5
 """Kelvin-Voigt damping of the links [s]."""
@@ -70,5 +70,17 @@ def _sheet(angles: dict[str, float], damping_time: float, integration: dict[str,
         "links": [_link(k, damping_time) for k in range(6)],
         "drives": [_drive(k) for k in range(6)],
         "initial": {"state": "zero", "coordinates": angles},
+        "integration": {"duration": 1.0, "output_step": 0.01, **integration},
+    })  # fmt: skip
+
+
+def falling_arm(**integration: Any) -> Arm:
+    """The same tubes, gears and load with motors that stand, straight and level at first: it falls into its gears."""
+    joints = [{**_joint(k), "state": "locked"} for k in range(6)]
+    for joint in joints:
+        del joint["motor"]
+    return Arm.from_data({
+        "format": 1, "kind": "arm", "name": "falling", "gravity": 9.81, "joints": joints,
+        "links": [_link(k, DAMPING_TIME) for k in range(6)], "initial": {"state": "zero"},
         "integration": {"duration": 1.0, "output_step": 0.01, **integration},
     })  # fmt: skip

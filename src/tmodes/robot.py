@@ -83,7 +83,7 @@ class Robot(DataSheet):
     def _explicit_steps(self) -> Robot:
         """The equations of the paper's robot have no implicit steps."""
         method = self.integration.method
-        if method in (Method.AUTO, Method.EXTRAPOLATION):
+        if method in (Method.AUTO, Method.EXTRAPOLATION, Method.MIDPOINT, Method.ROSENBROCK):
             expected = f"{Method.DORMAND_PRINCE} or {Method.RK4}"
             refuse([Misfit("integration.method", method.value, expected, f"write {Method.DORMAND_PRINCE}")])
         return self

@@ -81,8 +81,8 @@ class _Middle:
         on = loop.block("not_yet")
         b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), done, on)
         b.position_at_end(on)
-        loop.stop_if(b.not_(loop.within_bounds("ahead")), Status.DIVERGED)
-        loop.stop_if(b.fcmp_ordered(">=", rounds, number(float(ITERATIONS))), Status.NOT_CONVERGED)
+        too_many = b.fcmp_ordered(">=", rounds, number(float(ITERATIONS)))
+        loop.stop_if(b.or_(too_many, b.not_(loop.within_bounds("ahead"))), Status.NOT_CONVERGED)
         b.branch(turn)
         b.position_at_end(done)
 
