@@ -30,7 +30,7 @@ __all__ = ["Fall", "fall"]
 
 
 class Fall(NamedTuple):
-    """Wall time of the solver alone [s], and the tip at each sample [m], shape (samples, 3)."""
+    """Processor time of the solver alone [s], and the tip at each sample [m], shape (samples, 3)."""
 
     seconds: float
     tip: NDArray[np.float64]
@@ -55,7 +55,7 @@ def _links(system: Any, chain: Chain, elements: int) -> int:
     node = -1
     for part in chain.nodes:
         link, joint = part.link, part.joint
-        assert isinstance(link, Beam)  # noqa: S101
+        assert isinstance(link, Beam)
         nodes = [_node(system, start + link.length * k / elements) for k in range(elements + 1)]
         for k in range(elements):
             beam = items.ObjectBeamGeometricallyExact(
@@ -67,7 +67,7 @@ def _links(system: Any, chain: Chain, elements: int) -> int:
         frames = {"markerNumbers": [marker, root], "rotationMarker0": turned, "rotationMarker1": turned}
         system.AddObject(items.ObjectJointGeneric(constrainedAxes=[1, 1, 1, 1, 1, 0], **frames))
         gear = joint.gear
-        assert gear is not None  # noqa: S101
+        assert gear is not None
         spring = {"stiffness": gear.stiffness[0], "damping": gear.damping}
         system.AddObject(items.ObjectConnectorTorsionalSpringDamper(**frames, **spring))
         start, node = start + link.length, nodes[-1]
@@ -119,14 +119,12 @@ def fall(
     settings.timeIntegration.generalizedAlpha.spectralRadius = spectral_radius
     settings.timeIntegration.newton.useModifiedNewton = modified_newton
     settings.timeIntegration.newton.relativeTolerance = newton_tolerance
-    settings.linearSolver.solverType = (
-        exu.LinearSolverType.EigenSparse if sparse else exu.LinearSolverType.EXUdense
-    )
+    settings.linearSolver.solverType = exu.LinearSolverType.EigenSparse if sparse else exu.LinearSolverType.EXUdense
     settings.solutionSettings.sensorsWritePeriod = duration / (samples - 1)
     settings.solutionSettings.writeSolutionToFile = False
-    began = time.perf_counter()
+    began = time.process_time()
     done = system.SolveDynamic(settings, solverType=exu.DynamicSolverType.GeneralizedAlpha)
-    seconds = time.perf_counter() - began
+    seconds = time.process_time() - began
     if not done:
         raise ArithmeticError("Exudyn's solver stopped early")
     return Fall(seconds, system.GetSensorStoredData(sensor)[:, 1:4])

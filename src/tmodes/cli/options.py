@@ -62,7 +62,7 @@ TrustPaths = Annotated[
 ]
 IntegratorOption = Annotated[
     str | None,
-    typer.Option("--integrator", metavar="METHOD", help="dormand_prince or rk4; of arms also extrapolation or auto."),
+    typer.Option("--integrator", metavar="METHOD", help="dormand_prince or rk4; of arms also extrapolation, midpoint, rosenbrock, auto."),
 ]
 Tolerance = Annotated[
     float | None, typer.Option("--rtol", metavar="SHARE", help="integration.relative_tolerance, per step.")

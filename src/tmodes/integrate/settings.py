@@ -42,12 +42,12 @@ class Integration(DataSheet):
         "-", "s", "points of each mode at which the elastic line is kept, its ends included", default=21, at_most=1001
     )
     relative_tolerance: float = positive(
-        "-", "rtol", "error allowed per step, relative (dormand_prince)", default=1e-9, at_most=1e-2, smallest=1e-13
+        "-", "rtol", "error allowed per step, relative (adaptive methods)", default=1e-9, at_most=1e-2, smallest=1e-13
     )
     absolute_tolerance: float = positive(
         "rad",
         "atol",
-        "error allowed per step, absolute (dormand_prince)",
+        "error allowed per step, absolute (adaptive methods)",
         default=1e-12,
         at_most=1e-2,
         smallest=1e-18,

@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import arm, beam, pendulum, torque
-from tmodes.arm import Arm
 from tmodes import trajectory
+from tmodes.arm import Arm
 from tmodes.compile.extrapolation_dense import difference_weights
 from tmodes.errors import CompileError, InputErrors
 from tmodes.motion.regime import arm_regime, run_arm_regime
@@ -219,5 +219,5 @@ def test_rosenbrock_refuses_what_its_memory_cannot_hold() -> None:
 def test_the_paper_robot_refuses_methods_of_arms(method: str) -> None:
     from tmodes.robots.load import load_sheet
 
-    with pytest.raises(InputErrors, match="integration.method"):
+    with pytest.raises(InputErrors, match=r"integration\.method"):
         load_sheet("filipovic2010", {"integration.method": method})
