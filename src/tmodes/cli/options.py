@@ -62,7 +62,11 @@ TrustPaths = Annotated[
 ]
 IntegratorOption = Annotated[
     str | None,
-    typer.Option("--integrator", metavar="METHOD", help="dormand_prince or rk4; of arms also extrapolation, midpoint, rosenbrock, auto."),
+    typer.Option(
+        "--integrator",
+        metavar="METHOD",
+        help="dormand_prince or rk4; of arms also extrapolation, midpoint, rosenbrock or auto.",
+    ),
 ]
 Tolerance = Annotated[
     float | None, typer.Option("--rtol", metavar="SHARE", help="integration.relative_tolerance, per step.")
