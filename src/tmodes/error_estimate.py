@@ -15,8 +15,8 @@ def with_error(run: Trajectory, settings: Integration, again: Callable[[Integrat
     """The run with an estimate of its error at each sample; ``again`` runs the same with other settings.
 
     - ``check_error``: from a run with a tenth of the tolerances, whose error is a tenth as large (tolerance
-      proportionality); of rk4 with half the step, whose error is a sixteenth (Richardson);
-    - else of rk4: from a run with twice the step, at half the cost; none where that one is unstable;
+      proportionality); at fixed step with half of it, whose error is 1/16 (rk4) or 1/4 (midpoint) of it (Richardson);
+    - else at fixed step: from a run with twice the step, at half the cost; none where that one is unstable;
     - else the sizes of the local errors, summed over the steps as the method tells them of each component. It bounds
       what motions that do not grow make of them; it is mostly far too large, because what goes on is the solution of
       higher order. Where a motion is unstable, or its frequency changes with its energy, errors grow faster than this
@@ -24,8 +24,8 @@ def with_error(run: Trajectory, settings: Integration, again: Callable[[Integrat
 
     A second run that does not reach the end tells nothing. Interrupted within it, the run counts as interrupted.
     """
-    rk4 = settings.method is Method.RK4
-    if run.status != "finished" or not (rk4 or settings.check_error):
+    order = _ORDERS.get(settings.method)
+    if run.status != "finished" or not (order or settings.check_error):
         return run
     other = again(settings.finer() if settings.check_error else settings.coarser())
     seconds = run.seconds + other.seconds
@@ -34,12 +34,18 @@ def with_error(run: Trajectory, settings: Integration, again: Callable[[Integrat
         return replace(run, status="interrupted", message=message, seconds=seconds)
     if other.status != "finished":
         return replace(run, seconds=seconds)
-    share, how = (_FINER[rk4]) if settings.check_error else (-1 / 15, "run with twice the step")
+    share, how = _share(order, finer=settings.check_error)
     return replace(run, error=ErrorEstimate(share * (other.states - run.states), how, signed=True), seconds=seconds)
 
 
-_FINER = {
-    True: (16 / 15, "run with half the step"),
-    False: (10 / 9, "run with a tenth of the tolerances"),
-}
-"""What the difference to the finer run is multiplied with: of rk4 or not."""
+_ORDERS = {Method.RK4: 4, Method.MIDPOINT: 2}
+"""Of the methods with a fixed step."""
+
+
+def _share(order: int | None, *, finer: bool) -> tuple[float, str]:
+    """What the difference to the other run is multiplied with, and what that run is."""
+    if order is None:
+        return 10 / 9, "run with a tenth of the tolerances"
+    if finer:
+        return 2**order / (2**order - 1), "run with half the step"
+    return -1 / (2**order - 1), "run with twice the step"

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile import kernels
+from tmodes.compile import kernels, loops
 from tmodes.equations.coordinates import basis, deformation_basis, free_columns, free_deformations
 from tmodes.equations.layout import COORDINATES, EVALUATED, LINE, OBSERVED, STATE_SIZE
 from tmodes.errors import SimulationError
@@ -170,7 +170,7 @@ class Model:
 
             return rate_function(closed_loop(self.mechanism))
 
-        return kernels.time_loops("loops", self.mechanism.key, make, guarded=12)
+        return loops.time_loops("loops", self.mechanism.key, make, guarded=12)
 
     @cached_property
     def _observation(self) -> Any:

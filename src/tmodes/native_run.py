@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.choice import worth_switching
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import FIXED_STEP, Integration, Method
 from tmodes.reference.schedule import Schedule
 from tmodes.run_parts import ErrorEstimate, Moving, Numbers, Trajectory, sample_times
 
@@ -23,7 +23,7 @@ BOUND = 1e8
 MOST_EVENTS, EVENT_TIME = 1000, 1e-3
 """A contact that sets in and ends more often than this within this time [s] chatters: no motion gets through that."""
 
-_TELLING = {Method.DORMAND_PRINCE, Method.DOP853, Method.EXTRAPOLATION}
+_TELLING = {Method.DORMAND_PRINCE, Method.DOP853, Method.EXTRAPOLATION, Method.ROSENBROCK}
 """Methods whose loops sum their local errors."""
 
 _COUNTED = ("steps", "rejected", "evaluations")
@@ -189,7 +189,7 @@ class NativeRun:
         told |= {"method": self.settings.method.value, "mean_step_s": t / steps if steps else None}
         smallest = [value for value in (float(self.part[-1]), self.cell("smallest")) if value > 0]
         told["smallest_step_s"] = min(smallest, default=told["mean_step_s"])
-        if self.settings.method is Method.RK4:
+        if self.settings.method in FIXED_STEP:
             told["step"] = self.cell("h")
         if self.cell("events"):
             told["contact_changes"] = int(self.cell("events"))
@@ -218,6 +218,8 @@ class NativeRun:
         if self.status is Status.STEP_TOO_SMALL:
             mend = "raise integration.relative_tolerance where rounding alone is larger"
             return f"{where}: {value} and no step is small enough (last {self.cell('h'):.3g} s); {mend}"
+        if self.status is Status.NOT_CONVERGED:
+            return f"{where}: {value} and the iterations of a step of {self.cell('h'):.3g} s do not converge"
         return f"{where}: {value}; its next step leaves {BOUND:g} rad or rad/s"
 
     def _rates_now(self) -> Array:

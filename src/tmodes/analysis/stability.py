@@ -37,6 +37,8 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
     eigenvalues = spectrum.eigenvalues
     highest = float(np.abs(eigenvalues).max(initial=0.0))
     coordinate = spectrum.homes[int(np.argmax(np.abs(eigenvalues)))] if highest else "none"
+    if settings.method is Method.MIDPOINT:
+        return StepVerdict(highest, settings.step * highest, True)
     if settings.method is not Method.RK4:
         if settings.method in _REACH:
             _refuse_too_stiff(settings, highest, coordinate)

@@ -127,7 +127,8 @@ class ScheduleRate:
     """A schedule as the right-hand side of the time loops: what :class:`tmodes.compile.lower.Lowered` is to a program.
 
     ``step_offset``: where in the held memory the length of an implicit step is put; ``gate_offset``: where two numbers
-    stand that are both positive while a force acts that sets in and ends; None where there is none.
+    stand that are both positive while a force acts that sets in and ends; None where there is none. ``call_from``: as
+    ``call`` with one more pointer after the state, to the coordinates and rates that springs start from.
     """
 
     prepare: Any
@@ -137,13 +138,14 @@ class ScheduleRate:
     row: int
     step_offset: int | None
     gate_offset: int | None = None
+    call_from: Any = None
 
 
 def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> ScheduleRate:
     """Functions ``prepare(parameters, held)`` and ``call(time, state, row, held, out)`` for the time loops.
 
-    The schedule has the inputs ``time`` (1), ``state``, ``row`` and, where its steps may be implicit, ``step`` (1); its
-    outputs are the rate of the state. ``held`` is its workspace.
+    The schedule has the inputs ``time`` (1), ``state``, ``row`` and, where its steps may be implicit, ``step`` (1) and
+    ``start``; its outputs are the rate of the state. ``held`` is its workspace.
     """
     main = write_main(module, schedule, arithmetic, f"{name}.main")
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
@@ -152,20 +154,31 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
     if "step" in schedule.inputs:
         store(b, ir.Constant(F64, 0.0), prepare.args[1], schedule.offset(schedule.inputs["step"]))
     b.ret_void()
-    kinds = [("time", F64), ("state", POINTER), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
-    call = declare(module, f"{name}.call", VOID, kinds, private=True)
+    call = _write_call(module, schedule, main, f"{name}.call", ("state", "row"))
+    apart = ("state", "start", "row")
+    call_from = _write_call(module, schedule, main, f"{name}.call_from", apart) if "start" in schedule.inputs else None
+    row, step = schedule.inputs["row"].size, schedule.inputs.get("step")
+    offset = schedule.offset(step) if step else None
+    gate = schedule.offset(schedule.gate) if schedule.gate else None
+    return ScheduleRate(prepare, call, schedule.workspace, schedule.output_size, row, offset, gate, call_from)
+
+
+def _write_call(module: Any, schedule: Any, main: Any, name: str, taken: tuple[str, ...]) -> Any:
+    """The private function ``name(time, taken..., held, out)``; springs start from the state where nothing is told."""
+    kinds = [("time", F64), *((label, POINTER) for label in (*taken, "held", "out"))]
+    call = declare(module, name, VOID, kinds, private=True)
     call.attributes.add("noinline")
-    time, state, row, held, out = call.args
+    time, *pointers, held, out = call.args
     b = ir.IRBuilder(call.append_basic_block("entry"))
     store(b, time, held, schedule.offset(schedule.inputs["time"]))
-    for source, label in ((state, "state"), (row, "row")):
+    sources = dict(zip(taken, pointers, strict=True))
+    if "start" in schedule.inputs:
+        sources.setdefault("start", sources["state"])
+    for label, source in sources.items():
         slot = schedule.inputs[label]
         _copy_rows(b, source, held, [(schedule.offset(slot), slot.size)], 1, into=True)
     b.call(main, [held])
     blocks = [(schedule.offset(slot), slot.size) for slots in schedule.outputs.values() for slot in slots]
     _copy_rows(b, out, held, blocks, 1, into=False)
     b.ret_void()
-    row, step = schedule.inputs["row"].size, schedule.inputs.get("step")
-    offset = schedule.offset(step) if step else None
-    gate = schedule.offset(schedule.gate) if schedule.gate else None
-    return ScheduleRate(prepare, call, schedule.workspace, schedule.output_size, row, offset, gate)
+    return call

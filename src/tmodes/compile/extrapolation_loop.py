@@ -1,9 +1,8 @@
-"""Extrapolated linearly implicit Euler steps, adaptive, as a native loop: for stiff arms, without a Jacobian.
+"""Extrapolated linearly implicit Euler steps, adaptive in step and order, as a native loop: for stiff arms.
 
-A step of h is one evaluation of the accelerations with h D + h^2 K inside the recursion: v+ = v + h a, q+ = q + h v+.
 Row j of the tableau takes j such steps over the whole length, and the Aitken-Neville scheme raises the order by one
-with each row: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, section IV.9 (SEULEX, n_j = j);
-P. Deuflhard, SIAM Review 27 (1985) 505-535. Rows are added until the last two agree within the tolerance.
+with each row; step and order follow from the least work per time: E. Hairer, G. Wanner, Solving Ordinary Differential
+Equations II, section IV.9 (SEULEX, n_j = j); P. Deuflhard, SIAM Review 27 (1985) 505-535. No Jacobian is needed.
 """
 
 from __future__ import annotations
@@ -11,73 +10,73 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.compile.block import ScheduleRate
-from tmodes.compile.emit import F64, counted, load, number, store, whole
+from tmodes.compile.emit import F64, I64, counted, load, number, store, whole
+from tmodes.compile.extrapolation_dense import DenseOutput
 from tmodes.compile.gate import Gate
-from tmodes.compile.step_control import add_local_errors, mean_square, power
+from tmodes.compile.implicit_step import ImplicitStep, refuse_explicit_only
+from tmodes.compile.motion_norm import MotionNorm
+from tmodes.compile.step_control import add_local_errors, power
 from tmodes.compile.time_loop import Status, TimeLoop
-from tmodes.errors import CompileError
 
 __all__ = ["ROWS", "write_extrapolation_loop"]
 
 ROWS = 8
 """Most rows of the tableau: 36 evaluations; more would lose to rounding what they gain in order."""
 
-_SAFETY, _SMALLEST, _LARGEST, _FIRST, _ROUNDING = 0.8, 0.2, 4.0, 1e-4, 1e-12
+_FIRST_ROWS, _FIRST_STEP = 4, 1e-4
+_SAFETY, _SMALLEST, _LARGEST, _REJECTED = 0.9, 0.1, 6.0, 0.7
+_GAIN = 0.9
+"""Another order is taken where its work per time is below this share."""
 
 
 def write_extrapolation_loop(module: Any, name: str, lowered: ScheduleRate, guarded: int, *, pairs: int) -> None:
-    """Write the loop; every step ends on a knot or on the next sample.
+    """Write the loop; steps end on knots, samples are interpolated.
 
-    The state begins with ``pairs`` coordinates and as many rates; what follows takes explicit Euler steps. The length
-    of a step is put into the held memory. Raises :class:`CompileError` for a schedule without such a place.
+    The state begins with ``pairs`` coordinates and as many rates; what follows takes explicit Euler steps. Raises
+    :class:`CompileError` for a schedule without inputs for implicit steps.
     """
-    if lowered.step_offset is None:
-        raise CompileError(f"{name}: the schedule has no input `step` for implicit steps")
-    tableau = tuple(f"row{m}" for m in range(ROWS))
-    loop = TimeLoop(module, name, lowered, (*tableau, "x", "slope", "kept", "new"), guarded)
-    _Writer(loop, pairs, lowered.step_offset, lowered.gate_offset).write()
+    refuse_explicit_only(name, lowered)
+    arrays = (*(f"row{m}" for m in range(ROWS)), "x", "ahead", "start", "slope", "new", "apart")
+    loop = TimeLoop(module, name, lowered, arrays, guarded)
+    _Writer(loop, lowered, pairs).write()
 
 
 class _Writer:
-    """Writes the body of the loop."""
+    """Writes the body of the loop; the cell ``old_error`` holds the number of rows that is aimed at."""
 
-    def __init__(self, loop: TimeLoop, pairs: int, step_offset: int, gate_offset: int | None) -> None:
-        self.loop, self.pairs, self.step_offset = loop, pairs, step_offset
-        self.b: Any = loop.builder
-        self.error, self.rows, self.time = loop.local("error"), loop.local("rows"), loop.local("time")
-        self.gate = Gate(loop, gate_offset)
+    def __init__(self, loop: TimeLoop, lowered: ScheduleRate, pairs: int) -> None:
+        self.loop, self.b = loop, loop.builder
+        self.step, self.norm = ImplicitStep(loop, lowered, pairs), MotionNorm(loop, pairs)
+        self.gate, self.dense = Gate(loop, lowered.gate_offset), DenseOutput(loop, ROWS)
+        self.time = loop.local("time")
+        with self.b.goto_entry_block():
+            self.rows = self.b.alloca(I64, name="rows")
+            # By the number of rows: the step that this order could take next, and its work per time.
+            self.lengths = self.b.alloca(F64, size=whole(ROWS + 1), name="lengths")
+            self.works = self.b.alloca(F64, size=whole(ROWS + 1), name="works")
 
     def write(self) -> None:
         """One attempt of a step, from the block ``again`` back to it."""
         loop, b = self.loop, self.b
         self.gate.begin("y", "slope")
         with b.if_then(b.fcmp_ordered("<=", loop.get("h"), number(0.0)), likely=False):
-            loop.put("h", loop.intrinsic("minnum", number(_FIRST), b.fsub(loop.knot(1), loop.knot(0))))
+            loop.put("h", loop.intrinsic("minnum", number(_FIRST_STEP), b.fsub(loop.knot(1), loop.knot(0))))
+        with b.if_then(b.fcmp_ordered("<", loop.get("old_error"), number(2.0)), likely=False):
+            loop.put("old_error", number(float(_FIRST_ROWS)))
         time, wanted = loop.get("t"), loop.get("h")
-        h, last, time_after = loop.step_until(self._next_stop())
-        judged = loop.block("judged")
+        h, last, time_after = loop.step_until(loop.knot(1))
+        self.dense.keep(whole(0), "y")
+        store(b, number(1e300), self.works, 1)
+        accepted, rejected = loop.block("accepted"), loop.block("rejected")
         for row in range(1, ROWS + 1):
             self._row(row, time, h)
             if row >= 2:
-                self._judge(row, judged)
-        b.branch(judged)
-        b.position_at_end(judged)
-        self._finish(h, wanted, last, time_after)
-
-    def _next_stop(self) -> Any:
-        """The end of the segment, or the next sample before it."""
-        loop, b = self.loop, self.b
-        knot = loop.knot(1)
-        left = b.icmp_signed("<", loop.integer("sample"), loop.argument["samples"])
-        index = b.select(left, loop.integer("sample"), whole(0))
-        sample = load(b, loop.argument["times"], index)
-        # A sample and a knot that are one but for rounding are met together.
-        near = self._rounding(knot)
-        ahead = b.and_(left, b.fcmp_ordered(">", sample, b.fadd(loop.get("t"), near)))
-        return b.select(b.and_(ahead, b.fcmp_ordered("<", sample, b.fsub(knot, near))), sample, knot)
-
-    def _rounding(self, time: Any) -> Any:
-        return self.b.fmul(number(_ROUNDING), self.loop.intrinsic("maxnum", time, number(1e-3)))
+                self._judge(row, h, accepted, rejected)
+        b.branch(rejected)
+        b.position_at_end(rejected)
+        self._reject(h)
+        b.position_at_end(accepted)
+        self._accept(h, wanted, last, time_after)
 
     def _row(self, row: int, time: Any, h: Any) -> None:
         """``row`` equal steps into x, then one more column for each row before."""
@@ -85,11 +84,10 @@ class _Writer:
         part = b.fdiv(h, number(float(row)))
         loop.copy("x", "y")
         b.store(time, self.time)
-        with counted(b, row, f"step{row}"):
-            store(b, part, loop.held, self.step_offset)
-            loop.evaluate(b.load(self.time, typ=F64), "x", "slope")
-            self._euler(part)
+        with counted(b, row, f"step{row}") as k:
             b.store(b.fadd(b.load(self.time, typ=F64), part), self.time)
+            self.step.euler(b.load(self.time, typ=F64), part, "x", "slope")
+            self.dense.keep(b.add(k, whole(1 + row * (row - 1) // 2)), "x")
         for column in range(1, row):
             share = number(1.0 / (row / (row - column) - 1.0))
             label = f"row{column - 1}"
@@ -99,59 +97,84 @@ class _Writer:
                 store(b, b.fadd(here, b.fmul(b.fsub(here, before), share)), loop.array["x"], i)
         loop.copy(f"row{row - 1}", "x")
 
-    def _euler(self, h: Any) -> None:
-        loop, b, x, slope = self.loop, self.b, self.loop.array["x"], self.loop.array["slope"]
-        with counted(b, self.pairs, "pair") as i:
-            beside = b.add(i, whole(self.pairs))
-            rate = b.fadd(load(b, x, beside), b.fmul(h, load(b, slope, beside)))
-            store(b, rate, x, beside)
-            store(b, b.fadd(load(b, x, i), b.fmul(h, rate)), x, i)
-        with counted(b, loop.size - 2 * self.pairs, "rest") as i:
-            place = b.add(i, whole(2 * self.pairs))
-            store(b, b.fadd(load(b, x, place), b.fmul(h, load(b, slope, place))), x, place)
-
-    def _judge(self, row: int, judged: Any) -> None:
-        """Go on to the next row unless the last two columns agree: T_kk - T_k,k-1 over the tolerance."""
+    def _judge(self, row: int, h: Any, accepted: Any, rejected: Any) -> None:
+        """Take the step, give it up, or go on to the next row: by T_kk - T_k,k-1 over the tolerance."""
         loop, b = self.loop, self.b
-
-        def difference(i: Any) -> Any:
+        error = self.norm.of_difference(f"row{row - 1}", f"row{row - 2}", "y", h)
+        with counted(b, loop.size, "apart") as i:
             apart = b.fsub(load(b, loop.array[f"row{row - 1}"], i), load(b, loop.array[f"row{row - 2}"], i))
-            store(b, apart, loop.array["kept"], i)
-            return apart
-
-        b.store(mean_square(loop, difference, "y", f"row{row - 1}"), self.error)
-        b.store(number(float(row)), self.rows)
+            store(b, apart, loop.array["apart"], i)
+        b.store(whole(row), self.rows)
         loop.copy("new", f"row{row - 1}")
-        if row < ROWS:
-            on = loop.block(f"row{row + 1}")
-            b.cbranch(b.fcmp_ordered("<=", b.load(self.error, typ=F64), number(1.0)), judged, on)
-            b.position_at_end(on)
-
-    def _finish(self, h: Any, wanted: Any, last: Any, time_after: Any) -> None:
-        loop, b = self.loop, self.b
-        store(b, number(0.0), loop.held, self.step_offset)
-        error, rows = b.load(self.error, typ=F64), b.load(self.rows, typ=F64)
-        loop.add("done", 1.0)
-        accepted, rejected = loop.block("accepted"), loop.block("rejected")
         floor = loop.intrinsic("maxnum", error, number(1e-12))
-        factor = b.fdiv(number(_SAFETY), power(loop, floor, b.fdiv(number(1.0), rows)))
-        b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)
-        b.position_at_end(rejected)
-        loop.reject(h, factor, _SMALLEST)
-        b.position_at_end(accepted)
+        factor = b.fmul(number(_SAFETY), power(loop, b.fdiv(number(_SAFETY), floor), 1.0 / row))
+        factor = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(_SMALLEST)), number(_LARGEST))
+        length = b.fmul(h, factor)
+        store(b, length, self.lengths, row)
+        store(b, b.fdiv(number(row * (row + 1) / 2), length), self.works, row)
+        aim, here = loop.get("old_error"), number(float(row))
+        good = b.fcmp_ordered("<=", error, number(1.0))
+        near = b.fcmp_ordered(">=", here, b.fsub(aim, number(1.0)))
+        on, next_row = loop.block(f"judge{row}"), loop.block(f"after{row}")
+        b.cbranch(b.and_(good, near), accepted, on)
+        b.position_at_end(on)
+        b.cbranch(self._hopeless(row, error, aim), rejected, next_row)
+        b.position_at_end(next_row)
+
+    def _hopeless(self, row: int, error: Any, aim: Any) -> Any:
+        """Whether the rows that are left up to one beyond the aim cannot bring the error below the tolerance."""
+        b, here = self.b, number(float(row))
+        beyond = b.fadd(aim, number(1.0))
+        early = b.and_(b.fcmp_ordered("<", here, aim), b.fcmp_ordered(">=", here, b.fsub(aim, number(1.0))))
+        bar = b.select(early, b.fmul(beyond, aim), beyond)
+        bad = b.fcmp_unordered(">", error, b.fmul(bar, bar))
+        near = b.fcmp_ordered(">=", here, b.fsub(aim, number(1.0)))
+        return b.or_(b.and_(near, bad), b.fcmp_ordered(">=", here, beyond))
+
+    def _order(self) -> tuple[Any, Any]:
+        """Number of rows for the next step by the least work per time, and its length."""
+        b, rows = self.b, self.b.load(self.rows, typ=I64)
+        before = b.sub(rows, whole(1))
+        here, less = load(b, self.works, rows), load(b, self.works, before)
+        fewer = b.fcmp_ordered("<", less, b.fmul(number(_GAIN), here))
+        more = b.and_(
+            b.fcmp_ordered("<", here, b.fmul(number(_GAIN), less)),
+            b.icmp_signed("<", rows, whole(ROWS - 1)),
+        )
+        length = load(b, self.lengths, rows)
+        real = b.sitofp(rows, F64)
+        longer = b.fmul(length, b.fdiv(b.fadd(real, number(2.0)), real))
+        wanted = b.select(more, b.add(rows, whole(1)), b.select(fewer, before, rows))
+        return wanted, b.select(more, longer, b.select(fewer, load(b, self.lengths, before), length))
+
+    def _reject(self, h: Any) -> None:
+        loop, b = self.loop, self.b
+        loop.add("done", 1.0)
+        wanted, length = self._order()
+        limit = b.fptosi(loop.get("old_error"), I64)
+        fewer = b.icmp_signed("<", wanted, limit)
+        wanted = b.select(fewer, wanted, limit)
+        loop.put("old_error", b.sitofp(wanted, F64))
+        length = loop.intrinsic("minnum", length, b.fmul(number(_REJECTED), h))
+        loop.put("h", length)
+        loop.add("rejected", 1.0)
+        b.branch(loop.again)
+
+    def _accept(self, h: Any, wanted: Any, last: Any, time_after: Any) -> None:
+        loop, b = self.loop, self.b
+        loop.add("done", 1.0)
         loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
         if self.gate.offset is not None:
             loop.evaluate(time_after, "new", "slope")
             self.gate.meet(h)
+        add_local_errors(loop, "apart", number(1.0))
+        self.dense.write_samples("y", "new", h, time_after, b.load(self.rows, typ=I64))
         loop.copy("y", "new")
-        add_local_errors(loop, "kept", number(1.0))
-        with loop.due_samples(b.fadd(time_after, self._rounding(time_after))) as target, counted(b, loop.size) as i:
-            store(b, load(b, loop.array["new"], i), target, i)
-        bounded = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(_SMALLEST)), number(_LARGEST))
-        grown = b.fmul(h, bounded)
-        loop.put("h", b.select(last, loop.intrinsic("maxnum", grown, wanted), grown))
+        rows, length = self._order()
+        loop.put("old_error", b.sitofp(rows, F64))
+        # A step cut short by a knot says little about the next: keep the longer wish.
+        loop.put("h", b.select(last, loop.intrinsic("maxnum", length, wanted), length))
         loop.put("t", time_after)
-        at_knot = b.fcmp_ordered(">=", time_after, loop.knot(1))
-        loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(at_knot, F64)))
+        loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(last, F64)))
         loop.count_step(h, last)
         b.branch(loop.again)

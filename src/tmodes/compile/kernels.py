@@ -4,21 +4,19 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["sample_functions", "schedule_function", "schedule_loops", "time_loops"]
+__all__ = ["arithmetic_of", "kernels_of", "library", "sample_functions", "schedule_function"]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
 _KEPT = 512
 
 
-def _library(
+def library(
     name: str,
     key: str,
     write: Callable[[], Any],
@@ -64,54 +62,10 @@ def sample_functions(name: str, key: str, make: Callable[[], Mapping[str, Any]],
         return module
 
     # Called for some thousand samples: ten times quicker to compile is worth more here than quicker to run.
-    return _library(name, key, write, {label: count + 3 for label, count in inputs.items()}, level=0)
+    return library(name, key, write, {label: count + 3 for label, count in inputs.items()}, level=0)
 
 
-@dataclass(frozen=True)
-class _Loops:
-    """The native time loops around one right-hand side by the name of their method, each made at its first use."""
-
-    library: Callable[[str], Library]
-
-    def __getitem__(self, method: str) -> Any:
-        """The function of a method."""
-        return self.library(method)[method]
-
-
-def _writers() -> dict[str, Any]:
-    """What writes the explicit loop of each method."""
-    from tmodes.compile.dop853_loop import write_dop853_loop
-    from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
-    from tmodes.compile.rk4_loop import write_rk4_loop
-
-    return {"rk4": write_rk4_loop, "dormand_prince": write_dormand_prince_loop, "dop853": write_dop853_loop}
-
-
-def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Any:
-    """The native time loops, by their methods, around one right-hand side of (time, state, row, parameters).
-
-    Methods: rk4, dormand_prince, dop853.
-    """
-    from tmodes.compile.time_loop import ARGUMENTS
-
-    def write(method: str) -> Any:
-        from llvmlite import ir
-
-        from tmodes.compile.lower import lower
-        from tmodes.compile.program import straight_line
-
-        module = ir.Module(name)
-        lowered = lower(module, straight_line(make(), invariant=3))
-        _writers()[method](module, method, lowered, guarded)
-        return module
-
-    def library(method: str) -> Library:
-        return _library(f"{name} {method}", key, partial(write, method), {method: len(ARGUMENTS)}, level=3)
-
-    return _Loops(library)
-
-
-def _kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
+def kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
     """The libraries of all kernels that a schedule calls, by symbol; each is made once, whatever schedule needs it."""
     from tmodes.compile.block import kernel_symbol
 
@@ -126,15 +80,16 @@ def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
         from tmodes.compile.block import write_kernel
 
         module = ir.Module(symbol)
-        write_kernel(module, kernel, _arithmetic(arithmetic)(module))
+        write_kernel(module, kernel, arithmetic_of(arithmetic)(module))
         return module
 
     # Differentiated code is twice as long and seldom called: quicker to compile is worth more than quicker to run.
     level = 0 if arithmetic == "derivative" else 1
-    return _library(symbol, symbol, write, {symbol: len(kernel.inputs) + len(kernel.outputs)}, level)
+    return library(symbol, symbol, write, {symbol: len(kernel.inputs) + len(kernel.outputs)}, level)
 
 
-def _arithmetic(name: str) -> Any:
+def arithmetic_of(name: str) -> Any:
+    """The kind of numbers of a name: ``double``, ``lanes`` or ``derivative``."""
     from tmodes.compile.arithmetic import Derivative, Double, Lanes
 
     return {kind.name: kind for kind in (Double, Lanes, Derivative)}[name]
@@ -152,35 +107,7 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
         from tmodes.compile.block import write_samples
 
         module = ir.Module(name)
-        write_samples(module, schedule, _arithmetic(arithmetic)(module), "run")
+        write_samples(module, schedule, arithmetic_of(arithmetic)(module), "run")
         return module
 
-    return _library(
-        f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, lambda: _kernels_of(schedule, arithmetic)
-    )
-
-
-def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Any:
-    """The native time loops, by their methods, around a schedule of time, state, row and step that gives their rate.
-
-    The state begins with ``pairs`` coordinates and as many rates. Methods: rk4, dormand_prince, dop853, extrapolation.
-    """
-    from tmodes.compile.time_loop import ARGUMENTS
-
-    def write(method: str) -> Any:
-        from llvmlite import ir
-
-        from tmodes.compile.block import write_rate
-        from tmodes.compile.extrapolation_loop import write_extrapolation_loop
-
-        module = ir.Module(name)
-        rate = write_rate(module, schedule, _arithmetic("double")(module), "rate")
-        writers = _writers() | {"extrapolation": partial(write_extrapolation_loop, pairs=pairs)}
-        writers[method](module, method, rate, guarded)
-        return module
-
-    def library(method: str) -> Library:
-        imports = partial(_kernels_of, schedule, "double")
-        return _library(f"{name} {method}", schedule.key, partial(write, method), {method: len(ARGUMENTS)}, 1, imports)
-
-    return _Loops(library)
+    return library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, lambda: kernels_of(schedule, arithmetic))

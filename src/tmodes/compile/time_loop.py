@@ -48,6 +48,8 @@ class Status(IntEnum):
     FINISHED = 1
     DIVERGED = 2
     STEP_TOO_SMALL = 3
+    NOT_CONVERGED = 4
+    OUT_OF_STEPS = 5
     STIFF = 6
     CHATTERING = 7
 

@@ -11,7 +11,15 @@ from pydantic import Field, model_validator
 from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
 from tmodes.errors import InputError
 
-__all__ = ["LEAST_TOLERANCE", "MOST_BYTES", "ArmIntegration", "Integration", "Method", "refuse_too_large"]
+__all__ = [
+    "FIXED_STEP",
+    "LEAST_TOLERANCE",
+    "MOST_BYTES",
+    "ArmIntegration",
+    "Integration",
+    "Method",
+    "refuse_too_large",
+]
 
 MOST_BYTES = 1_800_000_000
 """Size of the largest result on disk [bytes]; gathering it takes about three times that in memory."""
@@ -21,13 +29,19 @@ LEAST_TOLERANCE = 1e-14
 
 
 class Method(StrEnum):
-    """The integrators that files and the command line can name; ``auto`` and ``extrapolation`` are for arms."""
+    """The integrators that files and the command line can name; all but the first three are for arms."""
 
     DORMAND_PRINCE = "dormand_prince"
     DOP853 = "dop853"
     RK4 = "rk4"
     EXTRAPOLATION = "extrapolation"
+    MIDPOINT = "midpoint"
+    ROSENBROCK = "rosenbrock"
     AUTO = "auto"
+
+
+FIXED_STEP = (Method.RK4, Method.MIDPOINT)
+"""Methods whose step is `integration.step`."""
 
 
 class Integration(DataSheet):
@@ -44,12 +58,12 @@ class Integration(DataSheet):
         "-", "s", "points of each mode at which the elastic line is kept, its ends included", default=21, at_most=1001
     )
     relative_tolerance: float = positive(
-        "-", "rtol", "error allowed per step, relative (not of rk4)", default=1e-9, at_most=1e-2, smallest=1e-13
+        "-", "rtol", "error allowed per step, relative (adaptive methods)", default=1e-9, at_most=1e-2, smallest=1e-13
     )
     absolute_tolerance: float = positive(
         "rad",
         "atol",
-        "error allowed per step, absolute (not of rk4)",
+        "error allowed per step, absolute (adaptive methods)",
         default=1e-12,
         at_most=1e-2,
         smallest=1e-18,
@@ -84,7 +98,7 @@ class Integration(DataSheet):
             yield Misfit("output_step", got, f"at most {self._size(most_samples)}", mend)
 
     def _stepping_misfits(self) -> Iterator[Misfit]:
-        if self.method is not Method.RK4:
+        if self.method not in FIXED_STEP:
             return
         steps = self.duration / self.step
         if self.step > self.duration:
@@ -103,7 +117,7 @@ class Integration(DataSheet):
         })  # fmt: skip
 
     def coarser(self) -> Self:
-        """The settings of the cheap run that tells the error of one by rk4: twice the step."""
+        """The settings of the cheap run that tells the error of one at fixed step: twice the step."""
         return self.model_copy(update={"step": 2 * self.step})
 
     @property

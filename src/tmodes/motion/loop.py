@@ -9,12 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile import kernels
+from tmodes.compile import loops
 from tmodes.equations.arm.closed_loop import ClosedLoop
 from tmodes.equations.arm.closed_loop_plan import LoopPlan, StateLayout
 from tmodes.evaluator import derivatives, evaluate
 
-__all__ = ["LoopModel", "LoopNumbers"]
+__all__ = ["LoopModel", "LoopNumbers", "Loops"]
 
 Array = NDArray[np.float64]
 
@@ -24,6 +24,23 @@ class LoopNumbers:
     """All numbers of an arm and of what moves it, as the compiled code reads them."""
 
     vector: Array
+
+
+@dataclass(frozen=True)
+class Loops:
+    """The native time loops of an arm by the name of their method, each kind compiled when it is first asked for."""
+
+    loop: ClosedLoop
+
+    def __getitem__(self, method: str) -> Any:
+        """The function of a method; KeyError for a name that is none."""
+        count = self.loop.parts.size
+        if method in loops.IMPLICIT:
+            return loops.implicit_loops("arm implicit loops", self.loop.implicit_rate, 2 * count, count)[method]
+        if method == loops.ROSENBROCK:
+            columns = self.loop.layout.works.start
+            return loops.rosenbrock_loop("arm rosenbrock", self.loop.rate, 2 * count, count, columns)[method]
+        return loops.schedule_loops("arm loops", self.loop.rate, guarded=2 * count)[method]
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,9 +74,8 @@ class LoopModel:
 
     @cached_property
     def loops(self) -> Any:
-        """The native time loop of each method."""
-        schedule, count = self.loop.rate, len(self.coordinates)
-        return kernels.schedule_loops("arm loops", schedule, guarded=2 * count, pairs=count)
+        """The native time loop of each method, by its name."""
+        return Loops(self.loop)
 
     def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: LoopNumbers | None = None) -> Array:
         """Derivative of the state by time, (n, size) [the state's units over s]."""

@@ -79,7 +79,18 @@ class ClosedLoop:
     @cached_property
     def rate(self) -> Schedule:
         """(time, state, row, step) -> derivative of the state."""
-        instant = Instant(self)
+        return self._rate(Instant(self))
+
+    @cached_property
+    def implicit_rate(self) -> Schedule:
+        """(time, state, row, step, start) -> derivative of the state, for the steps of implicit methods.
+
+        Springs, dampers and servos start from ``start`` (2 nq), and h D + h^2 K stand beside the masses; all else is
+        taken where ``state`` is, at ``time``.
+        """
+        return self._rate(Instant(self, apart=True))
+
+    def _rate(self, instant: Instant) -> Schedule:
         currents = [instant.change[k] for k in sorted(instant.change)]
         works = Powers(instant).works
         instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *works)

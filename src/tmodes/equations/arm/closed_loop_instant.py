@@ -8,7 +8,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tmodes.equations.arm.contact_kernels import load_kernel
-from tmodes.equations.arm.forward import Recursion
+from tmodes.equations.arm.forward import Recursion, ahead_kernel
 from tmodes.equations.arm.kernel import Kernel
 from tmodes.equations.arm.passes import Blocks, Passes
 from tmodes.equations.arm.schedule import Schedule, Slot
@@ -29,7 +29,8 @@ class Instant:
     ``dead``: wrenches on points but for the contact's.
     """
 
-    def __init__(self, loop: ClosedLoop) -> None:
+    def __init__(self, loop: ClosedLoop, *, apart: bool = False) -> None:
+        """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates)."""
         self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
         self.none = loop.parts.none
         self.schedule = Schedule(loop.parts.numbers.size)
@@ -39,6 +40,7 @@ class Instant:
         self.step = self.schedule.input("step", 1)
         self.signals = [self._signal(k) for k in range(loop.plan.signals)]
         self.way = self._outwards()
+        self.apart, self.start = apart, self._start(apart=apart)
         self.efforts: dict[int, Slot] = {}
         self.told: dict[int, Slot] = {}
         self.change: dict[int, Slot] = {}
@@ -63,13 +65,7 @@ class Instant:
         return self.call(signal_kernel(self.plan.degree), self.time, self.row.part(0, 1), block)[0]
 
     def _outwards(self) -> Passes:
-        n, layout = self.parts.size, self.loop.layout
-        q, rates = self.state.part(layout.q.start, n), self.state.part(layout.v.start, n)
-        exact = [driver for driver in self.loop.drivers if driver.plan.servo is None]
-        if exact:
-            places = tuple(driver.coordinate for driver in exact)
-            moved = [self.signals[driver.plan.signal] for driver in exact]
-            q, rates = self.call(replacing_kernel(n, places), q, rates, *moved)
+        q, rates = self._moved(self.state)
         base = self.loop.base
         if self.plan.base:
             base = self.call(base_kernel(), base, *(self.signals[k] for k in self.plan.base))[0]
@@ -77,6 +73,24 @@ class Instant:
         way = Passes(self.parts, posed=posed, loaded=False, blocks=Blocks(self.schedule, q, rates, base))
         way.outwards()
         return way
+
+    def _moved(self, state: Slot) -> tuple[Slot, Slot]:
+        """Coordinates and rates of a state; those that follow their signals exactly are where these are."""
+        n = self.parts.size
+        q, rates = state.part(0, n), state.part(n, n)
+        exact = [driver for driver in self.loop.drivers if driver.plan.servo is None]
+        if not exact:
+            return q, rates
+        places = tuple(driver.coordinate for driver in exact)
+        moved = [self.signals[driver.plan.signal] for driver in exact]
+        q, rates = self.call(replacing_kernel(n, places), q, rates, *moved)
+        return q, rates
+
+    def _start(self, *, apart: bool) -> tuple[Slot, Slot]:
+        """Coordinates and rates that springs start from: an input, or h of their rates ahead of the state's."""
+        if apart:
+            return self._moved(self.schedule.input("start", 2 * self.parts.size))
+        return self.call(ahead_kernel(self.parts.size), self.way.q, self.way.v, self.step)[0], self.way.v
 
     def _frame(self, point: int) -> tuple[Slot, Slot, Slot]:
         """Pose of the frame that a point is fixed to, pose of its link's axes, and its rate in them."""
@@ -122,22 +136,27 @@ class Instant:
                 else:
                     given[plan.joint] = signal.part(2, 1)
                 continue
-            place = driver.coordinate
-            angle, speed = self.way.q.part(place, 1), self.way.v.part(place, 1)
-            blocks = (driver.numbers, signal, angle, speed, self._current(driver), self.step)
-            found = self.call(plan.servo.kernel(), *blocks)
+            found = self._serve(driver, *self.start)
             efforts[plan.joint], feedback[plan.joint], change, self.told[k] = found
+            self.efforts[k] = efforts[plan.joint]
+            if self.apart:  # what is told and works is the effort where the state is
+                self.efforts[k], _, _, self.told[k] = self._serve(driver, self.way.q, self.way.v)
             if driver.current >= 0:
                 self.change[driver.current] = change
-            self.efforts[k] = efforts[plan.joint]
         parts, none = self.parts, self.none
         effort = self.pack(*(efforts.get(name, none[1]) for name in parts.efforts))
         swing = self.pack(*(feedback.get(name, none[2]) for name in parts.efforts))
-        recursion = Recursion(
-            self.way, effort, self.pack(*(given[name] for name in parts.given)), self.step, feedback=swing
-        )
+        moved = self.pack(*(given[name] for name in parts.given))
+        recursion = Recursion(self.way, effort, moved, self.step, self.start, feedback=swing)
         recursion.followed = followed
         return recursion
+
+    def _serve(self, driver: Driver, q: Slot, rates: Slot) -> tuple[Slot, ...]:
+        """The servo's effort, feedback, rate of the current, and what is told, at coordinates and rates."""
+        place, signal = driver.coordinate, self.signals[driver.plan.signal]
+        assert driver.plan.servo is not None  # noqa: S101
+        blocks = (driver.numbers, signal, q.part(place, 1), rates.part(place, 1), self._current(driver), self.step)
+        return self.call(driver.plan.servo.kernel(), *blocks)
 
     def _current(self, driver: Driver) -> Slot:
         if driver.current < 0:

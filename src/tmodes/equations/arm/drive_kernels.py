@@ -2,7 +2,8 @@
 
 Motor row, Eq. (39) of Filipovic & Djuric 2010, the sign of the gear torque turned: I th'' = u - friction - tg,
 tg = C(xi) + B xi', xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control
-of elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2). A step h adds hB + h^2 C to the own inertia.
+of elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2). A step h adds hB + h^2 C to the own inertia; the
+torques start from the angles and rates that are given.
 """
 
 from __future__ import annotations
@@ -58,21 +59,21 @@ class DriveKind:
             p: Any, th: Any, thd: Any, ga: Any, gad: Any, effort: Any, feedback: Any, step: Any
         ) -> list[list[Any]]:
             law, h = self._law(p), step[0]
-            held, swing = h * feedback[1] + h * h * feedback[0], h * feedback[0]
+            held = h * feedback[1] + h * h * feedback[0]
             joint, joint_slope = law.joint_friction(gad[0])
             if self.drive is Drive.EFFORT:
                 motor, motor_slope = law.motor_friction(gad[0])
                 inertia = law.inertia + h * (joint_slope + motor_slope) + held
-                return [[effort[0] - joint - motor - swing * gad[0]], [inertia], [0.0, 0.0, 0.0]]
+                return [[effort[0] - joint - motor], [inertia], [0.0, 0.0, 0.0]]
             angle, speed = (th[0], thd[0]) if self.drive is Drive.ELASTIC else (law.rest, 0.0)
             torque, stiffness = law.spring(angle - ga[0])
-            torque = torque + law.damping * (speed - gad[0]) + h * stiffness * (speed - gad[0])
+            torque = torque + law.damping * (speed - gad[0])
             added = h * law.damping + h * h * stiffness
             if self.drive is Drive.SPRING:
                 return [[torque - joint], [added + h * joint_slope], [0.0, 0.0, 0.0]]
             motor, motor_slope = law.motor_friction(speed)
             share = 1 / (law.inertia + h * motor_slope + held + added)
-            rest = effort[0] - torque - motor - swing * speed
+            rest = effort[0] - torque - motor
             own = added - added * added * share + h * joint_slope
             return [[torque - joint + added * share * rest], [own], [rest, added, share]]
 
@@ -83,18 +84,16 @@ class DriveKind:
         return Kernel("motor", (3, 1), (1,), lambda motor, joint: [[motor[2] * (motor[0] + motor[1] * joint[0])]])
 
     def followed(self) -> Kernel:
-        """(parameters, th, th', ga, ga', th'', h) -> (effort on the joint, own inertia), of a motor that follows."""
+        """(parameters, th, th', ga, ga', h) -> (effort on the joint, own inertia), of a motor that follows."""
 
-        def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any, thdd: Any, step: Any) -> list[list[Any]]:
+        def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any, step: Any) -> list[list[Any]]:
             law, h = self._law(p), step[0]
             joint, joint_slope = law.joint_friction(gad[0])
             torque, stiffness = law.spring(th[0] - ga[0])
-            rate = thd[0] - gad[0]
-            added = h * law.damping + h * h * stiffness
-            torque = torque + law.damping * rate + h * stiffness * rate + added * thdd[0]
-            return [[torque - joint], [added + h * joint_slope]]
+            torque = torque + law.damping * (thd[0] - gad[0])
+            return [[torque - joint], [h * (law.damping + joint_slope) + h * h * stiffness]]
 
-        return Kernel(f"followed {self.key}", (self.size, 1, 1, 1, 1, 1, 1), (1, 1), build)
+        return Kernel(f"followed {self.key}", (self.size, 1, 1, 1, 1, 1), (1, 1), build)
 
     def elastic(self) -> Kernel:
         """Forces of springs, dampers and friction on (ga, th), energy [J], power lost in gear and in friction [W].

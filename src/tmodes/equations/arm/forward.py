@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from tmodes.equations.arm.kernel import Kernel
 from tmodes.equations.arm.parts import NodePart, Parts
 from tmodes.equations.arm.passes import Passes
 from tmodes.equations.arm.schedule import Schedule, Slot
 from tmodes.equations.arm.spatial import FORCE
 
-__all__ = ["Recursion", "forward_dynamics"]
+__all__ = ["Recursion", "ahead_kernel", "forward_dynamics"]
 
 
 def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
@@ -21,8 +24,18 @@ def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
     step = schedule.input("step", 1)
     way.outwards()
-    schedule.output("a", *Recursion(way, effort, given, step).run())
+    (ahead,) = schedule.call(ahead_kernel(parts.size), way.q, way.v, step)
+    schedule.output("a", *Recursion(way, effort, given, step, (ahead, way.v)).run())
     return schedule
+
+
+def ahead_kernel(size: int) -> Kernel:
+    """(q, v, h) -> q + h v: the angles from which the springs of an implicit step of h start."""
+
+    def build(q: Any, v: Any, step: Any) -> list[list[Any]]:
+        return [[q[i] + step[0] * v[i] for i in range(size)]]
+
+    return Kernel(f"ahead {size}", (size, size, 1), (size,), build)
 
 
 class Recursion:
@@ -32,9 +45,21 @@ class Recursion:
     each root; ``at_base``, those of all that hangs on the base.
     """
 
-    def __init__(self, way: Passes, effort: Slot, given: Slot, step: Slot, feedback: Slot | None = None) -> None:
-        """``feedback`` (2 per effort): see :meth:`DriveKind.forward`."""
+    def __init__(
+        self,
+        way: Passes,
+        effort: Slot,
+        given: Slot,
+        step: Slot,
+        start: tuple[Slot, Slot],
+        feedback: Slot | None = None,
+    ) -> None:
+        """``start``: coordinates and rates from which springs, dampers and friction start; those of ``way`` place all.
+
+        ``feedback`` (2 per effort): see :meth:`DriveKind.forward`.
+        """
         self.way, self.effort, self.given, self.step, self.feedback = way, effort, given, step, feedback
+        self.start = start
         self.followed: dict[int, Slot] = {}  # index of a motor that keeps a given motion -> its acceleration
         self.hung: dict[int, tuple[Slot, Slot]] = {}
         self.at_base = (way.none[21], way.none[FORCE])
@@ -65,7 +90,7 @@ class Recursion:
         inertia, bias = self.loads[index]
         if part.link and way.tip:
             link = part.link
-            q, v = self.way.bend(link, self.way.q), self.way.bend(link, self.way.v)
+            q, v = (self.way.bend(link, block) for block in self.start)
             terms = self.way.terms_with_stations(index)
             blocks = (terms, way.tip, inertia, bias, link.stiffness, link.damping, q, v, self.step)
             inertia, bias, self.solved[index] = self.schedule.call(link.kernels.outward(), *blocks)
@@ -81,6 +106,11 @@ class Recursion:
         else:
             self.at_base = (more[0], more[1])
 
+    def _start(self, index: int) -> tuple[Slot, Slot]:
+        """Where a coordinate and its rate start from; zero without one."""
+        none = self.way.none[1]
+        return (none, none) if index < 0 else (self.start[0].part(index, 1), self.start[1].part(index, 1))
+
     def _drive(self, index: int, part: NodePart) -> tuple[Slot, Slot]:
         none = self.way.none[1]
         if part.drive is None or part.drive_numbers is None:
@@ -90,12 +120,13 @@ class Recursion:
             effort, self.torques[part.motor] = self.schedule.call(part.drive.coupled(), *blocks)
             return effort, none
         if part.motor in self.followed:
-            blocks = (part.drive_numbers, *self.way.motor(part), *self.way.angle(part))
-            effort, own = self.schedule.call(part.drive.followed(), *blocks, self.followed[part.motor], self.step)
+            blocks = (part.drive_numbers, *self._start(part.motor), *self._start(part.angle), self.step)
+            effort, own = self.schedule.call(part.drive.followed(), *blocks)
             return effort, own
         effort = self.effort.part(part.effort, 1) if part.effort >= 0 else none
         feedback = self.feedback.part(2 * part.effort, 2) if self.feedback and part.effort >= 0 else self.way.none[2]
-        blocks = (part.drive_numbers, *self.way.motor(part), *self.way.angle(part), effort, feedback, self.step)
+        angles = (*self._start(part.motor), *self._start(part.angle))
+        blocks = (part.drive_numbers, *angles, effort, feedback, self.step)
         effort, own, self.motor_terms[index] = self.schedule.call(part.drive.forward(), *blocks)
         return effort, own
 

@@ -93,10 +93,10 @@ class BendingLink:
         return rows
 
     def outward(self) -> Kernel:
-        """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia (linearly implicit Euler).
+        """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia, as an implicit step wants it.
 
         (terms, section at the tip, I and p of the tip in the link's axes, stiffness, damping, q, qd, h)
-        -> (I and p at the root, solved).
+        -> (I and p at the root, solved). Springs and dampers start from q and qd.
         """
 
         def build(*packed: Any) -> list[list[Any]]:
@@ -104,8 +104,9 @@ class BendingLink:
             section, h = Section.of(tip, self.n), step[0]
             link = LinkTerms.of(terms, self.n) if self.kind.own_terms else LinkTerms.nothing(self.n)
             mass, coupling, base, bias_q, bias_b = link.with_load(section, Inertia.of(inertia), Force.of(bias))
-            ahead = [q[j] + h * qd[j] for j in range(self.n)]
-            spring, damper = self._spring(stiffness, ahead), self._spring(damping, [qd[j] for j in range(self.n)])
+            spring, damper = (
+                self._spring(m, [x[j] for j in range(self.n)]) for m, x in ((stiffness, q), (damping, qd))
+            )
             free = [-s - d - p for s, d, p in zip(spring, damper, bias_q, strict=True)]
             for i, (k_row, d_row) in enumerate(zip(self._rows(stiffness), self._rows(damping), strict=True)):
                 for (j, k), (_, d) in zip(k_row, d_row, strict=True):

@@ -1,0 +1,110 @@
+"""The native time loops around a right-hand side, each compiled when its method is first asked for."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+from functools import partial
+from typing import Any
+
+from tmodes.compile.kernels import arithmetic_of, kernels_of, library
+from tmodes.compile.native import Library
+
+__all__ = ["EXPLICIT", "IMPLICIT", "ROSENBROCK", "implicit_loops", "rosenbrock_loop", "schedule_loops", "time_loops"]
+
+EXPLICIT = ("rk4", "dormand_prince", "dop853")
+IMPLICIT = ("extrapolation", "midpoint")
+ROSENBROCK = "rosenbrock"
+"""Names of the methods, as in :class:`tmodes.integrate.settings.Method`."""
+
+
+@dataclass(frozen=True)
+class _Loops:
+    """The native time loops around one right-hand side by the name of their method, each made at its first use."""
+
+    library: Callable[[str], Library]
+
+    def __getitem__(self, method: str) -> Any:
+        """The function of a method."""
+        return self.library(method)[method]
+
+
+def _writer(method: str) -> Any:
+    """What writes the loop of a method."""
+    from tmodes.compile.dop853_loop import write_dop853_loop
+    from tmodes.compile.dormand_prince_loop import write_dormand_prince_loop
+    from tmodes.compile.extrapolation_loop import write_extrapolation_loop
+    from tmodes.compile.midpoint_loop import write_midpoint_loop
+    from tmodes.compile.rk4_loop import write_rk4_loop
+    from tmodes.compile.rosenbrock_loop import write_rosenbrock_loop
+
+    return {
+        "rk4": write_rk4_loop, "dormand_prince": write_dormand_prince_loop, "dop853": write_dop853_loop,
+        "extrapolation": write_extrapolation_loop, "midpoint": write_midpoint_loop, "rosenbrock": write_rosenbrock_loop,
+    }[method]  # fmt: skip
+
+
+def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Any:
+    """The native time loops, by their methods, around one right-hand side of (time, state, row, parameters).
+
+    Methods: EXPLICIT.
+    """
+    from tmodes.compile.time_loop import ARGUMENTS
+
+    def write(method: str) -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.lower import lower
+        from tmodes.compile.program import straight_line
+
+        module = ir.Module(name)
+        _writer(method)(module, method, lower(module, straight_line(make(), invariant=3)), guarded)
+        return module
+
+    def made(method: str) -> Library:
+        return library(f"{name} {method}", key, partial(write, method), {method: len(ARGUMENTS)}, level=3)
+
+    return _Loops(made)
+
+
+def schedule_loops(name: str, schedule: Any, guarded: int) -> Any:
+    """The explicit time loops, by their methods, around a schedule of time, state and row that gives their rate.
+
+    Methods: EXPLICIT.
+    """
+    return _Loops(lambda method: _schedule_loop(name, schedule, guarded, method))
+
+
+def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Any:
+    """The loops of implicit steps around a schedule that has the inputs ``step`` and ``start`` too.
+
+    The state begins with ``pairs`` coordinates and as many rates. Methods: IMPLICIT.
+    """
+    return _Loops(lambda method: _schedule_loop(name, schedule, guarded, method, pairs=pairs))
+
+
+def rosenbrock_loop(name: str, schedule: Any, guarded: int, pairs: int, columns: int) -> Any:
+    """The loop of a Rosenbrock method, with the exact Jacobian by the first ``columns`` numbers of the state."""
+    more = {"pairs": pairs, "columns": columns}
+    return _Loops(lambda method: _schedule_loop(f"{name} {columns}", schedule, guarded, method, **more))
+
+
+def _schedule_loop(name: str, schedule: Any, guarded: int, method: str, **more: Any) -> Library:
+    from tmodes.compile.time_loop import ARGUMENTS
+
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.block import write_rate
+
+        module = ir.Module(name)
+        rate = write_rate(module, schedule, arithmetic_of("double")(module), "rate")
+        needed = {"schedule": schedule} if method == ROSENBROCK else {}
+        _writer(method)(module, method, rate, guarded, **needed, **more)
+        return module
+
+    def imports() -> dict[str, Library]:
+        slopes = kernels_of(schedule, "derivative") if method == ROSENBROCK else {}
+        return kernels_of(schedule, "double") | slopes
+
+    return library(f"{name} {method}", schedule.key, write, {method: len(ARGUMENTS)}, 1, imports)
