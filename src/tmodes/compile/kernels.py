@@ -10,7 +10,7 @@ from typing import Any
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["implicit_loops", "rosenbrock_loop", "sample_functions", "schedule_function", "schedule_loops", "time_loops"]
+__all__ = ["implicit_loop", "rosenbrock_loop", "sample_functions", "schedule_function", "schedule_loops", "time_loops"]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -160,10 +160,10 @@ def schedule_loops(name: str, schedule: Any, guarded: int) -> Library:
     return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))
 
 
-def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Library:
-    """The loops of implicit steps around a schedule that has the input ``start`` too.
+def implicit_loop(method: str, schedule: Any, guarded: int, pairs: int) -> Library:
+    """The loop of implicit steps of a method around a schedule that has the input ``start`` too.
 
-    The state begins with ``pairs`` coordinates and as many rates. Loops: extrapolation, midpoint.
+    The state begins with ``pairs`` coordinates and as many rates. Methods: extrapolation, midpoint.
     """
     from tmodes.compile.time_loop import ARGUMENTS
 
@@ -174,14 +174,14 @@ def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
         from tmodes.compile.extrapolation_loop import write_extrapolation_loop
         from tmodes.compile.midpoint_loop import write_midpoint_loop
 
-        module = ir.Module(name)
+        module = ir.Module(method)
         rate = write_rate(module, schedule, _arithmetic("double")(module), "rate")
-        write_midpoint_loop(module, "midpoint", rate, guarded, pairs=pairs)
-        write_extrapolation_loop(module, "extrapolation", rate, guarded, pairs=pairs)
+        writers = {"extrapolation": write_extrapolation_loop, "midpoint": write_midpoint_loop}
+        writers[method](module, method, rate, guarded, pairs=pairs)
         return module
 
-    functions: dict[str, int] = dict.fromkeys(("extrapolation", "midpoint"), len(ARGUMENTS))
-    return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))
+    kernels = partial(_kernels_of, schedule, "double")
+    return _library(f"arm {method}", schedule.key, write, {method: len(ARGUMENTS)}, 1, kernels)
 
 
 def rosenbrock_loop(name: str, schedule: Any, guarded: int, pairs: int, columns: int) -> Library:

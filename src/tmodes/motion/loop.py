@@ -36,7 +36,7 @@ class Loops:
         """The function of a method; KeyError for a name that is none."""
         count = self.loop.parts.size
         if method in ("extrapolation", "midpoint"):
-            return kernels.implicit_loops("arm implicit loops", self.loop.implicit_rate, 2 * count, count)[method]
+            return kernels.implicit_loop(method, self.loop.implicit_rate, 2 * count, count)[method]
         if method == "rosenbrock":
             columns = self.loop.layout.works.start
             return kernels.rosenbrock_loop("arm rosenbrock", self.loop.rate, 2 * count, count, columns)[method]
