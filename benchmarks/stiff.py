@@ -101,7 +101,8 @@ def main() -> None:
     options.add_argument("--exudyn", action="store_true", help="also beside Exudyn's geometrically exact beams")
     options.add_argument("--json", help="also write the figures to this file")
     chosen = options.parse_args()
-    print(f"1 s of motion, medians of {chosen.rounds} rounds; {platform.processor() or platform.machine()}")
+    machine = platform.processor() or platform.machine()
+    print(f"1 s of motion, processor time, medians of {chosen.rounds} rounds; {machine}")
     told: dict[str, Any] = {}
     for start in chosen.starts.split(","):
         figures = measured(start, chosen.rounds, chosen.stretch)
