@@ -15,7 +15,7 @@ from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.settings import Integration, Method
 from tmodes.reference.schedule import Schedule
 
-__all__ = ["BOUND", "Journal", "Moving", "Numbers", "Trajectory", "integrate", "sample_times"]
+__all__ = ["BOUND", "Journal", "Moving", "NativeRun", "Numbers", "Trajectory", "integrate", "sample_times"]
 
 BOUND = 1e8
 """A coordinate [rad] or rate [rad/s] beyond this is no motion any more: the run has diverged."""
@@ -104,7 +104,7 @@ def integrate(
     ``progress`` is told the share of the time that is done. Ctrl-C ends the run with what it has (``interrupted``).
     Stopping, continuing from a journal, and the pieces in which the loop is called change no bit of the samples.
     """
-    run = _Run(model, parameters, schedule.until(settings.duration), state, settings)
+    run = NativeRun(model, parameters, schedule.until(settings.duration), state, settings)
     if journal and (record := journal.restore()):
         run.resume(record)
     began, piece = clock.monotonic(), _FIRST_PIECE
@@ -127,8 +127,8 @@ def integrate(
     return run.end()
 
 
-class _Run:
-    """The arrays that a native loop works on."""
+class NativeRun:
+    """The arrays that a native loop works on: one run, advanced piece by piece."""
 
     def __init__(
         self,
@@ -137,18 +137,19 @@ class _Run:
         schedule: Schedule,
         state: NDArray[np.float64],
         settings: Integration,
+        samples: NDArray[np.float64] | None = None,
     ) -> None:
+        """``samples``: where the samples are written, (samples, size), C-ordered; by default an array of its own."""
         self.settings, self.parameters, self.model = settings, parameters, model
         self.times = sample_times(settings)
         self.knots = np.ascontiguousarray(schedule.knots)
         self.rows = np.ascontiguousarray(np.column_stack([schedule.knots[:-1], schedule.coefficients]))
         self.memory, self.slope = np.zeros(len(CELLS)), np.zeros(len(state))
         self.state = np.array(state, dtype=float)
-        self.samples = np.zeros((len(self.times), len(self.state)))
+        self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
         self.samples[0] = self.state
         for name, value in {"sample": 1.0, "fresh": 1.0, "old_error": 1e-4}.items():
             self.memory[CELLS.index(name)] = value
-        self.loop = model.loops[settings.method.value]
 
     def cell(self, name: str) -> float:
         return float(self.memory[CELLS.index(name)])
@@ -163,8 +164,9 @@ class _Run:
         return int(self.cell("sample"))
 
     def advance(self, steps: int) -> None:
-        """Let the native loop do at most so many steps."""
+        """Let the native loop do at most so many steps, and no more than the settings allow."""
         s = self.settings
+        steps = min(steps, max(1, s.max_steps - int(self.cell("steps") + self.cell("rejected"))))
         chosen = {"step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance}
         options = np.array([{**chosen, "chunk": float(steps), "bound": BOUND}[name] for name in OPTIONS])
         arrays = {
@@ -173,7 +175,7 @@ class _Run:
         }  # fmt: skip
         addresses = {name: array.ctypes.data for name, array in arrays.items()}
         counts = {"segments": len(self.rows), "samples": len(self.times)}
-        self.loop(*((addresses | counts)[name] for name in ARGUMENTS))
+        self.model.loops[s.method.value](*((addresses | counts)[name] for name in ARGUMENTS))
 
     def exhausted(self, seconds: float) -> str:
         """Why the run may not go on, or nothing."""

@@ -15,7 +15,10 @@ from tmodes.compile.lower import Lowered
 from tmodes.compile.native import POWER
 from tmodes.compile.time_loop import Status, TimeLoop
 
-__all__ = ["B_ERROR", "DENSE", "A", "C", "mean_square", "power", "write_dormand_prince_loop"]
+__all__ = [
+    "B_ERROR", "BETA", "DENSE", "LARGEST", "SAFETY", "SMALLEST", "STAGES", "A", "C", "mean_square", "power",
+    "write_dormand_prince_loop",
+]  # fmt: skip
 
 C = (0.0, 1 / 5, 3 / 10, 4 / 5, 8 / 9, 1.0, 1.0)
 A = (
@@ -40,13 +43,13 @@ DENSE = (
 )
 """Weight of stage i at the share s of a step: sum over j of DENSE[i][j] s^(j+1)."""
 
-_SAFETY, _SMALLEST, _LARGEST, _BETA = 0.9, 0.2, 10.0, 0.04
-_STAGES = tuple(f"k{i}" for i in range(1, 8))
+SAFETY, SMALLEST, LARGEST, BETA = 0.9, 0.2, 10.0, 0.04
+STAGES = tuple(f"k{i}" for i in range(1, 8))
 
 
 def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
     """Write the loop: steps end exactly on the knots, where the first stage is taken anew."""
-    loop = TimeLoop(module, name, lowered, (*_STAGES[1:], "probe", "new"), guarded)
+    loop = TimeLoop(module, name, lowered, (*STAGES[1:], "probe", "new"), guarded)
     b = loop.builder
     gate = Gate(loop, lowered.gate_offset)
     gate.begin("y", "probe")
@@ -59,7 +62,7 @@ def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | Schedul
     accepted, rejected = loop.block("accepted"), loop.block("rejected")
     b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)
     b.position_at_end(rejected)
-    loop.reject(h, b.fdiv(number(_SAFETY), power(loop, error, 0.2 - 0.75 * _BETA)), _SMALLEST)
+    loop.reject(h, b.fdiv(number(SAFETY), power(loop, error, 0.2 - 0.75 * BETA)), SMALLEST)
     b.position_at_end(accepted)
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
     gate.meet(h)
@@ -85,9 +88,9 @@ def _stages(loop: TimeLoop, time: Any, h: Any) -> None:
     b = loop.builder
     for stage in range(1, 7):
         into = "new" if stage == 6 else "probe"
-        weights = {_STAGES[j]: b.fmul(h, number(a)) for j, a in enumerate(A[stage]) if a}
+        weights = {STAGES[j]: b.fmul(h, number(a)) for j, a in enumerate(A[stage]) if a}
         loop.combine(into, weights)
-        loop.evaluate(b.fadd(time, b.fmul(number(C[stage]), h)), into, _STAGES[stage])
+        loop.evaluate(b.fadd(time, b.fmul(number(C[stage]), h)), into, STAGES[stage])
 
 
 def _scale(loop: TimeLoop, i: Any, *states: str) -> Any:
@@ -119,7 +122,7 @@ def _error(loop: TimeLoop, h: Any) -> Any:
 
     def difference(i: Any) -> Any:
         total: Any = number(0.0)
-        for stage, weight in zip(_STAGES, B_ERROR, strict=True):
+        for stage, weight in zip(STAGES, B_ERROR, strict=True):
             if weight:
                 total = b.fadd(total, b.fmul(number(weight), load(b, loop.array[stage], i)))
         return b.fmul(h, total)
@@ -138,9 +141,9 @@ def power(loop: TimeLoop, base: Any, exponent: Any) -> Any:
 def _accept(loop: TimeLoop, wanted: Any, h: Any, error: Any, last: Any, time_after: Any) -> None:
     b = loop.builder
     error = loop.intrinsic("maxnum", error, number(1e-10))
-    old = power(loop, loop.get("old_error"), _BETA)
-    factor = b.fdiv(b.fmul(number(_SAFETY), old), power(loop, error, 0.2 - 0.75 * _BETA))
-    factor = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(_SMALLEST)), number(_LARGEST))
+    old = power(loop, loop.get("old_error"), BETA)
+    factor = b.fdiv(b.fmul(number(SAFETY), old), power(loop, error, 0.2 - 0.75 * BETA))
+    factor = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(SMALLEST)), number(LARGEST))
     grown = b.fmul(h, factor)
     # A step cut short by a knot says little about the next: keep the longer wish.
     loop.put("h", b.select(last, loop.intrinsic("maxnum", grown, wanted), grown))
@@ -157,7 +160,7 @@ def _write_samples(loop: TimeLoop, time: Any, h: Any, time_after: Any) -> None:
     b = loop.builder
     with loop.due_samples(time_after) as target:
         s = b.fdiv(b.fsub(loop.sample_time(), time), h)
-        weights = {stage: b.fmul(h, _dense(b, s, row)) for stage, row in zip(_STAGES, DENSE, strict=True) if any(row)}
+        weights = {stage: b.fmul(h, _dense(b, s, row)) for stage, row in zip(STAGES, DENSE, strict=True) if any(row)}
         with counted(b, loop.size) as i:
             value = load(b, loop.array["y"], i)
             for stage, weight in weights.items():

@@ -11,9 +11,9 @@ from typing import Any
 from tmodes.compile.emit import F64, load, number
 from tmodes.compile.time_loop import TimeLoop
 
-__all__ = ["Gate"]
+__all__ = ["SHORTEST", "Gate"]
 
-_SHORTEST = 1e-10
+SHORTEST = 1e-10
 """A change is met when the step over it is not longer than this share of the time, or this time [s]."""
 
 
@@ -79,7 +79,7 @@ class Gate:
         usable = b.and_(b.fcmp_ordered(">", share, number(0.05)), b.fcmp_ordered("<", share, number(0.95)))
         share = b.select(usable, share, number(0.5))
         size = self.loop.intrinsic("maxnum", self.loop.intrinsic("fabs", self.loop.get("t")), number(1.0))
-        shortest = b.fmul(number(_SHORTEST), size)
+        shortest = b.fmul(number(SHORTEST), size)
         changed = b.icmp_unsigned("!=", was, is_)
         far = b.fcmp_ordered(">", h, shortest)
         return b.and_(changed, far), self.loop.intrinsic("maxnum", b.fmul(h, share), shortest)

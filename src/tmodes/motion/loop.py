@@ -9,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.batch.simulate import Batched
 from tmodes.compile import kernels
 from tmodes.equations.arm.closed_loop import ClosedLoop
 from tmodes.equations.arm.closed_loop_plan import LoopPlan, StateLayout
@@ -27,7 +28,7 @@ class LoopNumbers:
 
 
 @dataclass(frozen=True, eq=False)
-class LoopModel:
+class LoopModel(Batched):
     """The native code of one plan's structure.
 
     Arrays are of n instants: time (n,) [s], state (n, size), row (n, row).
@@ -60,6 +61,17 @@ class LoopModel:
         """The native time loop of each method."""
         schedule, count = self.loop.rate, len(self.coordinates)
         return kernels.schedule_loops("arm loops", schedule, guarded=2 * count, pairs=count)
+
+    @cached_property
+    def lane_loops(self) -> Any:
+        """The native loop over four arms side by side of each explicit method."""
+        return kernels.schedule_lane_loops("arm lane loops", self.loop.rate, guarded=2 * len(self.coordinates))
+
+    @property
+    def batch_widths(self) -> dict[str, int]:
+        """Numbers that compiled code reads of each lane of a batch."""
+        parameters, size = self.loop.rate.parameters, self.layout.size
+        return {"parameters": parameters, "states": size, "schedules": self.plan.row_size}
 
     def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: LoopNumbers | None = None) -> Array:
         """Derivative of the state by time, (n, size) [the state's units over s]."""
