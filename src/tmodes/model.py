@@ -181,7 +181,11 @@ class Model(Batched):
     @property
     def batch_widths(self) -> dict[str, int]:
         """Numbers that compiled code reads of each lane of a batch."""
-        return {"parameters": len(number_paths()), "states": STATE_SIZE, "schedules": self.mechanism.reference_degree + 2}
+        return {
+            "parameters": len(number_paths()),
+            "states": STATE_SIZE,
+            "schedules": self.mechanism.reference_degree + 2,
+        }
 
     @cached_property
     def _observation(self) -> Any:

@@ -152,10 +152,12 @@ class NativeRun:
             self.memory[CELLS.index(name)] = value
 
     def cell(self, name: str) -> float:
+        """A number of the loop's memory."""
         return float(self.memory[CELLS.index(name)])
 
     @property
     def status(self) -> Status:
+        """How the last piece ended."""
         return Status(int(self.cell("status")))
 
     @property
@@ -219,6 +221,7 @@ class NativeRun:
         return self.model.rate([self.cell("t")], self.state, self.rows[segment], self.parameters)[0]
 
     def trajectory(self, status: str, message: str) -> Trajectory:
+        """The run so far."""
         counts: dict[str, float] = {name: int(self.cell(name)) for name in ("steps", "rejected", "evaluations")}
         if self.settings.method is Method.RK4:
             counts["step"] = self.cell("h")

@@ -74,15 +74,15 @@ def _ended(run: NativeRun, seconds: float, *, begun: np.bool_) -> Trajectory:
         ended = run.trajectory("stopped", reason)
     else:
         ended = run.trajectory("interrupted", f"interrupted at t = {run.cell('t'):.6g} s; what was done is kept")
-    return ended if begun else Trajectory(ended.times[:0], ended.states[:0], ended.status, ended.message, ended.statistics)
+    return (
+        ended if begun else Trajectory(ended.times[:0], ended.states[:0], ended.status, ended.message, ended.statistics)
+    )
 
 
 def _native(work: Work, lane: int) -> NativeRun:
     inputs = work.inputs
     numbers = LaneNumbers(inputs.parameters[lane])
-    return NativeRun(
-        work.model, numbers, inputs.schedule(lane), inputs.starts[lane], work.settings, work.states[lane]
-    )
+    return NativeRun(work.model, numbers, inputs.schedule(lane), inputs.starts[lane], work.settings, work.states[lane])
 
 
 class _Alone:

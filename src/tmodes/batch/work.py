@@ -27,8 +27,9 @@ class LaneNumbers:
 
 @dataclass(frozen=True, eq=False)
 class Inputs:
-    """Numbers (k, size) of k robots, the states (k, nx) from which they start, and what moves them: one for all, or k
-    schedules.
+    """Numbers (k, size) of k robots, the states (k, nx) from which they start, and what moves them.
+
+    ``schedules``: one for all, or k.
     """
 
     parameters: Array

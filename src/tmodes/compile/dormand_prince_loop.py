@@ -16,7 +16,7 @@ from tmodes.compile.native import POWER
 from tmodes.compile.time_loop import Status, TimeLoop
 
 __all__ = [
-    "B_ERROR", "BETA", "DENSE", "LARGEST", "SAFETY", "SMALLEST", "STAGES", "A", "C", "mean_square", "power",
+    "BETA", "B_ERROR", "DENSE", "LARGEST", "SAFETY", "SMALLEST", "STAGES", "A", "C", "mean_square", "power",
     "write_dormand_prince_loop",
 ]  # fmt: skip
 

@@ -10,7 +10,14 @@ from typing import Any
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["sample_functions", "schedule_function", "schedule_lane_loops", "schedule_loops", "time_lane_loops", "time_loops"]
+__all__ = [
+    "sample_functions",
+    "schedule_function",
+    "schedule_lane_loops",
+    "schedule_loops",
+    "time_lane_loops",
+    "time_loops",
+]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -163,7 +170,7 @@ def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
 
 
 def time_lane_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Library:
-    """The loops of :func:`time_loops` over four runs side by side, and ``NAME.work``, how many numbers each works on."""
+    """The loops of :func:`time_loops` over four runs side by side; ``NAME.work``: how many numbers each works on."""
 
     def write() -> Any:
         from llvmlite import ir

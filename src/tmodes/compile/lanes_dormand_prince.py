@@ -1,5 +1,6 @@
-"""Dormand and Prince's pair over four runs side by side, each with steps of its own; the method is that of
-:mod:`tmodes.compile.dormand_prince_loop`.
+"""Dormand and Prince's pair over four runs side by side, each with steps of its own.
+
+The method is that of :mod:`tmodes.compile.dormand_prince_loop`.
 """
 
 from __future__ import annotations
@@ -14,6 +15,7 @@ from tmodes.compile.emit import counted
 from tmodes.compile.lanes_gate import LanesGate
 from tmodes.compile.lanes_loop import LanesLoop
 from tmodes.compile.lanes_power import exponential, logarithm
+from tmodes.compile.lanes_samples import due_samples, write_sample
 from tmodes.compile.lower import Lowered
 from tmodes.compile.time_loop import Status
 
@@ -130,9 +132,7 @@ def _reject(loop: LanesLoop, rejected: Any, h: Any, size: Any) -> None:
     loop.count("rejected", rejected)
 
 
-def _accept(
-    loop: LanesLoop, accepted: Any, wanted: Any, h: Any, size: Any, last: Any, time_after: Any
-) -> None:
+def _accept(loop: LanesLoop, accepted: Any, wanted: Any, h: Any, size: Any, last: Any, time_after: Any) -> None:
     b: Any = loop.builder
     told = b.fadd(loop.constant(math.log2(SAFETY)), b.fmul(loop.constant(BETA), loop.get("old_error")))
     factor = exponential(b, loop.lanes, b.fsub(told, b.fmul(loop.constant(_POWER), size)))
@@ -154,7 +154,7 @@ def _accept(
 
 def _write_samples(loop: LanesLoop, accepted: Any, time: Any, h: Any, time_after: Any) -> None:
     b: Any = loop.builder
-    with loop.due_samples(accepted, time_after) as (due, wanted):
+    with due_samples(loop, accepted, time_after) as (due, wanted):
         s = b.fdiv(b.fsub(wanted, time), h)
         weights = {stage: b.fmul(h, _dense(loop, s, row)) for stage, row in zip(STAGES, DENSE, strict=True) if any(row)}
 
@@ -164,7 +164,7 @@ def _write_samples(loop: LanesLoop, accepted: Any, time: Any, h: Any, time_after
                 value = b.fadd(value, b.fmul(weight, loop.load(stage, i)))
             return value
 
-        loop.write_sample(due, value_of)
+        write_sample(loop, due, value_of)
 
 
 def _dense(loop: LanesLoop, s: Any, row: tuple[float, ...]) -> Any:

@@ -17,6 +17,7 @@ class LanesGate:
 
     def __init__(self, loop: LanesLoop, offset: int | None) -> None:
         self.loop, self.offset = loop, offset
+        self._b: Any = loop.builder
 
     def _now(self) -> list[Any]:
         """The numbers as the last evaluation left them."""
@@ -28,7 +29,7 @@ class LanesGate:
         """The gate at the start of the first steps, which all lanes take together; then it is in the memory."""
         if self.offset is None:
             return
-        loop, b = self.loop, self.loop.builder
+        loop, b = self.loop, self._b
         unknown = b.fcmp_ordered("==", loop.get("gate_known"), loop.constant(0.0))
         with b.if_then(loop.any(unknown), likely=False):
             loop.evaluate(loop.get("t"), state, into)
@@ -43,7 +44,7 @@ class LanesGate:
         """Of the accepted lanes those whose gate did not change too early; the others try again with a shorter step."""
         if self.offset is None:
             return accepted
-        loop, b = self.loop, self.loop.builder
+        loop, b = self.loop, self._b
         missed, shorter = self._missed(h)
         missed = b.and_(accepted, missed)
         loop.put("h", shorter, missed)
@@ -54,8 +55,7 @@ class LanesGate:
 
     def _missed(self, h: Any) -> tuple[Any, Any]:
         """Where a step must be shortened, and to what."""
-        loop, b = self.loop, self.loop.builder
-        zero: Any = loop.constant(0.0)
+        loop, b, zero = self.loop, self._b, self.loop.constant(0.0)
         before, now = [loop.get(label) for label in _CELLS], self._now()
         was, is_ = (b.and_(*(b.fcmp_ordered(">", x, zero) for x in pair)) for pair in (before, now))
         depth_turned = b.fcmp_ordered("<=", b.fmul(before[0], now[0]), zero)

@@ -6,8 +6,7 @@ no bit of a run depends on its neighbours.
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
 from functools import reduce
 from typing import Any
 
@@ -215,48 +214,6 @@ class LanesLoop:
         for i in range(self.guarded):
             good = b.and_(good, b.fcmp_ordered("<", self.call("fabs", self.load(label, whole(i))), bound))
         return good
-
-    @contextmanager
-    def due_samples(self, who: Any, until: Any) -> Iterator[tuple[Any, Any]]:
-        """As long as samples of the lanes ``who`` are due: yields in which lanes, and their times."""
-        b: Any = self.builder
-        check, write, done = self.block("sample_check"), self.block("sample_write"), self.block("sample_done")
-        b.branch(check)
-        b.position_at_end(check)
-        left, time = self._next_samples()
-        due = b.and_(b.and_(who, left), b.fcmp_ordered("<=", time, until))
-        b.cbranch(self.any(due), write, done)
-        b.position_at_end(write)
-        yield due, time
-        self.count("sample", due)
-        b.branch(check)
-        b.position_at_end(done)
-
-    def _next_samples(self) -> tuple[Any, Any]:
-        """In which lanes a sample is left, and its time; the last time where none is."""
-        b: Any = self.builder
-        time = left = None
-        for lane in range(WIDTH):
-            index = b.fptosi(b.extract_element(self.get("sample"), whole(lane)), I64)
-            some = b.icmp_signed("<", index, self.argument["samples"])
-            value = load(b, self.argument["times"], b.select(some, index, whole(0)))
-            time = b.insert_element(self.constant(0.0) if time is None else time, value, whole(lane))
-            none = ir.Constant(ir.VectorType(ir.IntType(1), WIDTH), [0] * WIDTH)
-            left = b.insert_element(none if left is None else left, some, whole(lane))
-        return left, time
-
-    def write_sample(self, due: Any, value_of: Any) -> None:
-        """Write ``value_of(i)`` of all components into the next sample of the lanes ``due``."""
-        b: Any = self.builder
-        with counted(b, self.size) as i:
-            self.store(value_of(i), "shown", i)
-        for lane in range(WIDTH):
-            with b.if_then(b.extract_element(due, whole(lane))):
-                index = b.fptosi(b.extract_element(self.get("sample"), whole(lane)), I64)
-                index = b.add(index, b.mul(self.argument["samples"], whole(lane)))
-                target = at(b, self.argument["out"], b.mul(index, whole(self.size)))
-                with counted(b, self.size) as i:
-                    store(b, load(b, self.array["shown"], b.add(b.mul(i, whole(WIDTH)), whole(lane))), target, i)
 
     def _write_leave(self) -> None:
         b = self.builder

@@ -14,8 +14,9 @@ __all__ = ["write_lanes_rate"]
 
 
 def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
-    """Functions ``prepare(parameters, held)`` and ``call(time, state, row, held, out)``, as of
-    :func:`tmodes.compile.block.write_rate`; every number is a vector of lanes, and sizes count vectors.
+    """Functions ``prepare(parameters, held)`` and ``call(time, state, row, held, out)`` for the time loops over lanes.
+
+    As of :func:`tmodes.compile.block.write_rate`; every number is a vector of lanes, and sizes count vectors.
     """
     lanes = Lanes(module)
     main = write_main(module, schedule, lanes, f"{name}.main")

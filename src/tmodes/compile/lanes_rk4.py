@@ -1,5 +1,6 @@
-"""The classical Runge-Kutta method at fixed step over four runs side by side; it is that of
-:mod:`tmodes.compile.rk4_loop`.
+"""The classical Runge-Kutta method at fixed step over four runs side by side.
+
+The method is that of :mod:`tmodes.compile.rk4_loop`.
 """
 
 from __future__ import annotations
@@ -8,6 +9,7 @@ from typing import Any
 
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.lanes_loop import LanesLoop
+from tmodes.compile.lanes_samples import due_samples, write_sample
 from tmodes.compile.lower import Lowered
 from tmodes.compile.rk4_loop import hermite
 from tmodes.compile.time_loop import Status
@@ -73,7 +75,7 @@ def _take(loop: LanesLoop, taken: Any, after: Any, last: Any, time_after: Any) -
 def _write_samples(loop: LanesLoop, taken: Any, time: Any, h: Any, time_after: Any) -> None:
     """Samples on a step's end are its result; those between come from Hermite's polynomial."""
     b: Any = loop.builder
-    with loop.due_samples(taken, b.fadd(time_after, b.fmul(h, loop.constant(1e-9)))) as (due, wanted):
+    with due_samples(loop, taken, b.fadd(time_after, b.fmul(h, loop.constant(1e-9)))) as (due, wanted):
         share = b.fdiv(b.fsub(wanted, time), h)
         between = b.fcmp_ordered("<", share, loop.constant(1 - 1e-9))
         with b.if_then(loop.any(b.and_(due, between)), likely=False):
@@ -87,4 +89,4 @@ def _write_samples(loop: LanesLoop, taken: Any, time: Any, h: Any, time_after: A
                 total = b.fadd(total, b.fmul(weight, loop.load(label, i)))
             return b.select(between, total, loop.load("new", i))
 
-        loop.write_sample(due, value_of)
+        write_sample(loop, due, value_of)
