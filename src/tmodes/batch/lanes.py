@@ -47,7 +47,7 @@ def groups(work: Work) -> list[range]:
 
 
 def run_lanes(work: Work, lanes: range, wish: Callable[[], bool], reached: Array) -> list[Trajectory]:
-    """Run some lanes to their ends, or until ``wish`` to stop; ``reached`` (k,) is told their times [s].
+    """Run some lanes to their ends, or until ``wish`` to stop; ``reached`` (all,) is told their times [s].
 
     How the pieces are cut, and what else the machine does, changes no bit of the samples, unless a limit on time ends
     the run.
@@ -60,7 +60,7 @@ def run_lanes(work: Work, lanes: range, wish: Callable[[], bool], reached: Array
         group.advance(piece)
         spent = clock.monotonic() - started
         piece = max(1, int(piece * min(4.0, _PIECE_SECONDS / max(spent, 1e-6))))
-        going, reached[lanes.start : lanes.stop] = group.reached()
+        going, reached[work.places[lanes.start : lanes.stop]] = group.reached()
     seconds = clock.monotonic() - began
     return [_ended(run, seconds, begun=np.isfinite(run.samples[0]).all()) for run in group.runs()]
 
@@ -82,7 +82,9 @@ def _ended(run: NativeRun, seconds: float, *, begun: np.bool_) -> Trajectory:
 def _native(work: Work, lane: int) -> NativeRun:
     inputs = work.inputs
     numbers = LaneNumbers(inputs.parameters[lane])
-    return NativeRun(work.model, numbers, inputs.schedule(lane), inputs.starts[lane], work.settings, work.states[lane])
+    return NativeRun(
+        work.model, numbers, inputs.schedule(lane), inputs.starts[lane], work.settings, work.states[work.places[lane]]
+    )
 
 
 class _Alone:
@@ -117,7 +119,8 @@ class _SideBySide:
         self.slope, self.parameters = np.zeros_like(self.state), np.ascontiguousarray(work.inputs.parameters[which].T)
         self.scratch = _aligned(_scratch_size(library, method))
         for lane in lanes:
-            work.states[lane, 0] = work.inputs.starts[lane]
+            work.states[work.places[lane], 0] = work.inputs.starts[lane]
+        self.places = work.places[which].astype(float)
         self._take_schedules(which)
 
     def _memory(self) -> Array:
@@ -147,7 +150,7 @@ class _SideBySide:
         arrays = {
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters, "work": self.scratch,
             "knots": self.knots, "rows": self.rows, "segments": self.segments, "times": self.work.times,
-            "out": self.work.states[self.lanes.start], "options": options,
+            "out": self.work.states, "places": self.places, "options": options,
         }  # fmt: skip
         addresses = {name: array.ctypes.data for name, array in arrays.items()}
         counts = {"knot_stride": self.knots.shape[1], "row_stride": self.rows[0].size, "samples": len(self.work.times)}

@@ -8,6 +8,7 @@ from collections.abc import Callable, Sequence
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 from numpy.typing import ArrayLike
 
 from tmodes.batch.result import BatchRun, gathered
@@ -20,11 +21,16 @@ from tmodes.integrate.settings import Integration, Method
 from tmodes.reference.schedule import Schedule
 from tmodes.trajectory import sample_times
 
-__all__ = ["Batched"]
+__all__ = ["Batched", "prepare_loops"]
 
 
 class Batched:
     """A model of which many runs go at once."""
+
+    @property
+    @abstractmethod
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
 
     @property
     @abstractmethod
@@ -55,18 +61,19 @@ class Batched:
         """
         lanes = inputs(parameters, schedules, states, settings.duration, self.batch_widths)
         count, times = thread_count(threads), sample_times(settings)
-        _prepare_loops(self, settings.method)
+        prepare_loops(self, settings.method)
         folder = None if out is None else Path(out)
         with room_for((lanes.size, len(times), lanes.starts.shape[1]), folder) as room:
-            runs = run_all(Work(self, lanes, settings, times, room), count, progress)
-            batch = gathered(tuple(self.coordinates), times, room, runs)  # pyright: ignore
+            work = Work(self, lanes, settings, times, room, np.arange(lanes.size))
+            runs = run_all([work], count, progress)
+            batch = gathered(self.coordinates, times, room, [runs[lane] for lane in range(lanes.size)])
         if folder is None:
             return batch
         write_batch(batch, folder)
         return load_batch(folder)
 
 
-def _prepare_loops(model: Any, method: Method) -> None:
+def prepare_loops(model: Any, method: Method) -> None:
     """Compile once, before the threads want the loops."""
     if method is Method.AUTO:
         names = ", ".join(each.value for each in Method if each is not Method.AUTO)

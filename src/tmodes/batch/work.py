@@ -48,13 +48,17 @@ class Inputs:
 
 @dataclass(frozen=True, eq=False)
 class Work:
-    """A batch before it runs. ``states`` (k, samples, nx): where the samples are written."""
+    """Runs of one structure before they go.
+
+    ``states`` (all, samples, nx): where the samples of all runs are written; ``places`` (k,): which are these lanes'.
+    """
 
     model: Any
     inputs: Inputs
     settings: Integration
     times: Array
     states: Array
+    places: NDArray[np.int64]
 
 
 def inputs(

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from threading import Event
 
@@ -29,23 +29,28 @@ def thread_count(threads: int | None) -> int:
     return threads
 
 
-def run_all(work: Work, threads: int, progress: Callable[[float], None]) -> list[Trajectory]:
-    """Run every lane; Ctrl-C ends them with what they have (``interrupted``).
+def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], None]) -> dict[int, Trajectory]:
+    """Run all lanes of all works, each told by its place; Ctrl-C ends them with what they have (``interrupted``).
 
     ``progress`` is told the share of all lanes' time that is done; what it raises stops the batch.
     """
-    reached, stop = np.zeros(work.inputs.size), Event()
+    lanes = [(work, group) for work in works for group in groups(work)]
+    reached, stop = np.zeros(len(works[0].states) if works else 0), Event()
+    whole = sum(work.inputs.size * work.settings.duration for work in works)
     with ThreadPoolExecutor(threads, "tmodes-batch") as pool:
-        futures = [pool.submit(run_lanes, work, lanes, stop.is_set, reached) for lanes in groups(work)]
+        futures = [pool.submit(run_lanes, work, group, stop.is_set, reached) for work, group in lanes]
         try:
-            _watch(futures, lambda: progress(float(reached.mean()) / work.settings.duration))
+            _watch(futures, lambda: progress(float(reached.sum()) / whole))
         except KeyboardInterrupt:
             stop.set()
         except BaseException:
             stop.set()
             pool.shutdown(cancel_futures=True)
             raise
-    return [run for future in futures for run in future.result()]
+    done: dict[int, Trajectory] = {}
+    for (work, group), future in zip(lanes, futures, strict=True):
+        done |= zip(work.places[group.start : group.stop].tolist(), future.result(), strict=True)
+    return done
 
 
 def _watch(futures: list[Future[list[Trajectory]]], tell: Callable[[], None]) -> None:

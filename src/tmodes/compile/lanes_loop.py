@@ -33,13 +33,14 @@ LANE_OPTIONS = (*OPTIONS, "most")
 """Settings of a loop, the same for all lanes; ``most``: attempted steps of a run after which it is given up."""
 
 LANE_ARGUMENTS = (
-    "memory", "y", "k1", "p", "work", "knots", "rows", "segments", "times", "out", "options",
+    "memory", "y", "k1", "p", "work", "knots", "rows", "segments", "times", "out", "places", "options",
     "knot_stride", "row_stride", "samples",
 )  # fmt: skip
 """Arguments of a loop, in order; the last three are int64, the others point to doubles.
 
 Of ``memory``, ``y``, ``k1``, ``p`` and ``segments`` the numbers of the lanes stand side by side; ``knots`` and ``rows``
-of a lane begin a stride after those of the lane before; ``out`` is (lanes, samples, size).
+of a lane begin a stride after those of the lane before; ``out`` is (runs, samples, size), where ``places`` tells which
+run is whose.
 """
 
 _INTEGERS = ("knot_stride", "row_stride", "samples")

@@ -53,7 +53,8 @@ def write_sample(loop: LanesLoop, due: Any, value_of: Any) -> None:
     for lane in range(WIDTH):
         with b.if_then(b.extract_element(due, whole(lane))):
             index = b.fptosi(b.extract_element(loop.get("sample"), whole(lane)), I64)
-            index = b.add(index, b.mul(loop.argument["samples"], whole(lane)))
+            place = b.fptosi(load(b, loop.argument["places"], lane), I64)
+            index = b.add(index, b.mul(loop.argument["samples"], place))
             target = at(b, loop.argument["out"], b.mul(index, whole(loop.size)))
             with counted(b, loop.size) as i:
                 store(b, load(b, loop.array["shown"], b.add(b.mul(i, whole(WIDTH)), whole(lane))), target, i)
