@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from pathlib import Path
 
 import numpy as np
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.trajectory import Trajectory
 
-__all__ = ["COUNTS", "BatchRun", "gathered"]
+__all__ = ["COUNTS", "BatchRun", "gathered", "not_begun"]
 
 COUNTS = ("steps", "rejected", "evaluations")
 """Statistics of each lane."""
@@ -23,8 +23,10 @@ class BatchRun:
 
     ``times`` (n,) [s]; ``states`` (k, n, nx): coordinates, their rates, and what else is integrated, not-a-number where
     a lane has no sample; ``counts`` (k,): samples of each lane. ``status``: finished, diverged, stopped (a limit of the
-    settings) or interrupted, and ``message`` what happened, for each lane. ``statistics``: steps, rejected, evaluations
-    (k,). ``folder``: where it lies on disk, or None.
+    settings), interrupted, or failed (it could not start), and ``message`` what happened, for each lane.
+    ``statistics``: steps, rejected, evaluations (k,). ``values``: numbers that differ between the lanes, (k,) each, by
+    path of the data sheet. ``tips`` (k, n, 3): position of the tip in the world [m], or None. ``folder``: where the
+    batch lies on disk, or None.
     """
 
     coordinates: tuple[str, ...]
@@ -34,6 +36,8 @@ class BatchRun:
     status: tuple[str, ...]
     message: tuple[str, ...]
     statistics: dict[str, NDArray[np.int64]]
+    values: dict[str, NDArray[np.float64]] = field(default_factory=dict)
+    tips: NDArray[np.float64] | None = None
     folder: Path | None = None
 
     @property
@@ -52,6 +56,12 @@ class BatchRun:
         told = {name: float(values[index]) for name, values in self.statistics.items()}
         states = self.states[index, :count]
         return Trajectory(self.times[:count], states, self.status[index], self.message[index], told)
+
+
+def not_begun(states: NDArray[np.float64], message: str) -> Trajectory:
+    """A run that could not start; ``states`` (n, nx), its room, is left without a number."""
+    states[:] = np.nan
+    return Trajectory(np.zeros(0), states[:0], "failed", message, dict.fromkeys(COUNTS, 0.0))
 
 
 def gathered(

@@ -18,14 +18,14 @@ from tmodes.errors import InputError
 from tmodes.integrate.settings import MOST_BYTES
 from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error
 
-__all__ = ["BATCH_FORMAT", "load_batch", "room_for", "write_batch"]
+__all__ = ["BATCH_FORMAT", "check_room", "load_batch", "room_for", "write_batch"]
 
 Array = NDArray[np.float64]
 
 BATCH_FORMAT = 1
 """Version of the files of a batch."""
 
-_STATES, _TIMES, _TOLD = "states.npy", "times.npy", "batch.json"
+_STATES, _TIMES, _TIPS, _TOLD = "states.npy", "times.npy", "tips.npy", "batch.json"
 
 
 @contextmanager
@@ -35,12 +35,10 @@ def room_for(shape: tuple[int, int, int], folder: Path | None) -> Iterator[Array
     Raises :class:`tmodes.errors.InputError` for more than memory is meant for, and
     :class:`tmodes.errors.ResultFileError` where the disk has no room, or a batch is there already.
     """
-    needed = 8 * int(np.prod(shape, dtype=object))
+    check_room(shape, folder)
     if folder is None:
-        _refuse_too_large(shape, needed)
         yield np.empty(shape)
         return
-    check_writable(folder, needed)
     with FolderLock(folder):
         if (there := folder / _TOLD).exists():
             raise file_error(there, "a batch that is there", "a new folder", "choose another folder")
@@ -51,25 +49,27 @@ def room_for(shape: tuple[int, int, int], folder: Path | None) -> Iterator[Array
             del states
 
 
-def _refuse_too_large(shape: tuple[int, int, int], needed: int) -> None:
-    if needed <= MOST_BYTES:
-        return
+def check_room(shape: tuple[int, int, int], folder: Path | None) -> None:
+    """Refuse, with numbers, more samples (lanes, samples, size) than memory or the disk has room for."""
     lanes, samples, size = shape
-    raise InputError(
-        "simulate_batch",
-        f"{lanes} lanes of {samples} samples of {size} numbers, {needed / 1e9:.3g} GB",
-        f"at most {MOST_BYTES / 1e9:.3g} GB in memory",
-        "give a folder (out=), a longer output_step, or fewer lanes",
-    )
+    needed = 8 * lanes * samples * size
+    if folder is not None:
+        check_writable(folder, needed)
+    elif needed > MOST_BYTES:
+        raise InputError(
+            "simulate_batch",
+            f"{lanes} lanes of {samples} samples of {size} numbers, {needed / 1e9:.3g} GB",
+            f"at most {MOST_BYTES / 1e9:.3g} GB in memory",
+            "give a folder (out=), a longer output_step, or fewer lanes",
+        )
 
 
-def write_batch(batch: BatchRun, folder: Path, more: dict[str, Any] | None = None) -> None:
-    """Write all but the samples, which are there; the description comes last, and only with it is a batch whole.
-
-    ``more``: what else is told of it, plain data.
-    """
-    with atomic_write(folder / _TIMES) as path, path.open("wb") as file:
-        np.save(file, batch.times, allow_pickle=False)
+def write_batch(batch: BatchRun, folder: Path) -> None:
+    """Write all but the samples, which are there; the description comes last, and only with it is a batch whole."""
+    for name, values in ((_TIMES, batch.times), (_TIPS, batch.tips)):
+        if values is not None:
+            with atomic_write(folder / name) as path, path.open("wb") as file:
+                np.save(file, values, allow_pickle=False)
     told = {
         "format": BATCH_FORMAT,
         "shape": list(batch.states.shape),
@@ -78,9 +78,11 @@ def write_batch(batch: BatchRun, folder: Path, more: dict[str, Any] | None = Non
         "status": list(batch.status),
         "message": list(batch.message),
         "statistics": {name: values.tolist() for name, values in batch.statistics.items()},
+        "values": {path: values.tolist() for path, values in batch.values.items()},
+        "tips": batch.tips is not None,
     }
     with atomic_write(folder / _TOLD) as path:
-        path.write_text(json.dumps(told | (more or {}), allow_nan=False), encoding="utf-8")
+        path.write_text(json.dumps(told, allow_nan=False), encoding="utf-8")
 
 
 def load_batch(folder: str | os.PathLike[str]) -> BatchRun:
@@ -96,22 +98,26 @@ def load_batch(folder: str | os.PathLike[str]) -> BatchRun:
         times = np.load(place / _TIMES, allow_pickle=False)
         if told["format"] != BATCH_FORMAT:
             raise file_error(place / _TOLD, f"format {told['format']!r}", f"format {BATCH_FORMAT}", "update tmodes")
-        batch = _batch(told, times, states)
+        tips = np.load(place / _TIPS, mmap_mode="r", allow_pickle=False) if told["tips"] else None
+        batch = _batch(told, times, states, tips)
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         got = getattr(error, "strerror", None) or str(error)
         raise file_error(f"folder {place}", f"no whole batch: {got}", "a batch", mend) from error
     return replace(batch, folder=place)
 
 
-def _batch(told: dict[str, Any], times: Array, states: Array) -> BatchRun:
+def _batch(told: dict[str, Any], times: Array, states: Array, tips: Array | None) -> BatchRun:
     shape = tuple(told["shape"])
     lanes, samples = shape[:2]
     if states.shape != shape or states.dtype != np.float64 or times.shape != (samples,):
         raise ValueError(f"samples of shape {states.shape} at {times.shape} times, where {shape} are told")
-    columns = [told["status"], told["message"], told["samples"], *(told["statistics"][name] for name in COUNTS)]
+    if tips is not None and tips.shape != (lanes, samples, 3):
+        raise ValueError(f"tips of shape {tips.shape}, where {(lanes, samples, 3)} are told")
+    statistics = {name: np.array(told["statistics"][name], dtype=np.int64) for name in COUNTS}
+    values = {str(path): np.array(given, dtype=float) for path, given in told["values"].items()}
+    counts = np.array(told["samples"], dtype=np.int64)
+    columns = [told["status"], told["message"], counts, *statistics.values(), *values.values()]
     if any(len(column) != lanes for column in columns):
         raise ValueError(f"columns of {[len(column) for column in columns]} lanes, where {lanes} are told")
-    statistics = {name: np.array(told["statistics"][name], dtype=np.int64) for name in COUNTS}
-    counts = np.array(told["samples"], dtype=np.int64)
-    names = tuple(map(str, told["coordinates"]))
-    return BatchRun(names, times, states, counts, tuple(told["status"]), tuple(told["message"]), statistics)
+    names, status, message = (tuple(map(str, told[name])) for name in ("coordinates", "status", "message"))
+    return BatchRun(names, times, states, counts, status, message, statistics, values, tips)
