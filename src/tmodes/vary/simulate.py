@@ -21,7 +21,7 @@ from tmodes.robot import Robot
 from tmodes.trajectory import sample_times
 from tmodes.vary.lanes import Lane, changed_sheet, lane_of
 
-__all__ = ["simulate_batch"]
+__all__ = ["simulate_batch", "simulate_changes"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
@@ -46,20 +46,30 @@ def simulate_batch(
 
     A lane that cannot start (``failed``) or cannot go on keeps what it had and disturbs no other: look at ``status``
     and ``message``. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers,
-    telling their lane, and for lanes whose coordinates differ.
+    telling their lane, and for lanes whose coordinates differ; :class:`tmodes.errors.SimulationError` where none can
+    start.
     """
     values = _checked(vary)
-    size, times = len(next(iter(values.values()))), sample_times(sheet.integration)
-    folder, count = None if out is None else Path(out), thread_count(threads)
-    lanes: list[Lane | str] = []
-    for index in range(size):
-        changes = {path: _plain(numbers[index]) for path, numbers in values.items()}
-        lanes.append(_prepared(sheet, changes, index))
-        if width := _common_width(lanes):
-            check_room((size, len(times), width), folder)
-        progress("preparing", (index + 1) / size)
-    shape = (size, len(times), _common_width(lanes))
-    with room_for(shape, folder) as room:
+    size = len(next(iter(values.values())))
+    changes = [{path: _plain(numbers[lane]) for path, numbers in values.items()} for lane in range(size)]
+    return simulate_changes(sheet, changes, values, tips=tips, threads=threads, out=out, progress=progress)
+
+
+def simulate_changes(
+    sheet: Robot | Arm,
+    changes: Sequence[Mapping[str, float | int]],
+    values: dict[str, Array],
+    *,
+    tips: bool,
+    threads: int | None,
+    out: str | os.PathLike[str] | None,
+    progress: Progress,
+) -> BatchRun:
+    """Run a sheet with each of these changes; ``values`` is what the batch tells of them, by path."""
+    times, count = sample_times(sheet.integration), thread_count(threads)
+    folder = None if out is None else Path(out)
+    lanes = _all_prepared(sheet, changes, lambda width: check_room((len(changes), len(times), width), folder), progress)
+    with room_for((len(lanes), len(times), _common_width(lanes)), folder) as room:
         batch = replace(_run(lanes, times, room, count, progress), values=values)
         if tips:
             batch = replace(batch, tips=_tips(batch, lanes, progress))
@@ -67,6 +77,27 @@ def simulate_batch(
         return batch
     write_batch(batch, folder)
     return load_batch(folder)
+
+
+def _all_prepared(
+    sheet: Robot | Arm,
+    changes: Sequence[Mapping[str, float | int]],
+    check: Callable[[int], None],
+    progress: Progress,
+) -> list[Lane | str]:
+    """All lanes; ``check`` is asked as soon as the size of a state is known."""
+    lanes: list[Lane | str] = []
+    checked = False
+    for index, told in enumerate(changes):
+        lanes.append(_prepared(sheet, told, index))
+        width = _common_width(lanes)
+        if width and not checked:
+            check(width)
+            checked = True
+        progress("preparing", (index + 1) / len(changes))
+    if not checked:
+        raise SimulationError(f"no lane can start; lane 0: {lanes[0]}")
+    return lanes
 
 
 def _checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
