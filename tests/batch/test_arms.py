@@ -87,7 +87,7 @@ def test_pieces_are_not_seen_where_there_is_a_contact(bounce, monkeypatch):
 @pytest.mark.parametrize("threads", [1, 2])
 def test_stiff_arms_run_one_by_one(swing, threads):
     """The implicit method has no lanes: each arm is the run by itself, bit by bit, and a bad one disturbs none."""
-    model, chosen = swing.model, settings(swing, method=Method.EXTRAPOLATION, max_steps=400)
+    model, chosen = swing.model, settings(swing, method=Method.EXTRAPOLATION, max_steps=4000)
     many = spread(swing, 4)
     many[2] = np.nan
     batch = model.simulate_batch(many, swing.planned.schedule, swing.start, chosen, threads=threads)

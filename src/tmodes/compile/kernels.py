@@ -196,7 +196,7 @@ def schedule_lane_loops(name: str, schedule: Any, guarded: int) -> Library:
         module = ir.Module(name)
         return _lane_loops(module, write_lanes_rate(module, schedule, "rate"), guarded)
 
-    return _library(name, schedule.key, write, _lane_functions(), 1, partial(_kernels_of, schedule, "lanes"))
+    return _library(name, schedule.key, write, _lane_functions(), 3, partial(_kernels_of, schedule, "lanes"))
 
 
 def _lane_loops(module: Any, rate: Any, guarded: int) -> Any:

@@ -9,6 +9,7 @@ from llvmlite import ir
 from tmodes.compile.arithmetic import Lanes
 from tmodes.compile.block import ScheduleRate, write_main
 from tmodes.compile.emit import POINTER, VOID, at, counted, declare, whole
+from tmodes.compile.lanes_memory import Layout
 
 __all__ = ["write_lanes_rate"]
 
@@ -19,12 +20,13 @@ def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
     As of :func:`tmodes.compile.block.write_rate`; every number is a vector of lanes, and sizes count vectors.
     """
     lanes = Lanes(module)
-    main = write_main(module, schedule, lanes, f"{name}.main")
+    layout = Layout(schedule)
+    main = write_main(module, schedule, lanes, f"{name}.main", layout.offset)
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
     b = ir.IRBuilder(prepare.append_basic_block("entry"))
     _copy(b, lanes, prepare.args[0], prepare.args[1], schedule.parameters)
     if "step" in schedule.inputs:
-        lanes.store(b, lanes.constant(0.0), prepare.args[1], schedule.offset(schedule.inputs["step"]))
+        lanes.store(b, lanes.constant(0.0), prepare.args[1], layout.offset(schedule.inputs["step"]))
     b.ret_void()
     kinds = [("time", lanes.kind), ("state", POINTER), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
     call = declare(module, f"{name}.call", VOID, kinds, private=True)
@@ -33,9 +35,9 @@ def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
     b = ir.IRBuilder(call.append_basic_block("entry"))
 
     def inside(slot: Any) -> Any:
-        return at(b, held, schedule.offset(slot) * lanes.stride)
+        return at(b, held, layout.offset(slot) * lanes.stride)
 
-    lanes.store(b, time, held, schedule.offset(schedule.inputs["time"]))
+    lanes.store(b, time, held, layout.offset(schedule.inputs["time"]))
     for source, label in ((state, "state"), (row, "row")):
         _copy(b, lanes, source, inside(schedule.inputs[label]), schedule.inputs[label].size)
     b.call(main, [held])
@@ -44,9 +46,9 @@ def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
         _copy(b, lanes, inside(slot), at(b, out, first * lanes.stride), slot.size)
         first += slot.size
     b.ret_void()
-    gate = schedule.offset(schedule.gate) if schedule.gate else None
+    gate = layout.offset(schedule.gate) if schedule.gate else None
     size = schedule.inputs["row"].size
-    return ScheduleRate(prepare, call, schedule.workspace, schedule.output_size, size, None, gate)
+    return ScheduleRate(prepare, call, layout.size, schedule.output_size, size, None, gate)
 
 
 def _copy(b: Any, lanes: Lanes, source: Any, target: Any, size: int) -> None:
