@@ -5,15 +5,17 @@ from __future__ import annotations
 import math
 import time as clock
 from collections.abc import Callable
+from dataclasses import replace
 from typing import Any, Protocol
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.batch.result import COUNTS
 from tmodes.batch.work import LaneNumbers, Work
 from tmodes.compile.lanes_loop import LANE_ARGUMENTS, LANE_CELLS, LANE_METHODS, LANE_OPTIONS, WIDTH
 from tmodes.compile.time_loop import CELLS, Status
-from tmodes.trajectory import BOUND, NativeRun, Trajectory
+from tmodes.trajectory import BOUND, NativeRun, Trajectory, end_reached
 
 __all__ = ["groups", "run_lanes"]
 
@@ -34,8 +36,8 @@ class _Advancing(Protocol):
         """Whether any may go on, and the time of each [s]."""
         ...
 
-    def runs(self) -> list[NativeRun]:
-        """Each run as it stands."""
+    def ended(self, seconds: float) -> list[Trajectory]:
+        """Each run as it stands, after so much time of computing [s]."""
         ...
 
 
@@ -61,12 +63,12 @@ def run_lanes(work: Work, lanes: range, wish: Callable[[], bool], reached: Array
         spent = clock.monotonic() - started
         piece = max(1, int(piece * min(4.0, _PIECE_SECONDS / max(spent, 1e-6))))
         going, reached[work.places[lanes.start : lanes.stop]] = group.reached()
-    seconds = clock.monotonic() - began
-    return [_ended(run, seconds, begun=np.isfinite(run.samples[0]).all()) for run in group.runs()]
+    return group.ended(clock.monotonic() - began)
 
 
-def _ended(run: NativeRun, seconds: float, *, begun: np.bool_) -> Trajectory:
+def _ended(run: NativeRun, seconds: float) -> Trajectory:
     """A run as it ended; samples that it does not have are no numbers."""
+    begun = np.isfinite(run.samples[0]).all()
     run.samples[run.done if begun else 0 :] = np.nan
     if run.status in (Status.FINISHED, Status.DIVERGED, Status.STEP_TOO_SMALL):
         ended = run.end()
@@ -74,9 +76,7 @@ def _ended(run: NativeRun, seconds: float, *, begun: np.bool_) -> Trajectory:
         ended = run.trajectory("stopped", reason)
     else:
         ended = run.trajectory("interrupted", f"interrupted at t = {run.cell('t'):.6g} s; what was done is kept")
-    return (
-        ended if begun else Trajectory(ended.times[:0], ended.states[:0], ended.status, ended.message, ended.statistics)
-    )
+    return ended if begun else replace(ended, times=ended.times[:0], states=ended.states[:0])
 
 
 def _native(work: Work, lane: int) -> NativeRun:
@@ -92,6 +92,8 @@ class _Alone:
 
     def __init__(self, work: Work, lanes: range) -> None:
         self.run = _native(work, lanes.start)
+        if not np.isfinite(work.inputs.starts[lanes.start]).all():
+            self.run.memory[CELLS.index("status")] = float(Status.DIVERGED)
 
     def advance(self, steps: int) -> None:
         self.run.advance(steps)
@@ -101,8 +103,8 @@ class _Alone:
         going = self.run.status is Status.RUNNING and tried < self.run.settings.max_steps
         return going, self.run.cell("t")
 
-    def runs(self) -> list[NativeRun]:
-        return [self.run]
+    def ended(self, seconds: float) -> list[Trajectory]:
+        return [_ended(self.run, seconds)]
 
 
 class _SideBySide:
@@ -118,8 +120,7 @@ class _SideBySide:
         self.state = np.ascontiguousarray(work.inputs.starts[which].T)
         self.slope, self.parameters = np.zeros_like(self.state), np.ascontiguousarray(work.inputs.parameters[which].T)
         self.scratch = _aligned(_scratch_size(library, method))
-        for lane in lanes:
-            work.states[work.places[lane], 0] = work.inputs.starts[lane]
+        work.states[work.places[lanes.start : lanes.stop], 0] = self._starts()
         self.places = work.places[which].astype(float)
         self._take_schedules(which)
 
@@ -127,8 +128,13 @@ class _SideBySide:
         memory = np.zeros((len(LANE_CELLS), WIDTH))
         for name, value in {"sample": 1.0, "fresh": 1.0, "old_error": math.log2(1e-4)}.items():
             memory[LANE_CELLS.index(name)] = value
-        memory[LANE_CELLS.index("status"), len(self.lanes) :] = float(Status.FINISHED)
+        status = memory[LANE_CELLS.index("status")]
+        status[: len(self.lanes)][~np.isfinite(self._starts()).all(axis=1)] = float(Status.DIVERGED)
+        status[len(self.lanes) :] = float(Status.FINISHED)
         return memory
+
+    def _starts(self) -> Array:
+        return self.work.inputs.starts[self.lanes.start : self.lanes.stop]
 
     def _take_schedules(self, which: list[int]) -> None:
         """Knots and rows of each lane, padded to the longest."""
@@ -160,8 +166,18 @@ class _SideBySide:
         going = bool((self.memory[LANE_CELLS.index("status")] == float(Status.RUNNING)).any())
         return going, self.memory[LANE_CELLS.index("t"), : len(self.lanes)]
 
-    def runs(self) -> list[NativeRun]:
-        return [self._run(place, lane) for place, lane in enumerate(self.lanes)]
+    def ended(self, seconds: float) -> list[Trajectory]:
+        finished = self.memory[LANE_CELLS.index("status")] == float(Status.FINISHED)
+        return [
+            self._finished(place, lane) if finished[place] else _ended(self._run(place, lane), seconds)
+            for place, lane in enumerate(self.lanes)
+        ]
+
+    def _finished(self, place: int, lane: int) -> Trajectory:
+        """What most lanes come to, in short."""
+        counts = {name: float(self.memory[LANE_CELLS.index(name), place]) for name in COUNTS}
+        states = self.work.states[self.work.places[lane]]
+        return Trajectory(self.work.times, states, "finished", end_reached(self.work.settings), counts)
 
     def _run(self, place: int, lane: int) -> NativeRun:
         run = _native(self.work, lane)
