@@ -175,7 +175,7 @@ class Model(Batched):
 
     @cached_property
     def lane_loops(self) -> Any:
-        """The native time loops over four robots side by side."""
+        """The native time loops over robots side by side."""
         return kernels.time_lane_loops("lane loops", self.mechanism.key, self._rate_function, guarded=12)
 
     @property

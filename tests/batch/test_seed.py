@@ -2,11 +2,15 @@
 
 from __future__ import annotations
 
+import os
+import subprocess
+import sys
 from dataclasses import replace
 
 import numpy as np
 import pytest
 
+from tmodes.batch.store import load_batch
 from tmodes.integrate.settings import Method
 from tmodes.mechanism import Parameters
 from tmodes.reference.schedule import Schedule
@@ -53,6 +57,34 @@ def test_bytes_do_not_depend_on_the_pieces(seed, monkeypatch):
     monkeypatch.setattr("tmodes.batch.lanes._FIRST_PIECE", 3)
     monkeypatch.setattr("tmodes.batch.lanes._PIECE_SECONDS", 0.0)  # as on a machine so busy that each step takes long
     assert seed.run().states.tobytes() == whole.states.tobytes()
+
+
+NARROW = """
+import sys
+import llvmlite.binding as llvm
+asked = llvm.get_host_cpu_features
+llvm.get_host_cpu_features = lambda: {"avx512f": False}
+from tmodes.compile.wide import Wide
+llvm.get_host_cpu_features = asked
+assert Wide.stride == 4
+import numpy as np
+from tmodes.mechanism import Drive
+from tmodes.model import Model
+from tmodes.robots import load_robot
+robot = load_robot("filipovic2010")
+model = Model(robot.split(Drive.CONTROLLED)[0])
+settings = robot.integration.model_copy(update={"duration": 0.02, "output_step": 5e-4})
+with np.load(sys.argv[1]) as told:
+    model.simulate_batch(told["many"], robot.reference.schedule(), told["start"], settings, out=sys.argv[2])
+"""
+
+
+def test_bytes_do_not_depend_on_the_width_of_the_vectors(seed, tmp_path):
+    """Four lanes on the same processor's instructions give the same bits as eight."""
+    np.savez(tmp_path / "told.npz", many=seed.many, start=seed.start)
+    line = [sys.executable, "-c", NARROW, str(tmp_path / "told.npz"), str(tmp_path / "batch")]
+    subprocess.run(line, check=True, env=os.environ | {"TMODES_CACHE": str(tmp_path / "cache")})
+    assert load_batch(tmp_path / "batch").states.tobytes() == seed.run().states.tobytes()
 
 
 def test_each_lane_has_its_own_motion_and_start(seed):

@@ -1,4 +1,4 @@
-"""Some lanes of a batch on the native loops: four side by side where the method has such a loop, else one by one."""
+"""Some lanes of a batch on the native loops: side by side where the method has such a loop, else one by one."""
 
 from __future__ import annotations
 
@@ -108,7 +108,7 @@ class _Alone:
 
 
 class _SideBySide:
-    """Four lanes at once; of the last group some may be empty: they are over before they begin."""
+    """Lanes at once; of the last group some may be empty: they are over before they begin."""
 
     def __init__(self, work: Work, lanes: range) -> None:
         self.work, self.lanes = work, lanes

@@ -50,10 +50,10 @@ class Batched:
     ) -> BatchRun:
         """Run k robots of this structure, with ``parameters`` (k, size), from ``states`` (k, nx) on, by k schedules.
 
-        What is given once is the same for all. Explicit methods take steps of each robot's own, four robots side by
-        side; others run them one by one. No bit of a robot's samples depends on the other robots, on their number or on
-        ``threads`` (None: one for each core). A run that cannot go on keeps what it had and disturbs no other: look at
-        ``status`` and ``message``. ``out``: an empty folder for the samples, where they are too many for memory.
+        What is given once is the same for all. By explicit methods some robots run side by side, each with steps of its
+        own; by others they run one by one. No bit of a robot's samples depends on the other robots, on their number or
+        on ``threads`` (None: one for each core). A run that cannot go on keeps what it had and disturbs no other: look
+        at ``status`` and ``message``. ``out``: an empty folder for the samples, where they are too many for memory.
         ``progress`` is told the share that is done. Ctrl-C ends all with what they have (``interrupted``).
 
         Raises :class:`tmodes.errors.InputError` for shapes that do not agree and for what is too large, and

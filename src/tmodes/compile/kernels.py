@@ -119,8 +119,9 @@ def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
 
 def _arithmetic(name: str) -> Any:
     from tmodes.compile.arithmetic import Derivative, Double, Lanes
+    from tmodes.compile.wide import Wide
 
-    return {kind.name: kind for kind in (Double, Lanes, Derivative)}[name]
+    return {kind.name: kind for kind in (Double, Lanes, Wide, Derivative)}[name]
 
 
 def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
@@ -170,23 +171,24 @@ def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
 
 
 def time_lane_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Library:
-    """The loops of :func:`time_loops` over four runs side by side; ``NAME.work``: how many numbers each works on."""
+    """The loops of :func:`time_loops` over runs side by side; ``NAME.work``: how many numbers each works on."""
 
     def write() -> Any:
         from llvmlite import ir
 
-        from tmodes.compile.arithmetic import Lanes
         from tmodes.compile.lower import lower
         from tmodes.compile.program import straight_line
+        from tmodes.compile.wide import Wide
 
         module = ir.Module(name)
-        return _lane_loops(module, lower(module, straight_line(make(), invariant=3), Lanes(module)), guarded)
+        return _lane_loops(module, lower(module, straight_line(make(), invariant=3), Wide(module)), guarded)
 
     return _library(name, key, write, _lane_functions(), level=3)
 
 
 def schedule_lane_loops(name: str, schedule: Any, guarded: int) -> Library:
-    """The explicit loops of :func:`schedule_loops` over four runs side by side, as of :func:`time_lane_loops`."""
+    """The explicit loops of :func:`schedule_loops` over runs side by side, as of :func:`time_lane_loops`."""
+    from tmodes.compile.wide import Wide
 
     def write() -> Any:
         from llvmlite import ir
@@ -196,7 +198,7 @@ def schedule_lane_loops(name: str, schedule: Any, guarded: int) -> Library:
         module = ir.Module(name)
         return _lane_loops(module, write_lanes_rate(module, schedule, "rate"), guarded)
 
-    return _library(name, schedule.key, write, _lane_functions(), 3, partial(_kernels_of, schedule, "lanes"))
+    return _library(name, schedule.key, write, _lane_functions(), 3, partial(_kernels_of, schedule, Wide.name))
 
 
 def _lane_loops(module: Any, rate: Any, guarded: int) -> Any:

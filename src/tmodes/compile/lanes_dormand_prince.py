@@ -1,4 +1,4 @@
-"""Dormand and Prince's pair over four runs side by side, each with steps of its own.
+"""Dormand and Prince's pair over runs side by side, each with steps of its own.
 
 The method is that of :mod:`tmodes.compile.dormand_prince_loop`.
 """

@@ -1,4 +1,4 @@
-"""The frame of a native time loop over four runs side by side, each with a time, a step and an end of its own.
+"""The frame of a native time loop over runs side by side, each with a time, a step and an end of its own.
 
 A run that is over, or failed, idles: its step is zero, and nothing of it changes any more. All is done lane by lane, so
 no bit of a run depends on its neighbours.
@@ -12,15 +12,15 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.arithmetic import Lanes
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, store, whole
 from tmodes.compile.lower import Lowered
 from tmodes.compile.time_loop import CELLS, OPTIONS, Status
+from tmodes.compile.wide import Wide
 
 __all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_METHODS", "LANE_OPTIONS", "WIDTH", "LanesLoop"]
 
-WIDTH = Lanes.stride
+WIDTH = Wide.stride
 """Runs side by side."""
 
 LANE_METHODS = ("rk4", "dormand_prince")
@@ -54,7 +54,7 @@ class LanesLoop:
     ) -> None:
         """``guarded``: how many of the first components of the state are watched for divergence."""
         self.module, self.rate, self.guarded, self.size = module, rate, guarded, rate.size
-        self.lanes = Lanes(module)
+        self.lanes = Wide(module)
         kinds = [(label, I64 if label in _INTEGERS else POINTER) for label in LANE_ARGUMENTS]
         self.function = declare(module, name, VOID, kinds)
         self.argument = dict(zip(LANE_ARGUMENTS, self.function.args, strict=True))

@@ -1,6 +1,6 @@
 """Where the blocks of a schedule lie in the lanes' workspace: a block takes the room of one that is read no more.
 
-Four lanes want four times the memory of one run; what does not fit the processor's nearest cache is waited for.
+Lanes want many times the memory of one run; what does not fit the processor's nearest cache is waited for.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""A schedule of kernels as the right-hand side of the time loops over lanes: numbers of four runs side by side."""
+"""A schedule of kernels as the right-hand side of the time loops over lanes: numbers of runs side by side."""
 
 from __future__ import annotations
 
@@ -6,10 +6,10 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.arithmetic import Lanes
 from tmodes.compile.block import ScheduleRate, write_main
 from tmodes.compile.emit import POINTER, VOID, at, counted, declare, whole
 from tmodes.compile.lanes_memory import Layout
+from tmodes.compile.wide import Wide
 
 __all__ = ["write_lanes_rate"]
 
@@ -19,7 +19,7 @@ def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
 
     As of :func:`tmodes.compile.block.write_rate`; every number is a vector of lanes, and sizes count vectors.
     """
-    lanes = Lanes(module)
+    lanes = Wide(module)
     layout = Layout(schedule)
     main = write_main(module, schedule, lanes, f"{name}.main", layout.offset)
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
@@ -51,7 +51,7 @@ def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
     return ScheduleRate(prepare, call, layout.size, schedule.output_size, size, None, gate)
 
 
-def _copy(b: Any, lanes: Lanes, source: Any, target: Any, size: int) -> None:
+def _copy(b: Any, lanes: Wide, source: Any, target: Any, size: int) -> None:
     with counted(b, size, "copy") as k:
         start = b.mul(k, whole(lanes.stride))
         lanes.store(b, lanes.load(b, at(b, source, start), 0), at(b, target, start), 0)

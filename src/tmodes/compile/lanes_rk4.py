@@ -1,4 +1,4 @@
-"""The classical Runge-Kutta method at fixed step over four runs side by side.
+"""The classical Runge-Kutta method at fixed step over runs side by side.
 
 The method is that of :mod:`tmodes.compile.rk4_loop`.
 """

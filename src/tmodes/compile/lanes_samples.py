@@ -1,4 +1,4 @@
-"""Samples of four runs side by side: each lane writes its own, at the times that all share."""
+"""Samples of runs side by side: each lane writes its own, at the times that all share."""
 
 from __future__ import annotations
 

@@ -64,7 +64,7 @@ class LoopModel(Batched):
 
     @cached_property
     def lane_loops(self) -> Any:
-        """The native loop over four arms side by side of each explicit method."""
+        """The native loop over arms side by side of each explicit method."""
         return kernels.schedule_lane_loops("arm lane loops", self.loop.rate, guarded=2 * len(self.coordinates))
 
     @property
