@@ -15,9 +15,7 @@ from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.settings import Integration, Method
 from tmodes.reference.schedule import Schedule
 
-__all__ = [
-    "BOUND", "Journal", "Moving", "NativeRun", "Numbers", "Trajectory", "end_reached", "integrate", "sample_times",
-]  # fmt: skip
+__all__ = ["BOUND", "Journal", "Moving", "NativeRun", "Numbers", "Trajectory", "integrate", "sample_times"]
 
 BOUND = 1e8
 """A coordinate [rad] or rate [rad/s] beyond this is no motion any more: the run has diverged."""
@@ -80,11 +78,6 @@ class Trajectory:
     status: str
     message: str
     statistics: dict[str, float] = field(default_factory=dict)
-
-
-def end_reached(settings: Integration) -> str:
-    """What a finished run says."""
-    return f"reached the end, t = {settings.duration:g} s"
 
 
 def sample_times(settings: Integration) -> NDArray[np.float64]:
@@ -209,7 +202,7 @@ class NativeRun:
     def end(self) -> Trajectory:
         """The run after its loop ended by itself."""
         if self.status is Status.FINISHED:
-            return self.trajectory("finished", end_reached(self.settings))
+            return self.trajectory("finished", f"reached the end, t = {self.settings.duration:g} s")
         return self.trajectory("diverged", self._cause())
 
     def _cause(self) -> str:

@@ -15,7 +15,7 @@ from tmodes.batch.result import COUNTS
 from tmodes.batch.work import LaneNumbers, Work
 from tmodes.compile.lanes_loop import LANE_ARGUMENTS, LANE_CELLS, LANE_METHODS, LANE_OPTIONS, WIDTH
 from tmodes.compile.time_loop import CELLS, Status
-from tmodes.trajectory import BOUND, NativeRun, Trajectory, end_reached
+from tmodes.trajectory import BOUND, NativeRun, Trajectory
 
 __all__ = ["groups", "run_lanes"]
 
@@ -70,7 +70,7 @@ def _ended(run: NativeRun, seconds: float) -> Trajectory:
     """A run as it ended; samples that it does not have are no numbers."""
     begun = np.isfinite(run.samples[0]).all()
     run.samples[run.done if begun else 0 :] = np.nan
-    if run.status in (Status.FINISHED, Status.DIVERGED, Status.STEP_TOO_SMALL):
+    if run.status is not Status.RUNNING:
         ended = run.end()
     elif reason := run.exhausted(seconds):
         ended = run.trajectory("stopped", reason)
@@ -163,30 +163,31 @@ class _SideBySide:
         self.loop(*((addresses | counts)[name] for name in LANE_ARGUMENTS))
 
     def reached(self) -> tuple[bool, Any]:
-        going = bool((self.memory[LANE_CELLS.index("status")] == float(Status.RUNNING)).any())
-        return going, self.memory[LANE_CELLS.index("t"), : len(self.lanes)]
+        status, steps, rejected = (self.memory[LANE_CELLS.index(name)] for name in ("status", "steps", "rejected"))
+        going = (status == float(Status.RUNNING)) & (steps + rejected < self.work.settings.max_steps)
+        return bool(going.any()), self.memory[LANE_CELLS.index("t"), : len(self.lanes)]
 
     def ended(self, seconds: float) -> list[Trajectory]:
         finished = self.memory[LANE_CELLS.index("status")] == float(Status.FINISHED)
-        return [
-            self._finished(place, lane) if finished[place] else _ended(self._run(place, lane), seconds)
-            for place, lane in enumerate(self.lanes)
-        ]
+        like: Trajectory | None = None
+        runs = []
+        for place, lane in enumerate(self.lanes):
+            if like is not None and finished[place]:
+                runs.append(self._finished(place, lane, like))
+                continue
+            runs.append(_ended(self._run(place, lane), seconds))
+            like = runs[-1] if finished[place] else like
+        return runs
 
-    def _finished(self, place: int, lane: int) -> Trajectory:
-        """What most lanes come to, in short."""
+    def _finished(self, place: int, lane: int, like: Trajectory) -> Trajectory:
+        """What most lanes come to, in short: all the same words."""
         counts = {name: float(self.memory[LANE_CELLS.index(name), place]) for name in COUNTS}
-        states = self.work.states[self.work.places[lane]]
-        return Trajectory(self.work.times, states, "finished", end_reached(self.work.settings), counts)
+        return Trajectory(like.times, self.work.states[self.work.places[lane]], like.status, like.message, counts)
 
     def _run(self, place: int, lane: int) -> NativeRun:
         run = _native(self.work, lane)
-        memory = np.ascontiguousarray(self.memory[: len(CELLS), place])
-        done = int(memory[CELLS.index("sample")])
-        run.resume(
-            {"memory": memory, "state": self.state[:, place], "slope": self.slope[:, place],
-             "samples": run.samples[:done]}
-        )  # fmt: skip
+        run.memory[:] = self.memory[: len(CELLS), place]
+        run.state[:] = self.state[:, place]
         return run
 
 

@@ -58,7 +58,7 @@ def write_main(
 
     ``offset`` tells where a block begins; by default it is the schedule's own.
     """
-    offset = offset or schedule.offset
+    offset_of = offset or schedule.offset
     main = declare(module, name, VOID, [("workspace", POINTER)], private=True)
     main.attributes.add("noinline")  # loops call it from many places, and the time is in the kernels
     b = ir.IRBuilder(main.append_basic_block("entry"))
@@ -67,7 +67,7 @@ def write_main(
         slots = (*inputs, *outputs)
         kinds = [(f"b{k}", POINTER) for k in range(len(slots))]
         function = module.globals.get(symbol) or declare(module, symbol, VOID, kinds)
-        b.call(function, [at(b, main.args[0], offset(slot) * arithmetic.stride) for slot in slots])
+        b.call(function, [at(b, main.args[0], offset_of(slot) * arithmetic.stride) for slot in slots])
     b.ret_void()
     return main
 

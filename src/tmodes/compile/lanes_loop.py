@@ -15,7 +15,7 @@ from llvmlite import ir
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, store, whole
 from tmodes.compile.lower import Lowered
-from tmodes.compile.time_loop import CELLS, OPTIONS, Status
+from tmodes.compile.time_loop import CELLS, Status
 from tmodes.compile.wide import Wide
 
 __all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_METHODS", "LANE_OPTIONS", "WIDTH", "LanesLoop"]
@@ -29,7 +29,7 @@ LANE_METHODS = ("rk4", "dormand_prince")
 LANE_CELLS = (*CELLS, "gate_known", "gate0", "gate1")
 """Memory of a loop between calls, one double for each lane of each."""
 
-LANE_OPTIONS = (*OPTIONS, "most")
+LANE_OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "most")
 """Settings of a loop, the same for all lanes; ``most``: attempted steps of a run after which it is given up."""
 
 LANE_ARGUMENTS = (
@@ -90,12 +90,11 @@ class LanesLoop:
         b.ret_void()
 
     def _end_runs(self) -> None:
-        """Lanes whose last segment is behind are finished, those out of steps given up; leave when none is left."""
+        """Lanes whose last segment is behind are finished; leave when none may go on."""
         b: Any = self.builder
         segments = self.lanes.load(b, self.argument["segments"], 0)
-        self.end_where(b.fcmp_ordered(">=", self.get("segment"), segments), Status.FINISHED)
-        tried = b.fadd(self.get("steps"), self.get("rejected"))
-        self.end_where(b.fcmp_ordered(">=", tried, self.option("most")), Status.OUT_OF_STEPS)
+        over = b.and_(self._unended(), b.fcmp_ordered(">=", self.get("segment"), segments))
+        self.put("status", self.constant(float(Status.FINISHED)), over)
         enough = b.fcmp_ordered(">=", b.load(self.done, typ=F64), self.single_option("chunk"))
         on = self.block("on")
         b.cbranch(b.or_(enough, b.not_(self.any(self.running()))), self.leave, on)
@@ -147,9 +146,15 @@ class LanesLoop:
         bits = self.builder.bitcast(condition, ir.IntType(WIDTH))
         return self.builder.icmp_unsigned("!=", bits, ir.Constant(ir.IntType(WIDTH), 0))
 
-    def running(self) -> Any:
+    def _unended(self) -> Any:
         """Lanes that are neither over nor failed."""
         return self.builder.fcmp_ordered("==", self.get("status"), self.constant(float(Status.RUNNING)))
+
+    def running(self) -> Any:
+        """Lanes that are neither over nor failed nor out of steps."""
+        b: Any = self.builder
+        tried = b.fadd(self.get("steps"), self.get("rejected"))
+        return b.and_(self._unended(), b.fcmp_ordered("<", tried, self.option("most")))
 
     def end_where(self, condition: Any, status: Status) -> None:
         """Give running lanes a status where the condition holds."""

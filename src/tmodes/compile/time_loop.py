@@ -36,7 +36,6 @@ class Status(IntEnum):
     FINISHED = 1
     DIVERGED = 2
     STEP_TOO_SMALL = 3
-    OUT_OF_STEPS = 4
 
 
 class TimeLoop:

@@ -43,7 +43,7 @@ class Noise(DataSheet):
         # Slopes of neighbours (Catmull, Rom 1974) hang on nothing that comes later, as those of a whole spline would.
         slopes = np.append(0.0, (values[2:] - values[:-2]) / (2 * spacing))
         pieces = _hermite(values[:count], values[1 : count + 1], slopes[:count], slopes[1 : count + 1], spacing)
-        return Schedule(spacing * np.arange(count + 1), pieces).until(until)
+        return Schedule(spacing * np.arange(count + 1, dtype=np.float64), pieces).until(until)
 
 
 def _hermite(
