@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.batch.simulate import Batched
-from tmodes.compile import kernels
+from tmodes.compile import kernels, lane_kernels
 from tmodes.equations.coordinates import basis, deformation_basis, free_columns, free_deformations
 from tmodes.equations.layout import COORDINATES, EVALUATED, LINE, OBSERVED, STATE_SIZE
 from tmodes.errors import SimulationError
@@ -176,7 +176,7 @@ class Model(Batched):
     @cached_property
     def lane_loops(self) -> Any:
         """The native time loops over robots side by side."""
-        return kernels.time_lane_loops("lane loops", self.mechanism.key, self._rate_function, guarded=12)
+        return lane_kernels.time_lane_loops("lane loops", self.mechanism.key, self._rate_function, guarded=12)
 
     @property
     def batch_widths(self) -> dict[str, int]:

@@ -10,14 +10,7 @@ from typing import Any
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = [
-    "sample_functions",
-    "schedule_function",
-    "schedule_lane_loops",
-    "schedule_loops",
-    "time_lane_loops",
-    "time_loops",
-]
+__all__ = ["sample_functions", "schedule_function", "schedule_loops", "time_loops"]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -168,50 +161,3 @@ def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
 
     functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince", "extrapolation"), len(ARGUMENTS))
     return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))
-
-
-def time_lane_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Library:
-    """The loops of :func:`time_loops` over runs side by side; ``NAME.work``: how many numbers each works on."""
-
-    def write() -> Any:
-        from llvmlite import ir
-
-        from tmodes.compile.lower import lower
-        from tmodes.compile.program import straight_line
-        from tmodes.compile.wide import Wide
-
-        module = ir.Module(name)
-        return _lane_loops(module, lower(module, straight_line(make(), invariant=3), Wide(module)), guarded)
-
-    return _library(name, key, write, _lane_functions(), level=3)
-
-
-def schedule_lane_loops(name: str, schedule: Any, guarded: int) -> Library:
-    """The explicit loops of :func:`schedule_loops` over runs side by side, as of :func:`time_lane_loops`."""
-    from tmodes.compile.wide import Wide
-
-    def write() -> Any:
-        from llvmlite import ir
-
-        from tmodes.compile.lanes_rate import write_lanes_rate
-
-        module = ir.Module(name)
-        return _lane_loops(module, write_lanes_rate(module, schedule, "rate"), guarded)
-
-    return _library(name, schedule.key, write, _lane_functions(), 3, partial(_kernels_of, schedule, Wide.name))
-
-
-def _lane_loops(module: Any, rate: Any, guarded: int) -> Any:
-    from tmodes.compile.lanes_dormand_prince import write_lanes_dormand_prince
-    from tmodes.compile.lanes_rk4 import write_lanes_rk4
-
-    write_lanes_rk4(module, "rk4", rate, guarded)
-    write_lanes_dormand_prince(module, "dormand_prince", rate, guarded)
-    return module
-
-
-def _lane_functions() -> dict[str, int]:
-    from tmodes.compile.lanes_loop import LANE_ARGUMENTS, LANE_METHODS
-
-    loops = dict.fromkeys(LANE_METHODS, len(LANE_ARGUMENTS))
-    return loops | {f"{method}.work": 1 for method in LANE_METHODS}

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.batch.simulate import Batched
-from tmodes.compile import kernels
+from tmodes.compile import kernels, lane_kernels
 from tmodes.equations.arm.closed_loop import ClosedLoop
 from tmodes.equations.arm.closed_loop_plan import LoopPlan, StateLayout
 from tmodes.evaluator import derivatives, evaluate
@@ -65,7 +65,7 @@ class LoopModel(Batched):
     @cached_property
     def lane_loops(self) -> Any:
         """The native loop over arms side by side of each explicit method."""
-        return kernels.schedule_lane_loops("arm lane loops", self.loop.rate, guarded=2 * len(self.coordinates))
+        return lane_kernels.schedule_lane_loops("arm lane loops", self.loop.rate, guarded=2 * len(self.coordinates))
 
     @property
     def batch_widths(self) -> dict[str, int]:
