@@ -83,6 +83,25 @@ def test_wrong_lines_are_refused(told, monkeypatch, capsys):
     assert told in capsys.readouterr().err
 
 
+@pytest.mark.parametrize(("stage", "duration"), [("preparing", 1), ("running", 2000), ("tips", 1)])
+def test_interrupted_before_the_batch_has_begun(stage, duration, tmp_path, monkeypatch, capsys):
+    """Ctrl-C during the sheet's own run ends the command; nothing is left behind."""
+
+    def interrupts(self, told, share):
+        if told == stage:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr("tmodes.cli.progress.Stages.__call__", interrupts)
+    out = tmp_path / "batch"
+    line = ["tmodes", "batch", "filipovic2010", "--duration", str(duration), "--set", "integration.output_step=1.0"]
+    monkeypatch.setattr(sys, "argv", [*line, "--vary", "payload.mass=0.4:0.6:3", "--out", str(out)])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 130
+    assert capsys.readouterr().err == "tmodes: interrupted\n"
+    assert not out.exists()
+
+
 def test_grid_is_all_combinations():
     values = grid({"a": (0.0, 1.0, 3), "b": (5.0, 5.0, 1), "c": (2.0, 3.0, 2)})
     assert sorted(zip(*(values[name].tolist() for name in "abc"), strict=True)) == [

@@ -121,6 +121,8 @@ def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | No
 
     with heard() as wish, Stages(wish) as tell:
         own = simulate_changes(sheet, [{}], {}, tips=True, threads=1, out=None, progress=tell)
+        if "interrupted" in own.status:
+            raise KeyboardInterrupt
         found = simulate_batch(sheet, values, tips=True, threads=threads, out=out, progress=tell)
     return found, spread(found, own)
 
