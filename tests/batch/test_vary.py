@@ -61,6 +61,17 @@ def test_each_lane_is_the_run_of_its_arm(method):
         assert batch.statistics["steps"][lane] == run.statistics["steps"]
 
 
+def test_each_lane_has_its_own_start_and_motion():
+    """Initial state and signals are numbers of the sheet like all others."""
+    arm, starts, efforts = swing(), [0.1, -0.4, 0.2], [2.0, -1.0, 0.5]
+    vary = {"initial.coordinates.joint": starts, "drives.0.signal.value": efforts}
+    batch = tmodes.simulate_batch(arm, vary)
+    for lane, (start, effort) in enumerate(zip(starts, efforts, strict=True)):
+        run = simulate_arm(arm.with_({"initial.coordinates.joint": start, "drives.0.signal.value": effort}))
+        assert batch.states[lane, 0, 0] == start
+        assert np.abs(batch.states[lane, :, :2] - run.q).max() < 1e-12
+
+
 def test_the_tip_on_a_base_that_moves():
     """The tip is told in the world, which the base does not stand in."""
     ramp = {"type": "expression", "formula": "0.3*t"}

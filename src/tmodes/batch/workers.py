@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import os
+import time as clock
 from collections.abc import Callable, Sequence
 from concurrent.futures import Future, ThreadPoolExecutor, wait
 from threading import Event
@@ -54,10 +55,13 @@ def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], Non
 
 
 def _watch(futures: list[Future[list[Trajectory]]], tell: Callable[[], None]) -> None:
-    """Wait until all are done; the first one that fails is told at once."""
-    waiting = set(futures)
-    while waiting:
-        done, waiting = wait(waiting, _PATIENCE)
-        for future in done:
-            future.result()
-        tell()
+    """Wait for one after the other, which costs nothing however many there are; what one raises is raised."""
+    told = clock.monotonic()
+    for future in futures:
+        while not future.done():
+            wait([future], _PATIENCE)
+            if clock.monotonic() - told >= _PATIENCE:
+                tell()
+                told = clock.monotonic()
+        future.result()
+    tell()
