@@ -6,6 +6,7 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import ZERO, arm, pendulum, torque
+from tmodes.compile.gate import SHORTEST
 from tmodes.integrate.settings import Method
 from tmodes.motion.loop import LoopNumbers
 from tmodes.motion.regime import arm_regime
@@ -66,7 +67,9 @@ def test_each_lane_meets_its_own_wall(bounce):
     batch = model.simulate_batch(model.numbers.vector, bounce.planned.schedule, starts, chosen)
     for lane, start in enumerate(starts):
         single = integrate(model, model.numbers, bounce.planned.schedule, start, chosen)
-        assert np.abs(batch.states[lane] - single.states).max() < 1e-12
+        # An onset is met within SHORTEST: the states may differ by what they change in that time, and no more.
+        fastest = np.abs(model.rate(single.times, single.states, bounce.planned.schedule.rows_at(single.times))).max()
+        assert np.abs(batch.states[lane] - single.states).max() < SHORTEST * fastest
         # How often a step is halved onto the onset may differ by rounding; it is halved many times in each run.
         assert batch.statistics["rejected"][lane] == pytest.approx(single.statistics["rejected"], abs=3)
         assert batch.statistics["rejected"][lane] > 20
