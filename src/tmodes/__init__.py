@@ -21,6 +21,7 @@ if TYPE_CHECKING:
     from tmodes.robots import load_robot
     from tmodes.robots.load import load_sheet
     from tmodes.simulate import simulate as run
+    from tmodes.vary.simulate import simulate_batch
 
 __version__ = "0.1.0"
 
@@ -40,6 +41,7 @@ __all__ = [
     "load_sheet",
     "run",
     "simulate_arm",
+    "simulate_batch",
 ]
 
 _HOMES = {
@@ -57,6 +59,7 @@ _HOMES = {
     "load_robot": "tmodes.robots.load_robot",
     "load_sheet": "tmodes.robots.load.load_sheet",
     "simulate_arm": "tmodes.motion.simulate.simulate_arm",
+    "simulate_batch": "tmodes.vary.simulate.simulate_batch",
     "run": "tmodes.simulate.simulate",  # tmodes.simulate is the module, so its function has the command line's name
 }
 

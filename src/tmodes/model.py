@@ -9,10 +9,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile import kernels, loops
+from tmodes.batch.simulate import Batched
+from tmodes.compile import kernels, lane_kernels, loops
 from tmodes.equations.coordinates import basis, deformation_basis, free_columns, free_deformations
 from tmodes.equations.layout import COORDINATES, EVALUATED, LINE, OBSERVED, STATE_SIZE
 from tmodes.errors import SimulationError
+from tmodes.io.fields import number_paths
 from tmodes.mechanism import Drive, Mechanism, Parameters
 from tmodes.sampling import rows, sampled, split, total
 
@@ -24,7 +26,7 @@ _NEWTON_STEPS = 30
 
 
 @dataclass(frozen=True)
-class Model:
+class Model(Batched):
     """The native code of one mechanism, for every set of parameters; each group is made at its first use.
 
     Arrays are C-ordered doubles; n is a number of samples.
@@ -161,24 +163,36 @@ class Model:
     def _instants(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> list[Array]:
         return [rows(time, 1), rows(state, STATE_SIZE), rows(row, self.mechanism.reference_degree + 2)]
 
+    def _rate_function(self) -> Any:
+        from tmodes.equations.closed_loop import closed_loop, rate_function
+
+        return rate_function(closed_loop(self.mechanism))
+
     @cached_property
     def loops(self) -> Any:
         """The native time loops, by the names of :class:`tmodes.integrate.settings.Method`."""
+        return loops.time_loops("loops", self.mechanism.key, self._rate_function, guarded=12)
 
-        def make() -> Any:
-            from tmodes.equations.closed_loop import closed_loop, rate_function
+    @cached_property
+    def lane_loops(self) -> Any:
+        """The native time loops over robots side by side."""
+        return lane_kernels.time_lane_loops("lane loops", self.mechanism.key, self._rate_function, guarded=12)
 
-            return rate_function(closed_loop(self.mechanism))
-
-        return loops.time_loops("loops", self.mechanism.key, make, guarded=12)
+    @property
+    def batch_widths(self) -> dict[str, int]:
+        """Numbers that compiled code reads of each lane of a batch."""
+        return {
+            "parameters": len(number_paths()),
+            "states": STATE_SIZE,
+            "schedules": self.mechanism.reference_degree + 2,
+        }
 
     @cached_property
     def _observation(self) -> Any:
         def make() -> dict[str, Any]:
-            from tmodes.equations.closed_loop import closed_loop, observe_function, rate_function
+            from tmodes.equations.closed_loop import closed_loop, observe_function
 
-            loop = closed_loop(self.mechanism)
-            return {"observe": observe_function(loop), "rate": rate_function(loop)}
+            return {"observe": observe_function(closed_loop(self.mechanism)), "rate": self._rate_function()}
 
         return kernels.sample_functions("observation", self.mechanism.key, make, {"observe": 3, "rate": 3})
 

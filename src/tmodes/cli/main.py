@@ -11,6 +11,7 @@ from typing import Annotated, Any
 
 import typer
 
+from tmodes.cli.batch import batch
 from tmodes.cli.check import check
 from tmodes.cli.describe import describe
 from tmodes.cli.evaluate import evaluate
@@ -40,7 +41,7 @@ app = typer.Typer(
 )
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
-    (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
+    (batch, "batch"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
 ):  # fmt: skip
     app.command(name)(command)
 
@@ -90,7 +91,7 @@ def main() -> None:
         _say("(TMODES_DEBUG=1 shows where)")
         code = FAULT
     if code == INTERRUPTED:
-        _say("tmodes: interrupted; the same command goes on")
+        _say("tmodes: interrupted" + ("" if "batch" in sys.argv[1:2] else "; the same command goes on"))
     _leave(code)
 
 

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -50,8 +51,14 @@ def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:
     b.ret_void()
 
 
-def write_main(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> Any:
-    """The private function ``name(workspace)`` that makes all calls of a schedule, to kernels of other libraries."""
+def write_main(
+    module: Any, schedule: Any, arithmetic: Arithmetic, name: str, offset: Callable[[Any], int] | None = None
+) -> Any:
+    """The private function ``name(workspace)`` that makes all calls of a schedule, to kernels of other libraries.
+
+    ``offset`` tells where a block begins; by default it is the schedule's own.
+    """
+    offset_of = offset or schedule.offset
     main = declare(module, name, VOID, [("workspace", POINTER)], private=True)
     main.attributes.add("noinline")  # loops call it from many places, and the time is in the kernels
     b = ir.IRBuilder(main.append_basic_block("entry"))
@@ -60,7 +67,7 @@ def write_main(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
         slots = (*inputs, *outputs)
         kinds = [(f"b{k}", POINTER) for k in range(len(slots))]
         function = module.globals.get(symbol) or declare(module, symbol, VOID, kinds)
-        b.call(function, [at(b, main.args[0], schedule.offset(slot) * arithmetic.stride) for slot in slots])
+        b.call(function, [at(b, main.args[0], offset_of(slot) * arithmetic.stride) for slot in slots])
     b.ret_void()
     return main
 

@@ -91,8 +91,9 @@ def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
 def arithmetic_of(name: str) -> Any:
     """The kind of numbers of a name: ``double``, ``lanes`` or ``derivative``."""
     from tmodes.compile.arithmetic import Derivative, Double, Lanes
+    from tmodes.compile.wide import Wide
 
-    return {kind.name: kind for kind in (Double, Lanes, Derivative)}[name]
+    return {kind.name: kind for kind in (Double, Lanes, Wide, Derivative)}[name]
 
 
 def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:

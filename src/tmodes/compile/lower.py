@@ -7,8 +7,8 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.arithmetic import Double
-from tmodes.compile.emit import F64, POINTER, VOID, declare, load, number, store
+from tmodes.compile.arithmetic import Arithmetic, Double
+from tmodes.compile.emit import POINTER, VOID, declare
 from tmodes.compile.program import Instruction, Program
 
 __all__ = ["Lowered", "lower"]
@@ -35,15 +35,15 @@ class Lowered:
         return self.program.sizes[2]
 
 
-def lower(module: Any, program: Program) -> Lowered:
+def lower(module: Any, program: Program, arithmetic: Double | None = None) -> Lowered:
     """Write both functions into the module. An argument of one number is passed by value, a longer one by pointer."""
-    held = program.held
+    held, arithmetic = program.held, arithmetic or Double(module)
     prepare = _function(module, f"{program.name}_prepare", [("parameters", POINTER), ("held", POINTER)])
-    _Writer(module, program, {program.invariant: prepare.args[0]}, prepare).write_held(prepare.args[1], held)
+    _Writer(arithmetic, program, {program.invariant: prepare.args[0]}, prepare).write_held(prepare.args[1], held)
     changing = [k for k in range(len(program.sizes)) if k != program.invariant]
-    kinds = [(f"a{k}", F64 if program.sizes[k] == 1 else POINTER) for k in changing]
+    kinds = [(f"a{k}", arithmetic.kind if program.sizes[k] == 1 else POINTER) for k in changing]
     call = _function(module, f"{program.name}_call", [*kinds, ("held", POINTER), ("out", POINTER)])
-    writer = _Writer(module, program, dict(zip(changing, call.args, strict=False)), call)
+    writer = _Writer(arithmetic, program, dict(zip(changing, call.args, strict=False)), call)
     writer.take_held(call.args[-2], held)
     writer.write_outputs(call.args[-1])
     return Lowered(program, prepare, call, len(held))
@@ -56,36 +56,35 @@ def _function(module: Any, name: str, arguments: list[tuple[str, Any]]) -> Any:
 class _Writer:
     """Writes values on demand, each once, in program order."""
 
-    def __init__(self, module: Any, program: Program, arguments: dict[int, Any], function: Any) -> None:
-        self.module, self.program, self.arguments = module, program, arguments
+    def __init__(self, arithmetic: Arithmetic, program: Program, arguments: dict[int, Any], function: Any) -> None:
+        self.arithmetic, self.program, self.arguments = arithmetic, program, arguments
         self.builder = ir.IRBuilder(function.append_basic_block("entry"))
-        self.double = Double(module)
         self.known: dict[int, Any] = {}
         self.turned: dict[int, Any] = {}
 
     def write_held(self, into: Any, held: list[int]) -> None:
         self._write_all(fixed=True)
         for slot, index in enumerate(held):
-            store(self.builder, self.known[index], into, slot)
+            self.arithmetic.store(self.builder, self.known[index], into, slot)
         self.builder.ret_void()
 
     def take_held(self, source: Any, held: list[int]) -> None:
         for slot, index in enumerate(held):
-            self.known[index] = load(self.builder, source, slot)
+            self.known[index] = self.arithmetic.load(self.builder, source, slot)
 
     def write_outputs(self, into: Any) -> None:
         self._write_all(fixed=False)
         given = {position for position, _ in self.program.outputs}
         for position, index in self.program.outputs:
-            store(self.builder, self.known[index], into, position)
+            self.arithmetic.store(self.builder, self.known[index], into, position)
         for position in set(range(self.program.output_size)) - given:
-            store(self.builder, number(0.0), into, position)
+            self.arithmetic.store(self.builder, self.arithmetic.constant(0.0), into, position)
         self.builder.ret_void()
 
     def _write_all(self, *, fixed: bool) -> None:
         for index, value in enumerate(self.program.values):
             if value.kind == "constant":
-                self.known[index] = number(value.value)
+                self.known[index] = self.arithmetic.constant(value.value)
             elif self.program.fixed[index] == fixed:
                 self.known[index] = self._value(value)
 
@@ -93,10 +92,11 @@ class _Writer:
         if value.kind == "input":
             argument, element = value.source
             holder = self.arguments[argument]
-            return load(self.builder, holder, element) if isinstance(holder.type, ir.PointerType) else holder
+            pointed = isinstance(holder.type, ir.PointerType)
+            return self.arithmetic.load(self.builder, holder, element) if pointed else holder
         if value.kind in ("sin", "cos"):
             angle = value.args[0]
             if angle not in self.turned:
-                self.turned[angle] = self.double.turn(self.builder, self.known[angle])
+                self.turned[angle] = self.arithmetic.turn(self.builder, self.known[angle])
             return self.turned[angle][0 if value.kind == "sin" else 1]
-        return self.double.operation(self.builder, value.kind, *(self.known[arg] for arg in value.args))
+        return self.arithmetic.operation(self.builder, value.kind, *(self.known[arg] for arg in value.args))

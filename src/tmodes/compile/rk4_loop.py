@@ -11,7 +11,7 @@ from tmodes.compile.emit import F64, counted, load, number, store
 from tmodes.compile.lower import Lowered
 from tmodes.compile.time_loop import Status, TimeLoop
 
-__all__ = ["write_rk4_loop"]
+__all__ = ["hermite", "write_rk4_loop"]
 
 
 def write_rk4_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
@@ -74,18 +74,18 @@ def _write_sample(loop: TimeLoop, target: Any, time: Any, h: Any, time_after: An
     b.branch(written)
     b.position_at_end(between)
     loop.evaluate(time_after, "new", "k4")
-    _write_row(loop, target, _hermite(b, share, h))
+    _write_row(loop, target, hermite(b, share, h, number(1.0), number(2.0)))
     b.branch(written)
     b.position_at_end(written)
 
 
-def _hermite(b: Any, s: Any, h: Any) -> dict[str, Any]:
-    """Weights of both ends and their slopes at the share s of a step."""
-    rest = b.fsub(number(1.0), s)
+def hermite(b: Any, s: Any, h: Any, one: Any, two: Any) -> dict[str, Any]:
+    """Weights of both ends and their slopes at the share s of a step of length h; ``one`` and ``two`` are constants."""
+    rest = b.fsub(one, s)
     s2, rest2 = b.fmul(s, s), b.fmul(rest, rest)
     return {
-        "y": b.fmul(rest2, b.fadd(number(1.0), b.fmul(number(2.0), s))),
-        "new": b.fmul(s2, b.fadd(number(1.0), b.fmul(number(2.0), rest))),
+        "y": b.fmul(rest2, b.fadd(one, b.fmul(two, s))),
+        "new": b.fmul(s2, b.fadd(one, b.fmul(two, rest))),
         "k1": b.fmul(b.fmul(h, s), rest2),
         "k4": b.fneg(b.fmul(b.fmul(h, rest), s2)),
     }

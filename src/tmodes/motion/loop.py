@@ -9,7 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile import loops
+from tmodes.batch.simulate import Batched
+from tmodes.compile import lane_kernels, loops
 from tmodes.equations.arm.closed_loop import ClosedLoop
 from tmodes.equations.arm.closed_loop_plan import LoopPlan, StateLayout
 from tmodes.evaluator import derivatives, evaluate
@@ -44,7 +45,7 @@ class Loops:
 
 
 @dataclass(frozen=True, eq=False)
-class LoopModel:
+class LoopModel(Batched):
     """The native code of one plan's structure.
 
     Arrays are of n instants: time (n,) [s], state (n, size), row (n, row).
@@ -76,6 +77,17 @@ class LoopModel:
     def loops(self) -> Any:
         """The native time loop of each method, by its name."""
         return Loops(self.loop)
+
+    @cached_property
+    def lane_loops(self) -> Any:
+        """The native loop over arms side by side of each explicit method."""
+        return lane_kernels.schedule_lane_loops("arm lane loops", self.loop.rate, guarded=2 * len(self.coordinates))
+
+    @property
+    def batch_widths(self) -> dict[str, int]:
+        """Numbers that compiled code reads of each lane of a batch."""
+        parameters, size = self.loop.rate.parameters, self.layout.size
+        return {"parameters": parameters, "states": size, "schedules": self.plan.row_size}
 
     def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: LoopNumbers | None = None) -> Array:
         """Derivative of the state by time, (n, size) [the state's units over s]."""

@@ -17,6 +17,7 @@ from tmodes.reference.schedule import Schedule
 from tmodes.reference.signals_expression import FormulaError, parse_formula
 from tmodes.reference.signals_fit import fitted, fitted_sine
 from tmodes.reference.signals_merge import MergedSchedule, merge
+from tmodes.reference.signals_noise import Noise
 from tmodes.reference.trapezoid import TrapezoidalMove
 
 __all__ = [
@@ -24,6 +25,7 @@ __all__ = [
     "Expression",
     "Interpolation",
     "MergedSchedule",
+    "Noise",
     "Quintic",
     "Signal",
     "Sine",
@@ -207,7 +209,7 @@ class Expression(DataSheet):
 
 
 Signal = Annotated[
-    Constant | Step | Trapezoid | Quintic | Sine | Table | Expression,
+    Constant | Step | Trapezoid | Quintic | Sine | Table | Expression | Noise,
     Field(discriminator="type"),
 ]
 """A field of this type takes any signal; its ``type`` says which."""

@@ -1,0 +1,67 @@
+"""Groups of lanes over threads: the native loops run without Python's lock, so each thread keeps one core busy."""
+
+from __future__ import annotations
+
+import os
+import time as clock
+from collections.abc import Callable, Sequence
+from concurrent.futures import Future, ThreadPoolExecutor, wait
+from threading import Event
+
+import numpy as np
+
+from tmodes.batch.lanes import groups, run_lanes
+from tmodes.batch.work import Work
+from tmodes.errors import InputError
+from tmodes.trajectory import Trajectory
+
+__all__ = ["run_all", "thread_count"]
+
+_PATIENCE = 0.1
+"""Seconds between two words about the progress."""
+
+
+def thread_count(threads: int | None) -> int:
+    """Threads of a batch; None: as many as this process may use cores. Raises InputError for fewer than one."""
+    if threads is None:
+        return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
+    if threads < 1:
+        raise InputError("threads", str(threads), "at least 1", "leave it out to use all cores")
+    return threads
+
+
+def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], None]) -> dict[int, Trajectory]:
+    """Run all lanes of all works, each told by its place; Ctrl-C ends them with what they have (``interrupted``).
+
+    ``progress`` is told the share of all lanes' time that is done; what it raises stops the batch.
+    """
+    lanes = [(work, group) for work in works for group in groups(work)]
+    reached, stop = np.zeros(len(works[0].states) if works else 0), Event()
+    whole = sum(work.inputs.size * work.settings.duration for work in works)
+    with ThreadPoolExecutor(threads, "tmodes-batch") as pool:
+        futures = [pool.submit(run_lanes, work, group, stop.is_set, reached) for work, group in lanes]
+        try:
+            _watch(futures, lambda: progress(float(reached.sum()) / whole))
+        except KeyboardInterrupt:
+            stop.set()
+        except BaseException:
+            stop.set()
+            pool.shutdown(cancel_futures=True)
+            raise
+    done: dict[int, Trajectory] = {}
+    for (work, group), future in zip(lanes, futures, strict=True):
+        done |= zip(work.places[group.start : group.stop].tolist(), future.result(), strict=True)
+    return done
+
+
+def _watch(futures: list[Future[list[Trajectory]]], tell: Callable[[], None]) -> None:
+    """Wait for one after the other, which costs nothing however many there are; what one raises is raised."""
+    told = clock.monotonic()
+    for future in futures:
+        while not future.done():
+            wait([future], _PATIENCE)
+            if clock.monotonic() - told >= _PATIENCE:
+                tell()
+                told = clock.monotonic()
+        future.result()
+    tell()

@@ -1,0 +1,177 @@
+"""``tmodes batch``: many runs of one robot or arm with some of its numbers varied, and how far their tips part."""
+
+from __future__ import annotations
+
+from math import isfinite, prod
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+from tmodes.cli.options import (
+    AsJson,
+    Duration,
+    IntegratorOption,
+    Roots,
+    Settings,
+    SheetArgument,
+    Tolerance,
+    TrustPaths,
+    chosen_sheet,
+    integration_changes,
+)  # fmt: skip
+from tmodes.errors import InputError
+
+if TYPE_CHECKING:
+    from numpy.typing import NDArray
+
+    from tmodes.batch.result import BatchRun
+    from tmodes.vary.study import Spread
+
+__all__ = ["batch"]
+
+MOST_LANES = 1_000_000
+MOST_TOLD = 5
+"""Lanes that did not finish, told of one by one."""
+
+
+def batch(
+    robot: SheetArgument,
+    vary: Annotated[
+        list[str] | None,
+        typer.Option(metavar="PATH=LOW:HIGH:COUNT", help="Evenly spaced numbers; of several, all combinations."),
+    ] = None,
+    draw: Annotated[
+        list[str] | None,
+        typer.Option(metavar="PATH=LOW:HIGH", help="Random numbers, uniform; with --runs and --seed."),
+    ] = None,
+    runs: Annotated[int, typer.Option(min=1, max=MOST_LANES, help="How many runs --draw makes.")] = 100,
+    seed: Annotated[int, typer.Option(min=0, help="Same seed, same numbers.")] = 0,
+    settings: Settings = None,
+    integrator: IntegratorOption = None,
+    rtol: Tolerance = None,
+    duration: Duration = None,
+    threads: Annotated[int | None, typer.Option(min=1, help="Threads; else one for each core.")] = None,
+    out: Annotated[
+        Path | None, typer.Option(help="An empty folder for all samples; else only figures are told.")
+    ] = None,
+    root: Roots = None,
+    trust_paths: TrustPaths = False,
+    as_json: AsJson = False,
+) -> None:
+    """Many runs at once with numbers varied: a sweep (--vary) or a Monte Carlo study (--draw).
+
+    Each is the real robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
+    distance of their tips. The folder of --out holds states.npy, tips.npy, times.npy and batch.json.
+    """
+    values = _values(vary or [], draw or [], runs, seed)
+    changes = integration_changes(integrator, rtol, duration)
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
+    found, parted = _run(sheet, values, threads, out)
+    _tell(sheet.name, found, parted, as_json)
+    if not found.finished.all():
+        raise typer.Exit(130 if "interrupted" in found.status else 3)
+
+
+def _values(vary: list[str], draw: list[str], runs: int, seed: int) -> dict[str, NDArray[Any]]:
+    """Numbers of every lane, by path."""
+    from tmodes.vary.study import drawn, grid
+
+    if bool(vary) == bool(draw):
+        got, mend = (
+            "both" if vary else "neither",
+            "write --vary payload.mass=0.4:0.6:11, or --draw payload.mass=0.4:0.6",
+        )
+        raise InputError("--vary, --draw", got, "one of them", mend)
+    if draw:
+        return drawn({path: (low, high) for path, low, high in (_range("--draw", text) for text in draw)}, runs, seed)
+    ranges = {
+        path: (low, high, _count(text, *more)) for text in vary for path, low, high, *more in [_range("--vary", text)]
+    }
+    lanes = prod(count for _, _, count in ranges.values())
+    if lanes > MOST_LANES:
+        raise InputError("--vary", f"{lanes} combinations", f"at most {MOST_LANES}", "take fewer numbers of each path")
+    return grid(ranges)
+
+
+def _range(option: str, text: str) -> tuple[Any, ...]:
+    """Path and numbers of ``PATH=LOW:HIGH`` or ``PATH=LOW:HIGH:COUNT``."""
+    path, _, numbers = text.partition("=")
+    expected = "PATH=LOW:HIGH" + (":COUNT" if option == "--vary" else "")
+    try:
+        values = [float(word) for word in numbers.split(":")]
+    except ValueError:
+        values = []
+    if len(values) != expected.count(":") + 1 or not all(map(isfinite, values)):
+        raise InputError(option, ascii(text)[:80], expected, "write numbers in SI units, as in payload.mass=0.4:0.6")
+    return path.strip(), *values
+
+
+def _count(text: str, count: float) -> int:
+    if count < 1 or not count.is_integer():
+        raise InputError("--vary", ascii(text)[:80], "a whole COUNT of at least 1", "write how many numbers to take")
+    return int(count)
+
+
+def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | None) -> tuple[BatchRun, Spread]:
+    from tmodes.cli.interrupt import heard
+    from tmodes.cli.progress import Stages
+    from tmodes.vary.simulate import simulate_batch, simulate_changes
+    from tmodes.vary.study import spread
+
+    with heard() as wish, Stages(wish) as tell:
+        own = simulate_changes(sheet, [{}], {}, tips=True, threads=1, out=None, progress=tell)
+        if "interrupted" in own.status:
+            raise KeyboardInterrupt
+        found = simulate_batch(sheet, values, tips=True, threads=threads, out=out, progress=tell)
+    return found, spread(found, own)
+
+
+def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
+    from tmodes.cli.output import notice, print_json
+
+    told = parted.told(found)
+    if as_json:
+        print_json(told | {"each": _each(found, parted)})
+    else:
+        _print(name, found, told)
+    lost = [lane for lane, status in enumerate(found.status) if status != "finished"]
+    for lane in lost[:MOST_TOLD]:
+        values = ", ".join(f"{path} = {values[lane]:.6g}" for path, values in found.values.items())
+        notice(f"lane {lane} ({values}) {found.status[lane]}: {found.message[lane]}")
+    if len(lost) > MOST_TOLD:
+        notice(f"and {len(lost) - MOST_TOLD} more lanes that did not finish")
+
+
+def _each(found: BatchRun, parted: Spread) -> list[dict[str, Any]]:
+    """Every lane: its numbers, how it ended, and how far its tip parted."""
+    pairs = zip(parted.largest.tolist(), parted.at_end.tolist(), strict=True)
+    return [
+        {
+            "values": {path: float(values[lane]) for path, values in found.values.items()},
+            "status": found.status[lane],
+            "message": found.message[lane],
+            "tip_difference_m": largest if isfinite(largest) else None,
+            "tip_difference_at_end_m": at_end if isfinite(at_end) else None,
+        }
+        for lane, (largest, at_end) in enumerate(pairs)
+    ]
+
+
+def _print(name: str, found: BatchRun, told: dict[str, Any]) -> None:
+    from tmodes.cli.output import print_table
+
+    title = f"{name}: {told['finished']} of {told['lanes']} runs finished"
+    labels = {"tip_difference_m": "tip off by at most [mm]", "tip_difference_at_end_m": "at the end [mm]"}
+    rows = [
+        [label, *(f"{told[key][part] * 1e3:.4g}" if told[key] else "-" for part in ("min", "median", "max"))]
+        for key, label in labels.items()
+    ]
+    print_table(title, ["from the sheet's own run", "least", "median", "largest"], rows)
+    if worst := told["worst"]:
+        values = ", ".join(f"{path} = {value:.6g}" for path, value in worst["values"].items())
+        print(
+            f"The tip parts farthest, by {worst['tip_difference_m'] * 1e3:.4g} mm, in lane {worst['lane']}: {values}."
+        )
+    if found.folder:
+        print(f"All samples are in {found.folder}.")

@@ -1,0 +1,145 @@
+"""Batches in folders: the same bytes, whole or absent, whatever stops them; and what is refused beforehand."""
+
+from __future__ import annotations
+
+import json
+import os
+import signal
+import subprocess
+import sys
+from dataclasses import replace
+
+import numpy as np
+import pytest
+
+from tmodes.batch.store import load_batch
+from tmodes.errors import InputError, ResultFileError
+from tmodes.integrate.settings import Method
+from tmodes.reference.schedule import Schedule
+
+
+def test_the_folder_holds_the_same_batch(seed, tmp_path):
+    memory, disk = seed.run(), seed.run(out=tmp_path / "batch")
+    again = load_batch(tmp_path / "batch")
+    for batch in (disk, again):
+        assert batch.states.tobytes() == memory.states.tobytes()
+        assert np.array_equal(batch.times, memory.times)
+        assert (batch.status, batch.message, batch.coordinates) == (memory.status, memory.message, memory.coordinates)
+        assert all(np.array_equal(batch.statistics[name], memory.statistics[name]) for name in memory.statistics)
+        assert batch.folder == tmp_path / "batch"
+    assert sorted(path.name for path in (tmp_path / "batch").iterdir()) == ["batch.json", "states.npy", "times.npy"]
+    with pytest.raises(ResultFileError, match="new folder"):
+        seed.run(out=tmp_path / "batch")
+
+
+class _Interrupts:
+    """A progress that presses Ctrl-C as soon as something is done."""
+
+    def __call__(self, share):
+        raise KeyboardInterrupt
+
+
+def test_interrupted_keeps_what_was_done(seed, tmp_path):
+    """Lanes that were ended say so; the folder is whole."""
+    settings = seed.settings.model_copy(update={"duration": 2000.0, "output_step": 1.0})
+    batch = replace(seed, settings=settings).run(out=tmp_path / "batch", progress=_Interrupts())
+    assert set(batch.status) == {"interrupted"}
+    assert all("interrupted at t = " in message for message in batch.message)
+    assert (batch.counts >= 1).all()
+    assert np.isfinite(batch.states[0, : batch.counts[0]]).all()
+    assert np.isnan(batch.states[0, batch.counts[0] :]).all()
+    assert load_batch(tmp_path / "batch").status == batch.status
+
+
+def test_a_progress_that_fails_leaves_nothing(seed, tmp_path):
+    def fails(share):
+        raise RuntimeError("no terminal")
+
+    settings = seed.settings.model_copy(update={"duration": 2000.0, "output_step": 1.0})
+    with pytest.raises(RuntimeError, match="no terminal"):
+        replace(seed, settings=settings).run(out=tmp_path / "batch", progress=fails)
+    assert list((tmp_path / "batch").iterdir()) == []
+    with pytest.raises(ResultFileError, match="no whole batch"):
+        load_batch(tmp_path / "batch")
+
+
+KILLED = """
+import os, signal, sys
+from tmodes.mechanism import Drive
+from tmodes.model import Model
+from tmodes.robots import load_robot
+robot = load_robot("filipovic2010")
+mechanism, parameters = robot.split(Drive.CONTROLLED)
+model = Model(mechanism)
+settings = robot.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
+def kill(share):
+    os.kill(os.getpid(), signal.SIGKILL)
+start = model.rest(robot.reference.start, parameters)
+model.simulate_batch(parameters.vector, robot.reference.schedule(), start, settings, out=sys.argv[1], progress=kill)
+"""
+
+
+@pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
+def test_killed_leaves_no_batch(seed, tmp_path):
+    """After kill -9 there is no file that looks whole, and the folder can be used again."""
+    folder = tmp_path / "batch"
+    done = subprocess.run([sys.executable, "-c", KILLED, str(folder)], check=False, env=os.environ)
+    assert done.returncode == -signal.SIGKILL
+    assert [path.name for path in folder.iterdir() if not path.name.startswith(".")] == []
+    with pytest.raises(ResultFileError, match="no whole batch"):
+        load_batch(folder)
+    seed.run(out=folder)
+    assert sorted(path.name for path in folder.iterdir()) == ["batch.json", "states.npy", "times.npy"]
+
+
+@pytest.mark.parametrize(
+    ("key", "value"), [("format", 2), ("shape", [9, 41, 16]), ("status", ["finished"]), ("samples", None)]
+)
+def test_a_folder_that_does_not_fit_together_is_refused(seed, tmp_path, key, value):
+    seed.run(out=tmp_path)
+    told = json.loads((tmp_path / "batch.json").read_text(encoding="utf-8"))
+    (tmp_path / "batch.json").write_text(json.dumps(told | {key: value}), encoding="utf-8")
+    with pytest.raises(ResultFileError):
+        load_batch(tmp_path)
+
+
+def test_truncated_samples_are_refused(seed, tmp_path):
+    seed.run(out=tmp_path)
+    content = (tmp_path / "states.npy").read_bytes()
+    (tmp_path / "states.npy").write_bytes(content[:-8])
+    with pytest.raises(ResultFileError, match="no whole batch"):
+        load_batch(tmp_path)
+
+
+def test_too_large_is_refused_with_numbers(seed, tmp_path):
+    """Neither memory nor disk is asked for more than there is."""
+    settings = seed.settings.model_copy(update={"duration": 1e6, "output_step": 1.0})
+    given = (np.tile(seed.many, (3000, 1)), seed.schedule, seed.start, settings)
+    with pytest.raises(InputError, match=r"27000 lanes of 1000001 samples of 17 numbers, 3.67e\+03 GB.*1.8 GB.*out="):
+        seed.model.simulate_batch(*given)
+    with pytest.raises(ResultFileError, match="at least 3,672,"):
+        seed.model.simulate_batch(*given, out=tmp_path / "new")
+    assert not (tmp_path / "new").exists()
+
+
+def wrong_calls(seed):
+    given = {"parameters": seed.many, "schedules": seed.schedule, "states": seed.start, "settings": seed.settings}
+    auto = seed.settings.model_copy(update={"method": Method.AUTO})
+    linear = Schedule(np.array([0.0, 1.0]), np.zeros((1, 2)))
+    return {
+        "9": given | {"states": np.zeros((4, 17))},
+        "26 numbers": given | {"parameters": seed.many[:, :20]},
+        "17 numbers": given | {"states": np.zeros(16)},
+        "4 numbers": given | {"schedules": linear},
+        "size": given | {"parameters": np.zeros((2, 2, 26))},
+        "named|name the integrator": given | {"settings": auto},
+        "at least 1": given | {"threads": 0},
+        "1 or": given | {"schedules": [seed.schedule] * 3},
+    }
+
+
+@pytest.mark.parametrize("told", ["9", "26 numbers", "17 numbers", "4 numbers", "size", "named|name the integrator",
+                                  "at least 1", "1 or"])  # fmt: skip
+def test_wrong_calls_are_refused(seed, told):
+    with pytest.raises(InputError, match=told):
+        seed.model.simulate_batch(**wrong_calls(seed)[told])

@@ -1,0 +1,139 @@
+"""Varied sheets: each lane is the run of its own sheet; wrong numbers and starts are told with their lane."""
+
+from __future__ import annotations
+
+import math
+
+import numpy as np
+import pytest
+
+import tmodes
+from arm.run.sheets import pendulum, torque
+from tmodes.batch.store import load_batch
+from tmodes.errors import InputError, InputErrors, TmodesError
+from tmodes.mechanism import Drive
+from tmodes.motion.simulate import simulate_arm
+from tmodes.regime import run_regime
+
+SHORT = {"integration.duration": 0.02, "integration.output_step": 1e-3}
+
+
+@pytest.fixture(scope="module")
+def robot():
+    return tmodes.load_robot("filipovic2010").with_(SHORT)
+
+
+def swing(**more):
+    """An elastic pendulum under a torque."""
+    integration = {"duration": 0.2, "output_step": 0.01, **more}
+    return pendulum({"inertia": 0.3}, {"stiffness": 100.0}, torque(2.0), integration=integration)
+
+
+def test_each_lane_is_the_run_of_its_sheet(robot):
+    """Known and real numbers vary together; one lane's gear is rigid, which is another structure."""
+    vary = {"payload.mass": [0.4, 0.5, 0.6, 0.7], "real.gear.stiffness": [0.5, 1.0, 1.5, 1.0],
+            "gear.stiffness": [4000.0, 5000.0, math.inf, 5000.0]}  # fmt: skip
+    vary["real.gear.stiffness"][2] = 1.0
+    batch = tmodes.simulate_batch(robot, vary, tips=True, threads=2)
+    assert batch.finished.all()
+    for lane in range(4):
+        changes = {path: numbers[lane] for path, numbers in vary.items()}
+        alone = run_regime(robot.with_(changes).pair().real, Drive.CONTROLLED)
+        states = alone.trajectory.states
+        assert np.abs(batch.states[lane] - states).max() < 1e-12 * np.abs(states).max()
+        seen = alone.observed(len(states))["tip"]
+        assert batch.tips is not None
+        assert np.abs(batch.tips[lane] - seen).max() < 1e-12
+    assert {path: numbers.tolist() for path, numbers in batch.values.items()} == vary
+
+
+@pytest.mark.parametrize("method", ["auto", "extrapolation"])
+def test_each_lane_is_the_run_of_its_arm(method):
+    arm = swing(method=method)
+    masses = [0.8, 1.0, 1.7]
+    batch = tmodes.simulate_batch(arm, {"links.link.bodies.bob.mass": masses}, tips=True)
+    for lane, mass in enumerate(masses):
+        run = simulate_arm(arm.with_({"links.link.bodies.bob.mass": mass}))
+        n = len(run.coordinates)
+        assert np.abs(batch.states[lane, :, :n] - run.q).max() < 1e-12
+        assert batch.tips is not None
+        assert np.abs(batch.tips[lane] - run.points.position[:, 0]).max() < 1e-12
+        assert batch.statistics["steps"][lane] == run.statistics["steps"]
+
+
+def test_each_lane_has_its_own_start_and_motion():
+    """Initial state and signals are numbers of the sheet like all others."""
+    arm, starts, efforts = swing(), [0.1, -0.4, 0.2], [2.0, -1.0, 0.5]
+    vary = {"initial.coordinates.joint": starts, "drives.0.signal.value": efforts}
+    batch = tmodes.simulate_batch(arm, vary)
+    for lane, (start, effort) in enumerate(zip(starts, efforts, strict=True)):
+        run = simulate_arm(arm.with_({"initial.coordinates.joint": start, "drives.0.signal.value": effort}))
+        assert batch.states[lane, 0, 0] == start
+        assert np.abs(batch.states[lane, :, :2] - run.q).max() < 1e-12
+
+
+def test_the_tip_on_a_base_that_moves():
+    """The tip is told in the world, which the base does not stand in."""
+    ramp = {"type": "expression", "formula": "0.3*t"}
+    arm = type(swing()).from_data(swing().model_dump(mode="json", exclude_none=True) | {"base_motion": {"x": ramp}})
+    batch = tmodes.simulate_batch(arm, {"gravity": [9.0, 9.8]}, tips=True)
+    run = simulate_arm(arm.with_({"gravity": 9.8}))
+    assert batch.tips is not None
+    assert np.abs(batch.tips[1] - run.points.position[:, 0]).max() < 1e-12
+    assert batch.tips[1, -1, 0] - batch.tips[1, 0, 0] > 0.03
+
+
+def test_a_lane_that_cannot_start_disturbs_no_other(robot):
+    loads = [0.5, 1e5, 0.6]
+    batch = tmodes.simulate_batch(robot, {"payload.mass": loads}, tips=True)
+    good = tmodes.simulate_batch(robot, {"payload.mass": [0.5, 0.6]}, tips=True)
+    assert batch.status == ("finished", "failed", "finished")
+    assert "no equilibrium" in batch.message[1]
+    assert batch.counts[1] == 0
+    assert np.isnan(batch.states[1]).all()
+    assert batch.states[[0, 2]].tobytes() == good.states.tobytes()
+
+
+def test_the_folder_holds_what_was_varied(robot, tmp_path):
+    batch = tmodes.simulate_batch(robot, {"payload.mass": [0.4, 0.6]}, tips=True, out=tmp_path / "study")
+    again = load_batch(tmp_path / "study")
+    memory = tmodes.simulate_batch(robot, {"payload.mass": [0.4, 0.6]}, tips=True)
+    assert again.values["payload.mass"].tolist() == batch.values["payload.mass"].tolist() == [0.4, 0.6]
+    assert again.states.tobytes() == memory.states.tobytes()
+    assert again.tips is not None
+    assert memory.tips is not None
+    assert again.tips.tobytes() == memory.tips.tobytes()
+
+
+WRONG = {
+    "lane 1.*payload.mass": {"payload.mass": [0.4, -1.0]},
+    "lane 0.*payload.mass": {"payload.mass": [np.nan]},
+    "did you mean `payload.mass`": {"payload.mas": [0.4]},
+    "one integration for all": {"integration.duration": [0.1, 0.2]},
+    "same length": {"payload.mass": [0.4, 0.5], "gravity": [9.81]},
+    "numbers": {"payload.mass": ["heavy"]},
+    "no path": {},
+    r"shapes .*\(\)": {"payload.mass": 0.4},
+}
+
+
+@pytest.mark.parametrize("told", list(WRONG))
+def test_wrong_numbers_are_told_with_their_lane(robot, told):
+    with pytest.raises((InputError, InputErrors), match=told):
+        tmodes.simulate_batch(robot, WRONG[told])
+
+
+def test_lanes_of_other_coordinates_are_refused():
+    with pytest.raises(InputError, match="same coordinates"):
+        tmodes.simulate_batch(swing(), {"joints.joint.gear.stiffness": [100.0, math.inf]})
+
+
+def test_too_large_is_refused_before_the_lanes_are_prepared(robot):
+    """One lane is enough to tell."""
+    stages = []
+    long = robot.with_({"integration.duration": 1e4, "integration.output_step": 0.1})
+    with pytest.raises(TmodesError, match=r"at most 1\.8 GB in memory"):
+        tmodes.simulate_batch(
+            long, {"payload.mass": np.linspace(0.4, 0.6, 1000)}, progress=lambda *told: stages.append(told)
+        )
+    assert not stages

@@ -1,0 +1,118 @@
+"""``tmodes batch``: sweeps and Monte Carlo studies as a user meets them."""
+
+from __future__ import annotations
+
+import json
+import subprocess
+import sys
+
+import numpy as np
+import pytest
+
+from tmodes.batch.store import load_batch
+from tmodes.cli.main import main
+from tmodes.vary.study import drawn, grid
+
+COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "batch", "filipovic2010", "--duration", "0.02"]
+
+
+def tmodes_batch(*arguments, code=0):
+    """Run the command; a traceback is never right."""
+    line = [*COMMAND, *map(str, arguments)]
+    done = subprocess.run(line, capture_output=True, text=True, check=False)
+    assert "Traceback" not in done.stderr
+    assert done.returncode == code, done.stderr
+    return done
+
+
+def test_sweep_into_a_folder(tmp_path):
+    """All combinations; the table tells the spread and the worst lane, the folder holds all samples."""
+    out = tmp_path / "with spaces é"
+    vary = ["--vary", "payload.mass=0.4:0.6:3", "--vary", "gear.damping=0:4:3"]
+    told = tmodes_batch(*vary, "--out", out).stdout
+    assert "9 of 9 runs finished" in told
+    assert "The tip parts farthest" in told
+    batch = load_batch(out)
+    assert batch.size == 9
+    assert batch.values["payload.mass"].tolist() == np.repeat([0.4, 0.5, 0.6], 3).tolist()
+    # The middle one is the sheet itself, which parts from itself by nothing.
+    data = json.loads(tmodes_batch(*vary, "--json").stdout)
+    assert data["each"][4]["tip_difference_m"] < 1e-12
+    assert data["tip_difference_m"]["max"] == data["worst"]["tip_difference_m"] > 1e-4
+    assert batch.tips is not None
+    far = np.linalg.norm(batch.tips - batch.tips[4], axis=2).max(axis=1)
+    assert [each["tip_difference_m"] for each in data["each"]] == pytest.approx(far.tolist(), abs=1e-12)
+    assert "new folder" in tmodes_batch(*vary, "--out", out, code=4).stderr
+
+
+def test_draws_are_the_same_for_the_same_seed():
+    options = ["--draw", "payload.mass=0.4:0.6", "--runs", 5, "--json"]
+    first, again, other = (tmodes_batch(*options, "--seed", seed, "--threads", k).stdout
+                           for seed, k in ((3, 1), (3, 2), (4, 1)))  # fmt: skip
+    assert first == again != other
+
+
+def test_lanes_that_fail_are_told_and_the_exit_code_says_so():
+    done = tmodes_batch("--vary", "payload.mass=0.5:1e5:2", code=3)
+    assert "1 of 2 runs finished" in done.stdout
+    assert "lane 1 (payload.mass = 100000) failed" in done.stderr
+    data = json.loads(tmodes_batch("--vary", "payload.mass=0.5:1e5:2", "--json", code=3).stdout)
+    assert [each["status"] for each in data["each"]] == ["finished", "failed"]
+    assert data["each"][1]["tip_difference_m"] is None
+
+
+WRONG = {
+    "one of them": [],
+    "got both": ["--vary", "payload.mass=1:2:3", "--draw", "payload.mass=1:2"],
+    "PATH=LOW:HIGH:COUNT": ["--vary", "payload.mass=1:2"],
+    "expected PATH=LOW:HIGH.": ["--draw", "payload.mass=1:nan"],
+    "whole COUNT": ["--vary", "payload.mass=1:2:2.5"],
+    "at most 1000000": ["--vary", "payload.mass=1:2:1001", "--vary", "gravity=9:10:1001"],
+    "lane 0: payload.mass: got -1.0": ["--vary", "payload.mass=-1:2:2"],
+    "did you mean": ["--draw", "payload.mas=1:2"],
+    "one integration": ["--vary", "integration.duration=1:2:3"],
+}
+
+
+@pytest.mark.parametrize("told", list(WRONG))
+def test_wrong_lines_are_refused(told, monkeypatch, capsys):
+    monkeypatch.setattr(sys, "argv", ["tmodes", *COMMAND[3:], *WRONG[told]])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 2
+    assert told in capsys.readouterr().err
+
+
+@pytest.mark.parametrize(("stage", "duration"), [("preparing", 1), ("running", 2000), ("tips", 1)])
+def test_interrupted_before_the_batch_has_begun(stage, duration, tmp_path, monkeypatch, capsys):
+    """Ctrl-C during the sheet's own run ends the command; nothing is left behind."""
+
+    def interrupts(self, told, share):
+        if told == stage:
+            raise KeyboardInterrupt
+
+    monkeypatch.setattr("tmodes.cli.progress.Stages.__call__", interrupts)
+    out = tmp_path / "batch"
+    line = ["tmodes", "batch", "filipovic2010", "--duration", str(duration), "--set", "integration.output_step=1.0"]
+    monkeypatch.setattr(sys, "argv", [*line, "--vary", "payload.mass=0.4:0.6:3", "--out", str(out)])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 130
+    assert capsys.readouterr().err == "tmodes: interrupted\n"
+    assert not out.exists()
+
+
+def test_grid_is_all_combinations():
+    values = grid({"a": (0.0, 1.0, 3), "b": (5.0, 5.0, 1), "c": (2.0, 3.0, 2)})
+    assert sorted(zip(*(values[name].tolist() for name in "abc"), strict=True)) == [
+        (a, 5.0, c) for a in (0.0, 0.5, 1.0) for c in (2.0, 3.0)
+    ]
+
+
+def test_a_longer_draw_begins_with_the_shorter_one():
+    """More runs, or another path beside, change no number that was drawn."""
+    short, long = drawn({"a": (0.0, 2.0)}, 10, 7), drawn({"b": (5.0, 6.0), "a": (0.0, 2.0)}, 1000, 7)
+    assert long["a"][:10].tolist() == short["a"].tolist()
+    assert np.all((long["b"] >= 5.0) & (long["b"] < 6.0))
+    assert long["a"].mean() == pytest.approx(1.0, abs=4 * 2 / np.sqrt(12 * 1000))
+    assert np.corrcoef(long["a"], long["b"])[0, 1] == pytest.approx(0.0, abs=0.15)
