@@ -15,7 +15,7 @@ import llvmlite.binding as llvm
 from tmodes.compile.trigonometry import FAR_COSINE, FAR_SINE
 from tmodes.errors import CompileError
 
-__all__ = ["POWER", "Library", "host", "to_object"]
+__all__ = ["POWER", "Library", "host", "processor", "to_object"]
 
 POWER = "tmodes_pow"
 """Symbol bound to the C library's pow."""
@@ -45,6 +45,11 @@ def host() -> str:
     )
 
 
+def processor() -> str:
+    """LLVM's name of this machine's processor."""
+    return llvm.get_host_cpu_name()
+
+
 def to_object(module: Any, level: int) -> bytes:
     """Optimise a module of IR and return its object file; raises :class:`CompileError` when LLVM refuses it."""
     machine = _machine(level)
@@ -69,6 +74,7 @@ def _linker() -> Any:
     return llvm.create_lljit_compiler(_machine(3))
 
 
+@cache
 def _address_in_c(name: str) -> int:
     """Address of a function of the C library: of this process itself where it has it, as Python mostly does."""
     for library in ("msvcrt",) if sys.platform == "win32" else (None, "libm.so.6", "libm.dylib"):
