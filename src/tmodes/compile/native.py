@@ -6,11 +6,12 @@ import ctypes
 import itertools
 import sys
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, lru_cache
 from importlib.metadata import version
 from typing import Any
 
 import llvmlite.binding as llvm
+from llvmlite.binding.newpassmanagers import NewPassManager
 
 from tmodes.compile.trigonometry import FAR_COSINE, FAR_SINE
 from tmodes.errors import CompileError
@@ -61,16 +62,32 @@ def to_object(module: Any, level: int) -> bytes:
         raise CompileError(f"{module.name}: LLVM refuses the code: {problem}") from problem
     options = llvm.create_pipeline_tuning_options(speed_level=level)
     builder = llvm.create_pass_builder(machine, options)
-    builder.getModulePassManager().run(parsed, builder)
+    passes = builder.getModulePassManager()
+    passes.run(parsed, builder)
+    _free(passes)
     return machine.emit_object(parsed)
+
+
+def _free(passes: Any) -> None:
+    """Free a pass manager, some 50 kB each: its own ``_dispose`` is hidden behind one of ObjectRef that does nothing."""
+    hidden = getattr(NewPassManager, "_dispose", None)
+    if hidden is not None and type(passes)._dispose is not hidden:
+        hidden(passes)
+        passes.detach()
 
 
 _serial = itertools.count()
 """The linker wants a new name for each library, also for one that was freed."""
 
 
-@cache
-def _linker() -> Any:
+_PER_LINKER = 64
+"""Libraries of one linker. Some 10 kB of a library that is freed stay with its linker until that is freed too."""
+
+
+@lru_cache(maxsize=1)
+def _linker(generation: int) -> Any:
+    """The linker of the libraries of one generation; an older one lives as long as a library of it does."""
+    del generation
     return llvm.create_lljit_compiler(_machine(3))
 
 
@@ -105,10 +122,13 @@ class Library:
             builder.import_symbol(symbol, library.address(symbol))
         for symbol in functions:
             builder.export_symbol(symbol)
+        serial = next(_serial)
+        linker = _linker(serial // _PER_LINKER)
         try:
-            self._tracker = builder.link(_linker(), f"{name}.{next(_serial)}")
+            self._tracker = builder.link(linker, f"{name}.{serial}")
         except RuntimeError as problem:
             raise CompileError(f"{name}: the object file cannot be linked: {problem}") from problem
+        self._tracker.linker = linker  # which must outlive it
         self._functions = {
             symbol: ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self._tracker[symbol])
             for symbol, count in functions.items()
