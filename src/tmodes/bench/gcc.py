@@ -70,11 +70,10 @@ def contender(ours: Ours, name: str, patience: float = PATIENCE) -> Contender:
     """``name`` is one of :data:`FLAGS`."""
     many, seconds = _many(ours, FLAGS[name], patience)
     out = np.empty((SAMPLES, ours.robot.joints))
-    addresses = [array.ctypes.data for array in (ours.model.parameters, ours.rows, out)]
-    arguments = [ctypes.c_longlong(SAMPLES), *map(ctypes.c_void_p, addresses)]
+    arrays = ours.model.parameters, ours.rows, out
 
     def once() -> None:
-        many(*arguments)
+        many(ctypes.c_longlong(SAMPLES), *(ctypes.c_void_p(array.ctypes.data) for array in arrays))
 
     return Contender(f"{name}, same list", repeated(once), found_in(once, out), compile_seconds=seconds)
 

@@ -69,7 +69,7 @@ def to_object(module: Any, level: int) -> bytes:
 
 
 def _free(passes: Any) -> None:
-    """Free a pass manager, some 50 kB each: its own ``_dispose`` is hidden behind one of ObjectRef that does nothing."""
+    """Free a pass manager, some 50 kB: its own ``_dispose`` is hidden behind one of ObjectRef that does nothing."""
     hidden = getattr(NewPassManager, "_dispose", None)
     if hidden is not None and type(passes)._dispose is not hidden:
         hidden(passes)
@@ -105,7 +105,7 @@ def _address_in_c(name: str) -> int:
 
 
 class Library:
-    """Native functions loaded from one object file; they are freed with this object."""
+    """Native functions loaded from one object file; the code is freed with this object and the last of them."""
 
     def __init__(
         self, name: str, binary: bytes, functions: dict[str, int], imports: Mapping[str, Library] | None = None
@@ -129,13 +129,15 @@ class Library:
         except RuntimeError as problem:
             raise CompileError(f"{name}: the object file cannot be linked: {problem}") from problem
         self._tracker.linker = linker  # which must outlive it
-        self._functions = {
-            symbol: ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self._tracker[symbol])
-            for symbol, count in functions.items()
-        }
+        self._functions = {symbol: self._function(symbol, count) for symbol, count in functions.items()}
 
     def __getitem__(self, name: str) -> Any:
         return self._functions[name]
+
+    def _function(self, symbol: str, count: int) -> Any:
+        function: Any = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self._tracker[symbol])
+        function.kept = self._tracker, self._imports  # who holds a function may have let the library go
+        return function
 
     def address(self, name: str) -> int:
         """Where an exported function is."""
