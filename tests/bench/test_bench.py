@@ -16,6 +16,7 @@ from tmodes.bench import measure
 from tmodes.bench.chain_run import DURATION, ChainRun
 from tmodes.bench.equal_error import Runner, at_equal_error
 from tmodes.bench.rigid import RigidChain
+from tmodes.bench.scaling import exponents
 from tmodes.bench.start import started
 from tmodes.bench.tables import left_out, tables
 from tmodes.cli.main import app
@@ -46,7 +47,7 @@ def test_json_has_every_figure_with_its_error(quick: None, tmp_path: Path) -> No
         assert size["limit"]["changing"] <= size["limit"]["operations"]
         assert all(race["reached"] and race["error"] <= 1e-6 for race in size["runs"]["races"])
     names = [race["name"] for race in told["seed"]["races"]]
-    assert "tmodes, RK4, the paper's step" in names
+    assert "tmodes, rk4, the paper's step" in names
     assert not [name for name in names if "SciPy" in name]
     for word in ("1 joints", "limit, by throughput", "The closed loop of the 2010 robot", told["machine"]["processor"]):
         assert word in done.stdout
@@ -106,8 +107,8 @@ def test_the_loosest_setting_that_is_good_enough_is_taken() -> None:
 def test_integrators_agree_on_the_falling_chain() -> None:
     """Two methods of ours and SciPy's on our accelerations end at the same place."""
     run = ChainRun(RigidChain(3))
-    errors = {runner.name: runner.run(runner.settings[-1])[1] for runner in run.runners() if "RK4" not in runner.name}
-    errors["tmodes, rk4"] = run._judged(run._fixed)(2000)[1]
+    errors = {runner.name: runner.run(runner.settings[-1])[1] for runner in run.runners() if "rk4" not in runner.name}
+    errors["rk4"] = run._judged(run._fixed)(2000)[1]
     assert len(errors) >= 3
     assert max(errors.values()) < 1e-9
     assert np.abs(run.exact[:3]).max() > 0.1 * DURATION
@@ -128,6 +129,20 @@ def test_who_was_left_out_is_said_once() -> None:
     assert left_out(told) == ["gcc, 36, 102 joints: given up", "mujoco, 36, 102 joints: not installed"]
 
 
+def test_power_law_is_found() -> None:
+    """Costs of known powers; a peer that is missing at one size has none, nor have two sizes."""
+
+    def size(n: int) -> dict[str, Any]:
+        times = {"ours": 3e-6 * n, "theirs": 1e-9 * n**3, "sometimes": 1.0}
+        names = [name for name in times if n != 36 or name != "sometimes"]
+        start = {"equations": 0.01 * n, "compile": 0.02 * n, "memory": 1e8 + n**2, "memory_before": 1e8}
+        return {"n": n, "contenders": [{"name": k, "seconds": {"median": times[k]}} for k in names], "start": start}
+
+    found = exponents([size(6), size(12), size(36)])
+    assert found == pytest.approx({"ours": 1.0, "theirs": 3.0, "compile": 1.0, "memory": 2.0}, abs=1e-9)
+    assert exponents([size(6), size(12)]) == {}
+
+
 def test_what_was_not_measured_is_a_dash() -> None:
     """Contenders that took part at one size only."""
     limit = {"throughput": 1e-6, "critical_path": 5e-7, "changing": 1234}
@@ -136,6 +151,6 @@ def test_what_was_not_measured_is_a_dash() -> None:
         times = {"seconds": {"median": 1e-6}, "error": 1e-15, "compile": None}
         return {"n": n, "contenders": [times | {"name": name} for name in names], "start": START, "limit": limit}
 
-    ((_, columns, rows),) = tables({"rounds": 3, "sizes": [size(6, "ours", "theirs"), size(12, "ours")]})
+    ((_, columns, rows),) = tables({"rounds": 3, "scaling": {}, "sizes": [size(6, "ours", "theirs"), size(12, "ours")]})
     assert columns == ("", "6 joints", "12 joints")
     assert rows[:2] == [["ours", "1  1e-15", "1  1e-15"], ["theirs", "1  1e-15", "-"]]

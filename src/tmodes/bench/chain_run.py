@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,7 +14,7 @@ from tmodes.bench import peer_mujoco
 from tmodes.bench.equal_error import Runner
 from tmodes.bench.missing import needed
 from tmodes.bench.rigid import RigidChain
-from tmodes.bench.tolerances import STEPS, TOLERANCES, solved
+from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved
 from tmodes.equations.arm.closed_loop_plan import LoopPlan
 from tmodes.integrate.settings import Integration, Method
 from tmodes.motion.loop import LoopModel
@@ -42,8 +43,10 @@ class ChainRun:
 
     def runners(self) -> Iterator[Runner]:
         """Ours, and SciPy on our accelerations."""
-        yield Runner("tmodes, Dormand-Prince", self._judged(self._adaptive), TOLERANCES, "rtol {:.0e}")
-        yield Runner("tmodes, RK4", self._judged(self._fixed), STEPS, "{:g} steps")
+        for method in adaptive_methods(self.model.loops):
+            run = self._judged(partial(self._adaptive, method=method))
+            yield Runner(f"tmodes, {method.value}", run, TOLERANCES, "rtol {:.0e}")
+        yield Runner("tmodes, rk4", self._judged(self._fixed), STEPS, "{:g} steps")
         yield Runner("SciPy DOP853 on tmodes' rate", self._scipy, TOLERANCES, "rtol {:.0e}")
 
     def peers(self) -> Iterator[Runner]:
@@ -61,10 +64,11 @@ class ChainRun:
     def _error(self, q: NDArray[np.float64]) -> float:
         return float(np.abs(q[: self.robot.joints] - self.exact[: self.robot.joints]).max())
 
-    def _adaptive(self, tolerance: float) -> Integration:
+    def _adaptive(self, tolerance: float, method: Method = Method.DORMAND_PRINCE) -> Integration:
         return Integration(
-            duration=DURATION, output_step=DURATION, relative_tolerance=tolerance, absolute_tolerance=tolerance * 1e-3
-        )
+            method=method, duration=DURATION, output_step=DURATION,
+            relative_tolerance=tolerance, absolute_tolerance=tolerance * 1e-3,
+        )  # fmt: skip
 
     def _fixed(self, steps: float) -> Integration:
         return Integration(method=Method.RK4, duration=DURATION, output_step=DURATION, step=DURATION / steps)

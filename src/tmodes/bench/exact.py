@@ -1,7 +1,8 @@
-"""Accelerations of the rigid chain in extended precision, by a way of its own: Jacobians of all links, one solve.
+"""Accelerations of the rigid chain in extended precision, by a way of its own: the mass matrix, and one solve.
 
-Newton-Euler equations projected onto the joints, M a = -h, with M = sum m Jv^T Jv + Jw^T I Jw (Siciliano et al.,
-Robotics, 2009, section 7.1). Slow and simple; no code is shared with the recursion that it judges.
+M a = -h with spatial vectors at the base: composite inertias are sums over the links outward, M_ij = s_i . I_max(i,j)
+s_j (Featherstone, Rigid Body Dynamics Algorithms, 2008, section 6.2), h_j = s_j . sum of the wrenches outward. No code
+is shared with the recursion that it judges.
 """
 
 from __future__ import annotations
@@ -32,22 +33,33 @@ def relative_error(found: NDArray[np.float64], exact: NDArray[np.float64]) -> fl
 
 def _at(robot: RigidChain, q: Any, v: Any) -> Any:
     axes, origins, turns = _poses(robot, q)
-    n = robot.joints
     centers = origins + turns @ CENTER.astype(_WIDE)
-    # Column j of link k: its velocity per rate of joint j, which moves it only where j <= k.
-    moved = np.tril(np.ones((n, n), dtype=_WIDE))[:, None, :]
-    angular = moved * axes.T[None]
-    linear = moved * np.cross(axes[None], centers[:, None] - origins[None]).transpose(0, 2, 1)
-    inertias = turns * INERTIA.astype(_WIDE) @ turns.transpose(0, 2, 1)
-    rates = angular @ v
-    force, torque = _drift(axes, origins, centers, v)
-    force = MASS * (force - GRAVITY.astype(_WIDE))
-    spin = (inertias @ rates[:, :, None])[:, :, 0]
-    torque = (inertias @ torque[:, :, None])[:, :, 0] + np.cross(rates, spin)
-    flat_linear, flat_angular = linear.reshape(3 * n, n), angular.reshape(3 * n, n)
-    matrix = MASS * flat_linear.T @ flat_linear + flat_angular.T @ (inertias @ angular).reshape(3 * n, n)
-    bias = flat_linear.T @ force.ravel() + flat_angular.T @ torque.ravel()
-    return _solve(matrix, -bias)
+    screws = np.concatenate([axes, np.cross(origins, axes)], axis=1)
+    about_centers = turns * INERTIA.astype(_WIDE) @ turns.transpose(0, 2, 1)
+    moments = np.einsum("kij,kj->ki", _outward(_spatial(about_centers, centers)), screws)
+    lower = np.tril(moments @ screws.T)
+    matrix = lower + np.tril(lower, -1).T
+    linear, spin = _drift(axes, origins, centers, v)
+    rates = np.cumsum(axes * v[:, None], axis=0)
+    force = MASS * (linear - GRAVITY.astype(_WIDE))
+    angular = np.einsum("kij,kj->ki", about_centers, rates)
+    torque = np.einsum("kij,kj->ki", about_centers, spin) + np.cross(rates, angular) + np.cross(centers, force)
+    wrenches = _outward(np.concatenate([torque, force], axis=1))
+    return _solve(matrix, -np.sum(screws * wrenches, axis=1))
+
+
+def _spatial(about_centers: Any, centers: Any) -> Any:
+    """Spatial inertias (n, 6, 6) of the links at the base's origin, angular part first."""
+    zero = np.zeros(len(centers), dtype=_WIDE)
+    x, y, z = centers.T
+    arm = np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]]).transpose(2, 0, 1)
+    across, unit = MASS * arm, np.broadcast_to(MASS * np.eye(3, dtype=_WIDE), arm.shape)
+    return np.block([[about_centers - arm @ across, across], [-across, unit]])
+
+
+def _outward(values: Any) -> Any:
+    """Sums over each link and all links beyond it."""
+    return np.cumsum(values[::-1], axis=0)[::-1]
 
 
 def _poses(robot: RigidChain, q: Any) -> tuple[Any, Any, Any]:

@@ -16,6 +16,7 @@ from tmodes.bench.machine import described
 from tmodes.bench.missing import PeerMissing
 from tmodes.bench.ours import SAMPLES, Ours
 from tmodes.bench.rigid import RigidChain
+from tmodes.bench.scaling import exponents
 from tmodes.bench.seed_run import DURATION as SEED_DURATION
 from tmodes.bench.seed_run import ERROR as SEED_ERROR
 from tmodes.bench.seed_run import SeedRun
@@ -31,6 +32,9 @@ SIZES = (6, 12, 36, 102, 200)
 
 PEERS = ("gcc", "pinocchio", "mujoco", "exudyn", "scipy")
 """Others that can be measured beside this engine."""
+
+LARGEST = 200
+"""Joints above which no straight list is written and no whole runs are raced: that would take minutes."""
 
 _ENGINES = {"pinocchio": peer_pinocchio, "mujoco": peer_mujoco, "exudyn": peer_exudyn}
 
@@ -57,6 +61,7 @@ def measured(plan: Plan, tell: Tell = lambda stage, share: None) -> dict[str, An
     told: dict[str, Any] = {"format": FORMAT, "machine": described(), "rounds": plan.rounds, "samples": SAMPLES}
     told["operations"] = {"cycle": here.cycle, "latency": here.latency, "cost": here.cost}
     told["sizes"] = [_size(plan, n, tell) for n in plan.sizes]
+    told["scaling"] = exponents(told["sizes"])
     if plan.runs:
         told["seed"] = _seed(plan, tell)
     return told
@@ -76,15 +81,17 @@ def _size(plan: Plan, joints: int, tell: Tell) -> dict[str, Any]:
     times = in_turns(contenders, plan.rounds, lambda share: tell(stage, 0.8 * share))
     found = {
         "n": joints, "contenders": _judged(robot, contenders, times), "left_out": left_out,
-        "start": started(joints), "limit": asdict(limit(ours.schedule)),
+        "start": started(joints), "limit": asdict(limit(ours.schedule)) if joints <= LARGEST else None,
     }  # fmt: skip
     tell(stage, 1.0)
-    if plan.runs:
+    if plan.runs and joints <= LARGEST:
         found["runs"] = _chain_runs(plan, robot, lambda share: tell(f"{joints} joints, runs", share))
     return found
 
 
 def _peers(name: str, ours: Ours, patience: float) -> list[Contender]:
+    if name == "gcc" and ours.robot.joints > LARGEST:
+        raise PeerMissing(f"above {LARGEST} joints")
     if name == "gcc":
         return [gcc.contender(ours, way, patience) for way in gcc.FLAGS]
     return [_ENGINES[name].contender(ours.robot)] if name in _ENGINES else []

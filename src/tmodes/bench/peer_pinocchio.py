@@ -8,16 +8,21 @@ from typing import Any
 import numpy as np
 
 from tmodes.bench.contender import CHECKED, Contender
-from tmodes.bench.missing import needed
+from tmodes.bench.missing import PeerMissing, needed
 from tmodes.bench.rigid import CENTER, INERTIA, MASS, TURNED, RigidChain
 
-__all__ = ["contender", "model"]
+__all__ = ["LARGEST", "contender", "model"]
+
+LARGEST = 300
+"""Joints above which it is left out: its data keep tables of the cube of them, 32 GB at a thousand."""
 
 _CALLS = 300
 
 
 def model(robot: RigidChain) -> tuple[Any, Any]:
-    """The module and the model; raises :class:`PeerMissing` where Pinocchio is absent."""
+    """The module and the model; raises :class:`PeerMissing` where Pinocchio is absent or too large."""
+    if robot.joints > LARGEST:
+        raise PeerMissing(f"above {LARGEST} joints: its data grow with the cube of them")
     pin = needed("pinocchio", "pin")
     made, parent = pin.Model(), 0
     kinds = (pin.JointModelRX, pin.JointModelRY, pin.JointModelRZ)

@@ -4,14 +4,14 @@ from __future__ import annotations
 
 import time
 from collections.abc import Iterator
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.bench.equal_error import Runner
-from tmodes.bench.tolerances import STEPS, TOLERANCES, solved
+from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved
 from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Drive
 from tmodes.model import Model
@@ -49,17 +49,18 @@ class SeedRun:
 
     def runners(self) -> Iterator[Runner]:
         """Ours, at equal error and at the paper's step; SciPy's."""
-        yield Runner("tmodes, Dormand-Prince", lambda rtol: self._ours(self._adaptive(rtol)), TOLERANCES, "rtol {:.0e}")
-        yield Runner("tmodes, RK4", lambda steps: self._ours(self._fixed(steps)), STEPS, "{:g} steps")
+        for method in adaptive_methods(self.model.loops):
+            yield Runner(f"tmodes, {method.value}", partial(self._adaptive, method), TOLERANCES, "rtol {:.0e}")
+        yield Runner("tmodes, rk4", lambda steps: self._ours(self._fixed(steps)), STEPS, "{:g} steps")
         yield Runner(
-            "tmodes, RK4, the paper's step", lambda steps: self._ours(self._fixed(steps)), (PAPER_STEPS,),
+            "tmodes, rk4, the paper's step", lambda steps: self._ours(self._fixed(steps)), (PAPER_STEPS,),
             "{:g} steps", given=True,
         )  # fmt: skip
         for method in ("RK45", "DOP853"):
             yield Runner(f"SciPy {method} on tmodes' rate", self._scipy(method), TOLERANCES, "rtol {:.0e}")
 
-    def _adaptive(self, tolerance: float) -> Integration:
-        return _settings(relative_tolerance=tolerance, absolute_tolerance=tolerance * 1e-3)
+    def _adaptive(self, method: Method, tolerance: float) -> tuple[float, float]:
+        return self._ours(_settings(method=method, relative_tolerance=tolerance, absolute_tolerance=tolerance * 1e-3))
 
     def _fixed(self, steps: float) -> Integration:
         return _settings(method=Method.RK4, step=DURATION / steps)

@@ -17,9 +17,16 @@ def tables(told: dict[str, Any]) -> Iterator[Table]:
     title = f"Forward dynamics of rigid chains [µs], relative error; medians of {told['rounds']} rounds"
     columns = ("", *(f"{size['n']} joints" for size in sizes))
     yield title, columns, [*_times(sizes), *_limits(sizes), *_starts(sizes)]
+    if told["scaling"]:
+        sizes_told = ", ".join(str(size["n"]) for size in sizes)
+        yield f"Cost grows with the joints to the power of ({sizes_told} joints)", ("", "power"), _powers(told)
     for name, runs in _runs(told):
         what = f"{name}: {runs['duration']:g} s to {runs['error']:g} {runs['unit']}, at equal error"
         yield what, ("", "setting", "ms per simulated second", f"error [{runs['unit']}]"), _races(runs)
+
+
+def _powers(told: dict[str, Any]) -> list[list[str]]:
+    return [[name, f"{power:.2f}"] for name, power in told["scaling"].items()]
 
 
 def left_out(told: dict[str, Any]) -> list[str]:
@@ -42,10 +49,12 @@ def _time(one: dict[str, Any]) -> str:
 
 
 def _limits(sizes: list[dict[str, Any]]) -> Iterator[list[str]]:
-    limits = [size["limit"] for size in sizes]
-    yield ["limit, by throughput", *(f"{one['throughput'] * 1e6:.3g}" for one in limits)]
-    yield ["limit, by the critical path", *(f"{one['critical_path'] * 1e6:.3g}" for one in limits)]
-    yield ["operations of a new state", *(f"{one['changing']:,}" for one in limits)]
+    for name, key, scale, told in (
+        ("limit, by throughput", "throughput", 1e6, "{:.3g}"),
+        ("limit, by the critical path", "critical_path", 1e6, "{:.3g}"),
+        ("operations of a new state", "changing", 1, "{:,}"),
+    ):
+        yield [name, *(told.format(size["limit"][key] * scale) if size["limit"] else "-" for size in sizes)]
 
 
 def _starts(sizes: list[dict[str, Any]]) -> Iterator[list[str]]:

@@ -9,15 +9,29 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.integrate.settings import Method
+
 Array = NDArray[np.float64]
 
-__all__ = ["STEPS", "TOLERANCES", "solved"]
+__all__ = ["STEPS", "TOLERANCES", "adaptive_methods", "solved"]
 
 TOLERANCES = tuple(10.0**-power for power in np.arange(3.0, 12.1, 0.5))
 """Relative tolerances of adaptive methods."""
 
 STEPS = tuple(round(25 * 2.0 ** (k / 2)) for k in range(29))
 """Numbers of equal steps."""
+
+
+def adaptive_methods(loops: Any) -> list[Method]:
+    """The methods with a tolerance for which there is a native loop."""
+
+    def there(method: Method) -> bool:
+        try:
+            return loops[method.value] is not None
+        except KeyError:
+            return False
+
+    return [method for method in Method if method not in (Method.RK4, Method.AUTO) and there(method)]
 
 
 def solved(
