@@ -93,12 +93,11 @@ def test_folder_is_not_listed_at_each_save(place: Path, monkeypatch: pytest.Monk
     """Once by a process, then whenever it has written a sixteenth of the limit: the bound holds to that part."""
     listed, saves, size, limit = 0, 64, 10_000, 320_000
 
-    def counting(*arguments: object) -> int:
+    def counting(place: Path, limit: int) -> int:
         nonlocal listed
         listed += 1
-        return trim(*arguments)
+        return cache_folder.trim(place, limit)
 
-    trim = cache_folder.trim
     monkeypatch.setattr(cache, "trim", counting)
     monkeypatch.setattr(cache, "MAX_BYTES", limit)
     for number in range(saves):

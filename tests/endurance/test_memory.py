@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from functools import cached_property
-from types import SimpleNamespace
 from typing import Any
 
 import casadi as ca
@@ -14,6 +13,7 @@ from tmodes.arm_model import ArmModel
 from tmodes.chain import Body, Chain, Drive, Gear, Joint, JointKind, Motor, Node, Placement, RigidLink
 from tmodes.compile import kernels
 from tmodes.integrate.settings import Integration, Method
+from tmodes.mechanism import Parameters
 from tmodes.reference.schedule import Schedule
 from tmodes.trajectory import integrate
 
@@ -42,7 +42,7 @@ def test_many_steps_in_one_process() -> None:
     """The memory of a run does not grow with its steps, and its end is that of the method, by powers of one step."""
     steps, step = often(2_000_000, 100_000_000), 0.01
     still = Schedule(np.array([0.0, 1.0]), np.zeros((1, 1)))
-    numbers, oscillator = SimpleNamespace(vector=np.ones(1)), Oscillator()
+    numbers, oscillator = Parameters(("stiffness",), np.ones(1)), Oscillator()
 
     def run(count: int) -> Any:
         settings = Integration(

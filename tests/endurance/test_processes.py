@@ -25,9 +25,9 @@ print(ArmModel(RigidChain(2).chain()).forward_dynamics([0.1, 0.2], [0.3, 0.4]).t
 
 
 def started(code: str, place: Path, *arguments: str) -> subprocess.Popen[str]:
-    pipes = {"stdin": subprocess.PIPE, "stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    environment = os.environ | {"TMODES_CACHE": str(place)}
-    return subprocess.Popen([sys.executable, "-c", code, *arguments], env=environment, text=True, **pipes)
+    pipe, environment = subprocess.PIPE, os.environ | {"TMODES_CACHE": str(place)}
+    command = [sys.executable, "-c", code, *arguments]
+    return subprocess.Popen(command, env=environment, text=True, stdin=pipe, stdout=pipe, stderr=pipe)
 
 
 def compiled_by(processes: int, place: Path) -> set[str]:

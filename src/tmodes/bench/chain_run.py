@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from functools import partial
 from typing import Any
@@ -11,6 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.bench import peer_mujoco
+from tmodes.bench.clock import now
 from tmodes.bench.equal_error import Runner
 from tmodes.bench.missing import needed
 from tmodes.bench.rigid import RigidChain
@@ -74,9 +74,9 @@ class ChainRun:
         return Integration(method=Method.RK4, duration=DURATION, output_step=DURATION, step=DURATION / steps)
 
     def _run(self, settings: Integration) -> tuple[float, NDArray[np.float64]]:
-        began = time.perf_counter()
+        began = now()
         run = integrate(self.model, self.model.numbers, _NO_SIGNAL, self.start, settings)
-        seconds = time.perf_counter() - began
+        seconds = now() - began
         return seconds, run.states[-1] if run.status == "finished" else np.full_like(self.start, np.inf)
 
     def _scipy(self, tolerance: float) -> tuple[float, float]:
@@ -93,7 +93,7 @@ class ChainRun:
         data, kind = mujoco.MjData(made), mujoco.mjtState.mjSTATE_FULLPHYSICS
         start = np.zeros((1, mujoco.mj_stateSize(made, kind)))
         rollout = needed("mujoco.rollout", "mujoco").rollout
-        began = time.perf_counter()
+        began = now()
         states, _ = rollout(made, data, start, nstep=int(steps))
-        seconds = time.perf_counter() - began
+        seconds = now() - began
         return seconds, self._error(np.asarray(states)[0, -1, 1:])

@@ -8,7 +8,6 @@ operation with it, as a fused multiply-add can do.
 from __future__ import annotations
 
 import statistics
-import time
 from collections import Counter
 from dataclasses import dataclass
 from functools import cache
@@ -16,6 +15,7 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.bench.clock import now
 from tmodes.compile.inline import inlined
 from tmodes.compile.latency import BODY, OPERATIONS, chains
 from tmodes.compile.program import Program, straight_line
@@ -67,9 +67,9 @@ def _timed(function: Any, width: int) -> float:
     """Seconds per operation: the median of some rounds."""
     numbers, rounds = np.linspace(1.0, 1.1, max(width, 1)), []
     for _ in range(_ROUNDS):
-        began = time.perf_counter()
+        began = now()
         function(_LOOPS, numbers.ctypes.data)
-        rounds.append((time.perf_counter() - began) / (_LOOPS * BODY * width))
+        rounds.append((now() - began) / (_LOOPS * BODY * width))
     return statistics.median(rounds)
 
 

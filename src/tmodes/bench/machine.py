@@ -25,7 +25,7 @@ def described() -> dict[str, object]:
         "processor": _processor(),
         "cores": cores(),
         "load": list(os.getloadavg()) if hasattr(os, "getloadavg") else [],
-        "system": platform.platform(terse=True),
+        "system": f"{platform.system()} {platform.machine()}",
         "python": sys.version.split()[0],
         "tmodes": tmodes.__version__,
         **{name: found for name in _PACKAGES if (found := _version(name))},

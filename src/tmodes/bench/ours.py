@@ -12,6 +12,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.arm_model import ArmModel
+from tmodes.bench.clock import now
 from tmodes.bench.contender import CHECKED, Contender
 from tmodes.bench.rigid import RigidChain
 from tmodes.compile import kernels
@@ -107,9 +108,9 @@ def found_in(once: Callable[[], None], out: NDArray[np.float64]) -> Callable[[],
 
 def _repeats(once: Callable[[], None]) -> int:
     once()
-    began = time.perf_counter()
+    began = now()
     once()
-    return max(1, int(_ROUND / max(time.perf_counter() - began, 1e-9)))
+    return max(1, int(_ROUND / max(now() - began, 1e-9)))
 
 
 def repeated(once: Callable[[], None]) -> Callable[[], float]:
@@ -117,9 +118,9 @@ def repeated(once: Callable[[], None]) -> Callable[[], float]:
     repeats = _repeats(once)
 
     def run() -> float:
-        began = time.perf_counter()
+        began = now()
         for _ in range(repeats):
             once()
-        return (time.perf_counter() - began) / (SAMPLES * repeats)
+        return (now() - began) / (SAMPLES * repeats)
 
     return run

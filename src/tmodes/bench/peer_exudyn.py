@@ -3,12 +3,12 @@
 from __future__ import annotations
 
 import sys
-import time
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.bench.clock import now
 from tmodes.bench.contender import CHECKED, Contender
 from tmodes.bench.missing import PeerMissing, needed
 from tmodes.bench.rigid import CENTER, GRAVITY, INERTIA, MASS, TURNED, RigidChain
@@ -31,9 +31,9 @@ def contender(robot: RigidChain) -> Contender:
     def run() -> float:
         system, _ = _system(exudyn, robot, np.zeros(robot.joints), np.zeros(robot.joints))
         settings = _settings(exudyn, 1e-5 * _STEPS, _STEPS)
-        began = time.perf_counter()
+        began = now()
         system.SolveDynamic(settings, solverType=exudyn.DynamicSolverType.RK44)
-        return (time.perf_counter() - began) / (4 * _STEPS)
+        return (now() - began) / (4 * _STEPS)
 
     def found() -> NDArray[np.float64]:
         return np.array([_accelerations(exudyn, robot, q[k], v[k]) for k in range(CHECKED)])

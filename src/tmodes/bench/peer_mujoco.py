@@ -2,23 +2,28 @@
 
 from __future__ import annotations
 
-import time
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.bench.clock import now
 from tmodes.bench.contender import CHECKED, Contender
-from tmodes.bench.missing import needed
+from tmodes.bench.missing import PeerMissing, needed
 from tmodes.bench.rigid import CENTER, INERTIA, MASS, TURNED, RigidChain
 
-__all__ = ["contender", "model"]
+__all__ = ["LARGEST", "contender", "model"]
+
+LARGEST = 400
+"""Joints above which it is left out: its reader of XML refuses deeper trees."""
 
 _STEPS = 100
 
 
 def model(robot: RigidChain, step: float = 1e-5) -> tuple[Any, Any]:
-    """The module and the model with a time step [s]; raises :class:`PeerMissing` where MuJoCo is absent."""
+    """The module and the model with a time step [s]; :class:`PeerMissing` where it cannot be."""
+    if robot.joints > LARGEST:
+        raise PeerMissing(f"above {LARGEST} joints: its reader of XML refuses trees so deep")
     mujoco = needed("mujoco", "mujoco")
     bodies = ""
     for axis, place in zip(robot.axes, robot.places, strict=True):
@@ -50,9 +55,9 @@ def contender(robot: RigidChain) -> Contender:
     mujoco.mj_getState(made, data, start[0], kind)
 
     def run() -> float:
-        began = time.perf_counter()
+        began = now()
         rollout(made, data, start, nstep=_STEPS)
-        return (time.perf_counter() - began) / (4 * _STEPS)
+        return (now() - began) / (4 * _STEPS)
 
     def found() -> Any:
         q, v = robot.states(1024)

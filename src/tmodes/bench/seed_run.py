@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Iterator
 from functools import cached_property, partial
 from typing import Any
@@ -10,6 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.bench.clock import now
 from tmodes.bench.equal_error import Runner
 from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved
 from tmodes.integrate.settings import Integration, Method
@@ -66,9 +66,9 @@ class SeedRun:
         return _settings(method=Method.RK4, step=DURATION / steps)
 
     def _ours(self, settings: Integration) -> tuple[float, float]:
-        began = time.perf_counter()
+        began = now()
         run = integrate(self.model, self.parameters, self.schedule, self.start, settings)
-        seconds = time.perf_counter() - began
+        seconds = now() - began
         return seconds, self._error(run.states[1:]) if run.status == "finished" else np.inf
 
     def _scipy(self, method: str) -> Any:

@@ -11,9 +11,10 @@ import statistics
 import subprocess
 import sys
 import tempfile
-import time
 from pathlib import Path
 from typing import Any
+
+from tmodes.bench.clock import now
 
 __all__ = ["started"]
 
@@ -55,7 +56,7 @@ def _here(joints: int) -> dict[str, float]:
 
     for once_a_process in (tmodes.compile.native.host, source_digest):
         once_a_process()
-    before, marks = _peak(), [time.perf_counter()]
+    before, marks = _peak(), [now()]
     ours = Ours(RigidChain(joints))
     _mark(marks)
     ours.library("double")
@@ -67,7 +68,7 @@ def _here(joints: int) -> dict[str, float]:
 
 
 def _mark(marks: list[float]) -> None:
-    marks.append(time.perf_counter())
+    marks.append(now())
 
 
 def _peak() -> float:

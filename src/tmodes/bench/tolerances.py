@@ -2,13 +2,13 @@
 
 from __future__ import annotations
 
-import time
 from collections.abc import Callable, Sequence
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.bench.clock import now
 from tmodes.integrate.settings import Method
 
 Array = NDArray[np.float64]
@@ -50,11 +50,11 @@ def solved(
     """
     from scipy.integrate import solve_ivp
 
-    state, found, began = start, [], time.perf_counter()
+    state, found, began = start, [], now()
     for left, right, row in zip(knots[:-1], knots[1:], rows, strict=True):
         wanted = samples[(samples > left) & (samples <= right)]
         options = {"rtol": tolerance, "atol": tolerance * 1e-3, "args": (row,)}
         states = solve_ivp(rate, (left, right), state, method, np.union1d(wanted, [right]), **options).y.T
         found.append(states[: len(wanted)])
         state = states[-1]
-    return time.perf_counter() - began, np.concatenate(found)
+    return now() - began, np.concatenate(found)

@@ -125,7 +125,7 @@ class Library:
         serial = next(_serial)
         linker = _linker(serial // _PER_LINKER)
         try:
-            self._tracker = builder.link(linker, f"{name}.{serial}")
+            self._tracker: Any = builder.link(linker, f"{name}.{serial}")
         except RuntimeError as problem:
             raise CompileError(f"{name}: the object file cannot be linked: {problem}") from problem
         self._tracker.linker = linker  # which must outlive it
