@@ -16,18 +16,19 @@ import platform
 import statistics
 import subprocess
 import sys
-import time
 from collections.abc import Callable
 from pathlib import Path
 
 import numpy as np
 
 from tmodes.arm_model import ArmModel
+from tmodes.bench import peer_mujoco, peer_pinocchio
+from tmodes.bench.clock import now
+from tmodes.bench.missing import PeerMissing
+from tmodes.bench.rigid import RigidChain
 from tmodes.chain import Beam, BeamPiece, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Placement
 from tmodes.compile import kernels
 from tmodes.equations.arm.forward import forward_dynamics
-
-from .peers import rigid_chain
 
 _SAMPLES = 2_000
 
@@ -71,9 +72,9 @@ class Arm:
 
         def run() -> float:
             arrays = (parameters, workspace, self.rows, self.out)
-            began = time.perf_counter()
+            began = now()
             library["run"](_SAMPLES // width, 0, *(array.ctypes.data for array in arrays))
-            return (time.perf_counter() - began) / _SAMPLES
+            return (now() - began) / _SAMPLES
 
         return run
 
@@ -113,14 +114,12 @@ def start_time(joints: int) -> float:
 def peers(coordinates: int) -> dict[str, Callable[[], float]]:
     """Rigid chains of as many coordinates, in the engines that are installed."""
     found: dict[str, Callable[[], float]] = {}
-    for name, make in (
-        (f"Pinocchio aba, rigid chain of {coordinates}, from Python", rigid_chain.pinocchio_aba),
-        (f"MuJoCo forward, rigid chain of {coordinates}, in its RK4", rigid_chain.mujoco_forward),
-    ):
+    for make in (peer_pinocchio.contender, peer_mujoco.contender):
         try:
-            found[name] = make(coordinates)
-        except ImportError as missing:
-            print(f"left out: {name}: {missing}", file=sys.stderr)
+            contender = make(RigidChain(coordinates))
+            found[f"{contender.name}, rigid chain of {coordinates}"] = contender.run
+        except PeerMissing as missing:
+            print(f"left out: {make.__module__.rpartition('_')[2]}: {missing}", file=sys.stderr)
     return found
 
 

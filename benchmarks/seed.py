@@ -25,6 +25,7 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.bench.missing import PeerMissing
 from tmodes.equations.closed_loop import closed_loop, rate_function
 from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Drive
@@ -34,7 +35,6 @@ from tmodes.trajectory import integrate
 
 from .equal_error import at_equal_error, tell
 from .peers import example
-from .peers.missing import PeerMissing
 
 STEPS = 37_500
 Contender = Callable[[], tuple[float, np.ndarray]]

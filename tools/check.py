@@ -22,7 +22,8 @@ CHECKS: dict[str, tuple[tuple[str, ...], ...]] = {
     "types": ((PYTHON, "-m", "basedpyright", "--pythonpath", PYTHON),),
     "imports": ((str(Path(PYTHON).with_name("lint-imports")),),),
     "docs": tuple(
-        (PYTHON, f"tools/{tool}.py", "--check") for tool in ("equations_doc", "notation_doc", "robot_schema", "links")
+        (PYTHON, f"tools/{tool}.py", "--check")
+        for tool in ("equations_doc", "notation_doc", "robot_schema", "performance_doc", "links")
     ),
     "test": ((PYTHON, "-m", "pytest", "--quiet"),),
     "bench": ((PYTHON, "-m", "pytest", "--quiet", "--benchmark-enable", "--benchmark-only", "benchmarks", "tests"),),

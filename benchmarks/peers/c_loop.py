@@ -3,9 +3,6 @@
 from __future__ import annotations
 
 import ctypes
-import shutil
-import subprocess
-import tempfile
 import time
 from collections.abc import Sequence
 from dataclasses import dataclass
@@ -14,9 +11,9 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from .missing import PeerMissing
+from tmodes.bench import gcc
 
-FLAGS: dict[str, tuple[str, ...]] = {"gcc -O3": ("-O3",), "gcc -O3 -march=native": ("-O3", "-march=native")}
+FLAGS = gcc.FLAGS
 LOOP = Path(__file__).with_name("c_loop.c")
 
 
@@ -81,18 +78,7 @@ def build(c_source: str, function: str, n: int, flags: Sequence[str] = FLAGS["gc
     arrays; without it no work array is given. Raises PeerMissing when there is no gcc, RuntimeError when it refuses
     the text.
     """
-    gcc = shutil.which("gcc")
-    if gcc is None:
-        raise PeerMissing("gcc is not installed: the C peer is left out (Debian: apt install gcc)")
     work = f"{function}_work" if f"{function}_work(" in c_source else "(void)sizeof"
     head = f"\n#define FUNCTION {function}\n#define WORK {work}\n#define N {n}\n"
-    with tempfile.TemporaryDirectory() as folder:
-        text, binary = Path(folder, "peer.c"), Path(folder, "peer.so")
-        text.write_text(c_source + head + LOOP.read_text(encoding="utf-8"), encoding="utf-8")
-        command = [gcc, "-std=gnu11", *flags, "-fPIC", "-shared", str(text), "-o", str(binary), "-lm"]
-        began = time.perf_counter()
-        done = subprocess.run(command, capture_output=True, text=True, check=False)
-        if done.returncode != 0:
-            raise RuntimeError(f"gcc {' '.join(flags)} refused the C text:\n{done.stderr[:2000]}")
-        seconds = time.perf_counter() - began
-        return CLoop(ctypes.CDLL(str(binary)), n, seconds)
+    library, seconds = gcc.build(c_source + head + LOOP.read_text(encoding="utf-8"), flags, patience=600.0)
+    return CLoop(library, n, seconds)

@@ -20,8 +20,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.bench.missing import PeerMissing
+
 from . import example
-from .missing import PeerMissing
 
 sys.exudynFast = True  # type: ignore[attr-defined]  # Exudyn's own switch: the module without range checks
 try:

@@ -21,8 +21,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.bench.missing import PeerMissing
+
 from . import example
-from .missing import PeerMissing
 
 try:
     import mujoco

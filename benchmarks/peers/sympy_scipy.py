@@ -14,8 +14,9 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.bench.missing import PeerMissing
+
 from . import example
-from .missing import PeerMissing
 
 try:
     from scipy.integrate import solve_ivp

@@ -108,6 +108,19 @@ def test_unknown_operation_is_refused():
         straight_line(ca.Function("f", [x, p], [ca.erf(x)]), invariant=1)
 
 
+def test_a_function_outlives_its_library(sine_cosine):
+    """Who holds a function may call it after the library, and hundreds after it, are gone."""
+    make = {"f": sine_cosine}
+    held = kernels.sample_functions("t", "outlives", lambda: make, {"f": 1})["f"]
+    kernels._loaded.clear()
+    for number in range(70):
+        kernels.sample_functions("t", f"later {number}", lambda: make, {"f": 1})
+        kernels._loaded.clear()
+    x, p, out = np.array([0.5]), np.zeros(1), np.empty(2)
+    held(1, *(array.ctypes.data for array in (p, x, out)))
+    assert out == pytest.approx([np.sin(0.5), np.cos(0.5)], abs=0)
+
+
 def test_damaged_cache_entry_is_made_anew(sine_cosine, tmp_path, monkeypatch):
     """A bit flip, a cut, another key's entry: never used, always replaced."""
     monkeypatch.setenv("TMODES_CACHE", str(tmp_path / "cache"))

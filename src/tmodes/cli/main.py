@@ -12,6 +12,8 @@ from typing import Annotated, Any
 import typer
 
 from tmodes.cli.batch import batch
+from tmodes.cli.bench import bench
+from tmodes.cli.cache import cache
 from tmodes.cli.check import check
 from tmodes.cli.describe import describe
 from tmodes.cli.evaluate import evaluate
@@ -42,6 +44,7 @@ app = typer.Typer(
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
     (batch, "batch"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
+    (bench, "bench"), (cache, "cache"),
 ):  # fmt: skip
     app.command(name)(command)
 

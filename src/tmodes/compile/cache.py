@@ -1,17 +1,18 @@
 """Compiled code on disk, so that a second run of the same robot compiles nothing.
 
 An entry is an object file that we wrote, behind a line with the digest of its key and of its bytes; one that does not
-fit is made anew, never trusted. The folder is private to the user and refused when it belongs to another.
+fit is made anew, never trusted. The key names versions, processor and its features, and the digest of our own source.
+The folder is private to the user and refused when it belongs to another.
 """
 
 from __future__ import annotations
 
 import hashlib
 import os
-import sys
 from functools import cache
 from pathlib import Path
 
+from tmodes.compile.cache_folder import folder, trim
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import atomic_write
 
@@ -21,6 +22,18 @@ MAX_BYTES = 256 * 2**20
 """Size of the cache above which the entries not used for the longest time go."""
 
 _SOURCES = ("chain.py", "compile", "contact", "control", "elements", "equations", "mechanism.py", "robot.py")
+
+_HEAD = b"tmodes compiled code, layout 1\n"
+"""First line of an entry; entries of another layout are made anew."""
+
+_START = len(_HEAD) + 64
+"""Where the object file begins in an entry."""
+
+_SHARE = 16
+"""The folder is listed when this process has written this part of MAX_BYTES since it did so last."""
+
+_written: dict[Path, int] = {}
+"""Bytes that this process has written into a folder since it listed it."""
 
 
 @cache
@@ -35,30 +48,6 @@ def source_digest(sources: tuple[str, ...] = _SOURCES) -> str:
     return digest.hexdigest()
 
 
-def folder() -> Path | None:
-    """The cache's folder, or None where there is none that is safe; ``TMODES_CACHE`` names another (empty: none)."""
-    named = os.environ.get("TMODES_CACHE")
-    if named is not None and not named.strip():
-        return None
-    try:
-        place = Path(named) if named else _user_cache() / "tmodes"
-        place.mkdir(mode=0o700, parents=True, exist_ok=True)
-        status = place.stat()
-    except (OSError, RuntimeError, ValueError):  # RuntimeError: a user without a home
-        return None
-    if hasattr(os, "getuid") and (status.st_uid != os.getuid() or status.st_mode & 0o022):
-        return None
-    return place
-
-
-def _user_cache() -> Path:
-    if sys.platform == "win32":
-        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData/Local"))
-    if sys.platform == "darwin":
-        return Path.home() / "Library/Caches"
-    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
-
-
 def _entry(key: str) -> Path | None:
     place = folder()
     return place and place / f"{hashlib.sha256(key.encode()).hexdigest()}.o"
@@ -69,8 +58,8 @@ def load(key: str) -> bytes | None:
     entry = _entry(key)
     try:
         content = entry.read_bytes() if entry else b""
-        binary = content[64:]
-        if content[:64] != _seal(key, binary):
+        binary = content[_START:]
+        if content[:_START] != _seal(key, binary):
             return None
         os.utime(entry)  # type: ignore[arg-type]
     except OSError:
@@ -86,19 +75,21 @@ def save(key: str, binary: bytes) -> None:
     try:
         with atomic_write(entry) as temporary:
             temporary.write_bytes(_seal(key, binary) + binary)
-        _trim(entry.parent)
+        _bound(entry.parent, _START + len(binary))
     except (OSError, ResultFileError):
         return
 
 
 def _seal(key: str, binary: bytes) -> bytes:
-    return hashlib.sha256(key.encode() + b"\0" + binary).hexdigest().encode()
+    return _HEAD + hashlib.sha256(key.encode() + b"\0" + binary).hexdigest().encode()
 
 
-def _trim(place: Path) -> None:
-    entries = sorted(((f.stat().st_mtime, f.stat().st_size, f) for f in place.glob("*.o")), reverse=True)
-    total = 0
-    for _, size, file in entries:
-        total += size
-        if total > MAX_BYTES:
-            file.unlink(missing_ok=True)
+def _bound(place: Path, size: int) -> None:
+    """Trim the folder now and then: at a process's first entry, then each time that it has written a part of the limit.
+
+    Several processes may together pass the limit by such a part each, until one of them trims.
+    """
+    _written[place] = _written.get(place, MAX_BYTES) + size
+    if _written[place] * _SHARE >= MAX_BYTES:
+        trim(place, MAX_BYTES)
+        _written[place] = 0

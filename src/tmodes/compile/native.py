@@ -6,16 +6,17 @@ import ctypes
 import itertools
 import sys
 from collections.abc import Mapping
-from functools import cache
+from functools import cache, lru_cache
 from importlib.metadata import version
 from typing import Any
 
 import llvmlite.binding as llvm
+from llvmlite.binding.newpassmanagers import NewPassManager
 
 from tmodes.compile.trigonometry import FAR_COSINE, FAR_SINE
 from tmodes.errors import CompileError
 
-__all__ = ["POWER", "Library", "host", "to_object"]
+__all__ = ["POWER", "Library", "host", "processor", "to_object"]
 
 POWER = "tmodes_pow"
 """Symbol bound to the C library's pow."""
@@ -45,6 +46,11 @@ def host() -> str:
     )
 
 
+def processor() -> str:
+    """LLVM's name of this machine's processor."""
+    return llvm.get_host_cpu_name()
+
+
 def to_object(module: Any, level: int) -> bytes:
     """Optimise a module of IR and return its object file; raises :class:`CompileError` when LLVM refuses it."""
     machine = _machine(level)
@@ -56,19 +62,36 @@ def to_object(module: Any, level: int) -> bytes:
         raise CompileError(f"{module.name}: LLVM refuses the code: {problem}") from problem
     options = llvm.create_pipeline_tuning_options(speed_level=level)
     builder = llvm.create_pass_builder(machine, options)
-    builder.getModulePassManager().run(parsed, builder)
+    passes = builder.getModulePassManager()
+    passes.run(parsed, builder)
+    _free(passes)
     return machine.emit_object(parsed)
+
+
+def _free(passes: Any) -> None:
+    """Free a pass manager, some 50 kB: its own ``_dispose`` is hidden behind one of ObjectRef that does nothing."""
+    hidden = getattr(NewPassManager, "_dispose", None)
+    if hidden is not None and type(passes)._dispose is not hidden:
+        hidden(passes)
+        passes.detach()
 
 
 _serial = itertools.count()
 """The linker wants a new name for each library, also for one that was freed."""
 
 
-@cache
-def _linker() -> Any:
+_PER_LINKER = 64
+"""Libraries of one linker. Some 10 kB of a library that is freed stay with its linker until that is freed too."""
+
+
+@lru_cache(maxsize=1)
+def _linker(generation: int) -> Any:
+    """The linker of the libraries of one generation; an older one lives as long as a library of it does."""
+    del generation
     return llvm.create_lljit_compiler(_machine(3))
 
 
+@cache
 def _address_in_c(name: str) -> int:
     """Address of a function of the C library: of this process itself where it has it, as Python mostly does."""
     for library in ("msvcrt",) if sys.platform == "win32" else (None, "libm.so.6", "libm.dylib"):
@@ -82,7 +105,7 @@ def _address_in_c(name: str) -> int:
 
 
 class Library:
-    """Native functions loaded from one object file; they are freed with this object."""
+    """Native functions loaded from one object file; the code is freed with this object and the last of them."""
 
     def __init__(
         self, name: str, binary: bytes, functions: dict[str, int], imports: Mapping[str, Library] | None = None
@@ -99,17 +122,22 @@ class Library:
             builder.import_symbol(symbol, library.address(symbol))
         for symbol in functions:
             builder.export_symbol(symbol)
+        serial = next(_serial)
+        linker = _linker(serial // _PER_LINKER)
         try:
-            self._tracker = builder.link(_linker(), f"{name}.{next(_serial)}")
+            self._tracker: Any = builder.link(linker, f"{name}.{serial}")
         except RuntimeError as problem:
             raise CompileError(f"{name}: the object file cannot be linked: {problem}") from problem
-        self._functions = {
-            symbol: ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self._tracker[symbol])
-            for symbol, count in functions.items()
-        }
+        self._tracker.linker = linker  # which must outlive it
+        self._functions = {symbol: self._function(symbol, count) for symbol, count in functions.items()}
 
     def __getitem__(self, name: str) -> Any:
         return self._functions[name]
+
+    def _function(self, symbol: str, count: int) -> Any:
+        function: Any = ctypes.CFUNCTYPE(None, *[ctypes.c_void_p] * count)(self._tracker[symbol])
+        function.kept = self._tracker, self._imports  # who holds a function may have let the library go
+        return function
 
     def address(self, name: str) -> int:
         """Where an exported function is."""

@@ -1,0 +1,134 @@
+"""One whole benchmark: every contender at every size, the cost of a start, the limits, and runs at equal error."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import asdict, dataclass
+from typing import Any
+
+from tmodes.bench import gcc, peer_exudyn, peer_mujoco, peer_pinocchio
+from tmodes.bench.chain_run import DURATION, ERROR, ChainRun
+from tmodes.bench.contender import CHECKED, Contender, Timed, in_turns
+from tmodes.bench.equal_error import Runner, at_equal_error
+from tmodes.bench.exact import accelerations, relative_error
+from tmodes.bench.limit import limit, machine
+from tmodes.bench.machine import described
+from tmodes.bench.missing import PeerMissing
+from tmodes.bench.ours import SAMPLES, Ours
+from tmodes.bench.rigid import RigidChain
+from tmodes.bench.scaling import exponents
+from tmodes.bench.seed_run import DURATION as SEED_DURATION
+from tmodes.bench.seed_run import ERROR as SEED_ERROR
+from tmodes.bench.seed_run import SeedRun
+from tmodes.bench.start import started
+
+__all__ = ["FORMAT", "PEERS", "SIZES", "Plan", "measured"]
+
+FORMAT = 1
+"""Version of what :func:`measured` returns."""
+
+SIZES = (6, 12, 36, 102, 200)
+"""Joints of the rigid chains that are measured by default."""
+
+PEERS = ("gcc", "pinocchio", "mujoco", "exudyn", "scipy")
+"""Others that can be measured beside this engine."""
+
+LARGEST = 200
+"""Joints above which no straight list is written and no whole runs are raced: that would take minutes."""
+
+_ENGINES = {"pinocchio": peer_pinocchio, "mujoco": peer_mujoco, "exudyn": peer_exudyn}
+
+Tell = Callable[[str, float], None]
+
+
+@dataclass(frozen=True)
+class Plan:
+    """What is measured: joints of the chains, rounds of each, which peers, and whether whole runs are raced too.
+
+    ``patience``: seconds after which the C compiler is given up.
+    """
+
+    sizes: Sequence[int] = SIZES
+    rounds: int = 9
+    peers: Sequence[str] = PEERS
+    runs: bool = True
+    patience: float = gcc.PATIENCE
+
+
+def measured(plan: Plan, tell: Tell = lambda stage, share: None) -> dict[str, Any]:
+    """All figures, as JSON knows them: times in seconds, errors beside them. ``tell`` hears stage and share done."""
+    here = machine()
+    told: dict[str, Any] = {"format": FORMAT, "machine": described(), "rounds": plan.rounds, "samples": SAMPLES}
+    told["operations"] = {"cycle": here.cycle, "latency": here.latency, "cost": here.cost}
+    told["sizes"] = [_size(plan, n, tell) for n in plan.sizes]
+    told["scaling"] = exponents(told["sizes"])
+    if plan.runs:
+        told["seed"] = _seed(plan, tell)
+    return told
+
+
+def _size(plan: Plan, joints: int, tell: Tell) -> dict[str, Any]:
+    """One length of the chain."""
+    stage = f"{joints} joints"
+    robot, left_out = RigidChain(joints), {}
+    ours = Ours(robot)
+    contenders = [*ours.contenders()]
+    for name in plan.peers:
+        try:
+            contenders += _peers(name, ours, plan.patience)
+        except PeerMissing as missing:
+            left_out[name] = str(missing)
+    times = in_turns(contenders, plan.rounds, lambda share: tell(stage, 0.8 * share))
+    found = {
+        "n": joints, "contenders": _judged(robot, contenders, times), "left_out": left_out,
+        "start": started(joints), "limit": asdict(limit(ours.schedule)) if joints <= LARGEST else None,
+    }  # fmt: skip
+    tell(stage, 1.0)
+    if plan.runs and joints <= LARGEST:
+        found["runs"] = _chain_runs(plan, robot, lambda share: tell(f"{joints} joints, runs", share))
+    return found
+
+
+def _peers(name: str, ours: Ours, patience: float) -> list[Contender]:
+    if name == "gcc" and ours.robot.joints > LARGEST:
+        raise PeerMissing(f"above {LARGEST} joints")
+    if name == "gcc":
+        return [gcc.contender(ours, way, patience) for way in gcc.FLAGS]
+    return [_ENGINES[name].contender(ours.robot)] if name in _ENGINES else []
+
+
+def _judged(robot: RigidChain, contenders: list[Contender], times: dict[str, list[float]]) -> list[dict[str, Any]]:
+    """Each contender's time with its error against extended precision."""
+    q, v = robot.states(SAMPLES)
+    exact = accelerations(robot, q[:CHECKED], v[:CHECKED])
+    return [
+        {
+            "name": one.name, "seconds": asdict(Timed.of(times[one.name])), "cores": one.cores,
+            "error": relative_error(one.found(), exact), "compile": one.compile_seconds,
+        }
+        for one in contenders
+    ]  # fmt: skip
+
+
+def _chain_runs(plan: Plan, robot: RigidChain, tell: Callable[[float], None]) -> dict[str, Any]:
+    """The falling chain at equal error."""
+    run = ChainRun(robot)
+    runners = [one for one in run.runners() if "scipy" in plan.peers or not one.name.startswith("SciPy")]
+    try:
+        runners += run.peers() if "mujoco" in plan.peers else []
+    except PeerMissing:
+        tell(0.0)  # already named as left out
+    return _raced(plan, runners, ERROR, DURATION, "rad", tell)
+
+
+def _seed(plan: Plan, tell: Tell) -> dict[str, Any]:
+    """The closed loop of the 2010 robot at equal error."""
+    runners = [one for one in SeedRun().runners() if "scipy" in plan.peers or not one.name.startswith("SciPy")]
+    return _raced(plan, runners, SEED_ERROR, SEED_DURATION, "m", lambda share: tell("the 2010 robot", share))
+
+
+def _raced(
+    plan: Plan, runners: Sequence[Runner], error: float, duration: float, unit: str, tell: Callable[[float], None]
+) -> dict[str, Any]:
+    races = at_equal_error(runners, error, duration, max(3, plan.rounds // 2), tell)
+    return {"error": error, "unit": unit, "duration": duration, "races": [asdict(race) for race in races]}

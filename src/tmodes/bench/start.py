@@ -1,0 +1,88 @@
+"""What the first use of a robot costs, measured in a process of its own: compile, first call, reload, memory.
+
+``python -m tmodes.bench.start JOINTS`` prints it as JSON, with whatever cache ``TMODES_CACHE`` names.
+"""
+
+from __future__ import annotations
+
+import json
+import os
+import statistics
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+from typing import Any
+
+from tmodes.bench.clock import now
+
+__all__ = ["started"]
+
+_RELOADS = 3
+
+
+def started(joints: int) -> dict[str, float]:
+    """Times [s] and peak memory [bytes] of a fresh process with an empty cache, and of further ones that find it full.
+
+    ``equations``: schedule and numbers of the chain; ``compile``: native code, emission included; ``first_call``: one
+    state; ``reload``: native code from the cache; ``memory``: the largest of the first process, ``memory_before``: of
+    which it had before.
+    """
+    with tempfile.TemporaryDirectory() as folder:
+        cache = Path(folder, "cache")
+        first = _process(joints, cache)
+        later = [_process(joints, cache) for _ in range(_RELOADS)]
+        entries = list(cache.iterdir())
+        size = sum(entry.stat().st_size for entry in entries)
+    reload = statistics.median(one["compile"] for one in later)
+    return first | {"reload": reload, "cache_entries": len(entries), "cache_bytes": size}
+
+
+def _process(joints: int, cache: Path) -> dict[str, Any]:
+    command = [sys.executable, "-m", "tmodes.bench.start", str(joints)]
+    environment = os.environ | {"TMODES_CACHE": str(cache)}
+    done = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    return json.loads(done.stdout)
+
+
+def _here(joints: int) -> dict[str, float]:
+    import numpy as np
+
+    import tmodes.compile.block  # with what it imports: loading Python code is no compiling
+    import tmodes.compile.native
+    from tmodes.bench.ours import Ours
+    from tmodes.bench.rigid import RigidChain
+    from tmodes.compile.cache import source_digest
+
+    for once_a_process in (tmodes.compile.native.host, source_digest):
+        once_a_process()
+    before, marks = _peak(), [now()]
+    ours = Ours(RigidChain(joints))
+    _mark(marks)
+    ours.library("double")
+    _mark(marks)
+    ours.model.forward_dynamics(np.zeros(joints), np.zeros(joints))
+    _mark(marks)
+    names = ("equations", "compile", "first_call")
+    return dict(zip(names, np.diff(marks).tolist(), strict=True)) | {"memory": _peak(), "memory_before": before}
+
+
+def _mark(marks: list[float]) -> None:
+    marks.append(now())
+
+
+def _peak() -> float:
+    """Largest memory of this process so far [bytes]; 0 where the system does not tell."""
+    if sys.platform == "linux":  # not by getrusage: it also counts the process that started this one
+        lines = Path("/proc/self/status").read_text(encoding="utf-8").splitlines()
+        return next(1024.0 * int(line.split()[1]) for line in lines if line.startswith("VmHWM"))
+    if sys.platform == "win32":
+        return 0.0
+    import resource
+
+    peak = resource.getrusage(resource.RUSAGE_SELF).ru_maxrss
+    return float(peak if sys.platform == "darwin" else peak * 1024)
+
+
+if __name__ == "__main__":
+    print(json.dumps(_here(int(sys.argv[1]))))  # noqa: T201

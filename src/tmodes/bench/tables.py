@@ -1,0 +1,96 @@
+"""The figures of a benchmark as tables of words: what the command prints and the page of the docs shows."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+__all__ = ["Table", "left_out", "tables"]
+
+Table = tuple[str, tuple[str, ...], list[list[str]]]
+"""Title, columns, rows."""
+
+
+def tables(told: dict[str, Any]) -> Iterator[Table]:
+    """Forward dynamics, then runs, of what :func:`tmodes.bench.measure.measured` returned."""
+    sizes = told["sizes"]
+    title = f"Forward dynamics of rigid chains [µs], relative error; medians of {told['rounds']} rounds"
+    columns = ("", *(f"{size['n']} joints" for size in sizes))
+    yield title, columns, [*_times(sizes), *_limits(sizes), *_starts(sizes)]
+    if told["scaling"]:
+        sizes_told = ", ".join(str(size["n"]) for size in sizes)
+        yield f"Cost grows with the joints to the power of ({sizes_told} joints)", ("", "power"), _powers(told)
+    for name, runs in _runs(told):
+        what = f"{name}: {runs['duration']:g} s to {runs['error']:g} {runs['unit']}, at equal error"
+        yield what, ("", "setting", "ms per simulated second", f"error [{runs['unit']}]"), _races(runs)
+
+
+def _powers(told: dict[str, Any]) -> list[list[str]]:
+    return [[name, f"{power:.2f}"] for name, power in told["scaling"].items()]
+
+
+def left_out(told: dict[str, Any]) -> list[str]:
+    """Who did not take part, where, and why."""
+    reasons: dict[tuple[str, str], list[str]] = {}
+    for size in told["sizes"]:
+        for name, why in size["left_out"].items():
+            reasons.setdefault((name, why), []).append(str(size["n"]))
+    return [f"{name}, {', '.join(where)} joints: {why}" for (name, why), where in reasons.items()]
+
+
+def _times(sizes: list[dict[str, Any]]) -> Iterator[list[str]]:
+    known = [{one["name"]: one for one in size["contenders"]} for size in sizes]
+    for name in dict.fromkeys(name for one in known for name in one):
+        yield [name, *(_time(one[name]) if name in one else "-" for one in known)]
+
+
+def _time(one: dict[str, Any]) -> str:
+    return f"{one['seconds']['median'] * 1e6:.3g}  {one['error']:.0e}"
+
+
+def _limits(sizes: list[dict[str, Any]]) -> Iterator[list[str]]:
+    for name, key, scale, told in (
+        ("limit, by throughput", "throughput", 1e6, "{:.3g}"),
+        ("limit, by the critical path", "critical_path", 1e6, "{:.3g}"),
+        ("operations of a new state", "changing", 1, "{:,}"),
+    ):
+        yield [name, *(told.format(size["limit"][key] * scale) if size["limit"] else "-" for size in sizes)]
+
+
+def _starts(sizes: list[dict[str, Any]]) -> Iterator[list[str]]:
+    starts = [size["start"] for size in sizes]
+    yield ["compile, equations and emission included [s]", *(f"{_compile(one):.3g}" for one in starts)]
+    for way in dict.fromkeys(one["name"] for size in sizes for one in size["contenders"] if one["compile"]):
+        yield [f"compile by {way.split(',')[0]} [s]", *(_by_compiler(size, way) for size in sizes)]
+    yield ["native code from the cache [ms]", *(f"{one['reload'] * 1e3:.3g}" for one in starts)]
+    yield ["first call [ms]", *(f"{one['first_call'] * 1e3:.3g}" for one in starts)]
+    yield ["peak memory of a process [MB]", *(f"{one['memory'] / 1e6:.0f}" for one in starts)]
+    yield ["of which before the chain [MB]", *(f"{one['memory_before'] / 1e6:.0f}" for one in starts)]
+
+
+def _compile(start: dict[str, float]) -> float:
+    return start["equations"] + start["compile"]
+
+
+def _by_compiler(size: dict[str, Any], way: str) -> str:
+    return next((f"{one['compile']:.3g}" for one in size["contenders"] if one["name"] == way), "-")
+
+
+def _runs(told: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+    for size in told["sizes"]:
+        if "runs" in size:
+            yield f"A chain of {size['n']} joints falls", size["runs"]
+    if "seed" in told:
+        yield "The closed loop of the 2010 robot", told["seed"]
+
+
+def _races(runs: dict[str, Any]) -> list[list[str]]:
+    return [
+        [
+            race["name"],
+            race["setting"] + ("" if race["reached"] else " (not reached)"),
+            f"{race['time']['median'] * 1e3:.3g}",
+            f"{race['error']:.0e}",
+        ]
+        for race in runs["races"]
+    ]

@@ -1,0 +1,60 @@
+"""The settings that runs at equal error are tried with, from loose to tight, and SciPy's run of a rate function."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.bench.clock import now
+from tmodes.integrate.settings import Method
+
+Array = NDArray[np.float64]
+
+__all__ = ["STEPS", "TOLERANCES", "adaptive_methods", "solved"]
+
+TOLERANCES = tuple(10.0**-power for power in np.arange(3.0, 12.1, 0.5))
+"""Relative tolerances of adaptive methods."""
+
+STEPS = tuple(round(25 * 2.0 ** (k / 2)) for k in range(29))
+"""Numbers of equal steps."""
+
+
+def adaptive_methods(loops: Any) -> list[Method]:
+    """The methods with a tolerance for which there is a native loop."""
+
+    def there(method: Method) -> bool:
+        try:
+            return loops[method.value] is not None
+        except KeyError:
+            return False
+
+    return [method for method in Method if method not in (Method.RK4, Method.AUTO) and there(method)]
+
+
+def solved(
+    rate: Callable[[float, Array, Array], Any],
+    start: Array,
+    knots: Sequence[float],
+    rows: Sequence[Array],
+    method: Any,
+    tolerance: float,
+    samples: Array,
+) -> tuple[float, Array]:
+    """Time [s] of ``solve_ivp`` and its states at ``samples`` [s], the last of which is the end.
+
+    It starts anew at every knot, so that no step crosses a jump. ``rate(t, state, row)``; the absolute tolerance is a
+    thousandth of the relative one.
+    """
+    from scipy.integrate import solve_ivp
+
+    state, found, began = start, [], now()
+    for left, right, row in zip(knots[:-1], knots[1:], rows, strict=True):
+        wanted = samples[(samples > left) & (samples <= right)]
+        options = {"rtol": tolerance, "atol": tolerance * 1e-3, "args": (row,)}
+        states = solve_ivp(rate, (left, right), state, method, np.union1d(wanted, [right]), **options).y.T
+        found.append(states[: len(wanted)])
+        state = states[-1]
+    return now() - began, np.concatenate(found)

@@ -1,0 +1,96 @@
+"""``tmodes bench``: how fast this engine is on this machine, beside a C compiler and other engines."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import TYPE_CHECKING, Annotated, Any
+
+import typer
+
+if TYPE_CHECKING:
+    from tmodes.bench.measure import Plan
+
+__all__ = ["bench"]
+
+
+def bench(
+    sizes: Annotated[str, typer.Option(metavar="N,N,…", help="Joints of the rigid chains.")] = "6,12,36,102,200",
+    rounds: Annotated[int, typer.Option(metavar="N", help="Rounds of which medians are taken.")] = 9,
+    peers: Annotated[
+        str,
+        typer.Option(metavar="LIST", help="all, none, or some of gcc, pinocchio, mujoco, exudyn, scipy, by commas."),
+    ] = "all",
+    quick: Annotated[
+        bool,
+        typer.Option("--quick", help="A first look in some ten seconds: 6 and 12 joints, 3 rounds, no whole runs."),
+    ] = False,
+    patience: Annotated[float, typer.Option(metavar="SECONDS", help="After which the C compiler is given up.")] = 20.0,
+    json_file: Annotated[
+        Path | None, typer.Option("--json", metavar="FILE", help="Also write all figures to this file, or - for here.")
+    ] = None,
+) -> None:
+    """Measure this engine on this machine, side by side with others, and print one table.
+
+    Forward dynamics of a serial chain of rigid links, the same in every engine, whose accelerations are compared with
+    extended precision; what a first use costs; what the machine could do at best; and runs at equal error. Contenders
+    take turns, medians are shown. What is not installed is left out, and said so. Let nothing else run meanwhile.
+
+    For example:  tmodes bench --quick      tmodes bench --sizes 6,36 --peers gcc,mujoco --json figures.json
+    """
+    from tmodes.bench.measure import measured
+    from tmodes.cli.bench_tables import print_tables
+    from tmodes.cli.interrupt import heard
+    from tmodes.cli.output import print_json
+    from tmodes.cli.progress import Stages
+
+    plan = _plan(sizes, rounds, peers, patience, quick=quick)
+    with heard() as wish, Stages(wish) as tell:
+        told = measured(plan, tell)
+    if json_file and str(json_file) == "-":
+        print_json(told)
+        return
+    if json_file:
+        _write(json_file, told)
+    print_tables(told)
+
+
+def _plan(sizes: str, rounds: int, peers: str, patience: float, *, quick: bool) -> Plan:
+    from tmodes.bench.measure import Plan
+    from tmodes.errors import InputError
+
+    if rounds < 1:
+        raise InputError("--rounds", str(rounds), "at least 1", "leave it out: 9 is sound")
+    if quick:
+        return Plan(sizes=(6, 12), rounds=3, peers=_peers(peers), runs=False, patience=patience)
+    return Plan(_sizes(sizes), rounds, _peers(peers), patience=patience)
+
+
+def _sizes(told: str) -> tuple[int, ...]:
+    from tmodes.errors import InputError
+
+    words = told.split(",")
+    if not all(word.strip().isdecimal() and 1 <= int(word) <= 1000 for word in words):
+        raise InputError("--sizes", ascii(told), "whole numbers from 1 to 1000 with commas", "write --sizes 6,36")
+    return tuple(map(int, words))
+
+
+def _peers(told: str) -> tuple[str, ...]:
+    from tmodes.bench.measure import PEERS
+    from tmodes.errors import InputError
+
+    if told in ("all", "none"):
+        return PEERS if told == "all" else ()
+    names = tuple(name.strip() for name in told.split(","))
+    if unknown := [name for name in names if name not in PEERS]:
+        expected = f"all, none, or some of {', '.join(PEERS)}"
+        raise InputError("--peers", ascii(unknown[0]), expected, "write --peers gcc,mujoco")
+    return names
+
+
+def _write(target: Path, told: dict[str, Any]) -> None:
+    import json
+
+    from tmodes.io.atomic import atomic_write
+
+    with atomic_write(target) as temporary:
+        temporary.write_text(json.dumps(told, indent=1, allow_nan=False) + "\n", encoding="utf-8")

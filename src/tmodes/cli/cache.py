@@ -1,0 +1,74 @@
+"""``tmodes cache``: where compiled code is kept, how much, and how to be rid of it."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import TYPE_CHECKING, Annotated
+
+import typer
+
+from tmodes.cli.options import AsJson
+
+if TYPE_CHECKING:
+    from pathlib import Path
+
+__all__ = ["Action", "cache"]
+
+
+class Action(StrEnum):
+    """What can be done to the cache."""
+
+    CLEAR = "clear"
+
+
+def cache(
+    action: Annotated[Action | None, typer.Argument(help="clear: remove all entries.")] = None, as_json: AsJson = False
+) -> None:
+    """Show where compiled code is kept, or remove it: tmodes cache clear.
+
+    Each robot's equations become native code once; the code is kept so that the next run starts at once. Nothing is
+    lost by clearing it but that time. The environment variable TMODES_CACHE names another folder; empty: nothing is
+    kept. A damaged entry is made anew, and a folder that others can write is not used.
+    """
+    from tmodes.compile.cache_folder import judged
+
+    place, refusal = judged()
+    if action is Action.CLEAR:
+        _clear(place, refusal, as_json=as_json)
+    else:
+        _show(place, refusal, as_json=as_json)
+
+
+def _clear(place: Path | None, refusal: str, *, as_json: bool) -> None:
+    from tmodes.cli.output import print_json
+    from tmodes.compile.cache_folder import clear
+    from tmodes.errors import ResultFileError
+
+    if place is None or refusal:
+        mend = "name a folder of your own: TMODES_CACHE=FOLDER"
+        raise ResultFileError(f"cache: got {place or 'no folder'}; expected one that is used: {refusal}. Mend: {mend}")
+    count, size = clear(place)
+    if as_json:
+        print_json({"folder": str(place), "removed": count, "bytes": size})
+        return
+    print(f"removed {count} entries, {size / 1e6:.1f} MB, from {place}")
+
+
+def _show(place: Path | None, refusal: str, *, as_json: bool) -> None:
+    from tmodes.cli.output import print_json
+    from tmodes.compile.cache import MAX_BYTES
+    from tmodes.compile.cache_folder import entries
+
+    found = [] if place is None or refusal else list(entries(place))
+    size = sum(entry.size for entry in found)
+    if as_json:
+        told = {"folder": place and str(place), "used": not refusal, "entries": len(found), "bytes": size}
+        print_json(told | {"limit": MAX_BYTES, "why_not": refusal})
+        return
+    print(f"compiled code  {place or 'no folder'}")
+    if refusal:
+        print(f"not used       {refusal}")
+    print(f"entries        {len(found)}, {size / 1e6:.1f} MB of at most {MAX_BYTES / 1e6:.0f} MB")
+    print("what for       a robot's equations are made native code once; a second run of it compiles nothing")
+    print("elsewhere      TMODES_CACHE=FOLDER names another folder; empty: nothing is kept")
+    print("remove         tmodes cache clear")

@@ -1,0 +1,153 @@
+"""Every contender computes the same robot: accelerations agree with a way of their own in extended precision."""
+
+from __future__ import annotations
+
+import shutil
+from itertools import pairwise
+from typing import Any
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from tmodes.bench import gcc, peer_exudyn, peer_mujoco, peer_pinocchio
+from tmodes.bench.contender import CHECKED, Contender, Timed, in_turns
+from tmodes.bench.exact import accelerations, relative_error
+from tmodes.bench.missing import PeerMissing, needed
+from tmodes.bench.ours import SAMPLES, Ours
+from tmodes.bench.rigid import GRAVITY, INERTIA, MASS, TURNED, RigidChain
+from tmodes.compile.inline import inlined
+
+
+def error_of(contender: Contender, robot: RigidChain) -> float:
+    q, v = robot.states(SAMPLES)
+    return relative_error(contender.found(), accelerations(robot, q[:CHECKED], v[:CHECKED]))
+
+
+def test_frames_are_turned_by_rotations() -> None:
+    assert pytest.approx(np.eye(3), abs=1e-15) == TURNED @ TURNED.T
+    assert np.linalg.det(TURNED) == pytest.approx(1.0)
+
+
+def test_exact_accelerations_of_a_pendulum() -> None:
+    """One joint about x: I a = m g (lever across gravity), by hand."""
+    angle = 0.7
+    (found,) = accelerations(RigidChain(1), [[angle]], [[3.0]])
+    turn = TURNED @ np.array([[1, 0, 0], [0, np.cos(angle), -np.sin(angle)], [0, np.sin(angle), np.cos(angle)]])
+    center = turn @ [0.05, 0.01, 0.02]
+    torque = MASS * np.cross(center, GRAVITY) @ turn[:, 0]
+    assert found[0] == pytest.approx(torque / (INERTIA[0] + MASS * (0.01**2 + 0.02**2)), rel=1e-14)
+
+
+def test_energy_is_kept_by_the_exact_accelerations() -> None:
+    """Power of gravity is the rate of the kinetic energy, by central differences along the motion, at five joints."""
+    from tmodes.arm_model import ArmModel
+
+    robot = RigidChain(5)
+    model = ArmModel(robot.chain())
+    (q,), (v,) = robot.states(1)
+    a = accelerations(robot, [q], [v])[0]
+    h = 1e-5
+    (before, after) = (
+        sum(
+            np.sum(model.energies(q + s * h * v + h * h / 2 * a, v + s * h * a)[kind])
+            for kind in ("kinetic", "gravity")
+        )
+        for s in (-1, 1)
+    )
+    scale = float(model.energies(q, v)["kinetic"])
+    assert abs(after - before) / (2 * h) < 1e-6 * scale
+
+
+@pytest.mark.parametrize("joints", [1, 4, 12])
+def test_ours(joints: int) -> None:
+    robot = RigidChain(joints)
+    found = list(Ours(robot).contenders())
+    assert len(found) == 3
+    assert max(error_of(one, robot) for one in found) < 1e-13
+
+
+@pytest.mark.parametrize("way", list(gcc.FLAGS))
+def test_gcc(way: str) -> None:
+    if not shutil.which("gcc"):
+        pytest.skip("needs gcc")
+    robot = RigidChain(2)
+    contender = gcc.contender(Ours(robot), way)
+    assert error_of(contender, robot) < 1e-13
+    assert contender.compile_seconds
+
+
+def test_gcc_that_takes_too_long_is_left_out() -> None:
+    if not shutil.which("gcc"):
+        pytest.skip("needs gcc")
+    with pytest.raises(PeerMissing, match=r"longer than 0\.001 s"):
+        gcc.contender(Ours(RigidChain(2)), "gcc -O3", patience=1e-3)
+
+
+def test_text_that_gcc_refuses_is_a_fault() -> None:
+    if not shutil.which("gcc"):
+        pytest.skip("needs gcc")
+    with pytest.raises(RuntimeError, match="refused"):
+        gcc.build("this is no C", ("-O0",))
+
+
+def test_no_compiler_is_no_fault(monkeypatch: pytest.MonkeyPatch) -> None:
+    monkeypatch.setenv("PATH", "")
+    with pytest.raises(PeerMissing, match="no gcc"):
+        gcc.build("", ())
+
+
+@pytest.mark.peer
+@pytest.mark.filterwarnings("ignore::DeprecationWarning")
+@pytest.mark.parametrize("peer", [peer_pinocchio, peer_mujoco, peer_exudyn], ids=lambda peer: peer.__name__)
+def test_peers(peer: Any) -> None:
+    robot = RigidChain(7)
+    try:
+        contender = peer.contender(robot)
+    except PeerMissing as missing:
+        pytest.skip(str(missing))
+    assert error_of(contender, robot) < 1e-11
+    assert contender.run() > 0
+
+
+def test_exudyn_is_left_out_where_it_is_slow() -> None:
+    with pytest.raises(PeerMissing, match="above 36 joints"):
+        peer_exudyn.contender(RigidChain(37))
+
+
+def test_absent_peer_names_its_package() -> None:
+    with pytest.raises(PeerMissing, match="pip install some-package"):
+        needed("no_such_module_anywhere", "some-package")
+
+
+def test_inlined_schedule_equals_its_kernels() -> None:
+    """One straight program of a chain with every kind of call, at random inputs."""
+    ours = Ours(RigidChain(3))
+    function = inlined(ours.schedule)
+    once, out = ours.batch("double")
+    once()
+    starts = np.cumsum([0, *(slot.size for slot in ours.schedule.inputs.values())])
+    for row, found in zip(ours.rows[:5], out, strict=False):
+        blocks = [row[left:right] for left, right in pairwise(starts)]
+        wanted = np.array(function(*map(ca.DM, blocks), ours.model.parameters)).ravel()
+        assert np.abs(found - wanted).max() <= 1e-13 * np.abs(wanted).max()
+
+
+def test_contenders_take_turns_and_the_first_round_does_not_count() -> None:
+    order: list[str] = []
+    shares: list[float] = []
+
+    def made(name: str, times: list[float]) -> Contender:
+        given = iter(times)
+
+        def run() -> float:
+            order.append(name)
+            return next(given)
+
+        return Contender(name, run, lambda: np.zeros(0))
+
+    times = in_turns([made("a", [9, 1, 2, 3]), made("b", [9, 4, 5, 6])], 3, shares.append)
+    assert order == ["a", "b"] * 4
+    assert times == {"a": [1, 2, 3], "b": [4, 5, 6]}
+    assert shares == [0.25, 0.5, 0.75, 1.0]
+    assert Timed.of([3.0, 1.0, 2.0]) == Timed(2.0, 1.5, 2.5)

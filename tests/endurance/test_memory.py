@@ -1,0 +1,114 @@
+"""Memory stays flat: over ten to the eighth steps, and over ten thousand robots compiled in one process."""
+
+from __future__ import annotations
+
+from functools import cached_property
+from typing import Any
+
+import casadi as ca
+import numpy as np
+import pytest
+
+from tmodes.arm_model import ArmModel
+from tmodes.chain import Body, Chain, Drive, Gear, Joint, JointKind, Motor, Node, Placement, RigidLink
+from tmodes.compile import kernels
+from tmodes.integrate.settings import Integration, Method
+from tmodes.mechanism import Parameters
+from tmodes.reference.schedule import Schedule
+from tmodes.trajectory import integrate
+
+from .scale import memory, often
+
+
+class Oscillator:
+    """x'' = -p x: the smallest thing that moves."""
+
+    coordinates = ("x",)
+
+    @cached_property
+    def loops(self) -> Any:
+        def make() -> ca.Function:
+            t, x, row, p = ca.SX.sym("t"), ca.SX.sym("x", 2), ca.SX.sym("row", 2), ca.SX.sym("p")
+            return ca.Function("oscillator", [t, x, row, p], [ca.vertcat(x[1], -p * x[0])])
+
+        return kernels.time_loops("oscillator", "endurance", make, guarded=2)
+
+    def rate(self, time: Any, state: Any, row: Any, parameters: Any) -> Any:
+        """Not asked for: nothing diverges."""
+        raise NotImplementedError
+
+
+def test_many_steps_in_one_process() -> None:
+    """The memory of a run does not grow with its steps, and its end is that of the method, by powers of one step."""
+    steps, step = often(2_000_000, 100_000_000), 0.01
+    still = Schedule(np.array([0.0, 1.0]), np.zeros((1, 1)))
+    numbers, oscillator = Parameters(("stiffness",), np.ones(1)), Oscillator()
+
+    def run(count: int) -> Any:
+        settings = Integration(
+            method=Method.RK4, step=step, duration=count * step, output_step=count * step / 100, max_steps=10**9
+        )
+        return integrate(oscillator, numbers, still, np.array([1.0, 0.0]), settings)
+
+    run(100_000)
+    before = memory()
+    done = run(steps)
+    assert done.status == "finished"
+    assert done.statistics["steps"] == steps
+    assert memory() - before < 4.0
+    step_to_step = np.array([[0.0, 1.0], [-1.0, 0.0]]) * step
+    once = sum((np.linalg.matrix_power(step_to_step, k) / np.prod(range(1, k + 1)) for k in range(5)), np.zeros((2, 2)))
+    wanted = np.linalg.matrix_power(once, steps) @ [1.0, 0.0]
+    assert np.abs(done.states[-1] - wanted).max() < 1e-6
+
+
+def robot(number: int) -> Chain:
+    """Nine joints, of which each is revolute, prismatic or elastic: the digits of a number to base 3."""
+    nodes = []
+    for k in range(9):
+        digit = number // 3**k % 3
+        kind = JointKind.PRISMATIC if digit == 1 else JointKind.REVOLUTE
+        elastic: dict[str, Any] = {"drive": Drive.ELASTIC, "motor": Motor(0.1), "gear": Gear((100.0,))}
+        place = Placement(np.eye(3), np.array([0.1, 0.0, 0.0]))
+        joint = Joint(f"j{k}", kind, place, **(elastic if digit == 2 else {}))
+        nodes.append(Node(f"l{k}", k - 1, joint, RigidLink((Body(1.0, np.array([0.05, 0, 0]), 0.01 * np.eye(3)),))))
+    return Chain("any", tuple(nodes), np.array([0.0, 0.0, -9.81]))
+
+
+@pytest.mark.slow
+def test_many_robots_in_one_process(monkeypatch: pytest.MonkeyPatch) -> None:
+    """Code is freed with its robot: memory grows until as many libraries are kept as may be, and then no more.
+
+    A hundred robots whose code stayed would take some 6 MB, ten thousand 600 MB.
+    """
+    monkeypatch.setenv("TMODES_CACHE", "")
+    monkeypatch.setattr(kernels, "_KEPT", 32)
+    count, first = often(150, 10_000), often(50, 1000)
+    before = 0.0
+    for number in range(count):
+        if number == first:
+            before = memory()
+        model = ArmModel(robot(number))
+        assert np.isfinite(model.forward_dynamics(np.zeros(model.nq), np.zeros(model.nq))).all()
+    assert len(kernels._loaded) <= 32
+    assert memory() - before < often(3, 50)
+
+
+def test_compiled_code_is_freed(monkeypatch: pytest.MonkeyPatch) -> None:
+    """What a library is made of goes with it: passes, object, linked code; each leaves less than 5 kB behind."""
+    monkeypatch.setenv("TMODES_CACHE", "")
+    monkeypatch.setattr(kernels, "_KEPT", 4)
+
+    def compiled(number: int) -> None:
+        def make() -> dict[str, Any]:
+            x, p = ca.SX.sym("x"), ca.SX.sym("p")
+            return {"f": ca.Function("f", [x, p], [ca.sqrt(x) + number])}
+
+        kernels.sample_functions("freed", str(number), make, {"f": 1})
+
+    for number in range(100):
+        compiled(number)
+    before, more = memory(), often(300, 3000)
+    for number in range(100, 100 + more):
+        compiled(number)
+    assert memory() - before < 0.5 + 0.005 * more

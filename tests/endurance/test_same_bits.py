@@ -1,0 +1,63 @@
+"""The same numbers to the last bit: in every process, whatever its surroundings, and on every thread."""
+
+from __future__ import annotations
+
+import hashlib
+import os
+import subprocess
+import sys
+from concurrent.futures import ThreadPoolExecutor
+from pathlib import Path
+
+import numpy as np
+
+from tmodes.bench.ours import Ours
+from tmodes.bench.rigid import RigidChain
+
+from .scale import often
+
+SURROUNDINGS: tuple[dict[str, str], ...] = (
+    {"PYTHONHASHSEED": "0", "TZ": "UTC", "LC_ALL": "C", "OMP_NUM_THREADS": "1"},
+    {"PYTHONHASHSEED": "1", "TZ": "Asia/Tokyo", "LC_ALL": "C.UTF-8", "OMP_NUM_THREADS": "2"},
+    {"PYTHONHASHSEED": "77", "TZ": "America/St_Johns", "LC_ALL": "de_DE.UTF-8", "OPENBLAS_NUM_THREADS": "2"},
+)
+
+RUN = """
+import hashlib, sys
+import numpy as np
+from tmodes.bench.chain_run import ChainRun
+from tmodes.bench.rigid import RigidChain
+run = ChainRun(RigidChain(2))
+states = run.exact.tobytes() + run._run(run._fixed(100))[1].tobytes()
+print(hashlib.sha256(states).hexdigest())
+"""
+
+
+def digest_of(surroundings: dict[str, str], place: Path) -> tuple[str, dict[str, str]]:
+    """Digests of two runs of a chain, and of all that was compiled for them."""
+    environment = os.environ | surroundings | {"TMODES_CACHE": str(place)}
+    done = subprocess.run([sys.executable, "-c", RUN], env=environment, capture_output=True, text=True, check=True)
+    return done.stdout, {file.name: hashlib.sha256(file.read_bytes()).hexdigest() for file in place.iterdir()}
+
+
+def test_surroundings_change_no_bit(tmp_path: Path) -> None:
+    """Seed of hashes, time zone, language, threads of libraries; code just compiled, or from the cache."""
+    first = digest_of(SURROUNDINGS[0], tmp_path / "0")
+    assert first[1]
+    assert digest_of(SURROUNDINGS[1], tmp_path / "0") == first
+    for number, surroundings in enumerate(SURROUNDINGS[1:], 1):
+        assert digest_of(surroundings, tmp_path / str(number)) == first
+
+
+def test_threads_change_no_bit() -> None:
+    """The same batch on one thread, and on eight at once."""
+    ours = Ours(RigidChain(3))
+    once, alone = ours.batch("lanes")
+    once()
+    batches = [ours.batch("lanes") for _ in range(8)]
+    with ThreadPoolExecutor(8) as pool:
+        for _ in range(often(3, 1000)):
+            for _, out in batches:
+                out.fill(np.nan)
+            list(pool.map(lambda batch: batch[0](), batches))
+            assert all(np.array_equal(out, alone) for _, out in batches)
