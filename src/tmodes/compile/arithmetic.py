@@ -12,8 +12,8 @@ from typing import Any, NamedTuple
 
 from llvmlite import ir
 
-from tmodes.compile.emit import F64, I64, at, number
-from tmodes.compile.trigonometry import sine_and_cosine
+from tmodes.compile.emit import F64, at, number
+from tmodes.compile.trigonometry import sine_and_cosine, sines_and_cosines
 
 __all__ = ["Arithmetic", "Derivative", "Double", "Lanes"]
 
@@ -132,13 +132,8 @@ class Lanes(Double):
 
     def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
         """Sine and cosine."""
-        sine, cosine = self.constant(0.0), self.constant(0.0)
-        for lane in range(self.stride):
-            place = ir.Constant(I64, lane)
-            pair = b.call(sine_and_cosine(self.module), [b.extract_element(angle, place)])
-            sine = b.insert_element(sine, b.extract_value(pair, 0), place)
-            cosine = b.insert_element(cosine, b.extract_value(pair, 1), place)
-        return sine, cosine
+        pair = b.call(sines_and_cosines(self.module, self.stride), [angle])
+        return b.extract_value(pair, 0), b.extract_value(pair, 1)
 
 
 class _Pair(NamedTuple):
