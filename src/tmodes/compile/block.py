@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import hashlib
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -10,9 +11,10 @@ from llvmlite import ir
 
 from tmodes.compile.arithmetic import Arithmetic
 from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
-from tmodes.compile.program import block_program
+from tmodes.compile.program import Instruction, block_program
+from tmodes.compile.turning import early_angles, order_of_evaluation
 
-__all__ = ["ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_rate", "write_samples"]
+__all__ = ["ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_rate", "write_samples", "write_values"]
 
 
 def kernel_symbol(kernel: Any, arithmetic: str) -> str:
@@ -28,26 +30,45 @@ def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:
     name = kernel_symbol(kernel, arithmetic.name)
     function = declare(module, name, VOID, [(label, POINTER) for label in labels])
     b = ir.IRBuilder(function.append_basic_block("entry"))
-    values: list[Any] = []
-    turned: dict[int, tuple[Any, Any]] = {}
-    for instruction in program.values:
-        if instruction.kind == "constant":
-            value = arithmetic.constant(instruction.value)
-        elif instruction.kind == "input":
-            argument, element = instruction.source
-            value = arithmetic.load(b, function.args[argument], element)
-        elif instruction.kind in ("sin", "cos"):
-            angle = instruction.args[0]
-            if angle not in turned:
-                turned[angle] = arithmetic.turn(b, values[angle])
-            value = turned[angle][0 if instruction.kind == "sin" else 1]
-        else:
-            value = arithmetic.operation(b, instruction.kind, *(values[arg] for arg in instruction.args))
-        values.append(value)
+
+    def read(argument: int, element: int) -> Any:
+        return arithmetic.load(b, function.args[argument], element)
+
+    values = write_values(b, program.values, arithmetic, read)
     for output, element, index in program.results:
         value = arithmetic.constant(0.0) if index is None else values[index]
         arithmetic.store(b, value, function.args[program.inputs + output], element)
     b.ret_void()
+
+
+def write_values(
+    b: Any, program: Sequence[Instruction], arithmetic: Arithmetic, read: Callable[[int, int], Any]
+) -> dict[int, Any]:
+    """All values of a program by index; ``read`` gives an element of an argument."""
+    values: dict[int, Any] = {}
+    turned: dict[int, tuple[Any, Any]] = {}
+
+    def write(index: int) -> Any:
+        instruction = program[index]
+        if instruction.kind == "constant":
+            return arithmetic.constant(instruction.value)
+        if instruction.kind == "input":
+            return read(*instruction.source)
+        if instruction.kind not in ("sin", "cos"):
+            return arithmetic.operation(b, instruction.kind, *(values[arg] for arg in instruction.args))
+        angle = instruction.args[0]
+        if angle not in turned:
+            turned[angle] = arithmetic.turn(b, values[angle])
+        return turned[angle][0 if instruction.kind == "sin" else 1]
+
+    angles = early_angles(program)
+    first, rest = order_of_evaluation(program, angles)
+    for index in first:
+        values[index] = write(index)
+    turned.update(zip(angles, arithmetic.turns(b, [values[angle] for angle in angles]), strict=True))
+    for index in rest:
+        values[index] = write(index)
+    return values
 
 
 def write_main(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> Any:

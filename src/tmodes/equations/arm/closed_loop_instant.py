@@ -74,7 +74,7 @@ class Instant:
         if self.plan.base:
             base = self.call(base_kernel(), base, *(self.signals[k] for k in self.plan.base))[0]
         posed = bool(self.plan.loads or self.plan.touch)
-        way = Passes(self.parts, posed=posed, loaded=False, blocks=Blocks(self.schedule, q, rates, base))
+        way = Passes(self.parts, posed=posed, loaded=False, blocks=Blocks(self.schedule, q, rates, base), short=True)
         way.outwards()
         return way
 
