@@ -30,7 +30,7 @@ SCREW = 12
 """Numbers of a way: cos, sin, sin^2, sin cos of alpha and of beta, lever (3), along."""
 
 _HINGE = TURN + 5
-"""Turn, and the bias acceleration of the root: angular about x and y, linear."""
+"""Turn, and the bias acceleration of the root in the joint's own axes: angular about x and y, linear."""
 
 
 @dataclass(frozen=True)
@@ -70,16 +70,15 @@ class Screw:
         """What the way out keeps: U/(S.U + own inertia) (free: 1 about z, left out), and the free acceleration."""
         return FORCE if self.free else FORCE + 1
 
-    def _way(self, numbers: Any, turn: Any) -> list[tuple[Spin | None, v.Vector | None]]:
-        """Steps from the parent to the link: a turn, then a shift in the turned axes."""
+    def _way(self, numbers: Any) -> list[tuple[Spin | None, v.Vector | None]]:
+        """Steps from the parent to the joint's own axes: a turn, then a shift in the turned axes."""
         lever = [numbers[8 + i] if there else 0.0 for i, there in enumerate(self.lever)]
         beta = Spin(2, *(numbers[4 + i] for i in range(4))) if self.turned else None
         alpha = Spin(0, *(numbers[i] for i in range(4))) if self.tilted else None
         shift = [0.0, 0.0, numbers[11]] if self.along else None
-        joint = Spin.of(2, turn[0], turn[1])
-        return [(beta, lever if any(self.lever) else None), (alpha, shift), (joint, None)]
+        return [(beta, lever if any(self.lever) else None), (alpha, shift)]
 
-    def _motion_to_link(self, way: list[Any], motion: Force) -> Force:
+    def _motion_to_joint(self, way: list[Any], motion: Force) -> Force:
         for spin, shift in way:
             motion = spin.force_back(motion) if spin else motion
             motion = motion.motion_at(shift) if shift else motion
@@ -102,19 +101,23 @@ class Screw:
 
         def build(numbers: Any, parent_rate: Any, turn: Any, speed: Any) -> list[list[Any]]:
             w, linear = v.vec(parent_rate), v.zero()
-            for spin, shift in self._way(numbers, turn):
+            for spin, shift in self._way(numbers):
                 if spin:
                     w, linear = spin.back(w), spin.back(linear)
                 if shift:
                     linear = v.add(linear, v.cross(w, v.cross(w, shift)))
-            rate, angular = [w[0], w[1], w[2] + speed[0]], [w[1] * speed[0], -w[0] * speed[0]]
-            return [[turn[0], turn[1], *angular, *linear], rate]
+            angular, (x, y, z) = [w[1] * speed[0], -w[0] * speed[0]], Spin.of(2, turn[0], turn[1]).back(w)
+            return [[turn[0], turn[1], *angular, *linear], [x, y, z + speed[0]]]
 
         return Kernel(f"inward {self.key}", (SCREW, 3, TURN, 1), (_HINGE, 3), build)
 
     def _passed(self, inertia: Any, bias: Any, hinge: Any, effort: Any, own: Any) -> tuple[Inertia, Force, list[Any]]:
-        """Articulated inertia and bias force that the joint passes on, in link axes, and what is held."""
-        whole, push, drift = Inertia.of(inertia), Force.of(bias), _drift(hinge)
+        """Articulated inertia and bias force that the joint passes on, in its own axes, and what is held.
+
+        The turn about the axis leaves the axis as it is: it comes first, while the divisor's inverse is on its way.
+        """
+        turn, drift = _turn(hinge), _drift(hinge)
+        whole, push = turn.inertia(Inertia.of(inertia)), turn.force(Force.of(bias))
         if self.driven:
             drift.angular[2] = effort[0]
             return whole, push + whole.times(drift), [0.0] * self.held
@@ -141,7 +144,7 @@ class Screw:
 
         def build(inertia: Any, bias: Any, hinge: Any, numbers: Any, effort: Any, own: Any, *sums: Any) -> Any:
             passed, push, kept = self._passed(inertia, bias, hinge, effort, own)
-            way, (there, pull) = self._way(numbers, hinge), _sums(*sums, onto_body=onto_body)
+            way, (there, pull) = self._way(numbers), _sums(*sums, onto_body=onto_body)
             moved = self._inertia_to_parent(way, passed) + there
             return [moved.packed(), (self._force_to_parent(way, push) + pull).packed(), kept]
 
@@ -161,16 +164,17 @@ class Screw:
         """(acceleration of the parent's tip, hinge, way, held, a given one) -> (that of the root, the joint's)."""
 
         def build(parent: Any, hinge: Any, numbers: Any, held: Any, given: Any) -> list[list[Any]]:
-            root = self._motion_to_link(self._way(numbers, hinge), Force.of(parent)) + _drift(hinge)
-            before, known = root.angular[2], [held[i] for i in range(self.held - 1)]
-            if self.driven:
-                root.angular[2] = before + given[0]
-                return [root.packed(), [given[0]]]
-            moves = root.packed()
-            parts = moves[:2] + moves[3:] if self.free else moves
-            after = held[self.held - 1] - v.total([k * x for k, x in zip(known, parts, strict=True)])
-            root.angular[2] = after if self.free else before + after
-            return [root.packed(), [after - before if self.free else after]]
+            root = self._motion_to_joint(self._way(numbers), Force.of(parent)) + _drift(hinge)
+            before, acceleration = root.angular[2], given[0]
+            if not self.driven:
+                moves = root.packed()
+                terms = [held[i] * x for i, x in enumerate(moves[:2] + moves[3:] if self.free else moves)]
+                after = held[self.held - 1] - v.total(terms[2:]) - (terms[0] + terms[1])
+                acceleration = after - before if self.free else after
+                root.angular[2] = after if self.free else before + after
+            else:
+                root.angular[2] = before + acceleration
+            return [_turn(hinge).force_back(root).packed(), [acceleration]]
 
         return Kernel(f"onward {self.key}", (FORCE, _HINGE, SCREW, self.held, 1), (FORCE, 1), build)
 
@@ -178,7 +182,8 @@ class Screw:
         """(force at the link's root, hinge, way, sum at the parent's tip) -> (sum, effort along the joint)."""
 
         def build(force: Any, hinge: Any, numbers: Any, sum_: Any) -> list[list[Any]]:
-            told = self._force_to_parent(self._way(numbers, hinge), Force.of(force)) + Force.of(sum_)
+            push = _turn(hinge).force(Force.of(force))
+            told = self._force_to_parent(self._way(numbers), push) + Force.of(sum_)
             return [told.packed(), [force[2]]]
 
         return Kernel(f"load {self.key}", (FORCE, _HINGE, SCREW, FORCE), (FORCE, 1), build)
@@ -188,12 +193,12 @@ class Screw:
 
         def build(pose: Any, rate: Any, hinge: Any, numbers: Any, _: Any) -> list[list[Any]]:
             rows, arm = v.tri(pose), v.zero()
-            for spin, shift in reversed(self._way(numbers, hinge)):
+            for spin, shift in reversed(self._way(numbers)):
                 arm = v.add(arm, shift) if shift else arm
                 arm = spin.vector(arm) if spin else arm
             place = v.add(v.vec(pose, 9), v.matvec(rows, arm))
             velocity = v.add(v.vec(pose, 12), v.matvec(rows, v.cross(v.vec(rate), arm)))
-            for spin, _shift in self._way(numbers, hinge):
+            for spin in (*(step[0] for step in self._way(numbers)), _turn(hinge)):
                 rows = [spin.back(row) for row in rows] if spin else rows
             return [v.flat(rows, place, velocity)]
 
@@ -217,6 +222,10 @@ def screw_numbers(way: ScrewWay) -> list[float]:
         c, s = float(np.cos(angle)), float(np.sin(angle))
         told += [c, s, s * s, s * c]
     return [*told, *way.lever, way.along]
+
+
+def _turn(hinge: Any) -> Spin:
+    return Spin.of(2, hinge[0], hinge[1])
 
 
 def _drift(hinge: Any) -> Force:
