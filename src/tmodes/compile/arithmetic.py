@@ -27,6 +27,8 @@ class Arithmetic(ABC):
 
     stride: int
     name: str
+    unrolls = True
+    """Whether small schedules become one program."""
 
     def __init__(self, module: Any) -> None:
         self.module = module
@@ -188,6 +190,7 @@ class Derivative(Arithmetic):
 
     stride = 2
     name = "derivative"
+    unrolls = False  # seldom called, and twice as long
 
     def __init__(self, module: Any) -> None:
         super().__init__(module)

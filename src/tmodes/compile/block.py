@@ -5,18 +5,23 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
 from typing import Any
 
 from llvmlite import ir
 
 from tmodes.compile.arithmetic import Arithmetic
-from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
+from tmodes.compile.calls import write_calls
+from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, store, whole
 from tmodes.compile.program import Instruction, block_program
+from tmodes.compile.rows import copy_rows, spread_parameters
 from tmodes.compile.turning import early_angles, order_of_evaluation
+from tmodes.compile.unroll import Unrolled, pays, unrolled
 
 __all__ = ["ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_rate", "write_samples", "write_values"]
 
 
+@cache
 def kernel_symbol(kernel: Any, arithmetic: str) -> str:
     """The name of a kernel's native function: the same for the same structure, everywhere."""
     told = f"{kernel.key} {kernel.inputs} {kernel.outputs} {arithmetic}"
@@ -71,19 +76,50 @@ def write_values(
     return values
 
 
-def write_main(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> Any:
-    """The private function ``name(workspace)`` that makes all calls of a schedule, to kernels of other libraries."""
+def write_main(
+    module: Any, schedule: Any, arithmetic: Arithmetic, name: str, offset: Callable[[Any], int] | None = None
+) -> Any:
+    """The private function ``name(workspace)`` of a schedule: all its calls, to kernels of other libraries, or none.
+
+    ``offset`` tells where a block begins; by default it is the schedule's own. Of a schedule that is unrolled, as none
+    with other offsets is, :func:`call_prepare` must be called for new parameters.
+    """
+    if offset is None and arithmetic.unrolls and pays(schedule):
+        return _write_unrolled(module, unrolled(schedule), arithmetic, name)
     main = declare(module, name, VOID, [("workspace", POINTER)], private=True)
     main.attributes.add("noinline")  # loops call it from many places, and the time is in the kernels
     b = ir.IRBuilder(main.append_basic_block("entry"))
-    for kernel, inputs, outputs in schedule.calls:
-        symbol = kernel_symbol(kernel, arithmetic.name)
-        slots = (*inputs, *outputs)
-        kinds = [(f"b{k}", POINTER) for k in range(len(slots))]
-        function = module.globals.get(symbol) or declare(module, symbol, VOID, kinds)
-        b.call(function, [at(b, main.args[0], schedule.offset(slot) * arithmetic.stride) for slot in slots])
+    symbols = partial(kernel_symbol, arithmetic=arithmetic.name)
+    write_calls(b, schedule, arithmetic, main.args[0], symbols, offset or schedule.offset)
     b.ret_void()
     return main
+
+
+def _write_unrolled(module: Any, code: Unrolled, arithmetic: Arithmetic, name: str) -> Any:
+    parts = (f"{name}.prepare", code.prepare, code.prepared), (name, code.main, code.results)
+    return [_write_program(module, *part, arithmetic) for part in parts][-1]
+
+
+def _write_program(
+    module: Any, name: str, program: Sequence[Instruction], results: Sequence[tuple[int, int]], arithmetic: Arithmetic
+) -> Any:
+    """The private function ``name(workspace)`` of one program on a workspace."""
+    function = declare(module, name, VOID, [("workspace", POINTER)], private=True)
+    function.attributes.add("noinline")
+    b = ir.IRBuilder(function.append_basic_block("entry"))
+    workspace = function.args[0]
+    values = write_values(b, program, arithmetic, lambda _, place: arithmetic.load(b, workspace, place))
+    for place, index in results:
+        arithmetic.store(b, values[index], workspace, place)
+    b.ret_void()
+    return function
+
+
+def call_prepare(b: Any, main: Any, workspace: Any) -> None:
+    """After new parameters: what follows from them, where a schedule is unrolled."""
+    prepare = b.function.module.globals.get(f"{main.name}.prepare")
+    if prepare is not None:
+        b.call(prepare, [workspace])
 
 
 def write_samples(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> None:
@@ -101,46 +137,23 @@ def write_samples(module: Any, schedule: Any, arithmetic: Arithmetic, name: str)
     width = arithmetic.stride
     taken = [(schedule.offset(slot), slot.size) for slot in schedule.inputs.values()]
     given = [(schedule.offset(slot), slot.size) for slots in schedule.outputs.values() for slot in slots]
-    _spread_parameters(b, parameters, workspace, schedule.parameters, width, same=arithmetic.name == "lanes")
+    spread_parameters(b, parameters, workspace, schedule.parameters, width, same=arithmetic.name == "lanes")
+    call_prepare(b, main, workspace)
     with counted(b, count, "sample") as sample:
         with b.if_then(b.icmp_signed("!=", each, whole(0))):
             rows = width if arithmetic.name == "lanes" else 1
             start = at(b, parameters, b.mul(sample, whole(schedule.parameters * rows)))
             if arithmetic.name == "lanes":
-                _copy_rows(b, start, workspace, [(0, schedule.parameters)], width, into=True)
+                copy_rows(b, start, workspace, [(0, schedule.parameters)], width, into=True)
             else:
-                _spread_parameters(b, start, workspace, schedule.parameters, width)
+                spread_parameters(b, start, workspace, schedule.parameters, width)
+            call_prepare(b, main, workspace)
         row = b.mul(sample, whole(schedule.input_size * width))
-        _copy_rows(b, at(b, source, row), workspace, taken, width, into=True)
+        copy_rows(b, at(b, source, row), workspace, taken, width, into=True)
         b.call(main, [workspace])
         row = b.mul(sample, whole(schedule.output_size * width))
-        _copy_rows(b, at(b, target, row), workspace, given, width, into=False)
+        copy_rows(b, at(b, target, row), workspace, given, width, into=False)
     b.ret_void()
-
-
-def _spread_parameters(b: Any, source: Any, workspace: Any, size: int, width: int, *, same: bool = False) -> None:
-    """Parameters at the start of the workspace; beside each, its copies (``same``) or derivatives, which are zero."""
-    with counted(b, size, "parameter") as k:
-        place, value = b.mul(k, whole(width)), load(b, source, k)
-        store(b, value, workspace, place)
-        for lane in range(1, width):
-            store(b, value if same else ir.Constant(F64, 0.0), workspace, b.add(place, whole(lane)))
-
-
-def _copy_rows(b: Any, rows: Any, workspace: Any, blocks: list[tuple[int, int]], width: int, *, into: bool) -> None:
-    """``width`` rows, one after the other, into or out of blocks of the workspace whose numbers are ``width`` wide."""
-    length = sum(size for _, size in blocks)
-    first = 0
-    for offset, size in blocks:
-        with counted(b, size, "block") as k:
-            for lane in range(width):
-                beside = b.add(k, whole(lane * length + first))
-                place = b.add(b.mul(k, whole(width)), whole(offset * width + lane))
-                if into:
-                    store(b, load(b, rows, beside), workspace, place)
-                else:
-                    store(b, load(b, workspace, place), rows, beside)
-        first += size
 
 
 @dataclass(frozen=True)
@@ -169,9 +182,10 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
     main = write_main(module, schedule, arithmetic, f"{name}.main")
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
     b = ir.IRBuilder(prepare.append_basic_block("entry"))
-    _spread_parameters(b, prepare.args[0], prepare.args[1], schedule.parameters, 1)
+    spread_parameters(b, prepare.args[0], prepare.args[1], schedule.parameters, 1)
     if "step" in schedule.inputs:
         store(b, ir.Constant(F64, 0.0), prepare.args[1], schedule.offset(schedule.inputs["step"]))
+    call_prepare(b, main, prepare.args[1])
     b.ret_void()
     kinds = [("time", F64), ("state", POINTER), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
     call = declare(module, f"{name}.call", VOID, kinds, private=True)
@@ -181,10 +195,10 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
     store(b, time, held, schedule.offset(schedule.inputs["time"]))
     for source, label in ((state, "state"), (row, "row")):
         slot = schedule.inputs[label]
-        _copy_rows(b, source, held, [(schedule.offset(slot), slot.size)], 1, into=True)
+        copy_rows(b, source, held, [(schedule.offset(slot), slot.size)], 1, into=True)
     b.call(main, [held])
     blocks = [(schedule.offset(slot), slot.size) for slots in schedule.outputs.values() for slot in slots]
-    _copy_rows(b, out, held, blocks, 1, into=False)
+    copy_rows(b, out, held, blocks, 1, into=False)
     b.ret_void()
     row, step = schedule.inputs["row"].size, schedule.inputs.get("step")
     offset = schedule.offset(step) if step else None

@@ -24,21 +24,23 @@ def _library(
     functions: dict[str, int],
     level: int,
     imports: Callable[[], Mapping[str, Library]] = dict,
+    *,
+    tidy: bool = True,
 ) -> Library:
     """The functions of one module: as loaded before, from the cache, or written, optimised and kept."""
     key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
     if key not in _loaded:
-        _loaded[key] = Library(name, _binary(key, write, level), functions, imports())
+        _loaded[key] = Library(name, _binary(key, write, level, tidy=tidy), functions, imports())
         while len(_loaded) > _KEPT:
             _loaded.popitem(last=False)
     _loaded.move_to_end(key)
     return _loaded[key]
 
 
-def _binary(key: str, write: Callable[[], Any], level: int) -> bytes:
+def _binary(key: str, write: Callable[[], Any], level: int, *, tidy: bool) -> bytes:
     binary = cache.load(key)
     if binary is None:
-        binary = to_object(write(), level)
+        binary = to_object(write(), level, tidy=tidy)
         cache.save(key, binary)
     return binary
 
@@ -95,6 +97,14 @@ def _kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
     return {symbol: _kernel(symbol, kernel, arithmetic) for symbol, kernel in kernels.items()}
 
 
+def _called(schedule: Any, arithmetic: str) -> dict[str, Library]:
+    """The same of a schedule as it is written: one that is unrolled calls nothing."""
+    from tmodes.compile.unroll import pays
+
+    unrolled = _arithmetic(arithmetic).unrolls and pays(schedule)
+    return {} if unrolled else _kernels_of(schedule, arithmetic)
+
+
 def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
     def write() -> Any:
         from llvmlite import ir
@@ -107,7 +117,8 @@ def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
 
     # Differentiated code is twice as long and seldom called: quicker to compile is worth more than quicker to run.
     level = 0 if arithmetic == "derivative" else 1
-    return _library(symbol, symbol, write, {symbol: len(kernel.inputs) + len(kernel.outputs)}, level)
+    functions = {symbol: len(kernel.inputs) + len(kernel.outputs)}
+    return _library(symbol, symbol, write, functions, level, tidy=False)
 
 
 def _arithmetic(name: str) -> Any:
@@ -131,9 +142,8 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
         write_samples(module, schedule, _arithmetic(arithmetic)(module), "run")
         return module
 
-    return _library(
-        f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, lambda: _kernels_of(schedule, arithmetic)
-    )
+    imports = partial(_called, schedule, arithmetic)
+    return _library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, imports, tidy=False)
 
 
 def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Library:
@@ -159,4 +169,4 @@ def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
         return module
 
     functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince", "extrapolation"), len(ARGUMENTS))
-    return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))
+    return _library(name, schedule.key, write, functions, 1, partial(_called, schedule, "double"))

@@ -4,7 +4,8 @@ from __future__ import annotations
 
 from collections import Counter
 from collections.abc import Sequence
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import casadi as ca
 
@@ -24,8 +25,7 @@ _BINARY = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Instruction:
+class Instruction(NamedTuple):
     """One value: ``kind`` is an operation, ``constant`` or ``input``; ``args`` are indices of earlier values.
 
     ``source`` is (argument, element) of an input, ``value`` the number of a constant.
@@ -150,6 +150,6 @@ def with_shared_inverses(values: Sequence[Instruction]) -> tuple[list[Instructio
                 changed.append(Instruction("inv", (places[divisor],)))
             changed.append(Instruction("mul", (places[value.args[0]], inverses[divisor])))
         else:
-            changed.append(replace(value, args=tuple(places[arg] for arg in value.args)))
+            changed.append(value._replace(args=tuple(places[arg] for arg in value.args)))
         places.append(len(changed) - 1)
     return changed, places

@@ -32,7 +32,7 @@ class Instant:
     def __init__(self, loop: ClosedLoop) -> None:
         self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
         self.none = loop.parts.none
-        self.schedule = Schedule(loop.parts.numbers.size)
+        self.schedule = Schedule(loop.parts.numbers.size, zeros=tuple(self.none.values()))
         self.time = self.schedule.input("time", 1)
         self.state = self.schedule.input("state", loop.layout.size)
         self.row = self.schedule.input("row", loop.plan.row_size)

@@ -21,6 +21,7 @@ def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
     way = Passes(parts, posed=False, loaded=loaded, short=True)
     way.take_wrenches()
     schedule = way.schedule
+    schedule.often = True
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
     step = schedule.input("step", 1)
     way.outwards()
@@ -80,8 +81,8 @@ class Recursion:
         if parent < 0:
             (self.held[index],) = self.schedule.call(joint.hold(), *blocks)
             self.on_base.append((joint.outward(), blocks))
-        elif isinstance(joint, Screw) and self._is_body(parent):
-            sums = (self.parts.nodes[parent].tip_body, self.way.ways[parent].tip_rate)
+        elif isinstance(joint, Screw) and (body := self._sole_body(parent)):
+            sums = (body, self.way.ways[parent].tip_rate)
             outward = joint.outward(onto_body=True)
             *more, self.held[index] = self.schedule.call(outward, *blocks, *sums)
             self.loads[parent] = (more[0], more[1])
@@ -103,11 +104,11 @@ class Recursion:
             self.loads[index] = self.way.load_of_tip(index)
         return self.loads[index]
 
-    def _is_body(self, index: int) -> bool:
-        """Whether nothing is known yet to be fixed to a node's tip but its own body on a rigid link."""
+    def _sole_body(self, index: int) -> Slot | None:
+        """The body of a node's rigid link, where nothing else is known yet to be fixed to it."""
         pushed = any(self.parts.points[k].node == index for k in self.way.wrenches)
-        bare = index not in self.loads and index not in self.way.attached and not pushed
-        return bare and self.parts.nodes[index].tip_body is not None and self.way.ways[index].tip is None
+        more = pushed or index in self.loads or index in self.way.attached
+        return None if more or self.way.ways[index].tip else self.parts.nodes[index].tip_body
 
     def _joint(self, index: int, own: Slot) -> Hinge | Screw:
         joint = self.way.ways[index].joint

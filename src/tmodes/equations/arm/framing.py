@@ -56,7 +56,8 @@ class ScrewWay:
         lever = place - along * np.array([0.0, -s, c])
         lever[np.abs(lever) <= small] = 0.0
         told = [0.0 if abs(x) <= _ROUNDING else float(x) for x in (beta, alpha)]
-        return cls(told[0], tuple(map(float, lever)), told[1], 0.0 if abs(along) <= small else along, phase)
+        x, y, z = (float(part) for part in lever)
+        return cls(told[0], (x, y, z), told[1], 0.0 if abs(along) <= small else along, phase)
 
     def placement(self) -> Placement:
         """The way as one placement."""
@@ -69,7 +70,8 @@ class ScrewWay:
 class Framing:
     """The same chain in other link frames: ``frames`` of each node as seen from its old one, and what stands in them.
 
-    New frames have the rigid links of revolute joints; all others keep theirs.
+    New frames have the rigid links of revolute joints; all others keep theirs. ``placements`` are those of the joint
+    frames in their parents' tips; ``screws`` the short ways, None where one is not known beforehand or of another kind.
     """
 
     def __init__(self, chain: Chain) -> None:
@@ -79,6 +81,9 @@ class Framing:
             if _turns(node) and node.parent >= 0 and _turns(chain.nodes[node.parent]):
                 self.heirs.setdefault(node.parent, index)
         self.frames = [self._frame(index, node) for index, node in enumerate(chain.nodes)]
+        self._back = [frame.inverse() for frame in self.frames]
+        self.placements = [self._placement(index) for index in range(len(chain.nodes))]
+        self.screws = [self._screw(index) for index in range(len(chain.nodes))]
 
     def _frame(self, index: int, node: Node) -> Placement:
         if not _turns(node):
@@ -89,33 +94,30 @@ class Framing:
         place = heir.placement
         return _across(node.joint.axis, place.position, place.rotation @ heir.axis)
 
-    def placement(self, index: int) -> Placement:
-        """Of a node's joint frame, in the parent's tip frame."""
+    def _placement(self, index: int) -> Placement:
         node = self.chain.nodes[index]
         placed = node.joint.placement @ self.frames[index]
-        return self.frames[node.parent].inverse() @ placed if node.parent >= 0 else placed
+        return self._back[node.parent] @ placed if node.parent >= 0 else placed
 
     def axis(self, index: int) -> Array:
         """Of a node's joint, in its joint frame."""
         node = self.chain.nodes[index]
         return np.array([0.0, 0.0, 1.0]) if _turns(node) else node.joint.axis
 
-    def screw(self, index: int) -> ScrewWay | None:
-        """The short way to a joint, None where it is not known beforehand or of another kind."""
+    def _screw(self, index: int) -> ScrewWay | None:
         node = self.chain.nodes[index]
         on_section = node.parent >= 0 and not isinstance(self.chain.nodes[node.parent].link, RigidLink)
         if not _turns(node) or on_section:
             return None
-        return ScrewWay.of(self.placement(index), heir=self.heirs.get(node.parent) == index)
+        return ScrewWay.of(self.placements[index], heir=self.heirs.get(node.parent) == index)
 
     def bodies(self, index: int, bodies: tuple[Body, ...]) -> tuple[Body, ...]:
         """Bodies in a node's frame."""
-        back = self.frames[index].inverse()
-        return tuple(moved_body(body, back) for body in bodies)
+        return tuple(moved_body(body, self._back[index]) for body in bodies)
 
     def offset(self, index: int, offset: Placement) -> Placement:
         """A placement in a node's frame."""
-        return self.frames[index].inverse() @ offset
+        return self._back[index] @ offset
 
 
 def moved_body(body: Body, placement: Placement) -> Body:

@@ -104,7 +104,7 @@ class Parts:
         axis = _axis_of(along)
         moves = joint.kind is not JointKind.FIXED
         on_section = node.parent >= 0 and not isinstance(self.chain.nodes[node.parent].link, RigidLink)
-        placed, screw = self.framing.placement(index), self.framing.screw(index)
+        placed, screw = self.framing.placements[index], self.framing.screws[index]
         driven, aside = joint.drive is Drive.PRESCRIBED and moves, bool(np.any(placed.position))
         hinge = Hinge(joint.kind, axis if moves else 2, driven, aside, on_section)
         placement = self.numbers.block([*placed.rotation.ravel(), *placed.position])
@@ -157,8 +157,9 @@ class Parts:
 
     def _phases(self) -> list[float]:
         """What each joint's angle is told from in its short way, in the order of the joints."""
-        screws = [(part.angle, self.framing.screw(index)) for index, part in enumerate(self.nodes) if part.angle >= 0]
-        return [screw.phase if screw else 0.0 for _, screw in sorted(screws, key=lambda told: told[0])]
+        screws = zip(self.nodes, self.framing.screws, strict=True)
+        phases = {part.angle: screw.phase for part, screw in screws if screw}
+        return [phases.get(angle, 0.0) for angle in self.joints]
 
     def _tip_body(self, index: int, link: RigidLink | Beam | Segment) -> Slot | None:
         bodies = tuple(body for s, body in link.bodies if s >= 1.0) if isinstance(link, Beam) else link.bodies

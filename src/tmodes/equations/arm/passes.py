@@ -59,7 +59,7 @@ class Blocks:
     @classmethod
     def as_inputs(cls, parts: Parts) -> Blocks:
         """Inputs of a new schedule."""
-        schedule = Schedule(parts.numbers.size)
+        schedule = Schedule(parts.numbers.size, zeros=tuple(parts.none.values()))
         q, v = schedule.input("q", parts.size), schedule.input("v", parts.size)
         return cls(schedule, q, v, schedule.input("base", BASE))
 
