@@ -118,7 +118,7 @@ def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
     # Differentiated code is twice as long and seldom called: quicker to compile is worth more than quicker to run.
     level = 0 if arithmetic == "derivative" else 1
     functions = {symbol: len(kernel.inputs) + len(kernel.outputs)}
-    return _library(symbol, symbol, write, functions, level, tidy=False)
+    return _library(symbol, symbol, write, functions, level, tidy=kernel.long)
 
 
 def _arithmetic(name: str) -> Any:
