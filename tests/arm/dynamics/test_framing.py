@@ -11,8 +11,8 @@ from scipy.spatial.transform import Rotation
 
 from arm.random_chains import random_body, random_placement
 from tmodes.arm_model import ArmModel
-from tmodes.chain import Chain, Drive, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
-from tmodes.equations.arm.framing import Framing, ScrewWay
+from tmodes.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
+from tmodes.equations.arm.framing import STRAIGHT, Framing, ScrewWay
 
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
@@ -134,7 +134,7 @@ def test_way_is_the_placement(name: str) -> None:
         assert np.abs(told.rotation - placement.rotation).max() <= 2e-14
         assert np.abs(told.position - placement.position).max() <= 2e-14
         if framing.heirs.get(node.parent) == index:
-            assert way.beta == 0
+            assert way.beta == STRAIGHT
             assert way.lever[2] == 0
 
 
@@ -149,9 +149,22 @@ def test_general_way_has_its_lever_and_its_turn() -> None:
     place = PLACES["general"]
     way = ScrewWay.of(place, heir=False)
     assert way.along == 0
-    assert way.beta != 0
+    assert way.beta != STRAIGHT
     assert np.abs(way.placement().rotation - place.rotation).max() <= 1e-15
     assert np.abs(way.placement().position - place.position).max() <= 1e-15
+
+
+def test_quarter_turns_are_exact() -> None:
+    """A chain that hangs straight down hangs still, to the bit, whichever way its axes and frames are turned."""
+    quarter = Placement(np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]))
+    joint = Joint("a", JointKind.REVOLUTE, Placement(), np.array([0.0, 1.0, 0.0]))
+    other = Joint("b", JointKind.REVOLUTE, Placement(quarter.rotation, np.array([0.0, 0.0, -0.5])), Z)
+    last = Joint("c", JointKind.REVOLUTE, Placement(quarter.rotation.T, np.array([0.0, -0.25, 0.0])), X)
+    bodies = [(0.0, 0.0, -0.3), (0.0, -0.2, 0.0), (0.0, 0.0, -0.1)]
+    links = [RigidLink((Body(1.5, np.array(center), np.diag([0.1, 0.2, 0.3])),)) for center in bodies]
+    nodes = (Node("one", -1, joint, links[0]), Node("two", 0, other, links[1]), Node("three", 1, last, links[2]))
+    model = ArmModel(Chain("plumb", nodes, np.array([0.0, 0.0, -9.81])))
+    assert not model.forward_dynamics(np.zeros(3), np.zeros(3)).any()
 
 
 def test_prescribed_joint_among_others() -> None:

@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from tmodes.chain import Body, Chain, JointKind, Node, RigidLink
 from tmodes.frame import Placement
 
-__all__ = ["Framing", "ScrewWay", "moved_body"]
+__all__ = ["STRAIGHT", "Framing", "ScrewWay", "moved_body"]
 
 Array = NDArray[np.float64]
 
@@ -25,43 +25,44 @@ _OBLIQUE = 0.2
 
 _ROUNDING = 4e-15
 
+STRAIGHT = (1.0, 0.0)
+"""Cosine and sine of no turn."""
+
 
 @dataclass(frozen=True)
 class ScrewWay:
     """From the parent's tip to a joint: Rz(beta) T(lever) Rx(alpha) Tz(along) Rz(phase), and the joint turns about z.
 
-    Angles [rad], ``lever`` (3,) and ``along`` [m]; what is zero is exactly zero.
+    Angles as (cosine, sine), so that quarter turns are exact; ``lever`` (3,) and ``along`` [m]. What is zero is
+    exactly zero.
     """
 
-    beta: float
+    beta: tuple[float, float]
     lever: tuple[float, float, float]
-    alpha: float
+    alpha: tuple[float, float]
     along: float
-    phase: float
+    phase: tuple[float, float]
 
     @classmethod
     def of(cls, placement: Placement, *, heir: bool) -> ScrewWay:
         """Of the z axis at a placement; ``heir``: the parent's x axis stands across both axes, so beta is zero."""
         turn, place = placement.rotation, placement.position
-        sine, small = float(np.hypot(turn[0, 2], turn[1, 2])), _ROUNDING * (1 + float(np.abs(place).max()))
-        beta = 0.0 if heir else float(np.arctan2(turn[0, 2], -turn[1, 2])) if sine > _ROUNDING else 0.0
-        back = _about_z(-beta)
+        oblique, small = float(np.hypot(turn[0, 2], turn[1, 2])), _ROUNDING * (1 + float(np.abs(place).max()))
+        beta = STRAIGHT if heir or oblique <= _ROUNDING else _unit(-turn[1, 2], turn[0, 2])
+        back = _about_z(beta).T
         turn, place = back @ turn, back @ place
-        alpha = float(np.arctan2(-turn[1, 2], turn[2, 2])) if sine > _ROUNDING else np.pi * (turn[2, 2] < 0)
-        c, s = np.cos(alpha), np.sin(alpha)
-        phase = float(np.arctan2(turn[1, 0] * c + turn[2, 0] * s, turn[0, 0]))
+        c, s = alpha = _unit(turn[2, 2], -turn[1, 2] if oblique > _ROUNDING else 0.0)
+        phase = _unit(turn[0, 0], turn[1, 0] * c + turn[2, 0] * s)
         along = 0.0
         if heir:
-            along = float(c * place[2] - s * place[1] if sine > _OBLIQUE else place[2] / c)
+            along = float(c * place[2] - s * place[1] if oblique > _OBLIQUE else place[2] / c)
         lever = place - along * np.array([0.0, -s, c])
-        lever[np.abs(lever) <= small] = 0.0
-        told = [0.0 if abs(x) <= _ROUNDING else float(x) for x in (beta, alpha)]
-        x, y, z = (float(part) for part in lever)
-        return cls(told[0], (x, y, z), told[1], 0.0 if abs(along) <= small else along, phase)
+        x, y, z = (0.0 if abs(part) <= small else float(part) for part in lever)
+        return cls(beta, (x, y, z), alpha, 0.0 if abs(along) <= small else along, phase)
 
     def placement(self) -> Placement:
         """The way as one placement."""
-        c, s = np.cos(self.alpha), np.sin(self.alpha)
+        c, s = self.alpha
         tilt = np.array([[1.0, 0.0, 0.0], [0.0, c, -s], [0.0, s, c]])
         first = Placement(_about_z(self.beta)) @ Placement(tilt, np.array(self.lever))
         return first @ Placement(_about_z(self.phase), np.array([0.0, 0.0, self.along]))
@@ -131,8 +132,13 @@ def _turns(node: Node) -> bool:
     return node.joint.kind is JointKind.REVOLUTE and isinstance(node.link, RigidLink)
 
 
-def _about_z(angle: float) -> Array:
-    c, s = np.cos(angle), np.sin(angle)
+def _unit(cosine: float, sine: float) -> tuple[float, float]:
+    size = float(np.hypot(cosine, sine))
+    return float(cosine) / size, float(sine) / size
+
+
+def _about_z(angle: tuple[float, float]) -> Array:
+    c, s = angle
     return np.array([[c, -s, 0.0], [s, c, 0.0], [0.0, 0.0, 1.0]])
 
 

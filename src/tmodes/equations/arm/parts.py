@@ -11,7 +11,7 @@ from tmodes.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Point
 from tmodes.equations.arm.beam_tables import beam_tables, stations_of
 from tmodes.equations.arm.body_kernels import BODY
 from tmodes.equations.arm.drive_kernels import DriveKind, drive_kind, drive_numbers
-from tmodes.equations.arm.framing import Framing
+from tmodes.equations.arm.framing import STRAIGHT, Framing
 from tmodes.equations.arm.hinge import HELD, Hinge
 from tmodes.equations.arm.link_kernels import BendingLink
 from tmodes.equations.arm.link_kinds import SegmentKind, StrainKind
@@ -155,11 +155,11 @@ class Parts:
         blocks = (block([link.length]), block(springs), block(dampers))
         return LinkPart(BendingLink(SegmentKind(link.bend_y, link.bend_z)), *blocks, (), first, names)
 
-    def _phases(self) -> list[float]:
-        """What each joint's angle is told from in its short way, in the order of the joints."""
+    def _phases(self) -> list[tuple[float, float]]:
+        """Cosine and sine of what each joint's angle is told from in its short way, in the order of the joints."""
         screws = zip(self.nodes, self.framing.screws, strict=True)
         phases = {part.angle: screw.phase for part, screw in screws if screw}
-        return [phases.get(angle, 0.0) for angle in self.joints]
+        return [phases.get(angle, STRAIGHT) for angle in self.joints]
 
     def _tip_body(self, index: int, link: RigidLink | Beam | Segment) -> Slot | None:
         bodies = tuple(body for s, body in link.bodies if s >= 1.0) if isinstance(link, Beam) else link.bodies

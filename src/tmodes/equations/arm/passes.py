@@ -142,7 +142,7 @@ class Passes:
         for start in range(self.parts.joints.start, self.parts.joints.stop, 4):
             group = range(start, min(start + 4, self.parts.joints.stop))
             if turning.intersection(group):
-                phases = self.parts.phases.part(start - self.parts.joints.start, len(group))
+                phases = self.parts.phases.part(TURN * (start - self.parts.joints.start), TURN * len(group))
                 (both,) = self.schedule.call(turn_kernel(len(group)), self.q.part(start, len(group)), phases)
                 found |= {index: both.part(TURN * k, TURN) for k, index in enumerate(group)}
         return found

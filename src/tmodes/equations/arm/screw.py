@@ -11,11 +11,10 @@ from dataclasses import dataclass, replace
 from typing import Any
 
 import casadi as ca
-import numpy as np
 
 from tmodes.equations.arm import vectors as v
 from tmodes.equations.arm.body_kernels import BODY
-from tmodes.equations.arm.framing import ScrewWay
+from tmodes.equations.arm.framing import STRAIGHT, ScrewWay
 from tmodes.equations.arm.hinge import POSE
 from tmodes.equations.arm.kernel import Kernel
 from tmodes.equations.arm.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
@@ -51,7 +50,7 @@ class Screw:
     def of(cls, way: ScrewWay, *, driven: bool) -> Screw:
         """The kind of a way."""
         x, y, z = (bool(part) for part in way.lever)
-        return cls(bool(way.alpha), bool(way.beta), (x, y, z), bool(way.along), driven)
+        return cls(way.alpha != STRAIGHT, way.beta != STRAIGHT, (x, y, z), bool(way.along), driven)
 
     def as_free(self) -> Screw:
         """The same without inertia of its own."""
@@ -206,20 +205,22 @@ class Screw:
 
 
 def turn_kernel(count: int) -> Kernel:
-    """(angles, phases) -> cosine and sine of each angle and its phase, one after the other."""
+    """(angles, cosine and sine of each phase) -> cosine and sine of each angle and its phase, one after the other."""
 
     def build(angles: Any, phases: Any) -> list[list[Any]]:
-        turns = [angles[i] + phases[i] for i in range(count)]
-        return [v.flat([[ca.cos(turn), ca.sin(turn)] for turn in turns])]
+        told: list[Any] = []
+        for i in range(count):
+            c, s, phase_c, phase_s = ca.cos(angles[i]), ca.sin(angles[i]), phases[2 * i], phases[2 * i + 1]
+            told += [phase_c * c - phase_s * s, phase_s * c + phase_c * s]
+        return [told]
 
-    return Kernel(f"turn {count}", (count, count), (TURN * count,), build)
+    return Kernel(f"turn {count}", (count, TURN * count), (TURN * count,), build)
 
 
 def screw_numbers(way: ScrewWay) -> list[float]:
     """The numbers of a way, packed."""
     told: list[float] = []
-    for angle in (way.alpha, way.beta):
-        c, s = float(np.cos(angle)), float(np.sin(angle))
+    for c, s in (way.alpha, way.beta):
         told += [c, s, s * s, s * c]
     return [*told, *way.lever, way.along]
 
