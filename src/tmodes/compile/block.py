@@ -3,19 +3,25 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from functools import cache, partial
 from typing import Any
 
 from llvmlite import ir
 
 from tmodes.compile.arithmetic import Arithmetic
-from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
-from tmodes.compile.program import block_program
+from tmodes.compile.calls import write_calls
+from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, store, whole
+from tmodes.compile.program import Instruction, block_program
+from tmodes.compile.rows import copy_rows, spread_parameters
+from tmodes.compile.turning import early_angles, order_of_evaluation
+from tmodes.compile.unroll import Unrolled, pays, unrolled
 
-__all__ = ["ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_rate", "write_samples"]
+__all__ = ["ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_rate", "write_samples", "write_values"]
 
 
+@cache
 def kernel_symbol(kernel: Any, arithmetic: str) -> str:
     """The name of a kernel's native function: the same for the same structure, everywhere."""
     told = f"{kernel.key} {kernel.inputs} {kernel.outputs} {arithmetic}"
@@ -29,47 +35,91 @@ def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:
     name = kernel_symbol(kernel, arithmetic.name)
     function = declare(module, name, VOID, [(label, POINTER) for label in labels])
     b = ir.IRBuilder(function.append_basic_block("entry"))
-    values: list[Any] = []
-    turned: dict[int, tuple[Any, Any]] = {}
-    for instruction in program.values:
-        if instruction.kind == "constant":
-            value = arithmetic.constant(instruction.value)
-        elif instruction.kind == "input":
-            argument, element = instruction.source
-            value = arithmetic.load(b, function.args[argument], element)
-        elif instruction.kind in ("sin", "cos"):
-            angle = instruction.args[0]
-            if angle not in turned:
-                turned[angle] = arithmetic.turn(b, values[angle])
-            value = turned[angle][0 if instruction.kind == "sin" else 1]
-        else:
-            value = arithmetic.operation(b, instruction.kind, *(values[arg] for arg in instruction.args))
-        values.append(value)
+
+    def read(argument: int, element: int) -> Any:
+        return arithmetic.load(b, function.args[argument], element)
+
+    values = write_values(b, program.values, arithmetic, read)
     for output, element, index in program.results:
         value = arithmetic.constant(0.0) if index is None else values[index]
         arithmetic.store(b, value, function.args[program.inputs + output], element)
     b.ret_void()
 
 
+def write_values(
+    b: Any, program: Sequence[Instruction], arithmetic: Arithmetic, read: Callable[[int, int], Any]
+) -> dict[int, Any]:
+    """All values of a program by index; ``read`` gives an element of an argument."""
+    values: dict[int, Any] = {}
+    turned: dict[int, tuple[Any, Any]] = {}
+
+    def write(index: int) -> Any:
+        instruction = program[index]
+        if instruction.kind == "constant":
+            return arithmetic.constant(instruction.value)
+        if instruction.kind == "input":
+            return read(*instruction.source)
+        if instruction.kind not in ("sin", "cos"):
+            return arithmetic.operation(b, instruction.kind, *(values[arg] for arg in instruction.args))
+        angle = instruction.args[0]
+        if angle not in turned:
+            turned[angle] = arithmetic.turn(b, values[angle])
+        return turned[angle][0 if instruction.kind == "sin" else 1]
+
+    angles = early_angles(program)
+    first, rest = order_of_evaluation(program, angles)
+    for index in first:
+        values[index] = write(index)
+    turned.update(zip(angles, arithmetic.turns(b, [values[angle] for angle in angles]), strict=True))
+    for index in rest:
+        values[index] = write(index)
+    return values
+
+
 def write_main(
     module: Any, schedule: Any, arithmetic: Arithmetic, name: str, offset: Callable[[Any], int] | None = None
 ) -> Any:
-    """The private function ``name(workspace)`` that makes all calls of a schedule, to kernels of other libraries.
+    """The private function ``name(workspace)`` of a schedule: all its calls, to kernels of other libraries, or none.
 
-    ``offset`` tells where a block begins; by default it is the schedule's own.
+    ``offset`` tells where a block begins; by default it is the schedule's own. Of a schedule that is unrolled, as none
+    with other offsets is, :func:`call_prepare` must be called for new parameters.
     """
-    offset_of = offset or schedule.offset
+    if offset is None and arithmetic.unrolls and pays(schedule):
+        return _write_unrolled(module, unrolled(schedule), arithmetic, name)
     main = declare(module, name, VOID, [("workspace", POINTER)], private=True)
     main.attributes.add("noinline")  # loops call it from many places, and the time is in the kernels
     b = ir.IRBuilder(main.append_basic_block("entry"))
-    for kernel, inputs, outputs in schedule.calls:
-        symbol = kernel_symbol(kernel, arithmetic.name)
-        slots = (*inputs, *outputs)
-        kinds = [(f"b{k}", POINTER) for k in range(len(slots))]
-        function = module.globals.get(symbol) or declare(module, symbol, VOID, kinds)
-        b.call(function, [at(b, main.args[0], offset_of(slot) * arithmetic.stride) for slot in slots])
+    symbols = partial(kernel_symbol, arithmetic=arithmetic.name)
+    write_calls(b, schedule, arithmetic, main.args[0], symbols, offset or schedule.offset)
     b.ret_void()
     return main
+
+
+def _write_unrolled(module: Any, code: Unrolled, arithmetic: Arithmetic, name: str) -> Any:
+    parts = (f"{name}.prepare", code.prepare, code.prepared), (name, code.main, code.results)
+    return [_write_program(module, *part, arithmetic) for part in parts][-1]
+
+
+def _write_program(
+    module: Any, name: str, program: Sequence[Instruction], results: Sequence[tuple[int, int]], arithmetic: Arithmetic
+) -> Any:
+    """The private function ``name(workspace)`` of one program on a workspace."""
+    function = declare(module, name, VOID, [("workspace", POINTER)], private=True)
+    function.attributes.add("noinline")
+    b = ir.IRBuilder(function.append_basic_block("entry"))
+    workspace = function.args[0]
+    values = write_values(b, program, arithmetic, lambda _, place: arithmetic.load(b, workspace, place))
+    for place, index in results:
+        arithmetic.store(b, values[index], workspace, place)
+    b.ret_void()
+    return function
+
+
+def call_prepare(b: Any, main: Any, workspace: Any) -> None:
+    """After new parameters: what follows from them, where a schedule is unrolled."""
+    prepare = b.function.module.globals.get(f"{main.name}.prepare")
+    if prepare is not None:
+        b.call(prepare, [workspace])
 
 
 def write_samples(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> None:
@@ -87,46 +137,23 @@ def write_samples(module: Any, schedule: Any, arithmetic: Arithmetic, name: str)
     width = arithmetic.stride
     taken = [(schedule.offset(slot), slot.size) for slot in schedule.inputs.values()]
     given = [(schedule.offset(slot), slot.size) for slots in schedule.outputs.values() for slot in slots]
-    _spread_parameters(b, parameters, workspace, schedule.parameters, width, same=arithmetic.name == "lanes")
+    spread_parameters(b, parameters, workspace, schedule.parameters, width, same=arithmetic.name == "lanes")
+    call_prepare(b, main, workspace)
     with counted(b, count, "sample") as sample:
         with b.if_then(b.icmp_signed("!=", each, whole(0))):
             rows = width if arithmetic.name == "lanes" else 1
             start = at(b, parameters, b.mul(sample, whole(schedule.parameters * rows)))
             if arithmetic.name == "lanes":
-                _copy_rows(b, start, workspace, [(0, schedule.parameters)], width, into=True)
+                copy_rows(b, start, workspace, [(0, schedule.parameters)], width, into=True)
             else:
-                _spread_parameters(b, start, workspace, schedule.parameters, width)
+                spread_parameters(b, start, workspace, schedule.parameters, width)
+            call_prepare(b, main, workspace)
         row = b.mul(sample, whole(schedule.input_size * width))
-        _copy_rows(b, at(b, source, row), workspace, taken, width, into=True)
+        copy_rows(b, at(b, source, row), workspace, taken, width, into=True)
         b.call(main, [workspace])
         row = b.mul(sample, whole(schedule.output_size * width))
-        _copy_rows(b, at(b, target, row), workspace, given, width, into=False)
+        copy_rows(b, at(b, target, row), workspace, given, width, into=False)
     b.ret_void()
-
-
-def _spread_parameters(b: Any, source: Any, workspace: Any, size: int, width: int, *, same: bool = False) -> None:
-    """Parameters at the start of the workspace; beside each, its copies (``same``) or derivatives, which are zero."""
-    with counted(b, size, "parameter") as k:
-        place, value = b.mul(k, whole(width)), load(b, source, k)
-        store(b, value, workspace, place)
-        for lane in range(1, width):
-            store(b, value if same else ir.Constant(F64, 0.0), workspace, b.add(place, whole(lane)))
-
-
-def _copy_rows(b: Any, rows: Any, workspace: Any, blocks: list[tuple[int, int]], width: int, *, into: bool) -> None:
-    """``width`` rows, one after the other, into or out of blocks of the workspace whose numbers are ``width`` wide."""
-    length = sum(size for _, size in blocks)
-    first = 0
-    for offset, size in blocks:
-        with counted(b, size, "block") as k:
-            for lane in range(width):
-                beside = b.add(k, whole(lane * length + first))
-                place = b.add(b.mul(k, whole(width)), whole(offset * width + lane))
-                if into:
-                    store(b, load(b, rows, beside), workspace, place)
-                else:
-                    store(b, load(b, workspace, place), rows, beside)
-        first += size
 
 
 @dataclass(frozen=True)
@@ -157,9 +184,10 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
     main = write_main(module, schedule, arithmetic, f"{name}.main")
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
     b = ir.IRBuilder(prepare.append_basic_block("entry"))
-    _spread_parameters(b, prepare.args[0], prepare.args[1], schedule.parameters, 1)
+    spread_parameters(b, prepare.args[0], prepare.args[1], schedule.parameters, 1)
     if "step" in schedule.inputs:
         store(b, ir.Constant(F64, 0.0), prepare.args[1], schedule.offset(schedule.inputs["step"]))
+    call_prepare(b, main, prepare.args[1])
     b.ret_void()
     call = _write_call(module, schedule, main, f"{name}.call", ("state", "row"))
     apart = ("state", "start", "row")
@@ -183,9 +211,9 @@ def _write_call(module: Any, schedule: Any, main: Any, name: str, taken: tuple[s
         sources.setdefault("start", sources["state"])
     for label, source in sources.items():
         slot = schedule.inputs[label]
-        _copy_rows(b, source, held, [(schedule.offset(slot), slot.size)], 1, into=True)
+        copy_rows(b, source, held, [(schedule.offset(slot), slot.size)], 1, into=True)
     b.call(main, [held])
     blocks = [(schedule.offset(slot), slot.size) for slots in schedule.outputs.values() for slot in slots]
-    _copy_rows(b, out, held, blocks, 1, into=False)
+    copy_rows(b, out, held, blocks, 1, into=False)
     b.ret_void()
     return call

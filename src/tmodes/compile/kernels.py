@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Callable, Mapping
+from functools import partial
 from typing import Any
 
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["arithmetic_of", "kernels_of", "library", "sample_functions", "schedule_function"]
+__all__ = ["arithmetic_of", "called", "kernels_of", "library", "sample_functions", "schedule_function"]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -23,21 +24,23 @@ def library(
     functions: dict[str, int],
     level: int,
     imports: Callable[[], Mapping[str, Library]] = dict,
+    *,
+    tidy: bool = True,
 ) -> Library:
     """The functions of one module: as loaded before, from the cache, or written, optimised and kept."""
     key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
     if key not in _loaded:
-        _loaded[key] = Library(name, _binary(key, write, level), functions, imports())
+        _loaded[key] = Library(name, _binary(key, write, level, tidy=tidy), functions, imports())
         while len(_loaded) > _KEPT:
             _loaded.popitem(last=False)
     _loaded.move_to_end(key)
     return _loaded[key]
 
 
-def _binary(key: str, write: Callable[[], Any], level: int) -> bytes:
+def _binary(key: str, write: Callable[[], Any], level: int, *, tidy: bool) -> bytes:
     binary = cache.load(key)
     if binary is None:
-        binary = to_object(write(), level)
+        binary = to_object(write(), level, tidy=tidy)
         cache.save(key, binary)
     return binary
 
@@ -73,6 +76,14 @@ def kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
     return {symbol: _kernel(symbol, kernel, arithmetic) for symbol, kernel in kernels.items()}
 
 
+def called(schedule: Any, arithmetic: str) -> dict[str, Library]:
+    """The same of a schedule as it is written: one that is unrolled calls nothing."""
+    from tmodes.compile.unroll import pays
+
+    unrolled = arithmetic_of(arithmetic).unrolls and pays(schedule)
+    return {} if unrolled else kernels_of(schedule, arithmetic)
+
+
 def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
     def write() -> Any:
         from llvmlite import ir
@@ -85,7 +96,8 @@ def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
 
     # Differentiated code is twice as long and seldom called: quicker to compile is worth more than quicker to run.
     level = 0 if arithmetic == "derivative" else 1
-    return library(symbol, symbol, write, {symbol: len(kernel.inputs) + len(kernel.outputs)}, level)
+    functions = {symbol: len(kernel.inputs) + len(kernel.outputs)}
+    return library(symbol, symbol, write, functions, level, tidy=kernel.long)
 
 
 def arithmetic_of(name: str) -> Any:
@@ -111,4 +123,5 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
         write_samples(module, schedule, arithmetic_of(arithmetic)(module), "run")
         return module
 
-    return library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, lambda: kernels_of(schedule, arithmetic))
+    imports = partial(called, schedule, arithmetic)
+    return library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, imports, tidy=False)

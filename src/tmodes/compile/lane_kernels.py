@@ -6,7 +6,7 @@ from collections.abc import Callable
 from functools import partial
 from typing import Any
 
-from tmodes.compile.kernels import kernels_of, library
+from tmodes.compile.kernels import called, library
 from tmodes.compile.native import Library
 
 __all__ = ["schedule_lane_loops", "time_lane_loops"]
@@ -43,7 +43,7 @@ def schedule_lane_loops(name: str, schedule: Any, guarded: int) -> Library:
         module = ir.Module(name)
         return _lane_loops(module, write_lanes_rate(module, schedule, "rate"), guarded)
 
-    return library(name, schedule.key, write, _lane_functions(), 3, partial(kernels_of, schedule, Wide.name))
+    return library(name, schedule.key, write, _lane_functions(), 3, partial(called, schedule, Wide.name))
 
 
 def _lane_loops(module: Any, rate: Any, guarded: int) -> Any:

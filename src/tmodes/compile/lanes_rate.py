@@ -6,9 +6,10 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.block import ScheduleRate, write_main
+from tmodes.compile.block import ScheduleRate, call_prepare, write_main
 from tmodes.compile.emit import POINTER, VOID, at, counted, declare, whole
 from tmodes.compile.lanes_memory import Layout
+from tmodes.compile.unroll import pays
 from tmodes.compile.wide import Wide
 
 __all__ = ["write_lanes_rate"]
@@ -20,13 +21,16 @@ def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
     As of :func:`tmodes.compile.block.write_rate`; every number is a vector of lanes, and sizes count vectors.
     """
     lanes = Wide(module)
-    layout = Layout(schedule)
-    main = write_main(module, schedule, lanes, f"{name}.main", layout.offset)
+    whole_program = lanes.unrolls and pays(schedule)
+    layout = None if whole_program else Layout(schedule)
+    offset, size = (layout.offset, layout.size) if layout else (schedule.offset, schedule.workspace)
+    main = write_main(module, schedule, lanes, f"{name}.main", layout.offset if layout else None)
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
     b = ir.IRBuilder(prepare.append_basic_block("entry"))
     _copy(b, lanes, prepare.args[0], prepare.args[1], schedule.parameters)
     if "step" in schedule.inputs:
-        lanes.store(b, lanes.constant(0.0), prepare.args[1], layout.offset(schedule.inputs["step"]))
+        lanes.store(b, lanes.constant(0.0), prepare.args[1], offset(schedule.inputs["step"]))
+    call_prepare(b, main, prepare.args[1])
     b.ret_void()
     kinds = [("time", lanes.kind), ("state", POINTER), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
     call = declare(module, f"{name}.call", VOID, kinds, private=True)
@@ -35,9 +39,9 @@ def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
     b = ir.IRBuilder(call.append_basic_block("entry"))
 
     def inside(slot: Any) -> Any:
-        return at(b, held, layout.offset(slot) * lanes.stride)
+        return at(b, held, offset(slot) * lanes.stride)
 
-    lanes.store(b, time, held, layout.offset(schedule.inputs["time"]))
+    lanes.store(b, time, held, offset(schedule.inputs["time"]))
     for source, label in ((state, "state"), (row, "row")):
         _copy(b, lanes, source, inside(schedule.inputs[label]), schedule.inputs[label].size)
     b.call(main, [held])
@@ -46,9 +50,9 @@ def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
         _copy(b, lanes, inside(slot), at(b, out, first * lanes.stride), slot.size)
         first += slot.size
     b.ret_void()
-    gate = layout.offset(schedule.gate) if schedule.gate else None
-    size = schedule.inputs["row"].size
-    return ScheduleRate(prepare, call, layout.size, schedule.output_size, size, None, gate)
+    gate = offset(schedule.gate) if schedule.gate else None
+    row_size = schedule.inputs["row"].size
+    return ScheduleRate(prepare, call, size, schedule.output_size, row_size, None, gate)
 
 
 def _copy(b: Any, lanes: Wide, source: Any, target: Any, size: int) -> None:

@@ -7,7 +7,7 @@ from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
-from tmodes.compile.kernels import arithmetic_of, kernels_of, library
+from tmodes.compile.kernels import arithmetic_of, called, kernels_of, library
 from tmodes.compile.native import Library
 
 __all__ = ["EXPLICIT", "IMPLICIT", "ROSENBROCK", "implicit_loops", "rosenbrock_loop", "schedule_loops", "time_loops"]
@@ -105,6 +105,6 @@ def _schedule_loop(name: str, schedule: Any, guarded: int, method: str, **more: 
 
     def imports() -> dict[str, Library]:
         slopes = kernels_of(schedule, "derivative") if method == ROSENBROCK else {}
-        return kernels_of(schedule, "double") | slopes
+        return called(schedule, "double") | slopes
 
     return library(f"{name} {method}", schedule.key, write, {method: len(ARGUMENTS)}, 1, imports)

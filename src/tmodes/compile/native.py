@@ -51,8 +51,11 @@ def processor() -> str:
     return llvm.get_host_cpu_name()
 
 
-def to_object(module: Any, level: int) -> bytes:
-    """Optimise a module of IR and return its object file; raises :class:`CompileError` when LLVM refuses it."""
+def to_object(module: Any, level: int, *, tidy: bool = True) -> bytes:
+    """Optimise a module of IR and return its object file; raises :class:`CompileError` when LLVM refuses it.
+
+    ``tidy``: False where there is nothing to tidy before code is made: no cells, each value computed once.
+    """
     machine = _machine(level)
     module.triple, module.data_layout = llvm.get_process_triple(), str(machine.target_data)
     try:
@@ -60,7 +63,7 @@ def to_object(module: Any, level: int) -> bytes:
         parsed.verify()
     except RuntimeError as problem:
         raise CompileError(f"{module.name}: LLVM refuses the code: {problem}") from problem
-    options = llvm.create_pipeline_tuning_options(speed_level=level)
+    options = llvm.create_pipeline_tuning_options(speed_level=level if tidy else 0)
     builder = llvm.create_pass_builder(machine, options)
     passes = builder.getModulePassManager()
     passes.run(parsed, builder)

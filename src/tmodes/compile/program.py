@@ -2,13 +2,18 @@
 
 from __future__ import annotations
 
+from collections import Counter
+from collections.abc import Sequence
 from dataclasses import dataclass, field
+from typing import NamedTuple
 
 import casadi as ca
 
 from tmodes.errors import CompileError
 
-__all__ = ["BlockProgram", "Instruction", "Program", "block_program", "straight_line"]
+__all__ = ["BlockProgram", "Instruction", "Program", "block_program", "straight_line", "with_shared_inverses"]
+
+_WORTH_AN_INVERSE = 2
 
 _UNARY = {
     ca.OP_NEG: "neg", ca.OP_SQ: "sq", ca.OP_TWICE: "twice", ca.OP_SQRT: "sqrt", ca.OP_INV: "inv",
@@ -20,8 +25,7 @@ _BINARY = {
 }  # fmt: skip
 
 
-@dataclass(frozen=True)
-class Instruction:
+class Instruction(NamedTuple):
     """One value: ``kind`` is an operation, ``constant`` or ``input``; ``args`` are indices of earlier values.
 
     ``source`` is (argument, element) of an input, ``value`` the number of a constant.
@@ -123,5 +127,29 @@ def block_program(function: ca.Function) -> BlockProgram:
         registers[into[0]] = len(program.values)
         program.values.append(instruction)
     every = {(out, element) for out in range(function.n_out()) for element in range(function.nnz_out(out))}
+    program.values, places = with_shared_inverses(program.values)
+    program.results = [(out, element, places[index]) for out, element, index in program.results if index is not None]
     program.results += [(out, element, None) for out, element in sorted(every - given)]
     return program
+
+
+def with_shared_inverses(values: Sequence[Instruction]) -> tuple[list[Instruction], list[int]]:
+    """Quotients with one divisor become products with its inverse; and where each value stands now.
+
+    A division keeps its unit busy for as long as five products.
+    """
+    divided = Counter(value.args[1] for value in values if value.kind == "div")
+    changed: list[Instruction] = []
+    places: list[int] = []
+    inverses: dict[int, int] = {}
+    for value in values:
+        divisor = value.args[1] if value.kind == "div" else -1
+        if divided[divisor] >= _WORTH_AN_INVERSE:
+            if divisor not in inverses:
+                inverses[divisor] = len(changed)
+                changed.append(Instruction("inv", (places[divisor],)))
+            changed.append(Instruction("mul", (places[value.args[0]], inverses[divisor])))
+        else:
+            changed.append(value._replace(args=tuple(places[arg] for arg in value.args)))
+        places.append(len(changed) - 1)
+    return changed, places

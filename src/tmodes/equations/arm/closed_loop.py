@@ -93,6 +93,7 @@ class ClosedLoop:
     def _rate(self, instant: Instant) -> Schedule:
         currents = [instant.change[k] for k in sorted(instant.change)]
         works = Powers(instant).works
+        instant.schedule.often = True
         instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *works)
         return instant.schedule
 

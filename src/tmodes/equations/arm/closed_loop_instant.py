@@ -33,7 +33,7 @@ class Instant:
         """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates)."""
         self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
         self.none = loop.parts.none
-        self.schedule = Schedule(loop.parts.numbers.size)
+        self.schedule = Schedule(loop.parts.numbers.size, zeros=tuple(self.none.values()))
         self.time = self.schedule.input("time", 1)
         self.state = self.schedule.input("state", loop.layout.size)
         self.row = self.schedule.input("row", loop.plan.row_size)
@@ -70,7 +70,7 @@ class Instant:
         if self.plan.base:
             base = self.call(base_kernel(), base, *(self.signals[k] for k in self.plan.base))[0]
         posed = bool(self.plan.loads or self.plan.touch)
-        way = Passes(self.parts, posed=posed, loaded=False, blocks=Blocks(self.schedule, q, rates, base))
+        way = Passes(self.parts, posed=posed, loaded=False, blocks=Blocks(self.schedule, q, rates, base), short=True)
         way.outwards()
         return way
 

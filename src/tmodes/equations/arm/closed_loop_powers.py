@@ -93,8 +93,8 @@ class Powers:
             return forces.part(0, 1), None
         root, hung = self.recursion.roots[driver.index], self.recursion.hung[driver.index]
         (force,) = self._call(times_kernel(), hung[0], root, hung[1])
-        hinge, axis = self.way.ways[driver.index].hinge, part.axis
-        along = self._call(part.hinge.load(), force, hinge, axis, self.none[FORCE])[1]
+        way = self.way.ways[driver.index]
+        along = self._call(way.joint.load(), force, way.hinge, way.axis, self.none[FORCE])[1]
         return self._added(forces.part(0, 1), along), None
 
     def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
@@ -161,7 +161,7 @@ class Powers:
         """Power of what moves the base."""
         if not self.plan.base:
             return
-        inertia, bias = self.recursion.at_base
+        inertia, bias = self.recursion.at_base()
         (force,) = self._call(times_kernel(), inertia, self.way.base.part(0, FORCE), bias)
 
         def build(push: Any, rate: Any, pose: Any) -> list[list[Any]]:

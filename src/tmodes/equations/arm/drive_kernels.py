@@ -23,7 +23,8 @@ __all__ = ["DriveKind", "drive_kind", "drive_numbers", "mixing_kernel"]
 class DriveKind:
     """Structure of a drive: ``ranges`` of the gear's stiffness (0: no gear), whether it has a dead zone.
 
-    ``dry_motor``, ``dry_joint``: friction there is more than viscous.
+    ``dry_motor``, ``dry_joint``: friction there is more than viscous; ``bare``: no inertia and no friction at all, the
+    effort goes to the joint as it is.
     """
 
     drive: Drive
@@ -31,11 +32,12 @@ class DriveKind:
     dead_zone: bool = False
     dry_motor: bool = False
     dry_joint: bool = False
+    bare: bool = False
 
     @property
     def key(self) -> str:
         """The structure in words."""
-        dry = f"{' dry motor' * self.dry_motor}{' dry joint' * self.dry_joint}"
+        dry = f"{' dry motor' * self.dry_motor}{' dry joint' * self.dry_joint}{' bare' * self.bare}"
         return f"{self.drive} ranges {self.ranges}{' dead zone' * self.dead_zone}{dry}"
 
     @property
@@ -166,11 +168,17 @@ def drive_kind(joint: Joint) -> DriveKind:
     gear = joint.gear if joint.drive in (Drive.ELASTIC, Drive.SPRING) else None
     dry_motor = joint.motor is not None and _is_dry(joint.motor.friction)
     ranges, dead_zone = len(gear.stiffness) if gear else 0, bool(gear and gear.backlash > 0)
-    return DriveKind(joint.drive, ranges, dead_zone, dry_motor, _is_dry(joint.friction))
+    still = joint.motor is None or (joint.motor.inertia == 0 and not _is_rough(joint.motor.friction))
+    bare = joint.drive is Drive.EFFORT and still and not _is_rough(joint.friction)
+    return DriveKind(joint.drive, ranges, dead_zone, dry_motor, _is_dry(joint.friction), bare)
 
 
 def _is_dry(friction: Friction) -> bool:
     return friction.coulomb > 0 or friction.static_extra > 0
+
+
+def _is_rough(friction: Friction) -> bool:
+    return friction.viscous != 0 or _is_dry(friction)
 
 
 def drive_numbers(joint: Joint) -> list[float]:

@@ -4,10 +4,12 @@ from __future__ import annotations
 
 from typing import Any
 
+from tmodes.equations.arm.hinge import Hinge
 from tmodes.equations.arm.kernel import Kernel
 from tmodes.equations.arm.parts import NodePart, Parts
 from tmodes.equations.arm.passes import Passes
 from tmodes.equations.arm.schedule import Schedule, Slot
+from tmodes.equations.arm.screw import Screw
 from tmodes.equations.arm.spatial import FORCE
 
 __all__ = ["Recursion", "ahead_kernel", "forward_dynamics"]
@@ -18,9 +20,10 @@ def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
 
     ``given`` are the accelerations of prescribed joints; ``step`` h > 0 gives those of a linearly implicit Euler step.
     """
-    way = Passes(parts, posed=False, loaded=loaded)
+    way = Passes(parts, posed=False, loaded=loaded, short=True)
     way.take_wrenches()
     schedule = way.schedule
+    schedule.often = True
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
     step = schedule.input("step", 1)
     way.outwards()
@@ -42,7 +45,7 @@ class Recursion:
     """The way in and the way out again of the articulated-body recursion.
 
     After the run: ``roots`` and ``tips``, accelerations of both ends of each link; ``hung``, inertia and bias force at
-    each root; ``at_base``, those of all that hangs on the base.
+    each root.
     """
 
     def __init__(
@@ -62,11 +65,12 @@ class Recursion:
         self.start = start
         self.followed: dict[int, Slot] = {}  # index of a motor that keeps a given motion -> its acceleration
         self.hung: dict[int, tuple[Slot, Slot]] = {}
-        self.at_base = (way.none[21], way.none[FORCE])
+        self.on_base: list[tuple[Kernel, tuple[Slot, ...]]] = []
         self.roots: list[Slot] = []
         self.tips: list[Slot] = []
         self.schedule, self.parts = way.schedule, way.parts
-        self.loads: list[tuple[Slot, Slot]] = []
+        self.loads: dict[int, tuple[Slot, Slot]] = {}
+        self.joints: dict[int, Hinge | Screw] = {}
         self.held: dict[int, Slot] = {}
         self.solved: dict[int, Slot] = {}
         self.motor_terms: dict[int, Slot] = {}
@@ -76,7 +80,6 @@ class Recursion:
 
     def run(self) -> list[Slot]:
         """Add all calls; the accelerations of the coordinates, in their order."""
-        self.loads = [self.way.load_of_tip(i) for i in range(len(self.parts.nodes))]
         for index in reversed(range(len(self.parts.nodes))):
             self._inwards(index)
         self._couple_motors()
@@ -87,7 +90,7 @@ class Recursion:
 
     def _inwards(self, index: int) -> None:
         part, way = self.parts.nodes[index], self.way.ways[index]
-        inertia, bias = self.loads[index]
+        inertia, bias = self._load(index)
         if part.link and way.tip:
             link = part.link
             q, v = (self.way.bend(link, block) for block in self.start)
@@ -97,14 +100,43 @@ class Recursion:
         self.hung[index] = (inertia, bias)
         effort, own = self._drive(index, part)
         parent = part.node.parent
-        sums = self.loads[parent] if parent >= 0 else self.at_base
-        *more, self.held[index] = self.schedule.call(
-            part.hinge.outward(), inertia, bias, way.hinge, part.axis, effort, own, *sums
-        )
-        if parent >= 0:
+        self.joints[index] = joint = self._joint(index, own)
+        blocks = (inertia, bias, way.hinge, way.axis, effort, own)
+        if parent < 0:
+            (self.held[index],) = self.schedule.call(joint.hold(), *blocks)
+            self.on_base.append((joint.outward(), blocks))
+        elif isinstance(joint, Screw) and (body := self._sole_body(parent)):
+            sums = (body, self.way.ways[parent].tip_rate)
+            outward = joint.outward(onto_body=True)
+            *more, self.held[index] = self.schedule.call(outward, *blocks, *sums)
             self.loads[parent] = (more[0], more[1])
         else:
-            self.at_base = (more[0], more[1])
+            *more, self.held[index] = self.schedule.call(joint.outward(), *blocks, *self._load(parent))
+            self.loads[parent] = (more[0], more[1])
+
+    def at_base(self) -> tuple[Slot, Slot]:
+        """Inertia and bias force of all that hangs on the base, after the run."""
+        sums = (self.way.none[21], self.way.none[FORCE])
+        for kernel, blocks in self.on_base:
+            inertia, bias, _ = self.schedule.call(kernel, *blocks, *sums)
+            sums = (inertia, bias)
+        return sums
+
+    def _load(self, index: int) -> tuple[Slot, Slot]:
+        """Inertia and bias force of what is fixed to a node's tip and of what hangs on it."""
+        if index not in self.loads:
+            self.loads[index] = self.way.load_of_tip(index)
+        return self.loads[index]
+
+    def _sole_body(self, index: int) -> Slot | None:
+        """The body of a node's rigid link, where nothing else is known yet to be fixed to it."""
+        pushed = any(self.parts.points[k].node == index for k in self.way.wrenches)
+        more = pushed or index in self.loads or index in self.way.attached
+        return None if more or self.way.ways[index].tip else self.parts.nodes[index].tip_body
+
+    def _joint(self, index: int, own: Slot) -> Hinge | Screw:
+        joint = self.way.ways[index].joint
+        return joint.as_free() if isinstance(joint, Screw) and own is self.way.none[1] else joint
 
     def _start(self, index: int) -> tuple[Slot, Slot]:
         """Where a coordinate and its rate start from; zero without one."""
@@ -115,6 +147,8 @@ class Recursion:
         none = self.way.none[1]
         if part.drive is None or part.drive_numbers is None:
             return self._given(part), none
+        if part.drive.bare and not self.feedback:
+            return self.effort.part(part.effort, 1), none
         if part.motor in self.coupled:
             blocks = (part.drive_numbers, *self.coupled[part.motor], *self.way.angle(part))
             effort, self.torques[part.motor] = self.schedule.call(part.drive.coupled(), *blocks)
@@ -145,8 +179,8 @@ class Recursion:
         for index, (part, way) in enumerate(zip(self.parts.nodes, self.way.ways, strict=True)):
             parent = part.node.parent
             before = self.tips[parent] if parent >= 0 else self.way.base.part(0, FORCE)
-            blocks = (before, way.hinge, part.axis, self.held[index], self._given(part))
-            root, joint = self.schedule.call(part.hinge.onward(), *blocks)
+            blocks = (before, way.hinge, way.axis, self.held[index], self._given(part))
+            root, joint = self.schedule.call(self.joints[index].onward(), *blocks)
             if part.angle >= 0:
                 joints[part.angle] = joint
             if part.motor >= 0 and part.motor not in self.followed and part.drive:

@@ -132,6 +132,14 @@ class Hinge:
         inputs = (INERTIA, FORCE, HINGE, 3, 1, 1, INERTIA, FORCE)
         return Kernel(f"outward {self.key}", inputs, (INERTIA, FORCE, HELD), build)
 
+    def hold(self) -> Kernel:
+        """(I, p, hinge, axis, effort, own inertia) -> held: where nobody asks for what is passed to the base."""
+
+        def build(*blocks: Any) -> list[list[Any]]:
+            return [self.outward().build(*blocks, [0.0] * INERTIA, [0.0] * FORCE)[2]]
+
+        return Kernel(f"hold {self.key}", (INERTIA, FORCE, HINGE, 3, 1, 1), (HELD,), build)
+
     def onward(self) -> Kernel:
         """(acceleration of the parent's tip, hinge, axis, held, a given one) -> (that of the root, the joint's)."""
 

@@ -15,13 +15,15 @@ __all__ = ["Kernel"]
 class Kernel:
     """``build`` takes a vector of symbols for each input size and returns a list of entries for each output size.
 
-    ``key`` names the structure: two kernels of the same key are the same function.
+    ``key`` names the structure: two kernels of the same key are the same function. ``long``: thousands of operations,
+    too many to be written out at each call.
     """
 
     key: str
     inputs: tuple[int, ...]
     outputs: tuple[int, ...]
     build: Callable[..., Sequence[list[Any]]]
+    long: bool = False
 
     def function(self) -> ca.Function:
         """The kernel as a CasADi function; common subexpressions are found."""

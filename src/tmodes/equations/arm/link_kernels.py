@@ -34,6 +34,11 @@ class BendingLink:
         return self.kind.size
 
     @property
+    def long(self) -> bool:
+        """Whether its line is integrated point by point, in thousands of operations."""
+        return isinstance(self.kind, StrainKind)
+
+    @property
     def frame(self) -> int:
         """Numbers of a section."""
         return frame_size(self.n)
@@ -51,7 +56,7 @@ class BendingLink:
             return [terms, *sections]
 
         outputs = (self.kind.terms_size, *(self.frame,) * (1 + len(self.kind.stations)))
-        return Kernel(f"inward {self.kind.key}", (self.kind.table_size, 3, self.n, self.n), outputs, build)
+        return Kernel(f"inward {self.kind.key}", (self.kind.table_size, 3, self.n, self.n), outputs, build, self.long)
 
     def station_load(self) -> Kernel:
         """A body and a bias force on a section at a station: (terms, section, body, force in link axes) -> terms."""
@@ -125,7 +130,7 @@ class BendingLink:
 
         k, n = self.kind.stiffness_size, self.n
         inputs = (self.kind.terms_size, self.frame, INERTIA, FORCE, k, k, n, n, 1)
-        return Kernel(f"outward {self.kind.key}", inputs, (INERTIA, FORCE, self.solved_size), build)
+        return Kernel(f"outward {self.kind.key}", inputs, (INERTIA, FORCE, self.solved_size), build, self.long)
 
     def onward(self) -> Kernel:
         """(acceleration of the root, solved, section at the tip) -> (accelerations of the coordinates, of the tip)."""

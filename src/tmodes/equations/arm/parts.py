@@ -11,10 +11,12 @@ from tmodes.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Point
 from tmodes.equations.arm.beam_tables import beam_tables, stations_of
 from tmodes.equations.arm.body_kernels import BODY
 from tmodes.equations.arm.drive_kernels import DriveKind, drive_kind, drive_numbers
+from tmodes.equations.arm.framing import STRAIGHT, Framing
 from tmodes.equations.arm.hinge import HELD, Hinge
 from tmodes.equations.arm.link_kernels import BendingLink
 from tmodes.equations.arm.link_kinds import SegmentKind, StrainKind
 from tmodes.equations.arm.schedule import Numbers, Slot
+from tmodes.equations.arm.screw import Screw, screw_numbers
 from tmodes.equations.arm.spatial import FORCE, INERTIA
 
 __all__ = ["LinkPart", "NodePart", "Parts", "packed_bodies"]
@@ -42,7 +44,10 @@ class LinkPart:
 
 @dataclass(frozen=True)
 class NodePart:
-    """A node: its joint's kernels and numbers, its coordinates (indices, -1 where it has none), its link."""
+    """A node: its joint's kernels and numbers, its coordinates (indices, -1 where it has none), its link.
+
+    ``screw`` and ``way``: kernels and numbers of the short way to its joint, where there is one.
+    """
 
     node: Node
     hinge: Hinge
@@ -56,11 +61,13 @@ class NodePart:
     given: int
     link: LinkPart | None
     tip_body: Slot | None
+    screw: Screw | None = None
+    way: Slot | None = None
 
 
 @dataclass
 class Parts:
-    """Everything that the passes need of a chain."""
+    """Everything that the passes need of a chain. Rigid links stand in frames of our own choice, see Framing."""
 
     chain: Chain
     numbers: Numbers = field(default_factory=Numbers)
@@ -70,7 +77,7 @@ class Parts:
 
     def __post_init__(self) -> None:
         chain = self.chain
-        self.points = chain.points or (chain.tip,)
+        self.points, self.framing = chain.points or (chain.tip,), Framing(chain)
         self.none = {size: self.numbers.block(np.zeros(size)) for size in (1, 2, 3, FORCE, HELD, 9, BODY, INERTIA)}
         joints = [node.joint for node in chain.nodes]
         moving = [joint for joint in joints if joint.kind is not JointKind.FIXED]
@@ -82,6 +89,7 @@ class Parts:
         self.given = [joint.name for joint in moving if joint.drive is Drive.PRESCRIBED]
         for index, node in enumerate(chain.nodes):
             self.nodes.append(self._node(index, node))
+        self.phases = self.numbers.block(self._phases())
         self.couplings = None if chain.couplings is None else self.numbers.block(chain.couplings)
         self.offsets = [self._offset(point) for point in self.points]
 
@@ -92,23 +100,27 @@ class Parts:
 
     def _node(self, index: int, node: Node) -> NodePart:
         joint, link = node.joint, node.link
-        axis = _axis_of(joint.axis)
+        along = self.framing.axis(index)
+        axis = _axis_of(along)
         moves = joint.kind is not JointKind.FIXED
         on_section = node.parent >= 0 and not isinstance(self.chain.nodes[node.parent].link, RigidLink)
-        driven, aside = joint.drive is Drive.PRESCRIBED and moves, bool(np.any(joint.placement.position))
+        placed, screw = self.framing.placements[index], self.framing.screws[index]
+        driven, aside = joint.drive is Drive.PRESCRIBED and moves, bool(np.any(placed.position))
         hinge = Hinge(joint.kind, axis if moves else 2, driven, aside, on_section)
-        placement = self.numbers.block([*joint.placement.rotation.ravel(), *joint.placement.position])
+        placement = self.numbers.block([*placed.rotation.ravel(), *placed.position])
         kind = drive_kind(joint) if moves and joint.drive is not Drive.PRESCRIBED else None
         place = {name: names.index(joint.name) if moves and joint.name in names else -1
                  for name, names in (("effort", self.efforts), ("given", self.given))}  # fmt: skip
         return NodePart(
-            node, hinge, placement, self.numbers.block(joint.axis), kind,
+            node, hinge, placement, self.numbers.block(along), kind,
             self.numbers.block(drive_numbers(joint)) if kind else None,
             angle=self.names.index(joint.name) if moves else -1,
             motor=self._motor(joint) if moves else -1,
             effort=place["effort"], given=place["given"],
             link=None if isinstance(link, RigidLink) else self._link(index, node.name, link),
-            tip_body=self._tip_body(link),
+            tip_body=self._tip_body(index, link),
+            screw=Screw.of(screw, driven=driven) if screw else None,
+            way=self.numbers.block(screw_numbers(screw)) if screw else None,
         )  # fmt: skip
 
     def _motor(self, joint: Joint) -> int:
@@ -143,12 +155,20 @@ class Parts:
         blocks = (block([link.length]), block(springs), block(dampers))
         return LinkPart(BendingLink(SegmentKind(link.bend_y, link.bend_z)), *blocks, (), first, names)
 
-    def _tip_body(self, link: RigidLink | Beam | Segment) -> Slot | None:
+    def _phases(self) -> list[tuple[float, float]]:
+        """Cosine and sine of what each joint's angle is told from in its short way, in the order of the joints."""
+        screws = zip(self.nodes, self.framing.screws, strict=True)
+        phases = {part.angle: screw.phase for part, screw in screws if screw}
+        return [phases.get(angle, STRAIGHT) for angle in self.joints]
+
+    def _tip_body(self, index: int, link: RigidLink | Beam | Segment) -> Slot | None:
         bodies = tuple(body for s, body in link.bodies if s >= 1.0) if isinstance(link, Beam) else link.bodies
+        bodies = self.framing.bodies(index, bodies)
         return self.numbers.block(packed_bodies(bodies)) if bodies else None
 
     def _offset(self, point: Point) -> Slot:
-        return self.numbers.block([*point.offset.rotation.ravel(), *point.offset.position])
+        offset = self.framing.offset(point.node, point.offset)
+        return self.numbers.block([*offset.rotation.ravel(), *offset.position])
 
     def station(self, point: Point) -> int | None:
         """The number of the station at which a point stands, None for a tip."""

@@ -10,9 +10,10 @@ from numpy.typing import NDArray
 from tmodes.chain import Chain
 from tmodes.equations.arm.body_kernels import body_kernel, push_kernel, sum_kernel
 from tmodes.equations.arm.drive_kernels import mixing_kernel
-from tmodes.equations.arm.hinge import POSE
+from tmodes.equations.arm.hinge import POSE, Hinge
 from tmodes.equations.arm.parts import LinkPart, NodePart, Parts
 from tmodes.equations.arm.schedule import Schedule, Slot
+from tmodes.equations.arm.screw import TURN, Screw, turn_kernel
 from tmodes.equations.arm.spatial import FORCE
 
 __all__ = ["BASE", "Blocks", "Passes", "Way", "resting_base"]
@@ -30,8 +31,10 @@ def resting_base(chain: Chain, factor: float = 1.0) -> NDArray[np.float64]:
 
 @dataclass
 class Way:
-    """What the outward pass found of a node."""
+    """What the outward pass found of a node: ``joint``, the kernels of its joint, to be called with ``axis``."""
 
+    joint: Hinge | Screw
+    axis: Slot
     hinge: Slot
     root_rate: Slot
     tip_rate: Slot
@@ -56,7 +59,7 @@ class Blocks:
     @classmethod
     def as_inputs(cls, parts: Parts) -> Blocks:
         """Inputs of a new schedule."""
-        schedule = Schedule(parts.numbers.size)
+        schedule = Schedule(parts.numbers.size, zeros=tuple(parts.none.values()))
         q, v = schedule.input("q", parts.size), schedule.input("v", parts.size)
         return cls(schedule, q, v, schedule.input("base", BASE))
 
@@ -68,8 +71,14 @@ class Passes:
     and bias force of what moves with its tip beside its own body, as those of the tip.
     """
 
-    def __init__(self, parts: Parts, *, posed: bool, loaded: bool, blocks: Blocks | None = None) -> None:
-        """``posed``: poses in the world are needed; ``loaded``: forces act on the points."""
+    def __init__(
+        self, parts: Parts, *, posed: bool, loaded: bool, blocks: Blocks | None = None, short: bool = False
+    ) -> None:
+        """``posed``: poses in the world are needed; ``loaded``: forces act on the points.
+
+        ``short``: joints take the short way where they have one, else all take the general one.
+        """
+        self.short = short
         self.parts, self.posed, self.loaded = parts, posed or loaded, loaded
         blocks = blocks or Blocks.as_inputs(parts)
         self.schedule, self.q, self.v, self.base = blocks.schedule, blocks.q, blocks.v, blocks.base
@@ -105,22 +114,38 @@ class Passes:
 
     def outwards(self) -> None:
         """Rates, and poses where they are needed, from the base to the tips."""
-        call = self.schedule.call
+        call, turns = self.schedule.call, self._turns()
         for part in self.parts.nodes:
             parent = self.parent(part)
             rate = parent.tip_rate if parent else self.base.part(FORCE, 3)
             angle, speed = self.angle(part)
             tip = parent.tip.part(0, 9) if parent and parent.tip else self.none[9]
-            hinge, root_rate = call(part.hinge.inward(), part.placement, tip, part.axis, rate, angle, speed)
-            way = Way(hinge, root_rate, root_rate)
+            if self.short and part.screw and part.way:
+                hinge, root_rate = call(part.screw.inward(), part.way, rate, turns[part.angle], speed)
+                way = Way(part.screw, part.way, hinge, root_rate, root_rate)
+            else:
+                hinge, root_rate = call(part.hinge.inward(), part.placement, tip, part.axis, rate, angle, speed)
+                way = Way(part.hinge, part.axis, hinge, root_rate, root_rate)
             if self.posed:
                 pose = parent.carried_pose if parent else self.base.part(FORCE + 3, POSE)
                 assert pose is not None  # noqa: S101
-                (way.root_pose,) = call(part.hinge.pose(), pose, rate, hinge, part.axis, speed)
+                (way.root_pose,) = call(way.joint.pose(), pose, rate, hinge, way.axis, speed)
                 way.tip_pose = way.carried_pose = way.root_pose
             if part.link:
                 self._bend_outwards(part.link, way)
             self.ways.append(way)
+
+    def _turns(self) -> dict[int, Slot]:
+        """Cosine and sine of the angle of each joint with a short way; four at a time cost little more than one."""
+        found: dict[int, Slot] = {}
+        turning = {part.angle for part in self.parts.nodes if self.short and part.screw}
+        for start in range(self.parts.joints.start, self.parts.joints.stop, 4):
+            group = range(start, min(start + 4, self.parts.joints.stop))
+            if turning.intersection(group):
+                phases = self.parts.phases.part(TURN * (start - self.parts.joints.start), TURN * len(group))
+                (both,) = self.schedule.call(turn_kernel(len(group)), self.q.part(start, len(group)), phases)
+                found |= {index: both.part(TURN * k, TURN) for k, index in enumerate(group)}
+        return found
 
     def _bend_outwards(self, link: LinkPart, way: Way) -> None:
         q, v = self.bend(link, self.q), self.bend(link, self.v)

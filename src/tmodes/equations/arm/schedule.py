@@ -59,6 +59,10 @@ class Schedule:
     changing: int = 0
     gate: Slot | None = None
     """Two numbers, both positive while a force acts that sets in and ends at once."""
+    zeros: tuple[Slot, ...] = ()
+    """Parameters that are zero whatever the robot's numbers."""
+    often: bool = False
+    """Called so often that much work for its code pays."""
 
     def input(self, name: str, size: int) -> Slot:
         """A block that the caller fills."""
@@ -105,7 +109,7 @@ class Schedule:
     def key(self) -> str:
         """All of the structure of a finished schedule, as a digest: same key, same code."""
         told = [
-            f"{self.parameters} {self.changing} {self.gate}",
+            f"{self.parameters} {self.changing} {self.gate} {self.zeros} {self.often}",
             repr(list(self.inputs.items())),
             repr(list(self.outputs.items())),
         ]

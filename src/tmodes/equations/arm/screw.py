@@ -1,0 +1,247 @@
+"""Kernels of a revolute joint between rigid links whose frames stand on their axes: turns about one axis at a time.
+
+Rows and columns that are zero are told as zeros and fold away: behind a joint without inertia of its own nothing of the
+articulated inertia is left along its axis. Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7; the screws
+are those of McMillan and Orin (1995), see :mod:`tmodes.equations.arm.framing`.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import casadi as ca
+
+from tmodes.equations.arm import vectors as v
+from tmodes.equations.arm.body_kernels import BODY
+from tmodes.equations.arm.framing import STRAIGHT, ScrewWay
+from tmodes.equations.arm.hinge import POSE
+from tmodes.equations.arm.kernel import Kernel
+from tmodes.equations.arm.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
+from tmodes.equations.arm.spin import Spin
+
+__all__ = ["SCREW", "TURN", "Screw", "screw_numbers", "turn_kernel"]
+
+TURN = 2
+"""Cosine and sine of a joint's angle and phase."""
+
+SCREW = 12
+"""Numbers of a way: cos, sin, sin^2, sin cos of alpha and of beta, lever (3), along."""
+
+_HINGE = TURN + 5
+"""Turn, and the bias acceleration of the root in the joint's own axes: angular about x and y, linear."""
+
+
+@dataclass(frozen=True)
+class Screw:
+    """The kernels of one kind of way: which of its parts there are.
+
+    ``driven``: the motion is given; ``free``: for certain the joint has no inertia of its own (rotor, implicit spring).
+    """
+
+    tilted: bool
+    turned: bool
+    lever: tuple[bool, bool, bool]
+    along: bool
+    driven: bool = False
+    free: bool = False
+
+    @classmethod
+    def of(cls, way: ScrewWay, *, driven: bool) -> Screw:
+        """The kind of a way."""
+        x, y, z = (bool(part) for part in way.lever)
+        return cls(way.alpha != STRAIGHT, way.beta != STRAIGHT, (x, y, z), bool(way.along), driven)
+
+    def as_free(self) -> Screw:
+        """The same without inertia of its own."""
+        return replace(self, free=not self.driven)
+
+    @property
+    def key(self) -> str:
+        """The structure in words."""
+        lever = "".join(name for name, there in zip("xyz", self.lever, strict=True) if there)
+        flags = {"tilted": self.tilted, "turned": self.turned, "along": self.along, "driven": self.driven}
+        told = " ".join(name for name, there in (flags | {"free": self.free}).items() if there)
+        return f"screw {told} {lever}"
+
+    @property
+    def held(self) -> int:
+        """What the way out keeps: U/(S.U + own inertia) (free: 1 about z, left out), and the free acceleration."""
+        return FORCE if self.free else FORCE + 1
+
+    def _way(self, numbers: Any) -> list[tuple[Spin | None, v.Vector | None]]:
+        """Steps from the parent to the joint's own axes: a turn, then a shift in the turned axes."""
+        lever = [numbers[8 + i] if there else 0.0 for i, there in enumerate(self.lever)]
+        beta = Spin(2, *(numbers[4 + i] for i in range(4))) if self.turned else None
+        alpha = Spin(0, *(numbers[i] for i in range(4))) if self.tilted else None
+        shift = [0.0, 0.0, numbers[11]] if self.along else None
+        return [(beta, lever if any(self.lever) else None), (alpha, shift)]
+
+    def _motion_to_joint(self, way: list[Any], motion: Force) -> Force:
+        for spin, shift in way:
+            motion = spin.force_back(motion) if spin else motion
+            motion = motion.motion_at(shift) if shift else motion
+        return motion
+
+    def _force_to_parent(self, way: list[Any], force: Force) -> Force:
+        for spin, shift in reversed(way):
+            force = force.force_at(shift) if shift else force
+            force = spin.force(force) if spin else force
+        return force
+
+    def _inertia_to_parent(self, way: list[Any], inertia: Inertia) -> Inertia:
+        for spin, shift in reversed(way):
+            inertia = inertia.at(shift) if shift else inertia
+            inertia = spin.inertia(inertia) if spin else inertia
+        return inertia
+
+    def inward(self) -> Kernel:
+        """(way, rate of the parent, turn, speed) -> (hinge, rate of the root)."""
+
+        def build(numbers: Any, parent_rate: Any, turn: Any, speed: Any) -> list[list[Any]]:
+            w, linear = v.vec(parent_rate), v.zero()
+            for spin, shift in self._way(numbers):
+                if spin:
+                    w, linear = spin.back(w), spin.back(linear)
+                if shift:
+                    linear = v.add(linear, v.cross(w, v.cross(w, shift)))
+            angular, (x, y, z) = [w[1] * speed[0], -w[0] * speed[0]], Spin.of(2, turn[0], turn[1]).back(w)
+            return [[turn[0], turn[1], *angular, *linear], [x, y, z + speed[0]]]
+
+        return Kernel(f"inward {self.key}", (SCREW, 3, TURN, 1), (_HINGE, 3), build)
+
+    def _passed(self, inertia: Any, bias: Any, hinge: Any, effort: Any, own: Any) -> tuple[Inertia, Force, list[Any]]:
+        """Articulated inertia and bias force that the joint passes on, in its own axes, and what is held.
+
+        The turn about the axis leaves the axis as it is: it comes first, while the divisor's inverse is on its way.
+        """
+        turn, drift = _turn(hinge), _drift(hinge)
+        whole, push = turn.inertia(Inertia.of(inertia)), turn.force(Force.of(bias))
+        if self.driven:
+            drift.angular[2] = effort[0]
+            return whole, push + whole.times(drift), [0.0] * self.held
+        column = Force([row[2] for row in whole.angular], list(whole.coupling[2]))
+        free_effort, inverse = effort[0] - push.angular[2], 1 / (column.angular[2] + (0.0 if self.free else own[0]))
+        share = column.scaled(inverse)
+        if self.free:
+            share.angular[2] = 1.0
+        passed = whole.less([column], [share])
+        if self.free:
+            _clear(passed)
+        push = push + passed.times(drift) + share.scaled(free_effort)
+        if self.free:
+            push.angular[2] = effort[0]
+        kept = share.packed()
+        return passed, push, [*(kept[:2] + kept[3:] if self.free else kept), inverse * free_effort]
+
+    def outward(self, *, onto_body: bool = False) -> Kernel:
+        """Articulated inertia and bias force of the link's root, added to those of the parent's tip.
+
+        (I, p, hinge, way, effort, own inertia, sum of I, sum of p) -> (I, p, held). The effort of a driven joint is
+        its acceleration. ``onto_body``: in place of the sums the parent's body and rate, of which they are.
+        """
+
+        def build(inertia: Any, bias: Any, hinge: Any, numbers: Any, effort: Any, own: Any, *sums: Any) -> Any:
+            passed, push, kept = self._passed(inertia, bias, hinge, effort, own)
+            way, (there, pull) = self._way(numbers), _sums(*sums, onto_body=onto_body)
+            moved = self._inertia_to_parent(way, passed) + there
+            return [moved.packed(), (self._force_to_parent(way, push) + pull).packed(), kept]
+
+        sums = (BODY, 3) if onto_body else (INERTIA, FORCE)
+        inputs = (INERTIA, FORCE, _HINGE, SCREW, 1, 1, *sums)
+        return Kernel(f"outward{' onto body' * onto_body} {self.key}", inputs, (INERTIA, FORCE, self.held), build)
+
+    def hold(self) -> Kernel:
+        """(I, p, hinge, way, effort, own inertia) -> held: where nobody asks for what is passed to the base."""
+
+        def build(inertia: Any, bias: Any, hinge: Any, _: Any, effort: Any, own: Any) -> list[list[Any]]:
+            return [self._passed(inertia, bias, hinge, effort, own)[2]]
+
+        return Kernel(f"hold {self.key}", (INERTIA, FORCE, _HINGE, SCREW, 1, 1), (self.held,), build)
+
+    def onward(self) -> Kernel:
+        """(acceleration of the parent's tip, hinge, way, held, a given one) -> (that of the root, the joint's)."""
+
+        def build(parent: Any, hinge: Any, numbers: Any, held: Any, given: Any) -> list[list[Any]]:
+            root = self._motion_to_joint(self._way(numbers), Force.of(parent)) + _drift(hinge)
+            before, acceleration = root.angular[2], given[0]
+            if not self.driven:
+                moves = root.packed()
+                terms = [held[i] * x for i, x in enumerate(moves[:2] + moves[3:] if self.free else moves)]
+                after = held[self.held - 1] - v.total(terms[2:]) - (terms[0] + terms[1])
+                acceleration = after - before if self.free else after
+                root.angular[2] = after if self.free else before + after
+            else:
+                root.angular[2] = before + acceleration
+            return [_turn(hinge).force_back(root).packed(), [acceleration]]
+
+        return Kernel(f"onward {self.key}", (FORCE, _HINGE, SCREW, self.held, 1), (FORCE, 1), build)
+
+    def load(self) -> Kernel:
+        """(force at the link's root, hinge, way, sum at the parent's tip) -> (sum, effort along the joint)."""
+
+        def build(force: Any, hinge: Any, numbers: Any, sum_: Any) -> list[list[Any]]:
+            push = _turn(hinge).force(Force.of(force))
+            told = self._force_to_parent(self._way(numbers), push) + Force.of(sum_)
+            return [told.packed(), [force[2]]]
+
+        return Kernel(f"load {self.key}", (FORCE, _HINGE, SCREW, FORCE), (FORCE, 1), build)
+
+    def pose(self) -> Kernel:
+        """(pose and rate of the parent's tip, in the parent's axes, hinge, way, speed) -> pose of the link's root."""
+
+        def build(pose: Any, rate: Any, hinge: Any, numbers: Any, _: Any) -> list[list[Any]]:
+            rows, arm = v.tri(pose), v.zero()
+            for spin, shift in reversed(self._way(numbers)):
+                arm = v.add(arm, shift) if shift else arm
+                arm = spin.vector(arm) if spin else arm
+            place = v.add(v.vec(pose, 9), v.matvec(rows, arm))
+            velocity = v.add(v.vec(pose, 12), v.matvec(rows, v.cross(v.vec(rate), arm)))
+            for spin in (*(step[0] for step in self._way(numbers)), _turn(hinge)):
+                rows = [spin.back(row) for row in rows] if spin else rows
+            return [v.flat(rows, place, velocity)]
+
+        return Kernel(f"pose {self.key}", (POSE, 3, _HINGE, SCREW, 1), (POSE,), build)
+
+
+def turn_kernel(count: int) -> Kernel:
+    """(angles, cosine and sine of each phase) -> cosine and sine of each angle and its phase, one after the other."""
+
+    def build(angles: Any, phases: Any) -> list[list[Any]]:
+        told: list[Any] = []
+        for i in range(count):
+            c, s, phase_c, phase_s = ca.cos(angles[i]), ca.sin(angles[i]), phases[2 * i], phases[2 * i + 1]
+            told += [phase_c * c - phase_s * s, phase_s * c + phase_c * s]
+        return [told]
+
+    return Kernel(f"turn {count}", (count, TURN * count), (TURN * count,), build)
+
+
+def screw_numbers(way: ScrewWay) -> list[float]:
+    """The numbers of a way, packed."""
+    told: list[float] = []
+    for c, s in (way.alpha, way.beta):
+        told += [c, s, s * s, s * c]
+    return [*told, *way.lever, way.along]
+
+
+def _turn(hinge: Any) -> Spin:
+    return Spin.of(2, hinge[0], hinge[1])
+
+
+def _drift(hinge: Any) -> Force:
+    return Force([hinge[2], hinge[3], 0.0], v.vec(hinge, 4))
+
+
+def _clear(inertia: Inertia) -> None:
+    """Nothing is left along the axis: exactly, and so it is told."""
+    inertia.coupling[2] = v.zero()
+    for i in range(3):
+        inertia.angular[i][2] = inertia.angular[2][i] = 0.0
+
+
+def _sums(first: Any, second: Any, *, onto_body: bool) -> tuple[Inertia, Force]:
+    if not onto_body:
+        return Inertia.of(first), Force.of(second)
+    moment, inertia = v.vec(first, 1), v.symmetric(first, 4)
+    return body_inertia(first[0], moment, inertia), body_bias(moment, inertia, v.vec(second))
