@@ -15,7 +15,7 @@ from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.settings import Integration, Method
 from tmodes.reference.schedule import Schedule
 
-__all__ = ["BOUND", "Journal", "Moving", "Numbers", "Trajectory", "integrate", "sample_times"]
+__all__ = ["BOUND", "Journal", "Moving", "Numbers", "Trajectory", "begun", "integrate", "sample_times"]
 
 BOUND = 1e8
 """A coordinate [rad] or rate [rad/s] beyond this is no motion any more: the run has diverged."""
@@ -127,6 +127,13 @@ def integrate(
     return run.end()
 
 
+def begun(
+    model: Moving, parameters: Numbers, schedule: Schedule, state: NDArray[np.float64], settings: Integration
+) -> _Run:
+    """A run before its first step, for one that advances it itself."""
+    return _Run(model, parameters, schedule.until(settings.duration), state, settings)
+
+
 class _Run:
     """The arrays that a native loop works on."""
 
@@ -164,16 +171,20 @@ class _Run:
 
     def advance(self, steps: int) -> None:
         """Let the native loop do at most so many steps."""
+        values = self.arguments(steps).values()
+        self.loop(*(value if isinstance(value, int) else value.ctypes.data for value in values))
+
+    def arguments(self, steps: int) -> dict[str, Any]:
+        """Those of the native loop, for at most so many steps."""
         s = self.settings
         chosen = {"step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance}
         options = np.array([{**chosen, "chunk": float(steps), "bound": BOUND}[name] for name in OPTIONS])
-        arrays = {
+        arrays: dict[str, Any] = {
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
             "rows": self.rows, "times": self.times, "out": self.samples, "options": options,
         }  # fmt: skip
-        addresses = {name: array.ctypes.data for name, array in arrays.items()}
         counts = {"segments": len(self.rows), "samples": len(self.times)}
-        self.loop(*((addresses | counts)[name] for name in ARGUMENTS))
+        return {name: (arrays | counts)[name] for name in ARGUMENTS}
 
     def exhausted(self, seconds: float) -> str:
         """Why the run may not go on, or nothing."""

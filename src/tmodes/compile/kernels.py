@@ -10,7 +10,7 @@ from typing import Any
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["sample_functions", "schedule_function", "schedule_loops", "time_loops"]
+__all__ = ["native_functions", "row_function", "sample_functions", "schedule_function", "schedule_loops", "time_loops"]
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -22,10 +22,13 @@ def _library(
     key: str,
     write: Callable[[], Any],
     functions: dict[str, int],
-    level: int,
+    level: int | None = None,
     imports: Callable[[], Mapping[str, Library]] = dict,
 ) -> Library:
-    """The functions of one module: as loaded before, from the cache, or written, optimised and kept."""
+    """The functions of one module: as loaded before, from the cache, or written, optimised and kept.
+
+    Without a ``level`` what is written tells it.
+    """
     key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
     if key not in _loaded:
         _loaded[key] = Library(name, _binary(key, write, level), functions, imports())
@@ -35,10 +38,10 @@ def _library(
     return _loaded[key]
 
 
-def _binary(key: str, write: Callable[[], Any], level: int) -> bytes:
+def _binary(key: str, write: Callable[[], Any], level: int | None) -> bytes:
     binary = cache.load(key)
     if binary is None:
-        binary = to_object(write(), level)
+        binary = to_object(*write()) if level is None else to_object(write(), level)
         cache.save(key, binary)
     return binary
 
@@ -160,3 +163,13 @@ def schedule_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Librar
 
     functions: dict[str, int] = dict.fromkeys(("rk4", "dormand_prince", "extrapolation"), len(ARGUMENTS))
     return _library(name, schedule.key, write, functions, 1, partial(_kernels_of, schedule, "double"))
+
+
+def native_functions(name: str, write: Callable[[], Any], functions: dict[str, int]) -> Library:
+    """Functions, with their numbers of arguments, of the module that ``write`` gives; ``name`` says all of it."""
+    return _library(name, name, write, functions, 2)
+
+
+def row_function(symbol: str, write: Callable[[], tuple[Any, int]]) -> Library:
+    """One function ``symbol(values, slopes, row)``; ``write`` gives its module and the level, ``symbol`` tells all."""
+    return _library(symbol, symbol, write, {symbol: 3})
