@@ -4,14 +4,12 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from functools import cached_property
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.arm_passes import ArmPasses
-from tmodes.chain import Chain
+from tmodes.arm_derivatives import DifferentiatedArm
 from tmodes.equations.arm.parts import Parts
 from tmodes.evaluator import Rows
 from tmodes.point_motion import PointMotion
@@ -26,19 +24,12 @@ Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class ArmModel:
+class ArmModel(DifferentiatedArm):
     """The native code of one chain's structure, with its numbers.
 
     Arrays: q and v (n, nq) or (nq,), in the order of ``coordinates``: motors, joints, links. SI units, radians.
     ``wrenches`` (n, points, 6): force then moment by the surroundings on each named point, world axes.
     """
-
-    chain: Chain
-
-    @cached_property
-    def passes(self) -> ArmPasses:
-        """The recursion's schedules with this chain's numbers."""
-        return ArmPasses(Parts(self.chain))
 
     @property
     def parts(self) -> Parts:
@@ -228,18 +219,16 @@ class ArmModel:
 
         K and D hold what the rates ``v``, the accelerations ``a`` and dead wrenches contribute.
         """
-        n = self.nq
-        here = [np.zeros(n) if x is None else np.asarray(x, dtype=float).reshape(n) for x in (q, v, a)]
-        rows = Rows(np.tile(here[0], (n, 1)), np.tile(here[1], (n, 1)), n)
-        stiffness = self.passes.slopes(rows, here[2], base, wrenches, {"q": np.eye(n)})
-        damping = self.passes.slopes(rows, here[2], base, wrenches, {"v": np.eye(n)})
-        return self.mass_matrix(here[0]), damping.T, stiffness.T
+        state = self._state(q, 0.0 if v is None else v, base, wrenches)
+        state["a"] = state["v"] * 0.0 if a is None else np.reshape(np.asarray(a, dtype=float), self.nq)
+        mass, stiffness, damping = self._inverse(state, ("a", "q", "v"), loaded=wrenches is not None)
+        return (mass + mass.T) / 2, damping, stiffness
 
     def stiffness(self, q: ArrayLike, *, wrenches: ArrayLike | None = None, base: ArrayLike | None = None) -> Array:
         """K (nq, nq) of :meth:`linearised` about rest in q (nq,), by itself."""
-        n = self.nq
-        rows = Rows(np.tile(np.asarray(q, dtype=float).reshape(n), (n, 1)), np.zeros((n, n)), n)
-        return self.passes.slopes(rows, np.zeros(n), base, wrenches, {"q": np.eye(n)}).T
+        state = self._state(q, 0.0, base, wrenches)
+        state["a"] = state["v"]
+        return self._inverse(state, ("q",), loaded=wrenches is not None)[0]
 
     def static(self, loads: Sequence[Load] = (), **options: Any) -> Equilibrium:
         """Equilibrium under loads: see :func:`tmodes.analysis.equilibrium.equilibrium`."""

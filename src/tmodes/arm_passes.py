@@ -14,7 +14,7 @@ from tmodes.equations.arm.inertia import inertia_forces
 from tmodes.equations.arm.parts import Parts
 from tmodes.equations.arm.passes import BASE, resting_base
 from tmodes.equations.arm.schedule import Schedule
-from tmodes.evaluator import Blocks, Rows, derivatives, evaluate
+from tmodes.evaluator import Blocks, Rows, evaluate
 
 __all__ = ["ArmPasses"]
 
@@ -54,24 +54,24 @@ class ArmPasses:
 
     def inertia(self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
         """Outputs of :func:`tmodes.equations.arm.inertia.inertia_forces`, the rotors among the forces."""
-        schedule, acceleration = self.schedule("inertia", loaded=wrenches is not None), rows.of(a, self.parts.size)
-        blocks = {"a": acceleration, **self._common(rows, base, wrenches)}
+        schedule, blocks = self.schedule("inertia", loaded=wrenches is not None), self.inertial(rows, a, base, wrenches)
         found = evaluate(self.parameters, schedule, blocks, rows.count)
-        return found | {"forces": found["forces"] + acceleration * self.rotor_inertias}
+        return found | {"forces": found["forces"] + blocks["a"] * self.rotor_inertias}
+
+    def inertial(self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+        """The inputs of the forces of inertia."""
+        return {"a": rows.of(a, self.parts.size), **self._common(rows, base, wrenches)}
+
+    def dynamic(
+        self, rows: Rows, effort: ArrayLike, given: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
+    ) -> Blocks:
+        """The inputs of the forward dynamics, without an implicit step."""
+        drives = {"effort": rows.of(effort, len(self.parts.efforts)), "given": rows.of(given, len(self.parts.given))}
+        return {**drives, "step": rows.of(0.0, 1), **self._common(rows, base, wrenches)}
 
     def elastic(self, rows: Rows) -> Blocks:
         """Outputs of :func:`tmodes.equations.arm.elastic.elastic_forces`."""
         return evaluate(self.parameters, self.schedule("elastic"), self._common(rows, None, None), rows.count)
-
-    def slopes(
-        self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None, directions: Blocks
-    ) -> Array:
-        """Derivatives of all forces along one direction of q or v for each row, exact, shape (n, nq)."""
-        schedule, size = self.schedule("inertia", loaded=wrenches is not None), rows.count
-        blocks = {"a": rows.of(a, self.parts.size), **self._common(rows, base, wrenches)}
-        inertial = derivatives(self.parameters, schedule, blocks, directions, size)["forces"]
-        common = self._common(rows, None, None)
-        return inertial + derivatives(self.parameters, self.schedule("elastic"), common, directions, size)["forces"]
 
     @cached_property
     def rotor_inertias(self) -> Array:

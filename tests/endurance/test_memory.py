@@ -11,7 +11,7 @@ import pytest
 
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Body, Chain, Drive, Gear, Joint, JointKind, Motor, Node, Placement, RigidLink
-from tmodes.compile import kernels
+from tmodes.compile import kernels, loops
 from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Parameters
 from tmodes.reference.schedule import Schedule
@@ -31,7 +31,7 @@ class Oscillator:
             t, x, row, p = ca.SX.sym("t"), ca.SX.sym("x", 2), ca.SX.sym("row", 2), ca.SX.sym("p")
             return ca.Function("oscillator", [t, x, row, p], [ca.vertcat(x[1], -p * x[0])])
 
-        return kernels.time_loops("oscillator", "endurance", make, guarded=2)
+        return loops.time_loops("oscillator", "endurance", make, guarded=2)
 
     def rate(self, time: Any, state: Any, row: Any, parameters: Any) -> Any:
         """Not asked for: nothing diverges."""

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import (
+    AbsoluteTolerance,
     AsJson,
     Duration,
     IntegratorOption,
@@ -50,6 +51,7 @@ def batch(
     settings: Settings = None,
     integrator: IntegratorOption = None,
     rtol: Tolerance = None,
+    atol: AbsoluteTolerance = None,
     duration: Duration = None,
     threads: Annotated[int | None, typer.Option(min=1, help="Threads; else one for each core.")] = None,
     out: Annotated[
@@ -65,7 +67,7 @@ def batch(
     distance of their tips. The folder of --out holds states.npy, tips.npy, times.npy and batch.json.
     """
     values = _values(vary or [], draw or [], runs, seed)
-    changes = integration_changes(integrator, rtol, duration)
+    changes = integration_changes(integrator, rtol, atol, duration, check_error=False)
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
     found, parted = _run(sheet, values, threads, out)
     _tell(sheet.name, found, parted, as_json)

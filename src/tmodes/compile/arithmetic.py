@@ -130,6 +130,8 @@ class Double(Arithmetic):
     def _condition(self, b: Any, kind: str, x: Any, y: Any) -> Any:
         """Truth values are the numbers 1 and 0."""
         zero = self.constant(0.0)
+        if kind == "sign":  # of 0 it is 1: the slope of the absolute value, taken from above
+            return b.select(b.fcmp_ordered("<", x, zero), self.constant(-1.0), self.constant(1.0))
         if kind == "if_else_zero":
             return b.select(b.fcmp_unordered("!=", x, zero), y, zero)
         sign = {"lt": "<", "le": "<=", "not": "=="}[kind]

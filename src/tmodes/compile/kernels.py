@@ -10,7 +10,10 @@ from typing import Any
 from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
-__all__ = ["arithmetic_of", "called", "kernels_of", "library", "sample_functions", "schedule_function"]
+__all__ = [
+    "arithmetic_of", "called", "kernels_of", "library", "native_functions", "row_function", "sample_functions",
+    "schedule_function",
+]  # fmt: skip
 
 
 _loaded: OrderedDict[str, Library] = OrderedDict()
@@ -22,12 +25,15 @@ def library(
     key: str,
     write: Callable[[], Any],
     functions: dict[str, int],
-    level: int,
+    level: int | None = None,
     imports: Callable[[], Mapping[str, Library]] = dict,
     *,
     tidy: bool = True,
 ) -> Library:
-    """The functions of one module: as loaded before, from the cache, or written, optimised and kept."""
+    """The functions of one module: as loaded before, from the cache, or written, optimised and kept.
+
+    Without a ``level`` what is written tells it.
+    """
     key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
     if key not in _loaded:
         _loaded[key] = Library(name, _binary(key, write, level, tidy=tidy), functions, imports())
@@ -37,10 +43,10 @@ def library(
     return _loaded[key]
 
 
-def _binary(key: str, write: Callable[[], Any], level: int, *, tidy: bool) -> bytes:
+def _binary(key: str, write: Callable[[], Any], level: int | None, *, tidy: bool) -> bytes:
     binary = cache.load(key)
     if binary is None:
-        binary = to_object(write(), level, tidy=tidy)
+        binary = to_object(*write()) if level is None else to_object(write(), level, tidy=tidy)
         cache.save(key, binary)
     return binary
 
@@ -125,3 +131,13 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
 
     imports = partial(called, schedule, arithmetic)
     return library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, imports, tidy=False)
+
+
+def native_functions(name: str, write: Callable[[], Any], functions: dict[str, int]) -> Library:
+    """Functions, with their numbers of arguments, of the module that ``write`` gives; ``name`` says all of it."""
+    return library(name, name, write, functions, 2)
+
+
+def row_function(symbol: str, write: Callable[[], tuple[Any, int]]) -> Library:
+    """One function ``symbol(values, slopes, row)``; ``write`` gives its module and the level, ``symbol`` tells all."""
+    return library(symbol, symbol, write, {symbol: 3})

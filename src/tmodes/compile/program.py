@@ -17,7 +17,7 @@ _WORTH_AN_INVERSE = 2
 
 _UNARY = {
     ca.OP_NEG: "neg", ca.OP_SQ: "sq", ca.OP_TWICE: "twice", ca.OP_SQRT: "sqrt", ca.OP_INV: "inv",
-    ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_FABS: "fabs", ca.OP_NOT: "not", ca.OP_ASSIGN: "copy",
+    ca.OP_SIN: "sin", ca.OP_COS: "cos", ca.OP_FABS: "fabs", ca.OP_SIGN: "sign", ca.OP_NOT: "not", ca.OP_ASSIGN: "copy",
 }  # fmt: skip
 _BINARY = {
     ca.OP_ADD: "add", ca.OP_SUB: "sub", ca.OP_MUL: "mul", ca.OP_DIV: "div", ca.OP_LT: "lt", ca.OP_LE: "le",

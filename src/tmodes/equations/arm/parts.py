@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
@@ -97,6 +98,25 @@ class Parts:
     def size(self) -> int:
         """Number of coordinates."""
         return len(self.names)
+
+    def bodies(self) -> list[list[int]]:
+        """The coordinates of each motor, joint and link, in the order of the nodes."""
+        found: list[list[int]] = []
+        for part in self.nodes:
+            found += [[index] for index in (part.motor, part.angle) if index >= 0]
+            found += [[*range(self.size)[part.link.own]]] if part.link else []
+        return found
+
+    @cached_property
+    def held(self) -> list[int]:
+        """The coordinates whose accelerations are given."""
+        return [part.angle for part in self.nodes if part.given >= 0]
+
+    @cached_property
+    def driven(self) -> list[int]:
+        """The coordinate that each effort acts along."""
+        along = {part.effort: part.motor if part.motor >= 0 else part.angle for part in self.nodes}
+        return [along[index] for index in range(len(self.efforts))]
 
     def _node(self, index: int, node: Node) -> NodePart:
         joint, link = node.joint, node.link

@@ -1,0 +1,67 @@
+"""Explicit Runge-Kutta methods as tableaus: stages, steps, and states between steps as combinations of the stages."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.compile import dormand_prince_loop as dormand_prince
+
+__all__ = ["METHODS", "RungeKutta"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class RungeKutta:
+    """``a`` (stages, stages), ``b`` and ``c`` (stages,); ``dense`` (n,) shares of a step -> weights (n, stages).
+
+    A state at a share of a step of h is that at its start, and h times the weighted stages. The first ``own`` stages
+    make the step; those after it serve the states between.
+    """
+
+    a: Array
+    b: Array
+    c: Array
+    own: int
+    dense: Callable[[Array], Array]
+
+
+def _square(rows: tuple[tuple[float, ...], ...]) -> Array:
+    matrix = np.zeros((len(rows), len(rows)))
+    for k, row in enumerate(rows):
+        matrix[k, : len(row)] = row
+    return matrix
+
+
+def _dormand_prince() -> RungeKutta:
+    a = _square(dormand_prince.A)
+    powers = np.array(dormand_prince.DENSE)
+
+    def dense(share: Array) -> Array:
+        return np.stack([share ** (k + 1) for k in range(4)], axis=1) @ powers.T
+
+    return RungeKutta(a, a[-1].copy(), np.array(dormand_prince.C), 6, dense)
+
+
+def _classical() -> RungeKutta:
+    """The stage after the four is the slope at the step's end, for the cubic Hermite polynomial."""
+    b = np.array([1 / 6, 1 / 3, 1 / 3, 1 / 6, 0.0])
+    a = _square(((), (1 / 2,), (0.0, 1 / 2), (0.0, 0.0, 1.0), tuple(b[:4])))
+
+    def dense(share: Array) -> Array:
+        rest = 1 - share
+        weights = (share**2 * (1 + 2 * rest))[:, None] * b
+        weights[:, 0] += share * rest**2
+        weights[:, 4] -= rest * share**2
+        weights[share >= 1 - 1e-9] = b  # there the loop takes the step's end itself
+        return weights
+
+    return RungeKutta(a, b, np.array([0.0, 0.5, 0.5, 1.0, 1.0]), 4, dense)
+
+
+METHODS = {"dormand_prince": _dormand_prince(), "rk4": _classical()}
+"""By the names of :class:`tmodes.integrate.settings.Method`."""

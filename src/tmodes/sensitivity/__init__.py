@@ -1,0 +1,1 @@
+"""How a run changes with the numbers of the data sheet: sensitivities forwards, gradients by adjoints."""

@@ -1,0 +1,214 @@
+"""Derivatives of whole runs: forwards, in reverse, by differences on the same steps and on steps of their own."""
+
+from __future__ import annotations
+
+from functools import cache
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from tmodes.arm import Arm
+from tmodes.errors import InputError, SimulationError
+from tmodes.recording import record
+from tmodes.replay import Replay
+from tmodes.robot import Robot
+from tmodes.robots import load_robot
+from tmodes.sensitivity.changes import Changes
+from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
+from tmodes.sensitivity.lowering import Lowered, lowered
+
+Array = NDArray[np.float64]
+
+SHORT = {"integration.duration": 0.3, "integration.output_step": 0.007}
+SEED_PATHS = ("gear.stiffness", "link.modes.0.bending_stiffness", "payload.mass", "controller.position_gain")
+ARM_PATHS = ("links.link.beam.section.bending_stiffness", "joints.joint.gear.stiffness", "links.link.beam.length")
+METHODS = ("dormand_prince", "rk4")
+
+
+@cache
+def seed_robot(method: str = "dormand_prince") -> Robot:
+    return load_robot("filipovic2010").with_({**SHORT, "integration.method": method})
+
+
+@cache
+def bending_arm(**integration: Any) -> Arm:
+    """A beam that hangs to the side of an elastic joint whose motor is led to another angle."""
+    told = {"duration": 0.2, "output_step": 0.006, "method": "dormand_prince", **integration}
+    motion = {"type": "quintic", "start": 0.0, "end": 0.4, "duration": 0.15}
+    return Arm.from_data({
+        "format": 1, "kind": "arm", "name": "test", "gravity": 9.81,
+        "joints": [{"name": "joint", "type": "revolute", "parent": "base", "child": "link", "axis": [0, 1, 0],
+                    "motor": {"side": "joint", "inertia": 0.05, "friction": {"viscous": 0.3}},
+                    "gear": {"stiffness": 300.0, "damping": 0.4}}],
+        "links": [{"name": "link", "bodies": [{"name": "load", "mass": 0.3, "at": 1.0}],
+                   "beam": {"model": "strain", "functions": {"bend_y": 1}, "length": 0.6, "damping_time": 1e-3,
+                            "section": {"bending_stiffness": 20.0, "mass_per_length": 0.5}}}],
+        "drives": [{"joint": "joint", "command": "position", "signal": motion,
+                    "controller": {"type": "pd", "position_gain": 90.0, "velocity_gain": 6.0}}],
+        "integration": told,
+    })  # fmt: skip
+
+
+@cache
+def loaded_arm() -> Arm:
+    """The same arm under a force that ends when the motion does."""
+    data = bending_arm().model_dump(mode="json", exclude_none=True)
+    fading = {"type": "quintic", "start": 1.0, "end": 0.0, "duration": 0.15}
+    return Arm.from_data(
+        data | {"loads": [{"point": "tip", "frame": "world", "force": [0.0, 0.0, -2.0], "signal": fading}]}
+    )
+
+
+def sheet_of(name: str, method: str) -> Any:
+    return seed_robot(method) if name == "seed" else bending_arm(method=method)
+
+
+def paths_of(name: str) -> tuple[str, ...]:
+    return SEED_PATHS if name == "seed" else ARM_PATHS
+
+
+def value_at(name: str, path: str) -> float:
+    known: Any = seed_robot().numbers() if name == "seed" else zip(ARM_PATHS, (20.0, 300.0, 0.6), strict=True)
+    return dict(known)[path]
+
+
+@cache
+def lowered_once(name: str, method: str) -> Lowered:
+    return lowered(sheet_of(name, method))
+
+
+@cache
+def replay_of(name: str, method: str, most_bytes: float = 1e9) -> Replay:
+    here = lowered_once(name, method)
+    done = record(here.model, here.parameters, here.schedule, here.start, here.settings, most_bytes)
+    return Replay(here.rates, here.parameters.vector, done)
+
+
+def squares(times: Array, states: Array) -> tuple[float, Array]:
+    """An integral of squares of three coordinates about some other value, as a sum over the samples."""
+    count = 3
+    step, weights = times[1] - times[0], np.zeros_like(states)
+    weights[:, :count] = 2 * step * (states[:, :count] - 0.2)
+    return float(((states[:, :count] - 0.2) ** 2).sum() * step), weights
+
+
+def richardson(function: Any, step: float) -> float:
+    ways = [(function(step * k) - function(-step * k)) / (2 * step * k) for k in (1, 2, 3)]
+    return (15 * ways[0] - 6 * ways[1] + ways[2]) / 10
+
+
+@pytest.mark.parametrize("name", ["seed", "arm"])
+@pytest.mark.parametrize("method", METHODS)
+def test_the_same_steps_give_the_same_samples(name: str, method: str) -> None:
+    replay = replay_of(name, method)
+    samples = replay.recording.samples
+    assert np.abs(replay.samples() - samples).max() <= 1e-11 * np.abs(samples).max()
+
+
+@pytest.mark.parametrize("name", ["seed", "arm"])
+@pytest.mark.parametrize("method", METHODS)
+def test_the_gradient_is_that_of_differences_on_the_same_steps(name: str, method: str) -> None:
+    here, replay = lowered_once(name, method), replay_of(name, method)
+    times, samples = replay.recording.times, replay.recording.samples
+    found = replay.back(squares(times, samples)[1])
+    changes = Changes(sheet_of(name, method), here)
+    for path in paths_of(name):
+        change = changes.along(path)
+        scale = 3e-3 * value_at(name, path)
+
+        def value(by: float, change: Any = change) -> float:
+            moved = replay.samples(here.parameters.vector + by * change.parameters, here.start + by * change.start)
+            return squares(times, moved)[0]
+
+        expected = richardson(value, scale)
+        gradient = found.parameters @ change.parameters + found.start @ change.start
+        assert gradient == pytest.approx(expected, rel=1e-7, abs=1e-12 * abs(value(0.0)) / scale)
+
+
+@pytest.mark.parametrize("name", ["seed", "arm"])
+@pytest.mark.parametrize("method", METHODS)
+def test_slopes_forwards_and_weights_in_reverse_tell_the_same_number(name: str, method: str) -> None:
+    replay, rng = replay_of(name, method), np.random.default_rng(4)
+    samples, rows = replay.recording.samples, replay.recording.rows
+    count = 9  # more than one sweep of eight
+    start, weights = rng.normal(size=(count, samples.shape[1])), rng.normal(size=samples.shape)
+    parameters = replay.parameters * rng.normal(size=(count, len(replay.parameters)))
+    signals = np.zeros((count, *rows.shape))
+    signals[:, :, 1:] = 0.1 * rng.normal(size=(count, *rows[:, 1:].shape))
+    slopes, found = replay.along(start, parameters, signals), replay.back(weights)
+    one = np.tensordot(slopes, weights, 2)
+    other = start @ found.start + parameters @ found.parameters + np.tensordot(signals, found.rows, 2)
+    assert np.abs(one - other).max() <= 1e-10 * np.abs(slopes * weights).sum(axis=(1, 2)).max()
+
+
+def test_few_kept_states_give_the_same_derivatives() -> None:
+    whole, sparse = replay_of("seed", "dormand_prince"), replay_of("seed", "dormand_prince", 20_000.0)
+    assert sparse.recording.every >= 4 * whole.recording.every == 4
+    assert sparse.recording.kept.nbytes <= 20_000
+    weights = np.random.default_rng(1).normal(size=whole.recording.samples.shape)
+    for one, other in zip(whole.back(weights), sparse.back(weights), strict=True):
+        assert np.abs(one - other).max() <= 1e-9 * np.abs(one).max()
+
+
+@pytest.mark.parametrize("name", ["seed", "arm"])
+def test_gradients_by_quantities_are_those_of_runs_with_other_sheets(name: str) -> None:
+    tight = {"integration.relative_tolerance": 1e-12, "integration.absolute_tolerance": 1e-14}
+    sheet = sheet_of(name, "dormand_prince").with_(tight)
+    paths = paths_of(name)
+    gradient, forwards = adjoint_gradient(sheet, squares, paths), forward_sensitivities(sheet, paths)
+    weights = squares(forwards.times, forwards.states)[1]
+    for path in paths:
+        assert (weights * forwards.by[path]).sum() == pytest.approx(gradient.by[path], rel=1e-9)
+    path, value = paths[0], value_at(name, paths[0])
+
+    def measured(share: float) -> float:
+        here = lowered(sheet.with_({path: value * (1 + share)}))
+        done = record(here.model, here.parameters, here.schedule, here.start, here.settings)
+        return squares(done.times, done.samples)[0]
+
+    assert gradient.by[path] * value == pytest.approx(richardson(measured, 0.01), rel=2e-6)
+
+
+def test_a_signal_and_the_start_are_differentiated_too() -> None:
+    sheet = bending_arm()
+    path = "drives.0.signal.end"
+    found = forward_sensitivities(sheet, [path], start={"own": np.eye(len(lowered(sheet).start))[0]})
+    lines = [forward_sensitivities(sheet.with_({path: value})).states for value in (0.4 - 1e-4, 0.4 + 1e-4)]
+    expected = (lines[1] - lines[0])[:, :6] / 2e-4
+    assert np.abs(found.by[path][:, :6] - expected).max() <= 1e-5 * np.abs(expected).max()
+    assert found.by["own"][0, 0] == 1.0
+
+
+@pytest.mark.parametrize(
+    ("path", "complaint"),
+    [
+        ("links.link.beam.section.mas", "unknown"),
+        ("joints.joint.gear.backlash", "other than 0"),
+        ("drives.0.signal.duration", "times"),
+    ],
+)
+def test_what_cannot_be_differentiated_is_refused(path: str, complaint: str) -> None:
+    with pytest.raises(InputError, match=complaint):
+        Changes(bending_arm(), lowered(bending_arm())).along(path)
+
+
+def test_a_load_changes_the_rest_too_and_signals_that_part_are_refused() -> None:
+    sheet = loaded_arm()
+    changes = Changes(sheet, lowered(sheet))
+    path, state = "loads.0.force.2", lowered(sheet).start
+    expected = (
+        lowered(sheet.with_({path: -2.0 - 1e-3})).start - lowered(sheet.with_({path: -2.0 + 1e-3})).start
+    ) / -2e-3
+    assert np.abs(state).max() > 0
+    assert changes.along(path).start == pytest.approx(expected, rel=1e-5, abs=1e-9)
+    with pytest.raises(InputError, match="structure"):
+        changes.along("drives.0.signal.duration")
+
+
+def test_methods_and_runs_without_derivatives_are_refused() -> None:
+    with pytest.raises(InputError, match="dormand_prince or rk4"):
+        adjoint_gradient(bending_arm(method="extrapolation"), squares)
+    with pytest.raises(SimulationError, match="max_steps"):
+        adjoint_gradient(bending_arm(max_steps=3, duration=2.0), squares)
