@@ -144,10 +144,13 @@ def test_a_coordinate_without_mass_is_named() -> None:
 @pytest.mark.peer
 def test_derivatives_are_those_of_pinocchio() -> None:
     pinocchio: Any = pytest.importorskip("pinocchio")
-    from benchmarks.peers.derivatives import pinocchio_chain, same_chain
+    from tmodes.bench.peer_pinocchio import model as peer_model
+    from tmodes.bench.rigid import RigidChain
 
     count, rng = 12, np.random.default_rng(3)
-    model, (peer, data) = ArmModel(same_chain(count)), pinocchio_chain(count)
+    robot = RigidChain(count)
+    model, (_, peer) = ArmModel(robot.chain()), peer_model(robot)
+    data = peer.createData()
     q, v, effort = rng.normal(size=(3, count))
     pinocchio.computeABADerivatives(peer, data, q, v, effort)
     inverse = np.triu(data.Minv) + np.triu(data.Minv, 1).T
