@@ -169,6 +169,8 @@ class Columns:
     def at(self, parameters: Array, inputs: Array, out: Array) -> None:
         """One sample, its inputs packed; ``out`` (outputs, width) is filled, with zeros between the groups."""
         desk, size = self._run(parameters, inputs), self.tape.output_size
+        if not out.size:  # nothing moves
+            return
         out.reshape(size, -1, LANES)[:] = desk.found.reshape(-1, size, LANES).transpose(1, 0, 2)
 
     def values(self, parameters: Array, inputs: Array) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.bench.clock import now
-from tmodes.integrate.settings import Method
+from tmodes.integrate.settings import FIXED_STEP, Method
 
 Array = NDArray[np.float64]
 
@@ -31,7 +31,7 @@ def adaptive_methods(loops: Any) -> list[Method]:
         except KeyError:
             return False
 
-    return [method for method in Method if method not in (Method.RK4, Method.AUTO) and there(method)]
+    return [method for method in Method if method not in (*FIXED_STEP, Method.AUTO) and there(method)]
 
 
 def solved(

@@ -22,10 +22,13 @@ ROSENBROCK = "rosenbrock"
 class _Loops:
     """The native time loops around one right-hand side by the name of their method, each made at its first use."""
 
+    methods: tuple[str, ...]
     library: Callable[[str], Library]
 
     def __getitem__(self, method: str) -> Any:
-        """The function of a method."""
+        """The function of a method; KeyError for one that is not among them."""
+        if method not in self.methods:
+            raise KeyError(method)
         return self.library(method)[method]
 
 
@@ -64,7 +67,7 @@ def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> An
     def made(method: str) -> Library:
         return library(f"{name} {method}", key, partial(write, method), {method: len(ARGUMENTS)}, level=3)
 
-    return _Loops(made)
+    return _Loops(EXPLICIT, made)
 
 
 def schedule_loops(name: str, schedule: Any, guarded: int) -> Any:
@@ -72,7 +75,7 @@ def schedule_loops(name: str, schedule: Any, guarded: int) -> Any:
 
     Methods: EXPLICIT.
     """
-    return _Loops(lambda method: _schedule_loop(name, schedule, guarded, method))
+    return _Loops(EXPLICIT, lambda method: _schedule_loop(name, schedule, guarded, method))
 
 
 def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Any:
@@ -80,13 +83,13 @@ def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Any:
 
     The state begins with ``pairs`` coordinates and as many rates. Methods: IMPLICIT.
     """
-    return _Loops(lambda method: _schedule_loop(name, schedule, guarded, method, pairs=pairs))
+    return _Loops(IMPLICIT, lambda method: _schedule_loop(name, schedule, guarded, method, pairs=pairs))
 
 
 def rosenbrock_loop(name: str, schedule: Any, guarded: int, pairs: int, columns: int) -> Any:
     """The loop of a Rosenbrock method, with the exact Jacobian by the first ``columns`` numbers of the state."""
     more = {"pairs": pairs, "columns": columns}
-    return _Loops(lambda method: _schedule_loop(f"{name} {columns}", schedule, guarded, method, **more))
+    return _Loops((ROSENBROCK,), lambda method: _schedule_loop(f"{name} {columns}", schedule, guarded, method, **more))
 
 
 def _schedule_loop(name: str, schedule: Any, guarded: int, method: str, **more: Any) -> Library:
