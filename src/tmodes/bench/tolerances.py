@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.bench.clock import now
+from tmodes.errors import CompileError
 from tmodes.integrate.settings import FIXED_STEP, Method
 
 Array = NDArray[np.float64]
@@ -28,7 +29,7 @@ def adaptive_methods(loops: Any) -> list[Method]:
     def there(method: Method) -> bool:
         try:
             return loops[method.value] is not None
-        except KeyError:
+        except (KeyError, CompileError):  # none for this kind of robot, or none for one so large
             return False
 
     return [method for method in Method if method not in (*FIXED_STEP, Method.AUTO) and there(method)]
