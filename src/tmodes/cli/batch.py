@@ -105,7 +105,8 @@ def _range(option: str, text: str) -> tuple[Any, ...]:
     except ValueError:
         values = []
     if len(values) != expected.count(":") + 1 or not all(map(isfinite, values)):
-        raise InputError(option, ascii(text)[:80], expected, "write numbers in SI units, as in payload.mass=0.4:0.6")
+        example = "payload.mass=0.4:0.6" + (":5" if option == "--vary" else "")
+        raise InputError(option, ascii(text)[:80], expected, f"write numbers in SI units, as in {example}")
     return path.strip(), *values
 
 

@@ -11,7 +11,7 @@ from tmodes.compile.block import ScheduleRate
 from tmodes.compile.lanes_loop import LanesLoop
 from tmodes.compile.lanes_samples import due_samples, write_sample
 from tmodes.compile.lower import Lowered
-from tmodes.compile.rk4_loop import hermite
+from tmodes.compile.rk4_loop import hermite, runge_kutta_step
 from tmodes.compile.time_loop import Status
 
 __all__ = ["write_lanes_rk4"]
@@ -27,7 +27,7 @@ def write_lanes_rk4(module: Any, name: str, rate: Lowered | ScheduleRate, guarde
     last = b.fcmp_ordered(">=", after, count)
     time_after = b.select(last, loop.get("end"), b.fadd(loop.get("start"), b.fmul(after, h)))
     loop.put("h", h, running)
-    _step(loop, time, h)
+    runge_kutta_step(loop, time, h, loop.constant)
     loop.count("evaluations", running, 4.0)
     inside = loop.within_bounds("new")
     loop.end_where(b.not_(inside), Status.DIVERGED)
@@ -44,20 +44,6 @@ def _equal_steps(loop: LanesLoop) -> tuple[Any, Any]:
     ratio = b.fmul(b.fdiv(length, loop.option("step")), loop.constant(1 - 1e-12))
     count = loop.call("maxnum", loop.call("ceil", ratio), loop.constant(1.0))
     return count, b.fdiv(length, count)
-
-
-def _step(loop: LanesLoop, time: Any, h: Any) -> None:
-    b = loop.builder
-    half, sixth, third = (b.fmul(h, loop.constant(share)) for share in (1 / 2, 1 / 6, 1 / 3))
-    middle = b.fadd(time, half)
-    loop.evaluate(time, "y", "k1")
-    loop.combine("probe", {"k1": half})
-    loop.evaluate(middle, "probe", "k2")
-    loop.combine("probe", {"k2": half})
-    loop.evaluate(middle, "probe", "k3")
-    loop.combine("probe", {"k3": h})
-    loop.evaluate(b.fadd(time, h), "probe", "k4")
-    loop.combine("new", {"k1": sixth, "k2": third, "k3": third, "k4": sixth})
 
 
 def _take(loop: LanesLoop, taken: Any, after: Any, last: Any, time_after: Any) -> None:

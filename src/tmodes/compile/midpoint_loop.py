@@ -11,10 +11,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from llvmlite import ir
-
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import F64, counted, load, number, store, whole
+from tmodes.compile.fixed_step import next_step, take_step
 from tmodes.compile.implicit_step import ImplicitStep, refuse_explicit_only
 from tmodes.compile.motion_norm import MotionNorm
 from tmodes.compile.time_loop import Status, TimeLoop
@@ -34,27 +33,13 @@ def write_midpoint_loop(module: Any, name: str, lowered: ScheduleRate, guarded: 
     """
     refuse_explicit_only(name, lowered)
     loop = TimeLoop(module, name, lowered, ("ahead", "start", "before", "slope", "new"), guarded)
-    b = loop.builder
-    start, end = loop.knot(0), loop.knot(1)
-    length = b.fsub(end, start)
-    ratio = b.fdiv(length, loop.option("step"))
-    count = loop.intrinsic("maxnum", loop.intrinsic("ceil", b.fmul(ratio, number(1 - 1e-12))), number(1.0))
-    h, time, after = b.fdiv(length, count), loop.get("t"), b.fadd(loop.get("index"), number(1.0))
-    last = b.fcmp_ordered(">=", after, count)
-    time_after = b.select(last, end, b.fadd(start, b.fmul(after, h)))
-    loop.put("h", h)
-    _Middle(loop, lowered, pairs).solve(b.fadd(time, b.fmul(h, number(0.5))), h)
-    _move(loop, pairs, h, loop.array["new"])
+    b, step = loop.builder, next_step(loop)
+    _Middle(loop, lowered, pairs).solve(b.fadd(step.time, b.fmul(step.h, number(0.5))), step.h)
+    _move(loop, pairs, step.h, loop.array["new"])
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-    with loop.due_samples(b.fadd(time_after, b.fmul(h, number(1e-9)))) as target:
-        _move(loop, pairs, b.fsub(loop.sample_time(), time), target)
-    loop.copy("y", "new")
-    loop.put("t", time_after)
-    loop.count_step(h, ir.Constant(ir.IntType(1), 0))
-    loop.add("done", 1.0)
-    loop.put("index", b.select(last, number(0.0), after))
-    loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(last, F64)))
-    b.branch(loop.again)
+    with loop.due_samples(b.fadd(step.time_after, b.fmul(step.h, number(1e-9)))) as target:
+        _move(loop, pairs, b.fsub(loop.sample_time(), step.time), target)
+    take_step(loop, step)
 
 
 class _Middle:

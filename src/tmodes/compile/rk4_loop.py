@@ -2,16 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
-from llvmlite import ir
-
 from tmodes.compile.block import ScheduleRate
-from tmodes.compile.emit import F64, counted, load, number, store
+from tmodes.compile.emit import counted, load, number, store
+from tmodes.compile.fixed_step import next_step, take_step
 from tmodes.compile.lower import Lowered
 from tmodes.compile.time_loop import Status, TimeLoop
 
-__all__ = ["hermite", "write_rk4_loop"]
+__all__ = ["hermite", "runge_kutta_step", "write_rk4_loop"]
 
 
 def write_rk4_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
@@ -21,31 +21,17 @@ def write_rk4_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guar
     """
     loop = TimeLoop(module, name, lowered, ("k2", "k3", "k4", "probe", "new"), guarded)
     b = loop.builder
-    start, end = loop.knot(0), loop.knot(1)
-    length = b.fsub(end, start)
-    ratio = b.fdiv(length, loop.option("step"))
-    count = loop.intrinsic("maxnum", loop.intrinsic("ceil", b.fmul(ratio, number(1 - 1e-12))), number(1.0))
-    h = b.fdiv(length, count)
-    time = loop.get("t")
-    after = b.fadd(loop.get("index"), number(1.0))
-    last = b.fcmp_ordered(">=", after, count)
-    time_after = b.select(last, end, b.fadd(start, b.fmul(after, h)))
-    loop.put("h", h)
-    _step(loop, time, h)
+    step = next_step(loop)
+    runge_kutta_step(loop, step.time, step.h, number)
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-    _write_samples(loop, time, h, time_after)
-    loop.copy("y", "new")
-    loop.put("t", time_after)
-    loop.count_step(h, ir.Constant(ir.IntType(1), 0))
-    loop.add("done", 1.0)
-    loop.put("index", b.select(last, number(0.0), after))
-    loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(last, F64)))
-    b.branch(loop.again)
+    _write_samples(loop, step.time, step.h, step.time_after)
+    take_step(loop, step)
 
 
-def _step(loop: TimeLoop, time: Any, h: Any) -> None:
+def runge_kutta_step(loop: Any, time: Any, h: Any, constant: Callable[[float], Any]) -> None:
+    """A step from ``y`` to ``new`` in a loop of doubles or of lanes; ``constant`` gives a number of its kind."""
     b = loop.builder
-    half, sixth, third = (b.fmul(h, number(share)) for share in (1 / 2, 1 / 6, 1 / 3))
+    half, sixth, third = (b.fmul(h, constant(share)) for share in (1 / 2, 1 / 6, 1 / 3))
     middle = b.fadd(time, half)
     loop.evaluate(time, "y", "k1")
     loop.combine("probe", {"k1": half})
