@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property
+from functools import cached_property, partial
 from typing import Any
 
 import numpy as np
@@ -163,20 +163,22 @@ class Model(Batched):
     def _instants(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> list[Array]:
         return [rows(time, 1), rows(state, STATE_SIZE), rows(row, self.mechanism.reference_degree + 2)]
 
-    def _rate_function(self) -> Any:
-        from tmodes.equations.closed_loop import closed_loop, rate_function
+    def _loop_function(self, kind: str) -> Any:
+        from tmodes.equations.implicit_step import loop_function
 
-        return rate_function(closed_loop(self.mechanism))
+        return loop_function(kind, self.mechanism)
 
     @cached_property
     def loops(self) -> Any:
         """The native time loops, by the names of :class:`tmodes.integrate.settings.Method`."""
-        return loops.time_loops("loops", self.mechanism.key, self._rate_function, guarded=12)
+        return loops.time_loops("loops", self.mechanism.key, self._loop_function, guarded=12)
 
     @cached_property
     def lane_loops(self) -> Any:
         """The native time loops over robots side by side."""
-        return lane_kernels.time_lane_loops("lane loops", self.mechanism.key, self._rate_function, guarded=12)
+        return lane_kernels.time_lane_loops(
+            "lane loops", self.mechanism.key, partial(self._loop_function, "rate"), guarded=12
+        )
 
     @property
     def batch_widths(self) -> dict[str, int]:
@@ -192,7 +194,7 @@ class Model(Batched):
         def make() -> dict[str, Any]:
             from tmodes.equations.closed_loop import closed_loop, observe_function
 
-            return {"observe": observe_function(closed_loop(self.mechanism)), "rate": self._rate_function()}
+            return {"observe": observe_function(closed_loop(self.mechanism)), "rate": self._loop_function("rate")}
 
         return kernels.sample_functions("observation", self.mechanism.key, make, {"observe": 3, "rate": 3})
 

@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.error_estimate import with_error
+from tmodes.integrate.settings import Integration
 from tmodes.mechanism import Drive, Parameters
 from tmodes.model import Model
 from tmodes.robot import Robot
@@ -39,23 +40,26 @@ def run_regime(
     progress: Callable[[float], None] = lambda share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
     until: float | None = None,
+    otherwise: Integration | None = None,
 ) -> Regime:
     """Run one robot from rest in its own equilibrium, its motor controlled or following theta_o exactly.
 
     ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
+    ``otherwise``: the settings to go on with where the motion turns out stiff; None: those of the robot to the end.
     Raises :class:`tmodes.errors.SimulationError` where there is no equilibrium or the mass matrix is singular.
     """
     mechanism, parameters = robot.split(drive)
     model, schedule, settings = Model(mechanism), robot.reference.schedule(), robot.integration
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
+    motion = (model, parameters, schedule, start)
     if until is None:
-        motion = (model, parameters, schedule, start)
-        trajectory = integrate(*motion, settings, progress, journals(drive.value))
-        trajectory = with_error(trajectory, settings, lambda changed: integrate(*motion, changed))
+        trajectory = integrate(*motion, settings, progress, journals(drive.value), otherwise)
+        later = otherwise and otherwise.finer()
+        trajectory = with_error(trajectory, settings, lambda changed: integrate(*motion, changed, otherwise=later))
     elif until > 0:
         shorter = settings.model_copy(update={"duration": until})
-        trajectory = integrate(model, parameters, schedule, start, shorter, progress)
+        trajectory = integrate(*motion, shorter, progress, None, otherwise)
     else:
         trajectory = Trajectory(np.zeros(1), start[None, :], "stopped", "not begun")
     rows = schedule.until(settings.duration).rows_at(trajectory.times)

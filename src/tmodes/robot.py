@@ -22,7 +22,7 @@ from tmodes.elements.motor import Motor
 from tmodes.elements.payload import Payload
 from tmodes.elements.quantity import DataSheet, Misfit, not_negative, refuse
 from tmodes.errors import InputError
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
 from tmodes.mechanism import Drive, Mechanism, Parameters, Reading
 from tmodes.reference.trapezoid import TrapezoidalMove
 
@@ -77,16 +77,6 @@ class Robot(DataSheet):
                 if any(unicodedata.category(letter) in _STEERING and letter != "\n" for letter in text)
             ]
         )
-        return self
-
-    @model_validator(mode="after")
-    def _explicit_steps(self) -> Robot:
-        """The equations of the paper's robot have no implicit steps."""
-        method = self.integration.method
-        explicit = (Method.DORMAND_PRINCE, Method.DOP853, Method.RK4)
-        if method not in explicit:
-            expected = f"one of {', '.join(explicit)}"
-            refuse([Misfit("integration.method", method.value, expected, f"write {Method.DORMAND_PRINCE}")])
         return self
 
     @classmethod

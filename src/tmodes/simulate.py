@@ -5,13 +5,16 @@ pair -> reference regime (nominal robot, motor follows theta_o exactly) -> contr
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-from tmodes.analysis.modes import all_modes, closed_loop_spectrum
+import numpy as np
+
+from tmodes.analysis.modes import Spectrum, all_modes, closed_loop_spectrum
 from tmodes.analysis.settling import settling
 from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict
+from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.mechanism import Drive
 from tmodes.regime import Regime, run_regime
 from tmodes.robot import NominalRealPair, Robot
@@ -44,11 +47,18 @@ def simulate(
     from tmodes.headline_errors import with_headline_errors
 
     pair = robot if isinstance(robot, NominalRealPair) else robot.pair()
-    verdict, growth = _verdict(pair)
-    reference = run_regime(pair.nominal, Drive.PRESCRIBED, lambda share: progress("reference", share), journals)
-    real = run_regime(
-        pair.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, _as_far_as(reference)
+    spectra = _spectra(pair)
+    by, why = _with_method(pair, spectra)
+    verdict, growth = _verdict(by, spectra)
+    later = otherwise(pair.real.integration, by.real.integration.method)
+    reference = run_regime(
+        by.nominal, Drive.PRESCRIBED, lambda share: progress("reference", share), journals, otherwise=later
     )
+    until = _as_far_as(reference)
+    real = run_regime(
+        by.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, until, otherwise=later
+    )
+    real.trajectory.message = explained(real.trajectory.message, why)
     progress("gathering", 0.0)
     finished = reference.trajectory.status == real.trajectory.status == "finished"
     told: dict[str, Any] = {"frequencies": all_modes(pair.real, contact=False), "settling": None, "warnings": growth}
@@ -75,13 +85,23 @@ def _as_far_as(reference: Regime) -> float | None:
     return 0.0 if planned.status == "interrupted" else float(planned.times[-1])
 
 
-def _verdict(pair: NominalRealPair) -> tuple[StepVerdict, list[str]]:
+def _spectra(pair: NominalRealPair) -> dict[str, Spectrum]:
+    """Eigenvalues at the start of both regimes, by what they are of."""
+    known = closed_loop_spectrum(pair.nominal, drive=Drive.PRESCRIBED)
+    return {"robot as known": known, "real robot": closed_loop_spectrum(pair.real, drive=Drive.CONTROLLED)}
+
+
+def _with_method(pair: NominalRealPair, spectra: Mapping[str, Spectrum]) -> tuple[NominalRealPair, str]:
+    """The pair with an integrator chosen for both, and why it was."""
+    settings = pair.real.integration
+    highest = max(float(np.abs(spectrum.eigenvalues).max(initial=0.0)) for spectrum in spectra.values())
+    method, why = chosen_method(settings.method, highest, settings.duration)
+    chosen = {"integration": settings.chosen(method)}
+    return NominalRealPair(pair.nominal.model_copy(update=chosen), pair.real.model_copy(update=chosen)), why
+
+
+def _verdict(pair: NominalRealPair, spectra: Mapping[str, Spectrum]) -> tuple[StepVerdict, list[str]]:
     """The worse of the two regimes' verdicts on the step, and what grows at the start."""
-    regimes = (("robot as known", pair.nominal, Drive.PRESCRIBED), ("real robot", pair.real, Drive.CONTROLLED))
-    verdicts: list[StepVerdict] = []
-    growth: list[str] = []
-    for whose, robot, drive in regimes:
-        spectrum = closed_loop_spectrum(robot, drive=drive)
-        verdicts.append(step_size_verdict(robot.integration, spectrum))
-        growth += growth_warnings(spectrum, whose, _CAUSES)
+    verdicts = [step_size_verdict(pair.real.integration, spectrum) for spectrum in spectra.values()]
+    growth = [told for whose, spectrum in spectra.items() for told in growth_warnings(spectrum, whose, _CAUSES)]
     return max(verdicts, key=lambda verdict: (not verdict.stable, verdict.highest)), growth

@@ -9,7 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.integrate.settings import Integration
+from tmodes.integrate.settings import Integration, Method
 from tmodes.native_run import BOUND, NativeRun
 from tmodes.reference.schedule import Schedule
 from tmodes.run_parts import ErrorEstimate, Journal, Moving, Numbers, Trajectory, sample_times
@@ -40,12 +40,14 @@ def integrate(
     journal: Journal | None = None,
     otherwise: Integration | None = None,
 ) -> Trajectory:
-    """Integrate from ``state`` (size,) over ``settings.duration``.
+    """Integrate from ``state`` (size,) over ``settings.duration``; where no method is named, by dormand_prince first.
 
     ``otherwise``: the settings to go on with where the motion turns out stiff for the explicit method of ``settings``.
     ``progress`` is told the share of the time that is done. Ctrl-C ends the run with what it has (``interrupted``).
     Stopping, continuing from a journal, and the pieces in which the loop is called change no bit of the samples.
     """
+    if settings.method is Method.AUTO:
+        settings, otherwise = settings.chosen(Method.DORMAND_PRINCE), otherwise or settings.chosen(Method.EXTRAPOLATION)
     run = NativeRun(model, parameters, schedule.until(settings.duration), state, settings, otherwise=otherwise)
     if journal and (record := journal.restore()):
         run.resume(record)

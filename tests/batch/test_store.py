@@ -14,7 +14,6 @@ import pytest
 
 from tmodes.batch.store import load_batch
 from tmodes.errors import InputError, ResultFileError
-from tmodes.integrate.settings import Method
 from tmodes.reference.schedule import Schedule
 
 
@@ -124,7 +123,6 @@ def test_too_large_is_refused_with_numbers(seed, tmp_path):
 
 def wrong_calls(seed):
     given = {"parameters": seed.many, "schedules": seed.schedule, "states": seed.start, "settings": seed.settings}
-    auto = seed.settings.model_copy(update={"method": Method.AUTO})
     linear = Schedule(np.array([0.0, 1.0]), np.zeros((1, 2)))
     return {
         "9": given | {"states": np.zeros((4, 17))},
@@ -132,13 +130,12 @@ def wrong_calls(seed):
         "17 numbers": given | {"states": np.zeros(16)},
         "4 numbers": given | {"schedules": linear},
         "size": given | {"parameters": np.zeros((2, 2, 26))},
-        "named|name the integrator": given | {"settings": auto},
         "at least 1": given | {"threads": 0},
         "1 or": given | {"schedules": [seed.schedule] * 3},
     }
 
 
-@pytest.mark.parametrize("told", ["9", "26 numbers", "17 numbers", "4 numbers", "size", "named|name the integrator",
+@pytest.mark.parametrize("told", ["9", "26 numbers", "17 numbers", "4 numbers", "size",
                                   "at least 1", "1 or"])  # fmt: skip
 def test_wrong_calls_are_refused(seed, told):
     with pytest.raises(InputError, match=told):

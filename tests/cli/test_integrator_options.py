@@ -6,6 +6,8 @@ import json
 import subprocess
 import sys
 
+import pytest
+
 from tmodes.result import Result
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
@@ -49,9 +51,13 @@ def test_unknown_integrator(tmp_path):
         assert all(word in told for word in known)
 
 
-def test_the_2010_robot_has_no_implicit_steps(tmp_path):
-    told = tmodes("run", "filipovic2010", "--integrator", "auto", "--out", tmp_path, code=2).stderr
-    assert "one of dormand_prince, dop853, rk4" in told
+@pytest.mark.parametrize("method", ["auto", "extrapolation", "rosenbrock", "midpoint"])
+def test_every_method_for_the_2010_robot(tmp_path, method):
+    told = json.loads(
+        tmodes("run", "filipovic2010", "--integrator", method, *SHORT, "--out", tmp_path, "--json").stdout
+    )
+    assert told["status"] == "finished"
+    assert told["statistics"]["real"]["method"] == {"auto": "dormand_prince"}.get(method, method)
 
 
 def test_help_teaches():

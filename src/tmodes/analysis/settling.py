@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.modes import closed_loop_spectrum
-from tmodes.integrate.settings import Method
+from tmodes.integrate.settings import FIXED_STEP, Method
 from tmodes.mechanism import Drive
 from tmodes.reference.schedule import Schedule
 from tmodes.regime import Regime
@@ -68,8 +68,9 @@ def _carried_on(regime: Regime, duration: float) -> Regime:
     state = last.states[-1].copy()
     if regime.model.mechanism.drive is Drive.PRESCRIBED:
         state[5], state[11] = robot.reference.end, 0.0
-    change = {"duration": duration, "output_step": duration / _SAMPLES, "method": Method.DORMAND_PRINCE}
-    settings = robot.integration.model_copy(update=change)
+    settings = robot.integration.model_copy(update={"duration": duration, "output_step": duration / _SAMPLES})
+    if settings.method in FIXED_STEP:
+        settings = settings.chosen(Method.DORMAND_PRINCE)
     trajectory = integrate(regime.model, regime.parameters, schedule, state, settings)
     if trajectory.status == "interrupted":
         raise KeyboardInterrupt

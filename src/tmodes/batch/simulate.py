@@ -16,7 +16,6 @@ from tmodes.batch.store import load_batch, room_for, write_batch
 from tmodes.batch.work import Work, inputs
 from tmodes.batch.workers import run_all, thread_count
 from tmodes.compile.lanes_loop import LANE_METHODS
-from tmodes.errors import InputError
 from tmodes.integrate.settings import Integration, Method
 from tmodes.reference.schedule import Schedule
 from tmodes.trajectory import sample_times
@@ -50,15 +49,18 @@ class Batched:
     ) -> BatchRun:
         """Run k robots of this structure, with ``parameters`` (k, size), from ``states`` (k, nx) on, by k schedules.
 
-        What is given once is the same for all. By explicit methods some robots run side by side, each with steps of its
-        own; by others they run one by one. No bit of a robot's samples depends on the other robots, on their number or
-        on ``threads`` (None: one for each core). A run that cannot go on keeps what it had and disturbs no other: look
-        at ``status`` and ``message``. ``out``: an empty folder for the samples, where they are too many for memory.
-        ``progress`` is told the share that is done. Ctrl-C ends all with what they have (``interrupted``).
+        What is given once is the same for all. By explicit methods (dormand_prince where none is named) some robots run
+        side by side, each with steps of its own; by others they run one by one. No bit of a robot's samples depends on
+        the other robots, on their number or on ``threads`` (None: one for each core). A run that cannot go on keeps
+        what it had and disturbs no other: look at ``status`` and ``message``. ``out``: an empty folder for the samples,
+        where they are too many for memory. ``progress`` is told the share that is done. Ctrl-C ends all with what they
+        have (``interrupted``).
 
         Raises :class:`tmodes.errors.InputError` for shapes that do not agree and for what is too large, and
         :class:`tmodes.errors.ResultFileError` for a folder that cannot be written.
         """
+        if settings.method is Method.AUTO:
+            settings = settings.chosen(Method.DORMAND_PRINCE)
         lanes = inputs(parameters, schedules, states, settings.duration, self.batch_widths)
         count, times = thread_count(threads), sample_times(settings)
         prepare_loops(self, settings.method)
@@ -75,8 +77,5 @@ class Batched:
 
 def prepare_loops(model: Any, method: Method) -> None:
     """Compile once, before the threads want the loops."""
-    if method is Method.AUTO:
-        names = ", ".join(each.value for each in Method if each is not Method.AUTO)
-        raise InputError("integration.method", "auto", f"one of {names}", "name the integrator of the batch")
     loops = model.lane_loops if method.value in LANE_METHODS else model.loops
     loops[method.value]

@@ -68,7 +68,7 @@ IntegratorOption = Annotated[
         "--integrator",
         metavar="METHOD",
         help="dormand_prince: explicit, order 5, for most motions. dop853: explicit, order 8, for rtol below 1e-8. "
-        "rk4: fixed integration.step, to repeat the work of others. Of arms also extrapolation: implicit, for stiff "
+        "rk4: fixed integration.step, to repeat the work of others. extrapolation: implicit, for stiff "
         "links and gears; midpoint: fixed step, keeps energy in long runs; rosenbrock: implicit with the exact "
         "Jacobian, to check others; auto (the default): the stiffness chooses, before and during the run.",
     ),

@@ -47,10 +47,12 @@ def _writer(method: str) -> Any:
     }[method]  # fmt: skip
 
 
-def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Any:
+def time_loops(name: str, key: str, make: Callable[[str], Any], guarded: int) -> Any:
     """The native time loops, by their methods, around one right-hand side of (time, state, row, parameters).
 
-    Methods: EXPLICIT.
+    ``make`` gives CasADi functions by their kind: ``rate``; ``implicit``, the rate of (time, ahead, start, row, step,
+    parameters); ``slopes``, the rate's derivatives by the ``guarded`` first numbers of the state, coordinates and
+    rates, and by time. Methods: all.
     """
     from tmodes.compile.time_loop import ARGUMENTS
 
@@ -59,15 +61,24 @@ def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> An
 
         from tmodes.compile.lower import lower
         from tmodes.compile.program import straight_line
+        from tmodes.compile.straight_rate import StraightJacobian, write_straight_rate
 
-        module = ir.Module(name)
-        _writer(method)(module, method, lower(module, straight_line(make(), invariant=3)), guarded)
+        module, pairs = ir.Module(name), {} if method in EXPLICIT else {"pairs": guarded // 2}
+        if method in IMPLICIT:
+            implicit = write_straight_rate(module, straight_line(make("implicit"), invariant=5))
+            _writer(method)(module, method, implicit, guarded, **pairs)
+            return module
+        rate, slopes = lower(module, straight_line(make("rate"), invariant=3)), {}
+        if method == ROSENBROCK:
+            program = straight_line(make("slopes"), invariant=3)
+            slopes = {"jacobian": StraightJacobian(module, program, rate.size, guarded)}
+        _writer(method)(module, method, rate, guarded, **pairs, **slopes)
         return module
 
     def made(method: str) -> Library:
         return library(f"{name} {method}", key, partial(write, method), {method: len(ARGUMENTS)}, level=3)
 
-    return _Loops(EXPLICIT, made)
+    return _Loops((*EXPLICIT, *IMPLICIT, ROSENBROCK), made)
 
 
 def schedule_loops(name: str, schedule: Any, guarded: int) -> Any:
@@ -88,26 +99,34 @@ def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Any:
 
 def rosenbrock_loop(name: str, schedule: Any, guarded: int, pairs: int, columns: int) -> Any:
     """The loop of a Rosenbrock method, with the exact Jacobian by the first ``columns`` numbers of the state."""
-    more = {"pairs": pairs, "columns": columns}
-    return _Loops((ROSENBROCK,), lambda method: _schedule_loop(f"{name} {columns}", schedule, guarded, method, **more))
+
+    def made(method: str) -> Library:
+        return _schedule_loop(f"{name} {columns}", schedule, guarded, method, columns=columns, pairs=pairs)
+
+    return _Loops((ROSENBROCK,), made)
 
 
-def _schedule_loop(name: str, schedule: Any, guarded: int, method: str, **more: Any) -> Library:
+def _schedule_loop(
+    name: str, schedule: Any, guarded: int, method: str, columns: int | None = None, **more: Any
+) -> Library:
     from tmodes.compile.time_loop import ARGUMENTS
 
     def write() -> Any:
         from llvmlite import ir
 
         from tmodes.compile.block import write_rate
+        from tmodes.compile.rate_jacobian import RateJacobian
 
         module = ir.Module(name)
         rate = write_rate(module, schedule, arithmetic_of("double")(module), "rate")
-        needed = {"schedule": schedule} if method == ROSENBROCK else {}
-        _writer(method)(module, method, rate, guarded, **needed, **more)
+        jacobian = (
+            {} if columns is None else {"jacobian": RateJacobian(module, schedule, columns, f"{method}.jacobian")}
+        )
+        _writer(method)(module, method, rate, guarded, **jacobian, **more)
         return module
 
     def imports() -> dict[str, Library]:
-        slopes = kernels_of(schedule, "derivative") if method == ROSENBROCK else {}
+        slopes = {} if columns is None else kernels_of(schedule, "derivative")
         return called(schedule, "double") | slopes
 
     return library(f"{name} {method}", schedule.key, write, {method: len(ARGUMENTS)}, 1, imports)

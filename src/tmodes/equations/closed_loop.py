@@ -8,13 +8,16 @@ from typing import Any
 import casadi as ca
 
 from tmodes.equations.dynamics import Motion, motion
+from tmodes.equations.energy import Energies
 from tmodes.equations.kinematics import tip, tip_jacobian
 from tmodes.equations.layout import ENERGIES, OBSERVED, STATE_SIZE, WORKS
 from tmodes.equations.symbols import symbolic_robot
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.robot import Robot
 
-__all__ = ["ClosedLoop", "closed_loop", "observe_function", "rate_function"]
+__all__ = [
+    "ClosedLoop", "closed_loop", "observe_function", "polynomial", "powers", "rate_function", "slopes_function",
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -52,7 +55,7 @@ def closed_loop(mechanism: Mechanism) -> ClosedLoop:
     time, state = ca.SX.sym("time"), ca.SX.sym("state", STATE_SIZE)
     row = ca.SX.sym("row", mechanism.reference_degree + 2)
     phi, phid = state[:6], state[6:12]
-    wanted, rate, acceleration = _polynomial(row, time)
+    wanted, rate, acceleration = polynomial(row, time)
     if mechanism.drive is Drive.PRESCRIBED:
         moved = motion(robot, mechanism, phi, phid, acceleration)
         current = moved.motor_torque / robot.motor.torque_constant
@@ -64,7 +67,7 @@ def closed_loop(mechanism: Mechanism) -> ClosedLoop:
     return ClosedLoop(robot, mechanism, time, state, row, parameters, wanted, voltage, moved)
 
 
-def _polynomial(row: Any, time: Any) -> tuple[Any, Any, Any]:
+def polynomial(row: Any, time: Any) -> tuple[Any, Any, Any]:
     """Value and two derivatives of the piece's polynomial in the time since its start."""
     tau = ca.SX.sym("tau")
     value: Any = 0
@@ -78,9 +81,20 @@ def _polynomial(row: Any, time: Any) -> tuple[Any, Any, Any]:
 
 def rate_function(loop: ClosedLoop) -> ca.Function:
     """Derivative of the state by time, of (time, state, row, parameters)."""
-    powers = _powers(loop)
-    rates = ca.vertcat(loop.phid, loop.motion.acceleration, *(powers[name] for name in WORKS))
-    return _function("rate", loop, rates)
+    return _function("rate", loop, _rates(loop))
+
+
+def slopes_function(loop: ClosedLoop) -> ca.Function:
+    """Derivatives of those rates by coordinates and rates, row by row, then by time, of the same arguments."""
+    rates = _rates(loop)
+    by_state, by_time = ca.jacobian(rates, loop.state[:12]), ca.jacobian(rates, loop.time)
+    return _function("slopes", loop, ca.vertcat(ca.vec(by_state.T), by_time))
+
+
+def _rates(loop: ClosedLoop) -> Any:
+    moved = loop.motion
+    brought = powers(loop.robot, moved.energy, loop.phid, moved.motor_torque, moved.contact_rows)
+    return ca.vertcat(loop.phid, moved.acceleration, *(brought[name] for name in WORKS))
 
 
 def observe_function(loop: ClosedLoop) -> ca.Function:
@@ -103,15 +117,14 @@ def observe_function(loop: ClosedLoop) -> ca.Function:
     return _function("observe", loop, ca.vertcat(*(seen[name] for name in OBSERVED)))
 
 
-def _powers(loop: ClosedLoop) -> dict[str, Any]:
-    """Power brought in by the motor and taken out by each loss [W]."""
-    energy, speed = loop.motion.energy, loop.phid[5]
+def powers(robot: Robot, energy: Energies, phid: Any, motor_torque: Any, contact_rows: Any) -> dict[str, Any]:
+    """Power brought in by the motor and taken out by each loss [W], by the names of ``WORKS``."""
     return {
-        "motor": loop.motion.motor_torque * speed,
-        "motor_friction": loop.robot.motor.friction_loss(speed),
+        "motor": motor_torque * phid[5],
+        "motor_friction": robot.motor.friction_loss(phid[5]),
         "gear_damping": 2 * energy.rayleigh_gear,
         "link_damping": 2 * energy.rayleigh_link,
-        "contact": ca.dot(loop.motion.contact_rows, loop.phid),
+        "contact": ca.dot(contact_rows, phid),
     }
 
 

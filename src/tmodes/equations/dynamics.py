@@ -15,7 +15,7 @@ from tmodes.equations.lagrange import EquationTerms, equation_terms
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.robot import Robot
 
-__all__ = ["Motion", "motion"]
+__all__ = ["Motion", "accelerations", "motion", "torque_of_prescribed_motor"]
 
 
 @dataclass(frozen=True)
@@ -63,22 +63,20 @@ def motion(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) 
     load = inputs - terms.internal
     directions = ca.DM(free_columns(mechanism.rigid, prescribed))
     contact = contact_terms(robot, mechanism, phi, phid) if mechanism.contact else None
-    solved = _accelerations(terms.mass_matrix, load, directions, known, contact, mechanism.contact)
+    solved = accelerations(terms.mass_matrix, load, directions, known, contact, mechanism.contact)
     acceleration, radial_force, tip_force, rows, fold = solved
     if prescribed:
-        torque = _torque_of_prescribed_motor(terms, acceleration, rows, robot, phid)
+        others = terms.mass_matrix @ acceleration + terms.internal + rows
+        torque = torque_of_prescribed_motor(others, robot, phid[5])
     return Motion(energy, terms, acceleration, inputs, torque, radial_force, tip_force, rows, fold)
 
 
-def _torque_of_prescribed_motor(
-    terms: EquationTerms, acceleration: Any, contact_rows: Any, robot: Robot, phid: Any
-) -> Any:
-    """Torque that the motor needs to follow its prescribed motion: the rows that move with it, balanced."""
-    rows = terms.mass_matrix @ acceleration + terms.internal + contact_rows
-    return ca.dot(ca.DM(basis()[:, 0]), rows) + robot.motor.friction * phid[5]
+def torque_of_prescribed_motor(rows: Any, robot: Robot, speed: Any) -> Any:
+    """Torque of a motor that follows its prescribed motion: ``rows`` of all others that move with it, balanced."""
+    return ca.dot(ca.DM(basis()[:, 0]), rows) + robot.motor.friction * speed
 
 
-def _accelerations(
+def accelerations(
     mass: Any, load: Any, directions: Any, known: Any, contact: ContactTerms | None, law: FrictionLaw | None
 ) -> tuple[Any, Any, Any, Any, Any]:
     """Solve for phi'' in the free directions; the contact's mass is a rank-one change of H (Sherman-Morrison)."""

@@ -1,10 +1,10 @@
-"""Which integrator suits an arm: explicit steps are held back by its fastest motion, implicit ones are not."""
+"""Which integrator suits a robot: explicit steps are held back by its fastest motion, implicit ones are not."""
 
 from __future__ import annotations
 
-from tmodes.integrate.settings import ArmIntegration, Method
+from tmodes.integrate.settings import Integration, Method
 
-__all__ = ["STIFF", "chosen_method", "otherwise", "worth_switching"]
+__all__ = ["STIFF", "chosen_method", "explained", "otherwise", "worth_switching"]
 
 STIFF = 20_000
 """Explicit steps over a whole run beyond which the implicit method is the cheaper one."""
@@ -24,7 +24,15 @@ def chosen_method(method: Method, highest: float, duration: float) -> tuple[Meth
     return Method.DORMAND_PRINCE, f"by dormand_prince: {told}"
 
 
-def otherwise(given: ArmIntegration, method: Method) -> ArmIntegration | None:
+def explained(message: str, why: str) -> str:
+    """How a run ended, with why its method was chosen (empty: it was given)."""
+    if not why:
+        return message
+    ending, semicolon, later_on = message.partition("; ")
+    return f"{ending}, {why}{semicolon}{later_on}"
+
+
+def otherwise(given: Integration, method: Method) -> Integration | None:
     """The settings to go on with where a motion turns out stiff; None where its method was named or is implicit.
 
     ``given``: the settings of the sheet; ``method``: the one that was chosen by them.

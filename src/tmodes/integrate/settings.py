@@ -15,7 +15,6 @@ __all__ = [
     "FIXED_STEP",
     "LEAST_TOLERANCE",
     "MOST_BYTES",
-    "ArmIntegration",
     "Integration",
     "Method",
     "refuse_too_large",
@@ -29,7 +28,7 @@ LEAST_TOLERANCE = 1e-14
 
 
 class Method(StrEnum):
-    """The integrators that files and the command line can name; all but the first three are for arms."""
+    """The integrators that files and the command line can name."""
 
     DORMAND_PRINCE = "dormand_prince"
     DOP853 = "dop853"
@@ -47,11 +46,13 @@ FIXED_STEP = (Method.RK4, Method.MIDPOINT)
 class Integration(DataSheet):
     """Which integrator, how exact, how long, how often the result is sampled.
 
+    The integrator is chosen by the stiffness unless one is named.
+
     Slip (p. 70): T/dt with dt = 0.000053335 s is 37 498.8, no integer; the step here is 2/37500 s
     {test_slip_step_divides_the_move}
     """
 
-    method: Method = Field(default=Method.DORMAND_PRINCE, strict=False, description="integrator")
+    method: Method = Field(default=Method.AUTO, strict=False, description="integrator; auto: chosen by the stiffness")
     duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6)
     output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3)
     line_points: int = positive(
@@ -120,21 +121,7 @@ class Integration(DataSheet):
         """The settings of the cheap run that tells the error of one at fixed step: twice the step."""
         return self.model_copy(update={"step": 2 * self.step})
 
-    @property
-    def bytes_per_sample(self) -> int:
-        """Size of one sample of a result [bytes]: its series, and thirteen numbers at each point of both lines."""
-        return 600 + 2 * 13 * 8 * self.line_points
-
-    def _size(self, samples: float) -> str:
-        return f"{samples:.3g} samples, about {samples * self.bytes_per_sample / 1e9:.3g} GB"
-
-
-class ArmIntegration(Integration):
-    """The same settings for an arm, whose integrator is chosen by its stiffness unless one is named."""
-
-    method: Method = Field(default=Method.AUTO, strict=False, description="integrator; auto: chosen by the stiffness")
-
-    def chosen(self, method: Method) -> ArmIntegration:
+    def chosen(self, method: Method) -> Self:
         """The settings with the integrator that is taken, and with its tolerances where none are given.
 
         ``extrapolation`` follows motions that a tolerance of 1e-9 can see at great cost: 1e-7 is its default.
@@ -144,6 +131,14 @@ class ArmIntegration(Integration):
             defaults = {"relative_tolerance": 1e-7, "absolute_tolerance": 1e-9}
             changes |= {name: value for name, value in defaults.items() if name not in self.model_fields_set}
         return self.model_copy(update=changes)
+
+    @property
+    def bytes_per_sample(self) -> int:
+        """Size of one sample of a result [bytes]: its series, and thirteen numbers at each point of both lines."""
+        return 600 + 2 * 13 * 8 * self.line_points
+
+    def _size(self, samples: float) -> str:
+        return f"{samples:.3g} samples, about {samples * self.bytes_per_sample / 1e9:.3g} GB"
 
 
 def refuse_too_large(settings: Integration, samples: float, each: int, others: str) -> None:

@@ -18,7 +18,7 @@ from tmodes.trajectory import Journal, Trajectory, integrate
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm
-    from tmodes.integrate.settings import ArmIntegration
+    from tmodes.integrate.settings import Integration
 
 __all__ = ["ArmRegime", "arm_regime", "run_arm_regime"]
 
@@ -36,7 +36,7 @@ class ArmRegime:
     planned: Planned
     model: LoopModel
     start: Array
-    otherwise: ArmIntegration | None = None
+    otherwise: Integration | None = None
 
     @property
     def first_row(self) -> Array:

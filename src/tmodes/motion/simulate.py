@@ -16,8 +16,8 @@ from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_ve
 from tmodes.arm import Arm, ArmPair
 from tmodes.arm.parts import Command
 from tmodes.errors import InputError
-from tmodes.integrate.choice import chosen_method, otherwise
-from tmodes.integrate.settings import ArmIntegration, refuse_too_large
+from tmodes.integrate.choice import chosen_method, explained, otherwise
+from tmodes.integrate.settings import Integration, refuse_too_large
 from tmodes.motion.callback import Controller, driven_by, run_with_controller
 from tmodes.motion.plan import Follow
 from tmodes.motion.regime import ArmRegime, arm_regime, run_arm_regime
@@ -80,9 +80,8 @@ def simulate_arm(
         trajectory, rows = run_with_controller(real, controller, lambda share: progress("real arm", share))
     if trajectory.status == "diverged":
         trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
-    elif why:
-        ending, semicolon, later_on = trajectory.message.partition("; ")
-        trajectory.message = f"{ending}, {why}{semicolon}{later_on}"
+    else:
+        trajectory.message = explained(trajectory.message, why)
     run = gathered(real, trajectory, rows)
     dt_omega = step_times_eigenvalue(verdict, run.statistics)
     statistics = run.statistics | {"highest_eigenvalue": verdict.highest, "dt_omega": dt_omega}
@@ -91,7 +90,7 @@ def simulate_arm(
 
 def _reference(
     pair: ArmPair,
-    later: ArmIntegration | None,
+    later: Integration | None,
     progress: Progress,
     journals: Callable[[str], Journal | None],
     warnings: list[str],

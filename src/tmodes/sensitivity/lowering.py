@@ -43,15 +43,16 @@ class Lowered:
 
 def lowered(sheet: Arm | Robot) -> Lowered:
     """The run of an arm, or of the 2010 robot under control, as its sheet says it."""
+    settings = sheet.integration
+    if settings.method is Method.AUTO:
+        settings = settings.chosen(Method.DORMAND_PRINCE)
     if isinstance(sheet, Robot):
         mechanism, parameters = sheet.split(Drive.CONTROLLED)
         start = Model(mechanism).rest(sheet.reference.start, parameters)
         rates, schedule = rate_schedule(mechanism), sheet.reference.schedule()
-        return Lowered(Model(mechanism), rates, parameters, schedule, start, sheet.integration)
-    regime, settings = arm_regime(sheet), sheet.integration
+        return Lowered(Model(mechanism), rates, parameters, schedule, start, settings)
+    regime = arm_regime(sheet)
     model = regime.model
-    if settings.method is Method.AUTO:
-        settings = settings.chosen(Method.DORMAND_PRINCE)
     return Lowered(model, model.loop.rate, model.numbers, regime.planned.schedule, regime.start, settings, regime)
 
 

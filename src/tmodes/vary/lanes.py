@@ -9,6 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.modes import Spectrum
+from tmodes.analysis.modes import closed_loop_spectrum as robot_spectrum
 from tmodes.arm import Arm
 from tmodes.arm_model import ArmModel
 from tmodes.batch.simulate import Batched
@@ -68,7 +70,8 @@ def lane_of(real: Robot | Arm) -> Lane:
 
 def _robot_lane(robot: Robot) -> Lane:
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, schedule, settings = Model(mechanism), robot.reference.schedule(), robot.integration
+    model, schedule = Model(mechanism), robot.reference.schedule()
+    settings = _chosen(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
     rows = schedule.until(settings.duration)
@@ -76,18 +79,23 @@ def _robot_lane(robot: Robot) -> Lane:
     def tip(times: Array, states: Array) -> Array:
         return model.observe(times, states, rows.rows_at(times), parameters)["tip"]
 
-    return Lane(mechanism, model, parameters.vector, schedule, start, settings, tip)
+    return Lane((mechanism, settings.method), model, parameters.vector, schedule, start, settings, tip)
 
 
 def _arm_lane(arm: Arm) -> Lane:
     regime = arm_regime(arm)
-    model, settings = regime.model, arm.integration
-    if settings.method is Method.AUTO:
-        highest = float(np.abs(closed_loop_spectrum(regime).eigenvalues).max(initial=0.0))
-        settings = settings.chosen(chosen_method(settings.method, highest, settings.duration)[0])
+    model, settings = regime.model, _chosen(arm.integration, lambda: closed_loop_spectrum(regime))
     key = (model.loop.rate.key, model.coordinates, settings.method)
     schedule = regime.planned.schedule
     return Lane(key, model, model.numbers.vector, schedule, regime.start, settings, _tip_of(regime))
+
+
+def _chosen(settings: Integration, spectrum: Callable[[], Spectrum]) -> Integration:
+    """The settings with an integrator chosen by the eigenvalues at the start, where none is named."""
+    if settings.method is not Method.AUTO:
+        return settings
+    highest = float(np.abs(spectrum().eigenvalues).max(initial=0.0))
+    return settings.chosen(chosen_method(settings.method, highest, settings.duration)[0])
 
 
 def _tip_of(regime: ArmRegime) -> Callable[[Array, Array], Array]:

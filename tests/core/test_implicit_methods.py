@@ -1,0 +1,107 @@
+"""Implicit methods for the 2010 robot: consistent with its rate, of their order, right where gears are stiff."""
+
+from __future__ import annotations
+
+import itertools
+
+import numpy as np
+import pytest
+
+from tmodes.contact.environment import FrictionLaw
+from tmodes.equations.implicit_step import loop_function
+from tmodes.mechanism import Drive, Mechanism, Reading
+from tmodes.model import Model
+from tmodes.reference.schedule import Schedule
+from tmodes.simulate import simulate
+
+from .test_integrators import LOSSLESS, plucked, run, slope
+
+RIGID = [frozenset[str](), frozenset(["gear"]), frozenset(["mode1", "mode2"])]
+STRUCTURES = [
+    Mechanism(*one) for one in itertools.product(Reading, [None, *FrictionLaw], Drive, RIGID)
+]  # fmt: skip
+
+
+@pytest.fixture(scope="module")
+def numbers(robot):
+    return np.array([value for _, value in robot.numbers()])
+
+
+@pytest.mark.parametrize("mechanism", STRUCTURES, ids=lambda one: one.key)
+def test_a_step_without_length_is_the_rate(mechanism, numbers):
+    """The forces at a step's end, sorted anew, are the forces; their derivatives are the slopes."""
+    kinds = ("rate", "implicit", "slopes")
+    rate, implicit, slopes = (loop_function(kind, mechanism) for kind in kinds)
+    random = np.random.default_rng(5)
+    state, row = 0.3 * random.normal(size=17), random.normal(size=mechanism.reference_degree + 2)
+    plain = rate(0.4, state, row, numbers).full().ravel()
+    np.testing.assert_allclose(
+        implicit(0.4, state, state, row, 0.0, numbers).full().ravel(), plain, rtol=1e-12, atol=1e-12 * abs(plain).max()
+    )
+    found = slopes(0.4, state, row, numbers).full().ravel()
+    for column, step in [*enumerate(1e-6 * np.eye(12, 17)), (None, np.zeros(17))]:
+        later = 1e-6 if column is None else 0.0
+        ends = [rate(0.4 + sign * later, state + sign * step, row, numbers).full().ravel() for sign in (1, -1)]
+        exact = found[204:] if column is None else found[:204].reshape(17, 12)[:, column]
+        np.testing.assert_allclose((ends[0] - ends[1]) / 2e-6, exact, atol=2e-8 * abs(found).max())
+
+
+@pytest.mark.parametrize("method", ["extrapolation", "rosenbrock"])
+@pytest.mark.parametrize("contact", [False, True])
+@pytest.mark.parametrize("reading", Reading)
+def test_agree_with_explicit_steps_along_the_path(robot, method, reading, contact):
+    """Coordinates, rates and works, from rest over the jumps of the move; tighter tolerances, smaller errors."""
+    kind = {"reading": reading, "contact": contact, "duration": 0.5}
+    exact = run(robot, method="dop853", relative_tolerance=1e-13, absolute_tolerance=1e-15, **kind)
+    errors = []
+    for tolerance in (1e-6, 1e-9):
+        one = run(robot, method=method, relative_tolerance=tolerance, absolute_tolerance=1e-3 * tolerance, **kind)
+        errors.append(np.abs(one.states - exact.states)[:, [*range(6), *range(12, 17)]].max())
+    assert errors[0] < 2e-6
+    assert errors[1] < 2e-9
+
+
+def test_order_of_midpoint(robot):
+    """Works included, in contact."""
+    exact = run(robot, contact=True, method="dop853", duration=0.3, relative_tolerance=1e-13).states[-1]
+    steps = np.array([4e-4, 2e-4, 1e-4])
+    ends = [run(robot, contact=True, method="midpoint", step=h, duration=0.3).states[-1] for h in steps]
+    assert slope(steps, [np.abs(end - exact).max() for end in ends]) == pytest.approx(2.0, abs=0.1)
+
+
+@pytest.mark.parametrize("reading", Reading)
+def test_midpoint_keeps_the_energy(robot, reading):
+    """Without losses the energy of the plucked arm stays in a band, which beats slowly, over many periods: no drift."""
+    lossless, still = robot.with_(LOSSLESS), Schedule(np.array([0.0, 100.0]), np.zeros((1, 3)))
+    done = run(
+        lossless, Drive.PRESCRIBED, still, plucked, reading, method="midpoint", step=5e-4, duration=100.0,
+        output_step=1e-2,
+    )  # fmt: skip
+    mechanism, parameters = lossless.split(Drive.PRESCRIBED, reading=reading, contact=False)
+    rows = still.rows_at(done.times)
+    energy = Model(mechanism).observe(done.times, done.states, rows, parameters)["energy"].sum(axis=1)
+    drift = np.polyfit(done.times, energy, 1)[0] * done.times[-1]
+    half = len(energy) // 2
+    bands = [np.ptp(part) for part in (energy[:half], energy[half:])]
+    assert bands[0] < 5e-5 * energy[0]
+    assert bands[1] / bands[0] == pytest.approx(1.0, abs=0.25)
+    assert abs(drift) < 0.2 * bands[0]
+
+
+def test_a_gear_that_is_all_but_rigid(robot):
+    """Explicit steps would be held back by it; the motion is that of a rigid gear, the nearer the stiffer."""
+    rigid = simulate(robot.with_({"gear.stiffness": float("inf")}))
+    apart = []
+    for stiffness in (1e7, 1e8):
+        stiff = simulate(robot.with_({"gear.stiffness": stiffness, "gear.damping": 1e-4 * stiffness}))
+        assert "by extrapolation" in stiff.message
+        assert stiff.statistics["real"]["method"] == "extrapolation"
+        apart.append(float(np.abs(stiff.data["tip"] - rigid.data["tip"]).max()))
+    assert apart[0] < 1e-5
+    assert apart[0] / apart[1] == pytest.approx(10.0, rel=0.1)
+
+
+def test_the_default_tells_its_choice(robot):
+    """Not stiff: explicit, and why."""
+    done = simulate(robot.with_({"integration.duration": 0.1}))
+    assert "by dormand_prince: the fastest eigenvalue" in done.message
