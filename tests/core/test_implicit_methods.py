@@ -105,3 +105,15 @@ def test_the_default_tells_its_choice(robot):
     """Not stiff: explicit, and why."""
     done = simulate(robot.with_({"integration.duration": 0.1}))
     assert "by dormand_prince: the fastest eigenvalue" in done.message
+
+
+@pytest.mark.parametrize("stiffness", [1e8, 1e10, 1e12])
+def test_rest_on_a_surface_that_hardly_gives(robot, stiffness):
+    """Rounding alone moves the arm there, yet it stands; its bend gives way: the tip comes near to the sphere."""
+    mechanism, parameters = robot.with_({"environment.stiffness": stiffness}).split(contact=True)
+    model, row = Model(mechanism), np.zeros(mechanism.reference_degree + 2)
+    state = model.rest(0.0, parameters)
+    assert np.abs(model.rate(0.0, state, row, parameters)).max() < 1e-6
+    reach = sum(mode.length for mode in robot.link.modes)
+    tip = model.observe(0.0, state, row, parameters)["tip"]
+    assert abs(np.linalg.norm(tip) - reach) < 0.1 / np.sqrt(stiffness)

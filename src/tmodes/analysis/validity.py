@@ -57,7 +57,7 @@ def _first_beyond(off: NDArray[np.float64], moved: float, tolerance: float) -> i
 def energy_warnings(data: Any, tolerance: float) -> list[str]:
     """An energy balance that does not close, with the first time and the worst value."""
     moved = largest_flow(data["energy"].values, data["work"].values)
-    mend = "lower integration.relative_tolerance (dormand_prince) or integration.step (rk4)"
+    mend = "lower integration.relative_tolerance (adaptive methods) or integration.step (rk4, midpoint)"
     told = energy_sentence(data["time"].values, data["energy_balance"].values, moved, tolerance, mend)
     return [told] if told else []
 
