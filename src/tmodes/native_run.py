@@ -57,6 +57,7 @@ class NativeRun:
         self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
         self.samples[0] = self.state
         self.errors, self.errors_out = np.zeros(len(state)), np.zeros_like(self.samples)
+        self.looks, self.seen = 0.0, np.zeros(1)
         self._put(sample=1.0, fresh=1.0, old_error=1e-4)
 
     def cell(self, name: str) -> float:
@@ -107,11 +108,12 @@ class NativeRun:
         chosen = {
             "step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "chunk": float(steps),
             "bound": BOUND, "watch": float(watch), "most_events": MOST_EVENTS, "event_time": EVENT_TIME,
+            "looks": self.looks,
         }  # fmt: skip
         given: dict[str, Any] = {
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
             "rows": self.rows, "times": self.times, "out": self.samples, "errors": self.errors,
-            "errors_out": self.errors_out, "segments": len(self.rows), "samples": len(self.times),
+            "errors_out": self.errors_out, "seen": self.seen, "segments": len(self.rows), "samples": len(self.times),
             "options": np.array([chosen[name] for name in OPTIONS], dtype=float),
         }  # fmt: skip
         return {name: given[name] for name in ARGUMENTS}
@@ -147,6 +149,16 @@ class NativeRun:
         self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
         self.part[:], self.errors[:] = record["part"], record["errors"]
         self.samples[: self.done], self.errors_out[: self.done] = record["samples"], record["errors_out"]
+        if self.status is Status.STOPPED_BY_CONDITION:
+            self.times[self.done - 1] = self.cell("t")
+
+    def stop_at(self, time: float, state: Array) -> None:
+        """End the run at a time [s] within its last step: there its last sample is."""
+        self.state[:] = state
+        near = time - 1e-9 * self.first.output_step  # as close to a sample, it takes its place
+        done = max(int(np.searchsorted(self.times, near)), int(time > 0))
+        self.times[done], self.samples[done], self.errors_out[done] = time, state, self.errors
+        self._put(t=time, sample=done + 1.0, status=float(Status.STOPPED_BY_CONDITION))
 
     def end(self) -> Trajectory:
         """The run after its loop ended by itself."""

@@ -17,7 +17,7 @@ from tmodes.batch.work import Work, inputs
 from tmodes.batch.workers import run_all, thread_count
 from tmodes.compile.lanes_loop import LANE_METHODS
 from tmodes.errors import InputError
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration, Method, refuse_stops
 from tmodes.reference.schedule import Schedule
 from tmodes.trajectory import sample_times
 
@@ -59,6 +59,7 @@ class Batched:
         Raises :class:`tmodes.errors.InputError` for shapes that do not agree and for what is too large, and
         :class:`tmodes.errors.ResultFileError` for a folder that cannot be written.
         """
+        refuse_stops(settings, "all lanes of a batch run")
         lanes = inputs(parameters, schedules, states, settings.duration, self.batch_widths)
         count, times = thread_count(threads), sample_times(settings)
         prepare_loops(self, settings.method)
