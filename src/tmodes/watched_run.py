@@ -97,13 +97,13 @@ class WatchedRun:
     def _first_change(self, points: _Points, before: dict[str, Array]) -> tuple[_Points, _Points] | None:
         """The last point at which no condition holds, and the first at which one does; None where none sets in."""
         beyond = self._beyond(points)
-        holds = (beyond > 0).any(axis=1)
-        end = int(holds.argmax()) if holds.any() else len(holds)
+        holds = np.flatnonzero((beyond > 0).any(axis=1))
+        end = int(holds[0]) if len(holds) else len(beyond)
         for k, which in _peaks(beyond[:end]):
             for a, b in ((_one(points, k - 1), _one(points, k)), (_one(points, k), _one(points, k + 1))):
                 if found := self._moment(a, b, which, before):
                     return found
-        return None if end == len(holds) else (_one(points, max(end - 1, 0)), _one(points, end))
+        return None if not len(holds) else (_one(points, max(end - 1, 0)), _one(points, end))
 
     def _moment(self, a: _Points, b: _Points, which: int, before: dict[str, Array]) -> tuple[_Points, _Points] | None:
         """The same between two points of one step at which no condition holds, about the highest value of one."""
@@ -111,8 +111,8 @@ class WatchedRun:
         for _ in range(_ROUNDS):
             line = self._line(a, b, start)
             beyond = self._beyond(line)
-            if (holds := (beyond > 0).any(axis=1)).any():
-                return _one(line, int(holds.argmax()) - 1), _one(line, int(holds.argmax()))
+            if len(holds := np.flatnonzero((beyond > 0).any(axis=1))):
+                return _one(line, int(holds[0]) - 1), _one(line, int(holds[0]))
             values = beyond[:, which]
             k = int(values.argmax())
             left, right = max(k - 1, 0), min(k + 1, len(values) - 1)
@@ -125,7 +125,12 @@ class WatchedRun:
         """Two points of the step from ``start``, and those between that part their time."""
         times = np.unique(np.linspace(a.times[0], b.times[0], _PARTS + 1)[1:-1])
         finer = self._dense(start, times[(times > a.times[0]) & (times < b.times[0])], a.segments[0])
-        return _Points(*(np.concatenate(parts) for parts in zip(a, finer, b, strict=True)))
+        parts = (a, finer, b)
+        return _Points(
+            np.concatenate([part.times for part in parts]),
+            np.concatenate([part.segments for part in parts]),
+            np.concatenate([part.states for part in parts]),
+        )
 
     def _narrowed(self, a: _Points, b: _Points, start: dict[str, Array]) -> tuple[_Points, _Points]:
         """Neighbours among points between two of the step from ``start``, of which only the second is beyond."""
@@ -207,7 +212,8 @@ def _told(stop: Stop, before: float, value: float) -> str:
 
 
 def _one(points: _Points, k: int) -> _Points:
-    return _Points(*(part[k : k + 1] for part in points))
+    here = slice(k, k + 1)
+    return _Points(points.times[here], points.segments[here], points.states[here])
 
 
 def _kept(run: NativeRun) -> dict[str, Array]:
