@@ -11,6 +11,7 @@ from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.choice import worth_switching
 from tmodes.integrate.settings import FIXED_STEP, Integration, Method
 from tmodes.reference.schedule import Schedule
+from tmodes.run_endings import Lost, chattered, used_up
 from tmodes.run_parts import ErrorEstimate, Moving, Numbers, Trajectory, sample_times
 
 __all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
@@ -129,12 +130,11 @@ class NativeRun:
 
     def exhausted(self, seconds: float) -> str:
         """Why the run may not go on, or nothing."""
-        s = self.first
-        where = f"at t = {self.cell('t'):.6g} s of {s.duration:g} s"
+        s, t = self.first, self.cell("t")
         if self.cell("steps") + self.cell("rejected") >= s.max_steps:
-            return f"stopped {where}: integration.max_steps = {s.max_steps} is used up"
+            return used_up(t, s.duration, "max_steps", f"{s.max_steps}")
         if seconds >= s.max_wall_time:
-            return f"stopped {where}: integration.max_wall_time = {s.max_wall_time:g} s is used up"
+            return used_up(t, s.duration, "max_wall_time", f"{s.max_wall_time:g} s")
         return ""
 
     def record(self) -> dict[str, Array]:
@@ -178,11 +178,10 @@ class NativeRun:
         if self.status is Status.FINISHED:
             return "finished", f"reached the end, t = {self.first.duration:g} s{self._stiffness()}"
         if self.status is Status.CHATTERING:
-            return "chattering", (
-                f"stopped at t = {self.cell('t'):.6g} s: the contact set in or ended more than {MOST_EVENTS} times "
-                f"within {EVENT_TIME:g} s; give the surface damping, or a lower stiffness"
-            )
-        return "diverged", self._cause()
+            return chattered(self.cell("t"), MOST_EVENTS, EVENT_TIME)
+        names = self.model.coordinates
+        accelerations = self._rates_now()[len(names) : 2 * len(names)]
+        return Lost(self.cell("t"), self.cell("h"), accelerations, names, BOUND).told(self.status)
 
     def _stiffness(self) -> str:
         """Where the motion turned out stiff, and what was done."""
@@ -219,20 +218,6 @@ class NativeRun:
             "1": {"method": self.first.method.value, "from_s": 0.0} | before,
             "2": {"method": self.settings.method.value, "from_s": float(self.part[0])} | after,
         }
-
-    def _cause(self) -> str:
-        """Where and in which coordinate the motion was lost."""
-        names = self.model.coordinates
-        accelerations = self._rates_now()[len(names) : 2 * len(names)]
-        wildest = int(np.argmax(np.where(np.isfinite(accelerations), np.abs(accelerations), np.inf)))
-        where = f"diverged at t = {self.cell('t'):.6g} s in coordinate {names[wildest]}"
-        value = f"its acceleration is {accelerations[wildest]:.3g} rad/s^2"
-        if self.status is Status.STEP_TOO_SMALL:
-            mend = "raise integration.relative_tolerance where rounding alone is larger"
-            return f"{where}: {value} and no step is small enough (last {self.cell('h'):.3g} s); {mend}"
-        if self.status is Status.NOT_CONVERGED:
-            return f"{where}: {value} and the iterations of a step of {self.cell('h'):.3g} s do not converge"
-        return f"{where}: {value}; its next step leaves {BOUND:g} rad or rad/s"
 
     def _rates_now(self) -> Array:
         segment = min(int(self.cell("segment")), len(self.rows) - 1)

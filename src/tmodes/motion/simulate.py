@@ -91,7 +91,7 @@ def simulate_arm(
         reference = _until(reference, float(trajectory.times[-1]))
     if trajectory.status == "diverged":
         trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
-    elif why and trajectory.status != STOPPED:
+    elif why and trajectory.status == "finished":
         ending, semicolon, later_on = trajectory.message.partition("; ")
         trajectory.message = f"{ending}, {why}{semicolon}{later_on}"
     run = gathered(real, trajectory, rows)
