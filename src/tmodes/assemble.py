@@ -27,6 +27,7 @@ from tmodes.mechanism import Parameters
 from tmodes.regime import Regime
 from tmodes.result import RESULT_FORMAT, Result
 from tmodes.robot import NominalRealPair
+from tmodes.trajectory import STOPPED
 
 __all__ = ["assemble", "series_of"]
 
@@ -180,6 +181,8 @@ def _line(real: Regime, seen: Observed, count: int) -> Variables:
 def _ending(reference: Regime, real: Regime, verdict: StepVerdict) -> tuple[str, str]:
     """Status and sentence of the whole run; a run at an unstable step is never called finished."""
     for name, regime in (("reference", reference), ("real robot", real)):
+        if regime.trajectory.status == STOPPED and verdict.stable:
+            return STOPPED, regime.trajectory.message
         if regime.trajectory.status != "finished":
             cause = f"; likely cause: {verdict.sentence}" if verdict.sentence else ""
             return regime.trajectory.status, f"{name}: {regime.trajectory.message}{cause}"

@@ -6,7 +6,7 @@ from collections.abc import Callable
 from dataclasses import replace
 
 from tmodes.integrate.settings import Integration, Method
-from tmodes.trajectory import ErrorEstimate, Trajectory
+from tmodes.trajectory import STOPPED, ErrorEstimate, Trajectory
 
 __all__ = ["with_error"]
 
@@ -25,8 +25,10 @@ def with_error(run: Trajectory, settings: Integration, again: Callable[[Integrat
     A second run that does not reach the end tells nothing. Interrupted within it, the run counts as interrupted.
     """
     order = _ORDERS.get(settings.method)
-    if run.status != "finished" or not (order or settings.check_error):
+    if run.status not in {"finished", STOPPED} or not (order or settings.check_error):
         return run
+    if run.status == STOPPED:
+        settings = settings.model_copy(update={"duration": float(run.times[-1])})
     other = again(settings.finer() if settings.check_error else settings.coarser())
     seconds = run.seconds + other.seconds
     if other.status == "interrupted":

@@ -11,6 +11,7 @@ from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.choice import worth_switching
 from tmodes.integrate.settings import FIXED_STEP, Integration, Method
 from tmodes.reference.schedule import Schedule
+from tmodes.run_endings import Lost, chattered, used_up
 from tmodes.run_parts import ErrorEstimate, Moving, Numbers, Trajectory, sample_times
 
 __all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
@@ -57,6 +58,7 @@ class NativeRun:
         self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
         self.samples[0] = self.state
         self.errors, self.errors_out = np.zeros(len(state)), np.zeros_like(self.samples)
+        self.looks, self.seen = 0.0, np.zeros(1)
         self._put(sample=1.0, fresh=1.0, old_error=1e-4)
 
     def cell(self, name: str) -> float:
@@ -107,11 +109,12 @@ class NativeRun:
         chosen = {
             "step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "chunk": float(steps),
             "bound": BOUND, "watch": float(watch), "most_events": MOST_EVENTS, "event_time": EVENT_TIME,
+            "looks": self.looks,
         }  # fmt: skip
         given: dict[str, Any] = {
             "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
             "rows": self.rows, "times": self.times, "out": self.samples, "errors": self.errors,
-            "errors_out": self.errors_out, "segments": len(self.rows), "samples": len(self.times),
+            "errors_out": self.errors_out, "seen": self.seen, "segments": len(self.rows), "samples": len(self.times),
             "options": np.array([chosen[name] for name in OPTIONS], dtype=float),
         }  # fmt: skip
         return {name: given[name] for name in ARGUMENTS}
@@ -127,12 +130,11 @@ class NativeRun:
 
     def exhausted(self, seconds: float) -> str:
         """Why the run may not go on, or nothing."""
-        s = self.first
-        where = f"at t = {self.cell('t'):.6g} s of {s.duration:g} s"
+        s, t = self.first, self.cell("t")
         if self.cell("steps") + self.cell("rejected") >= s.max_steps:
-            return f"stopped {where}: integration.max_steps = {s.max_steps} is used up"
+            return used_up(t, s.duration, "max_steps", f"{s.max_steps}")
         if seconds >= s.max_wall_time:
-            return f"stopped {where}: integration.max_wall_time = {s.max_wall_time:g} s is used up"
+            return used_up(t, s.duration, "max_wall_time", f"{s.max_wall_time:g} s")
         return ""
 
     def record(self) -> dict[str, Array]:
@@ -147,6 +149,16 @@ class NativeRun:
         self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
         self.part[:], self.errors[:] = record["part"], record["errors"]
         self.samples[: self.done], self.errors_out[: self.done] = record["samples"], record["errors_out"]
+        if self.status is Status.STOPPED_BY_CONDITION:
+            self.times[self.done - 1] = self.cell("t")
+
+    def stop_at(self, time: float, state: Array) -> None:
+        """End the run at a time [s] within its last step: there its last sample is."""
+        self.state[:] = state
+        near = time - 1e-9 * self.first.output_step  # as close to a sample, it takes its place
+        done = max(int(np.searchsorted(self.times, near)), int(time > 0))
+        self.times[done], self.samples[done], self.errors_out[done] = time, state, self.errors
+        self._put(t=time, sample=done + 1.0, status=float(Status.STOPPED_BY_CONDITION))
 
     def end(self) -> Trajectory:
         """The run after its loop ended by itself."""
@@ -166,11 +178,10 @@ class NativeRun:
         if self.status is Status.FINISHED:
             return "finished", f"reached the end, t = {self.first.duration:g} s{self._stiffness()}"
         if self.status is Status.CHATTERING:
-            return "chattering", (
-                f"stopped at t = {self.cell('t'):.6g} s: the contact set in or ended more than {MOST_EVENTS} times "
-                f"within {EVENT_TIME:g} s; give the surface damping, or a lower stiffness"
-            )
-        return "diverged", self._cause()
+            return chattered(self.cell("t"), MOST_EVENTS, EVENT_TIME)
+        names = self.model.coordinates
+        accelerations = self._rates_now()[len(names) : 2 * len(names)]
+        return Lost(self.cell("t"), self.cell("h"), accelerations, names, BOUND).told(self.status)
 
     def _stiffness(self) -> str:
         """Where the motion turned out stiff, and what was done."""
@@ -207,20 +218,6 @@ class NativeRun:
             "1": {"method": self.first.method.value, "from_s": 0.0} | before,
             "2": {"method": self.settings.method.value, "from_s": float(self.part[0])} | after,
         }
-
-    def _cause(self) -> str:
-        """Where and in which coordinate the motion was lost."""
-        names = self.model.coordinates
-        accelerations = self._rates_now()[len(names) : 2 * len(names)]
-        wildest = int(np.argmax(np.where(np.isfinite(accelerations), np.abs(accelerations), np.inf)))
-        where = f"diverged at t = {self.cell('t'):.6g} s in coordinate {names[wildest]}"
-        value = f"its acceleration is {accelerations[wildest]:.3g} rad/s^2"
-        if self.status is Status.STEP_TOO_SMALL:
-            mend = "raise integration.relative_tolerance where rounding alone is larger"
-            return f"{where}: {value} and no step is small enough (last {self.cell('h'):.3g} s); {mend}"
-        if self.status is Status.NOT_CONVERGED:
-            return f"{where}: {value} and the iterations of a step of {self.cell('h'):.3g} s do not converge"
-        return f"{where}: {value}; its next step leaves {BOUND:g} rad or rad/s"
 
     def _rates_now(self) -> Array:
         segment = min(int(self.cell("segment")), len(self.rows) - 1)

@@ -11,7 +11,7 @@ from tmodes.compile.record_loop import Steps, record_steps
 from tmodes.compile.runge_kutta import METHODS
 from tmodes.compile.time_loop import Status
 from tmodes.errors import InputError, SimulationError
-from tmodes.integrate.settings import Integration
+from tmodes.integrate.settings import Integration, refuse_stops
 from tmodes.native_run import NativeRun
 from tmodes.reference.schedule import Schedule
 from tmodes.run_parts import Moving, Numbers
@@ -63,6 +63,7 @@ def record(
     Raises :class:`tmodes.errors.InputError` for a method whose steps are no tableau, and
     :class:`tmodes.errors.SimulationError` for a run that does not reach its end.
     """
+    refuse_stops(settings, "a run is differentiated")
     method = settings.method.value
     if method not in METHODS:
         names = " or ".join(METHODS)

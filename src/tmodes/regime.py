@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,7 +12,9 @@ from tmodes.error_estimate import with_error
 from tmodes.integrate.settings import Integration
 from tmodes.mechanism import Drive, Parameters
 from tmodes.model import Model
+from tmodes.quantities import robot_quantities
 from tmodes.robot import Robot
+from tmodes.stops import Stops, resolved
 from tmodes.trajectory import Journal, Trajectory, integrate
 
 __all__ = ["Regime", "run_regime"]
@@ -40,27 +42,30 @@ def run_regime(
     progress: Callable[[float], None] = lambda share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
     until: float | None = None,
+    stop: Sequence[str] = (),
     otherwise: Integration | None = None,
 ) -> Regime:
     """Run one robot from rest in its own equilibrium, its motor controlled or following theta_o exactly.
 
     ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
-    ``otherwise``: the settings to go on with where the motion turns out stiff; None: those of the robot to the end.
-    Raises :class:`tmodes.errors.SimulationError` where there is no equilibrium or the mass matrix is singular.
+    ``stop``: conditions (:func:`tmodes.stops.resolved`) of which the first that sets in ends the run. ``otherwise``:
+    the settings to go on with where the motion turns out stiff; None: those of the robot to the end. Raises
+    :class:`tmodes.errors.SimulationError` where there is no equilibrium, the mass matrix is singular, or a condition
+    holds at the start, and :class:`tmodes.errors.InputError` for a condition that cannot be.
     """
     mechanism, parameters = robot.split(drive)
     model, schedule, settings = Model(mechanism), robot.reference.schedule(), robot.integration
+    stops = Stops(resolved(stop, robot_quantities(model, parameters))) if stop else None
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
     motion = (model, parameters, schedule, start)
-    if until is None:
-        trajectory = integrate(*motion, settings, progress, journals(drive.value), otherwise)
+    rows = schedule.until(settings.duration)
+    if until is not None and until <= 0:
+        trajectory = Trajectory(np.zeros(1), start[None, :], "stopped", "not begun")
+    else:
+        journal = journals(drive.value) if until is None else None
+        settings = settings if until is None else settings.model_copy(update={"duration": until})
+        trajectory = integrate(*motion, settings, progress, journal, otherwise, stops)
         later = otherwise and otherwise.finer()
         trajectory = with_error(trajectory, settings, lambda changed: integrate(*motion, changed, otherwise=later))
-    elif until > 0:
-        shorter = settings.model_copy(update={"duration": until})
-        trajectory = integrate(*motion, shorter, progress, None, otherwise)
-    else:
-        trajectory = Trajectory(np.zeros(1), start[None, :], "stopped", "not begun")
-    rows = schedule.until(settings.duration).rows_at(trajectory.times)
-    return Regime(robot, model, parameters, rows, trajectory)
+    return Regime(robot, model, parameters, rows.rows_at(trajectory.times), trajectory)

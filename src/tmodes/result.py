@@ -32,7 +32,11 @@ _SERIES = ("time", "q", "v", "tip", "energy", "work", "energy_balance")
 KINDS = {"robot": "the robot of the 2010 paper (Result.load)", "arm": "an arm (ArmResult.load)"}
 """The kinds of results, and who reads them; a result that does not tell its kind is of the first."""
 
-STATUSES = ("finished", "diverged", "stopped", "chattering", "interrupted")
+STATUSES = (
+    "finished", "stopped_by_condition", "diverged", "step_too_small", "not_converged", "chattering", "stopped",
+    "interrupted",
+)  # fmt: skip
+"""How a run ends: at its end, by a stop condition that was asked for, or without having come to either."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -57,8 +61,8 @@ class RunRecord:
 
     @property
     def success(self) -> bool:
-        """True when the run reached its end."""
-        return self.status == "finished"
+        """True when the run reached its end, or a stop condition that it was asked for."""
+        return self.status in STATUSES[:2]
 
     @property
     def message(self) -> str:

@@ -72,9 +72,10 @@ class ErrorEstimate:
 class Trajectory:
     """Samples of a run: ``times`` (n,) [s], ``states`` (n, size).
 
-    ``status``: finished, diverged, stopped, chattering, interrupted. ``statistics``: steps, rejected, evaluations, ...;
-    the same for the same run, whatever the machine. ``error``: None where it is not known. ``seconds``: of computing
-    in this process, for each simulated second; it is no part of a result.
+    ``status``: finished, stopped_by_condition (at its last time), diverged, step_too_small, not_converged, chattering,
+    stopped (steps or time of computing are used up), interrupted.
+    ``statistics``: steps, rejected, evaluations, ...; the same for the same run, whatever the machine. ``error``: None
+    where it is not known. ``seconds``: of computing in this process, for each simulated second; no part of a result.
     """
 
     times: NDArray[np.float64]

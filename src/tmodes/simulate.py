@@ -5,7 +5,7 @@ pair -> reference regime (nominal robot, motor follows theta_o exactly) -> contr
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
@@ -18,7 +18,7 @@ from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.mechanism import Drive
 from tmodes.regime import Regime, run_regime
 from tmodes.robot import NominalRealPair, Robot
-from tmodes.trajectory import Journal
+from tmodes.trajectory import STOPPED, Journal
 
 if TYPE_CHECKING:
     from tmodes.result import Result
@@ -36,12 +36,17 @@ def simulate(
     *,
     progress: Progress = lambda stage, share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
+    stop: Sequence[str] = (),
 ) -> Result:
     """Plan with the known robot, run with the real one, and gather everything into a Result.
 
-    Give a :class:`Robot` (its ``real`` factors make the real one) or a pair of your own. A run that cannot go on keeps
-    what it had: look at ``result.status`` and ``result.message``. Raises :class:`tmodes.errors.SimulationError` when it
-    cannot start (no equilibrium, singular mass matrix, too stiff for the steps allowed).
+    Give a :class:`Robot` (its ``real`` factors make the real one) or a pair of your own. ``stop``: conditions beside
+    those of ``integration.stop``; the real robot's run ends where the first of all sets in. A run that cannot go on
+    keeps what it had: look at ``result.status`` and ``result.message``.
+
+    Raises :class:`tmodes.errors.SimulationError` when it cannot start (no equilibrium, singular mass matrix, too stiff
+    for the steps allowed, a condition that holds already), and :class:`tmodes.errors.InputError` for a condition that
+    names no quantity or has another unit.
     """
     from tmodes.assemble import assemble
     from tmodes.headline_errors import with_headline_errors
@@ -54,11 +59,15 @@ def simulate(
     reference = run_regime(
         by.nominal, Drive.PRESCRIBED, lambda share: progress("reference", share), journals, otherwise=later
     )
-    until = _as_far_as(reference)
     real = run_regime(
-        by.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, until, otherwise=later
-    )
-    real.trajectory.message = explained(real.trajectory.message, why)
+        by.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, _as_far_as(reference),
+        (*pair.real.integration.stop, *stop), later,
+    )  # fmt: skip
+    if real.trajectory.status == STOPPED:  # the reference with a sample at that time, to be compared
+        until = float(real.trajectory.times[-1])
+        reference = run_regime(by.nominal, Drive.PRESCRIBED, until=until, otherwise=later)
+    elif real.trajectory.status == "finished":
+        real.trajectory.message = explained(real.trajectory.message, why)
     progress("gathering", 0.0)
     finished = reference.trajectory.status == real.trajectory.status == "finished"
     told: dict[str, Any] = {"frequencies": all_modes(pair.real, contact=False), "settling": None, "warnings": growth}

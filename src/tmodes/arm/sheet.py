@@ -20,7 +20,7 @@ from tmodes.chain import Chain
 from tmodes.elements.frames import Origin, Vector, list_of_numbers
 from tmodes.elements.joint import JointSheet
 from tmodes.elements.quantity import LARGEST, DataSheet, Misfit, not_negative, refuse
-from tmodes.integrate.settings import Integration
+from tmodes.integrate.settings import ArmIntegration
 
 __all__ = ["ARM_FORMAT", "MOST_JOINTS", "Arm", "ArmPair"]
 
@@ -78,7 +78,7 @@ class Arm(DataSheet):
         description="the real arm where it differs: path of a number -> factor on it [-]",
         json_schema_extra={"unit": "-", "symbol": "-", "smallest": 0.0, "plausible": None},
     )
-    integration: Integration = Field(default_factory=Integration)
+    integration: ArmIntegration = Field(default_factory=ArmIntegration)
 
     @field_validator("gravity", mode="before")
     @classmethod

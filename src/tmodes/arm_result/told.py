@@ -13,7 +13,7 @@ from tmodes.arm import Arm
 from tmodes.errors import SimulationError
 from tmodes.motion.plan import Planned
 from tmodes.motion.run import ArmRun
-from tmodes.result import RESULT_FORMAT
+from tmodes.result import RESULT_FORMAT, STATUSES
 
 __all__ = ["ending", "move_end", "provenance", "told_of"]
 
@@ -28,7 +28,7 @@ def ending(run: ArmRun) -> tuple[str, str]:
     planned_run = run.reference
     if planned_run is not None and planned_run.status != "finished":
         return planned_run.status, f"reference: {planned_run.message}"
-    return run.status, run.message if run.status == "finished" else f"real arm: {run.message}"
+    return run.status, run.message if run.status in STATUSES[:2] else f"real arm: {run.message}"
 
 
 def told_of(run: ArmRun, known: Arm) -> dict[str, Any]:

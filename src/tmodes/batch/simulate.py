@@ -16,7 +16,7 @@ from tmodes.batch.store import load_batch, room_for, write_batch
 from tmodes.batch.work import Work, inputs
 from tmodes.batch.workers import run_all, thread_count
 from tmodes.compile.lanes_loop import LANE_METHODS
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration, Method, refuse_stops
 from tmodes.reference.schedule import Schedule
 from tmodes.trajectory import sample_times
 
@@ -61,6 +61,7 @@ class Batched:
         """
         if settings.method is Method.AUTO:
             settings = settings.chosen(Method.DORMAND_PRINCE)
+        refuse_stops(settings, "all lanes of a batch run")
         lanes = inputs(parameters, schedules, states, settings.duration, self.batch_widths)
         count, times = thread_count(threads), sample_times(settings)
         prepare_loops(self, settings.method)

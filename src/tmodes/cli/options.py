@@ -25,6 +25,8 @@ __all__ = [
     "Roots",
     "Settings",
     "SheetArgument",
+    "Stop",
+    "StopAtLimits",
     "Tolerance",
     "TrustPaths",
     "chosen_sheet",
@@ -94,6 +96,20 @@ CheckError = Annotated[
 ]
 Duration = Annotated[float | None, typer.Option(metavar="SECONDS", help="integration.duration, simulated time.")]
 
+Stop = Annotated[
+    list[str] | None,
+    typer.Option(
+        "--stop",
+        metavar="CONDITION",
+        help="integration.stop: end the run where this sets in, located exactly; may be given often: "
+        '--stop "tip.z < 0"  --stop "abs(elbow.velocity) > 90 deg/s". A wrong name lists the right ones.',
+    ),
+]
+StopAtLimits = Annotated[
+    bool,
+    typer.Option("--stop-at-limits", help="integration.stop_at_limits: end the run where a joint passes a limit."),
+]
+
 
 def chosen_sheet(
     robot: str,
@@ -119,11 +135,18 @@ def chosen_sheet(
 
 
 def integration_changes(
-    integrator: str | None, rtol: float | None, atol: float | None, duration: float | None, check_error: bool
+    integrator: str | None,
+    rtol: float | None,
+    atol: float | None,
+    duration: float | None,
+    check_error: bool,
+    *,
+    stop: list[str] | None = None,
+    stop_at_limits: bool = False,
 ) -> dict[str, Any]:
     """The options of the command line as changes by path."""
     told = {"method": integrator, "relative_tolerance": rtol, "absolute_tolerance": atol, "duration": duration}
-    told |= {"check_error": check_error or None}
+    told |= {"check_error": check_error or None, "stop": stop or None, "stop_at_limits": stop_at_limits or None}
     return {f"integration.{name}": value for name, value in told.items() if value is not None}
 
 

@@ -18,6 +18,8 @@ from tmodes.cli.options import (
     Roots,
     Settings,
     SheetArgument,
+    Stop,
+    StopAtLimits,
     Tolerance,
     TrustPaths,
     chosen_sheet,
@@ -42,6 +44,8 @@ def run(
     atol: AbsoluteTolerance = None,
     check_error: CheckError = False,
     duration: Duration = None,
+    stop: Stop = None,
+    stop_at_limits: StopAtLimits = False,
     root: Roots = None,
     trust_paths: TrustPaths = False,
     out: Annotated[Path | None, typer.Option(help="Folder for the output; else results/NAME.")] = None,
@@ -60,7 +64,8 @@ def run(
     Example, an exact run whose error is told: tmodes run spong1987 --integrator dop853 --rtol 1e-11 --atol 1e-14
     --check-error
     """
-    changes = integration_changes(integrator, rtol, atol, duration, check_error)
+    ending = {"stop": stop, "stop_at_limits": stop_at_limits}
+    changes = integration_changes(integrator, rtol, atol, duration, check_error, **ending)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     folder = _folder(out or Path("results") / _folder_name(sheet.name), sheet, overwrite)
     result = _computed(folder, sheet, figures)
@@ -105,7 +110,7 @@ def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
     print_json(folder.summary(result)) if as_json else told(result, folder)
     for warning in result.warnings:
         notice(f"warning: {warning}")
-    if not result.success:
+    if result.status != "finished":
         notice(f"tmodes: {result.message}")
 
 

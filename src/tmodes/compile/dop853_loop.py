@@ -11,11 +11,11 @@ from typing import Any
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 from tmodes.compile.emit import F64, counted, load, number, store
-from tmodes.compile.gate import Gate
+from tmodes.compile.explicit_step import ExplicitMethod
 from tmodes.compile.lower import Lowered
-from tmodes.compile.step_control import StepControl, add_local_errors, first_stage, mean_square
+from tmodes.compile.step_control import StepControl, mean_square
 from tmodes.compile.stiffness import StiffnessTest
-from tmodes.compile.time_loop import Status, TimeLoop
+from tmodes.compile.time_loop import TimeLoop
 
 __all__ = ["write_dop853_loop"]
 
@@ -29,30 +29,21 @@ _CONTROL = StepControl(order=8.0, beta=0.0, damping=0.2, smallest=1 / 3, largest
 _K = tuple(f"k{stage + 1}" for stage in range(len(A)))
 _END = _K[STAGES]
 _STIFFNESS = StiffnessTest(slopes=(_END, _K[STAGES - 1]), states=("new", "probe"), limit=6.1)
+_METHOD = ExplicitMethod(_CONTROL, _STIFFNESS, _END)
 
 
 def write_dop853_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
     """Write the loop: steps end exactly on the knots, where the first stage is taken anew."""
     loop = TimeLoop(module, name, lowered, (*_K[1:], "probe", "new", "local", "between"), guarded)
-    b = loop.builder
-    gate = Gate(loop, lowered.gate_offset)
-    gate.begin("y", "probe")
-    first_stage(loop)
-    time, wanted = loop.get("t"), loop.get("h")
-    h, last, time_after = loop.step_until(loop.knot(1))
+    gate, step = _METHOD.begin(loop, lowered.gate_offset)
+    time, h = step.time, step.h
     for stage in range(1, STAGES + 1):
         # The last two states stay where the test of stiffness finds them: "probe" and "new".
         _stage(loop, stage, time, h, "new" if stage == STAGES else "probe")
     error, share = _error(loop, h)
-    error = _with_dense_error(loop, error, time, h, time_after)
-    _CONTROL.judge(loop, h, error)
-    loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-    gate.meet(h)
-    add_local_errors(loop, "local", b.fmul(h, share))
-    _write_samples(loop, time, h, time_after)
-    _CONTROL.accept(loop, (wanted, h, last, time_after), error, _END)
-    _STIFFNESS.write(loop, h)
-    b.branch(loop.again)
+    error = _with_dense_error(loop, error, time, h, step.time_after)
+    errors = error, loop.builder.fmul(h, share)
+    _METHOD.end_with(loop, gate, step, errors, lambda: _write_samples(loop, time, h, step.time_after))
 
 
 def _stage(loop: TimeLoop, stage: int, time: Any, h: Any, state: str) -> None:

@@ -10,11 +10,11 @@ from typing import Any
 
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import counted, load, number, store
-from tmodes.compile.gate import Gate
+from tmodes.compile.explicit_step import ExplicitMethod
 from tmodes.compile.lower import Lowered
-from tmodes.compile.step_control import StepControl, add_local_errors, first_stage, mean_square
+from tmodes.compile.step_control import StepControl, mean_square
 from tmodes.compile.stiffness import StiffnessTest
-from tmodes.compile.time_loop import Status, TimeLoop
+from tmodes.compile.time_loop import TimeLoop
 
 __all__ = [
     "BETA", "B_ERROR", "DENSE", "LARGEST", "SAFETY", "SMALLEST", "STAGES", "A", "C", "write_dormand_prince_loop",
@@ -46,28 +46,18 @@ DENSE = (
 SAFETY, SMALLEST, LARGEST, BETA = 0.9, 0.2, 10.0, 0.04
 _CONTROL = StepControl(order=5.0, beta=BETA, damping=0.75, smallest=SMALLEST, largest=LARGEST, safety=SAFETY)
 _STIFFNESS = StiffnessTest(slopes=("k7", "k6"), states=("new", "probe"), limit=3.25)
+_METHOD = ExplicitMethod(_CONTROL, _STIFFNESS, "k7")
 STAGES = tuple(f"k{i}" for i in range(1, 8))
 
 
 def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
     """Write the loop: steps end exactly on the knots, where the first stage is taken anew."""
     loop = TimeLoop(module, name, lowered, (*STAGES[1:], "probe", "new", "local"), guarded)
-    b = loop.builder
-    gate = Gate(loop, lowered.gate_offset)
-    gate.begin("y", "probe")
-    first_stage(loop)
-    time, wanted = loop.get("t"), loop.get("h")
-    h, last, time_after = loop.step_until(loop.knot(1))
+    gate, step = _METHOD.begin(loop, lowered.gate_offset)
+    time, h = step.time, step.h
     _stages(loop, time, h)
-    error = _error(loop, h)
-    _CONTROL.judge(loop, h, error)
-    loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-    gate.meet(h)
-    add_local_errors(loop, "local", number(1.0))
-    _write_samples(loop, time, h, time_after)
-    _CONTROL.accept(loop, (wanted, h, last, time_after), error, "k7")
-    _STIFFNESS.write(loop, h)
-    b.branch(loop.again)
+    errors = _error(loop, h), number(1.0)
+    _METHOD.end_with(loop, gate, step, errors, lambda: _write_samples(loop, time, h, step.time_after))
 
 
 def _stages(loop: TimeLoop, time: Any, h: Any) -> None:

@@ -37,7 +37,8 @@ def write_midpoint_loop(module: Any, name: str, lowered: ScheduleRate, guarded: 
     _Middle(loop, lowered, pairs).solve(b.fadd(step.time, b.fmul(step.h, number(0.5))), step.h)
     _move(loop, pairs, step.h, loop.array["new"])
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-    with loop.due_samples(b.fadd(step.time_after, b.fmul(step.h, number(1e-9)))) as target:
+    until = b.fadd(step.time_after, b.fmul(step.h, number(1e-9)))
+    with loop.due_samples(until, step.time_after) as target:
         _move(loop, pairs, b.fsub(loop.sample_time(), step.time), target)
     take_step(loop, step)
 

@@ -45,7 +45,7 @@ def runge_kutta_step(loop: Any, time: Any, h: Any, constant: Callable[[float], A
 
 def _write_samples(loop: TimeLoop, time: Any, h: Any, time_after: Any) -> None:
     b = loop.builder
-    with loop.due_samples(b.fadd(time_after, b.fmul(h, number(1e-9)))) as target:
+    with loop.due_samples(b.fadd(time_after, b.fmul(h, number(1e-9))), time_after) as target:
         _write_sample(loop, target, time, h, time_after)
 
 

@@ -122,7 +122,8 @@ class _Writer:
         loop.copy("low", "probe")
         error = self.norm.of_difference("new", "low", "y", h)
         loop.add("done", 1.0)
-        floor = loop.intrinsic("maxnum", error, number(1e-10))
+        # An error that is no number must stay one: the step is then shortened most.
+        floor = b.select(b.fcmp_ordered("<", error, number(1e-10)), number(1e-10), error)
         factor = b.fdiv(number(_SAFETY), power(loop, floor, 1.0 / 5.0))
         accepted, rejected = loop.block("accepted"), loop.block("rejected")
         b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)

@@ -6,14 +6,15 @@ memory as if it had never stopped, so progress, interruption and checkpoints cha
 
 from __future__ import annotations
 
-from collections.abc import Iterator, Sequence
-from contextlib import contextmanager
+from collections.abc import Sequence
+from contextlib import AbstractContextManager
 from enum import IntEnum
 from typing import Any
 
 from llvmlite import ir
 
 from tmodes.compile.block import ScheduleRate
+from tmodes.compile.due_samples import due_samples, is_due
 from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, scratch, store, whole
 from tmodes.compile.lower import Lowered
 
@@ -25,19 +26,22 @@ CELLS = (
 )  # fmt: skip
 """Memory of a loop between calls, one double each."""
 
-OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "watch", "most_events", "event_time")
+OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "watch", "most_events", "event_time", "looks")
 """Settings of a loop.
 
 ``bound``: the largest coordinate or rate that still counts as motion; ``watch``: not 0 ends an explicit loop where the
-motion turns out stiff; ``most_events``: how often a contact may change within ``event_time`` [s].
+motion turns out stiff; ``most_events``: how often a contact may change within ``event_time`` [s]; ``looks``: points of
+each step that are written to ``seen`` for stop conditions.
 """
 
 ARGUMENTS = (
-    "memory", "y", "k1", "p", "knots", "rows", "times", "out", "options", "errors", "errors_out", "segments", "samples",
+    "memory", "y", "k1", "p", "knots", "rows", "times", "out", "options", "errors", "errors_out", "seen", "segments",
+    "samples",
 )  # fmt: skip
 """Arguments of a loop, in order; the last two are int64, the others point to doubles.
 
 ``errors`` (size,) holds the sums of the sizes of all local errors, ``errors_out`` (samples, size) those at the samples.
+``seen`` (1 + points (2 + size),): how many points of steps were looked at, then of each its time, segment and state.
 """
 
 
@@ -52,6 +56,7 @@ class Status(IntEnum):
     OUT_OF_STEPS = 5
     STIFF = 6
     CHATTERING = 7
+    STOPPED_BY_CONDITION = 8
 
 
 class TimeLoop:
@@ -75,6 +80,7 @@ class TimeLoop:
         for slot, label in enumerate(CELLS):
             self.put(label, load(self.builder, self.argument["memory"], slot))
         self.put("done", number(0.0))
+        self.due = self.local("due")
         self.again, self.leave = self.block("again"), self.block("leave")
         self.builder.branch(self.again)
         self._write_leave()
@@ -105,22 +111,9 @@ class TimeLoop:
         self.add("rejected", 1.0)
         b.branch(self.again)
 
-    @contextmanager
-    def due_samples(self, until: Any) -> Iterator[Any]:
-        """For each sample that is due: yields where it is written."""
-        b = self.builder
-        check, write, done = self.block("sample_check"), self.block("sample_write"), self.block("sample_done")
-        b.branch(check)
-        b.position_at_end(check)
-        b.cbranch(self.sample_due(until), write, done)
-        b.position_at_end(write)
-        yield self.sample_row("out")
-        errors = self.sample_row("errors_out")
-        with counted(b, self.size) as i:
-            store(b, load(b, self.array["errors"], i), errors, i)
-        self.add("sample", 1.0)
-        b.branch(check)
-        b.position_at_end(done)
+    def due_samples(self, until: Any, end: Any = None) -> AbstractContextManager[Any]:
+        """For each instant of a step to ``end`` (None: ``until``) that is to be written: yields where."""
+        return due_samples(self, until, until if end is None else end)
 
     def count_step(self, h: Any, cut: Any) -> None:
         """Count a step of length h; the smallest of all that were not ``cut`` short is kept."""
@@ -215,15 +208,13 @@ class TimeLoop:
         return good
 
     def sample_due(self, until: Any) -> Any:
-        """Whether a sample is left and its time is not after ``until``; the time is read only where one is left."""
-        b = self.builder
-        left = b.icmp_signed("<", self.integer("sample"), self.argument["samples"])
-        index = b.select(left, self.integer("sample"), whole(0))
-        return b.and_(left, b.fcmp_ordered("<=", load(b, self.argument["times"], index), until))
+        """Whether anything is to be written of a step that goes ``until`` then."""
+        looks = self.builder.fcmp_ordered(">", self.option("looks"), number(0.0))
+        return self.builder.or_(looks, is_due(self, until))
 
     def sample_time(self) -> Any:
-        """Time of the next sample."""
-        return load(self.builder, self.argument["times"], self.integer("sample"))
+        """Time of the instant that is written."""
+        return self.builder.load(self.due, typ=F64)
 
     def sample_row(self, label: str) -> Any:
         """Where the next sample is written in an array of samples."""

@@ -8,7 +8,7 @@ printed).
 from __future__ import annotations
 
 import math
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
 from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
@@ -25,6 +25,7 @@ __all__ = [
     "positive",
     "quantity",
     "refuse",
+    "span_told",
 ]
 
 LARGEST = 1e12
@@ -78,12 +79,14 @@ def quantity(
     smallest: float = 0.0,
     rigid: bool = False,
     plausible: tuple[float, float] | None = None,
+    span: bool = False,
 ) -> Any:
     """A numeric field.
 
     ``above``/``at_least``/``at_most`` bound it by physics; its magnitude must also lie between ``smallest`` and
     :data:`LARGEST`, by arithmetic; ``rigid`` lets it be infinite, which then means "rigid, by wish"; ``plausible`` is
-    the range outside of which a wrong unit is likely (a warning, never an error).
+    the range outside of which a wrong unit is likely (a warning, never an error); ``span``: messages tell the least and
+    the largest value, whatever bounds them.
     """
     return Field(
         default,
@@ -98,6 +101,7 @@ def quantity(
             "rigid_when_infinite": rigid,
             "plausible": list(plausible) if plausible else None,
             "smallest": smallest,
+            **({"span": True} if span else {}),
         },
     )
 
@@ -120,3 +124,9 @@ def dissipation(unit: str, symbol: str, meaning: str, *, most: float = LARGEST, 
 def any_sign(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
     """A quantity of either sign (an angle, a preload)."""
     return quantity(unit, symbol, meaning, **more)
+
+
+def span_told(extra: Mapping[str, Any], largest: float | None, *, whole: bool) -> str:
+    """The least and the largest value of a quantity whose messages tell both, such as `` from 1e-13 to 0.01``."""
+    least = max(1.0, extra["smallest"]) if whole else extra["smallest"]
+    return f" from {least:g} to {LARGEST if largest is None else largest:g}"

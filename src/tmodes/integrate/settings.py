@@ -10,13 +10,16 @@ from pydantic import Field, model_validator
 
 from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
 from tmodes.errors import InputError
+from tmodes.integrate.condition import MOST, Condition
 
 __all__ = [
     "FIXED_STEP",
     "LEAST_TOLERANCE",
     "MOST_BYTES",
+    "ArmIntegration",
     "Integration",
     "Method",
+    "refuse_stops",
     "refuse_too_large",
 ]
 
@@ -53,13 +56,25 @@ class Integration(DataSheet):
     """
 
     method: Method = Field(default=Method.AUTO, strict=False, description="integrator; auto: chosen by the stiffness")
-    duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6)
-    output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3)
+    duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6, span=True)
+    output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3, span=True)
     line_points: int = positive(
-        "-", "s", "points of each mode at which the elastic line is kept, its ends included", default=21, at_most=1001
+        "-",
+        "s",
+        "points of each mode at which the elastic line is kept, its ends included",
+        default=21,
+        at_most=1001,
+        smallest=2.0,
+        span=True,
     )
     relative_tolerance: float = positive(
-        "-", "rtol", "error allowed per step, relative (adaptive methods)", default=1e-9, at_most=1e-2, smallest=1e-13
+        "-",
+        "rtol",
+        "error allowed per step, relative (adaptive methods)",
+        default=1e-9,
+        at_most=1e-2,
+        smallest=1e-13,
+        span=True,
     )
     absolute_tolerance: float = positive(
         "rad",
@@ -68,22 +83,42 @@ class Integration(DataSheet):
         default=1e-12,
         at_most=1e-2,
         smallest=1e-18,
+        span=True,
     )
     check_error: bool = Field(
         default=False, description="true: run again with a tenth of the tolerances (rk4: half the step) for the error"
     )
-    step: float = positive("s", "dt", "fixed step (rk4)", default=2 / 37500)
+    step: float = positive("s", "dt", "fixed step (rk4)", default=2 / 37500, span=True)
     energy_tolerance: float = positive(
-        "-", "etol", "residual of the energy balance over the energy moved that is warned of", default=1e-6
+        "-",
+        "etol",
+        "residual of the energy balance over the energy moved that is warned of",
+        default=1e-6,
+        span=True,
     )
+    stop: tuple[str, ...] = Field(
+        default=(), strict=False, max_length=MOST,
+        description="stop conditions, such as `[tip.z < 0 m]`: the run ends where the first of them sets in",
+    )  # fmt: skip
     energy_stop: bool = Field(default=False, description="true: end the run where that residual is first exceeded")
-    max_steps: int = positive("-", "steps", "steps after which a run gives up", default=200_000_000, at_most=10**12)
-    max_wall_time: float = positive("s", "wall", "seconds of computing after which a run gives up", default=3600.0)
+    max_steps: int = positive(
+        "-", "steps", "steps after which a run gives up", default=200_000_000, at_most=10**12, span=True
+    )
+    max_wall_time: float = positive(
+        "s", "wall", "seconds of computing after which a run gives up", default=3600.0, span=True
+    )
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        refuse([*self._sampling_misfits(), *self._stepping_misfits()])
+        refuse([*self._sampling_misfits(), *self._stepping_misfits(), *self._stop_misfits()])
         return self
+
+    def _stop_misfits(self) -> Iterator[Misfit]:
+        for place, text in enumerate(self.stop):
+            try:
+                Condition.parsed(text, f"stop.{place}")
+            except InputError as error:
+                yield Misfit(error.which, error.got, error.expected, error.mend)
 
     def _sampling_misfits(self) -> Iterator[Misfit]:
         samples, most_samples = self.duration / self.output_step, MOST_BYTES / self.bytes_per_sample
@@ -141,6 +176,15 @@ class Integration(DataSheet):
         return f"{samples:.3g} samples, about {samples * self.bytes_per_sample / 1e9:.3g} GB"
 
 
+class ArmIntegration(Integration):
+    """The same settings for an arm, whose joints may have limits."""
+
+    stop_at_limits: bool = Field(
+        default=False,
+        description="true: end the run where a joint first passes one of its limits; else it is warned of",
+    )
+
+
 def refuse_too_large(settings: Integration, samples: float, each: int, others: str) -> None:
     """Refuse ``samples`` of ``each`` bytes that are more than memory is meant for.
 
@@ -155,3 +199,15 @@ def refuse_too_large(settings: Integration, samples: float, each: int, others: s
         f"at most {MOST_BYTES / each:.3g} samples of {each} bytes, {MOST_BYTES / 1e9:.3g} GB",
         f"write at least {least:.3g} s, {others}",
     )
+
+
+def refuse_stops(settings: Integration, what: str) -> None:
+    """Refuse stop conditions where runs must reach their end: ``what`` does, in words.
+
+    Raises :class:`tmodes.errors.InputError`.
+    """
+    asked = {"stop": list(settings.stop), "stop_at_limits": getattr(settings, "stop_at_limits", False)}
+    for name, value in asked.items():
+        if value:
+            mend = f"leave `{name}` out, or run by itself: tmodes run"
+            raise InputError(f"integration.{name}", repr(value), f"nothing: {what} to the end of integration", mend)

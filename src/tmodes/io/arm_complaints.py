@@ -129,11 +129,11 @@ def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) 
     if place is None or not steps:
         expected = f"a group with the keys {', '.join(keys(ROOT.annotation))}" if not steps else detail["msg"]
         return InputError("", shown(value), expected, "compare it with a published robot")
-    bounds = detail.get("ctx", {})
+    bounds = {} if place.extra.get("span") else detail.get("ctx", {})
     if LARGEST in map(_magnitude, bounds.values()):
         expected = f"{place.expected} of a magnitude of at most {LARGEST:g}"
         return InputError("", shown(value), expected, "correct the exponent or the unit")
-    if kind == "arithmetic":
+    if kind == "arithmetic" and bounds:
         expected = f"a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
         rigid = "; .inf makes it rigid" if place.may_be_infinite else ""
         return InputError("", shown(value), expected, f"correct the exponent or the unit{rigid}")

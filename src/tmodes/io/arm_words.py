@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from tmodes.elements.quantity import LARGEST
+from tmodes.elements.quantity import LARGEST, span_told
 
 __all__ = ["bounds", "expected_kind", "fields", "first_line", "is_group", "kind_of", "members_of", "own_unit"]
 
@@ -69,6 +69,10 @@ def expected_kind(members: list[Any], info: FieldInfo | None) -> str:
 
 def bounds(info: FieldInfo | None, annotation: Any) -> str:
     """The bounds of a number, such as `` greater than 0``, but for those of arithmetic."""
+    extra = info.json_schema_extra if info else None
+    if info and isinstance(extra, dict) and extra.get("span"):
+        largest = next((rule.le for rule in info.metadata if hasattr(rule, "le")), None)
+        return span_told(extra, largest, whole=annotation is int)
     words = {"gt": "greater than", "ge": "not less than", "le": "not more than"}
     found = [
         f"{word} {getattr(rule, name):.15g}"

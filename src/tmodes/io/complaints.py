@@ -83,7 +83,7 @@ def _wrong(path: str, kind: str, detail: ErrorDetails) -> InputError:
     if place is None:
         expected = f"a group with the keys {', '.join(children(''))}" if not path else detail["msg"]
         return InputError(path or SHEET, shown(value), expected, "compare it with a published robot")
-    if kind == "arithmetic":
+    if kind == "arithmetic" and not place.extra.get("span"):
         bounds = detail.get("ctx", {})
         expected = f"a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
         rigid = "; .inf makes it rigid" if place.may_be_infinite else ""

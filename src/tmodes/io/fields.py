@@ -12,6 +12,7 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from tmodes.elements.quantity import span_told
 from tmodes.robot import FACTOR, PLANT, Robot
 
 __all__ = ["Place", "children", "number_paths", "place_at", "places"]
@@ -61,6 +62,9 @@ class Place:
 
     @property
     def _bounds(self) -> str:
+        if self.extra.get("span"):
+            largest = next((rule.le for rule in (self.info.metadata if self.info else ()) if hasattr(rule, "le")), None)
+            return span_told(self.extra, largest, whole=self.annotation is int)
         words = {"gt": "greater than", "ge": "not less than", "le": "not more than"}
         bounds = [
             f"{word} {getattr(rule, name):.15g}"
@@ -113,7 +117,7 @@ def _with_inside(place: Place) -> Iterator[Place]:
     yield place
     if _is_group(place.annotation):
         yield from _inside(place.annotation, place.path)
-    elif get_origin(place.annotation) is tuple:
+    elif get_origin(place.annotation) is tuple and Ellipsis not in get_args(place.annotation):
         for index, item in enumerate(get_args(place.annotation)):
             yield from _with_inside(Place(f"{place.path}.{index}", item))
 
@@ -126,7 +130,8 @@ def _expected_kind(annotation: Any, path: str) -> str:
     if _is_group(annotation):
         return f"a group with the keys {', '.join(children(path))}"
     if get_origin(annotation) is tuple:
-        return f"a list of exactly {len(get_args(annotation))} groups"
+        items = get_args(annotation)
+        return "a list of texts" if Ellipsis in items else f"a list of exactly {len(items)} groups"
     if inspect.isclass(annotation) and issubclass(annotation, Enum):
         return f"one of {', '.join(str(choice.value) for choice in annotation)}"
     if get_origin(annotation) is dict:

@@ -13,7 +13,7 @@ __all__ = ["editor_schema", "json_schema"]
 WITH_UNIT = {"type": "string", "description": 'a number with its unit in quotes, such as "600 mm"'}
 RULES = ("type", "exclusiveMinimum", "minimum", "maximum", "anyOf", "items", "prefixItems", "additionalProperties")
 RULES = (*RULES, "minItems", "maxItems")
-OWN = ("smallest", "plausible")
+OWN = ("smallest", "plausible", "span")
 """What a field keeps for messages, and no editor needs."""
 
 SHORTHANDS = {

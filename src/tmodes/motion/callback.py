@@ -18,6 +18,7 @@ from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
 from tmodes.motion.loop import LoopModel
 from tmodes.motion.regime import ArmRegime
+from tmodes.run_endings import used_up
 from tmodes.trajectory import BOUND, Trajectory, sample_times
 
 __all__ = ["Controller", "driven_by", "run_with_controller"]
@@ -114,7 +115,7 @@ class _Run:
         spent = {"max_steps": self.steps, "max_wall_time": clock.monotonic() - self.began}
         for name, value in spent.items():
             if value >= getattr(s, name):
-                raise SimulationError(f"stopped at t = {time:.6g} s of {s.duration:g} s: integration.{name} is used up")
+                raise SimulationError(used_up(time, s.duration, name, f"{getattr(s, name):g}"))
         self.steps += 1
 
 

@@ -14,6 +14,7 @@ from tmodes.error_estimate import with_error
 from tmodes.errors import InputError, SimulationError
 from tmodes.motion.loop import LoopModel
 from tmodes.motion.plan import Follow, Planned, initial_value, planned, starts_at_rest
+from tmodes.stops import Stops
 from tmodes.trajectory import Journal, Trajectory, integrate
 
 if TYPE_CHECKING:
@@ -104,14 +105,18 @@ def run_arm_regime(
     progress: Callable[[float], None] = lambda share: None,
     journal: Journal | None = None,
     until: float | None = None,
+    stops: Stops | None = None,
 ) -> Trajectory:
-    """Integrate from the regime's start; ``until`` [s] ends the run before its duration, 0 gives the first sample."""
+    """Integrate from the regime's start, until the first of ``stops`` sets in.
+
+    ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
+    """
     settings, otherwise = regime.arm.integration, regime.otherwise
     motion = (regime.model, regime.model.numbers, regime.planned.schedule, regime.start)
-    if until is None:
-        done = integrate(*motion, settings, progress, journal, otherwise)
-        later = otherwise and otherwise.finer()
-        return with_error(done, settings, lambda changed: integrate(*motion, changed, otherwise=later))
-    if until <= 0:
+    if until is not None and until <= 0:
         return Trajectory(np.zeros(1), regime.start[None, :], "stopped", "not begun")
-    return integrate(*motion, settings.model_copy(update={"duration": until}), progress, None, otherwise)
+    if until is not None:
+        settings, journal = settings.model_copy(update={"duration": until}), None
+    done = integrate(*motion, settings, progress, journal, otherwise, stops)
+    later = otherwise and otherwise.finer()
+    return with_error(done, settings, lambda changed: integrate(*motion, changed, otherwise=later))

@@ -21,7 +21,7 @@ from tmodes.trajectory import ErrorEstimate, Trajectory
 if TYPE_CHECKING:
     from tmodes.arm import Arm
 
-__all__ = ["ArmRun", "bytes_per_sample", "gathered"]
+__all__ = ["ArmRun", "bytes_per_sample", "energies_of", "gathered"]
 
 Array = NDArray[np.float64]
 
@@ -124,7 +124,7 @@ def gathered(regime: ArmRegime, trajectory: Trajectory, rows: Array | None = Non
         contact_force=None if contact is None else contact[:, :3],
         contact_normal=None if contact is None else contact[:, 3],
         penetration=None if contact is None else contact[:, 4],
-        base=base, energies=_energies(regime, model, q, v, base),
+        base=base, energies=energies_of(regime, model, q, v, base),
         works={name: works[:, k] for k, name in enumerate(WORKS)},
         status=trajectory.status, message=trajectory.message, statistics=dict(trajectory.statistics),
         states=states, regime=regime, error=trajectory.error, seconds=trajectory.seconds,
@@ -139,7 +139,7 @@ def _observed(loop: LoopModel, times: Array, states: Array, rows: Array) -> dict
     return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
 
 
-def _energies(regime: ArmRegime, model: ArmModel, q: Array, v: Array, base: Array) -> dict[str, Array]:
+def energies_of(regime: ArmRegime, model: ArmModel, q: Array, v: Array, base: Array) -> dict[str, Array]:
     """Energies by kind [J]; the motion of the base and rotors that follow their signals have theirs too."""
     energies = model.energies(q, v)
     if regime.planned.plan.base:

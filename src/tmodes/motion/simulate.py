@@ -5,7 +5,7 @@ pair -> reference run (nominal arm, its motors exactly where they should be) -> 
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from dataclasses import replace
 from typing import Any
 
@@ -20,10 +20,12 @@ from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.integrate.settings import Integration, refuse_too_large
 from tmodes.motion.callback import Controller, driven_by, run_with_controller
 from tmodes.motion.plan import Follow
+from tmodes.motion.quantities import arm_stops
 from tmodes.motion.regime import ArmRegime, arm_regime, run_arm_regime
 from tmodes.motion.run import ArmRun, bytes_per_sample, gathered
 from tmodes.motion.told import jumps, run_warnings, start_warnings
-from tmodes.trajectory import Journal
+from tmodes.stops import Instants
+from tmodes.trajectory import STOPPED, Journal
 
 __all__ = ["closed_loop_spectrum", "simulate_arm"]
 
@@ -45,14 +47,16 @@ def simulate_arm(
     progress: Progress = lambda stage, share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
     controller: Controller | None = None,
+    stop: Sequence[str] = (),
 ) -> ArmRun:
     """Plan with the known arm, run the real one, and gather what a run shows.
 
     Give an :class:`Arm` (its ``real`` factors make the real one) or a pair of your own. ``journals`` gives where the
     stages ``reference`` and ``real`` keep their progress. ``controller``: a Python function that tells the efforts of
     the real arm (:data:`tmodes.motion.callback.Controller`); slow, with an explicit method, and kept in no journal.
+    ``stop``: conditions beside those of ``integration.stop``; the real arm's run ends where the first of all sets in.
 
-    A run that cannot go on keeps what it had: look at ``status`` (finished, diverged, stopped, interrupted) and
+    A run that cannot go on keeps what it had: look at ``status`` (one of :data:`tmodes.result.STATUSES`) and
     ``message``. Raises :class:`tmodes.errors.InputError` for what cannot be run or is too large, and
     :class:`tmodes.errors.SimulationError` where it cannot start.
     """
@@ -70,17 +74,24 @@ def simulate_arm(
     warnings = [*([verdict.sentence] if verdict.sentence else []), *growth_warnings(spectrum, "real arm", _CAUSES)]
     warnings += start_warnings(real)
     later = otherwise(given, real.arm.integration.method)
+    stops = arm_stops(real, tuple(stop))
+    if stops and controller is not None:
+        mend = "end the run by raising an error in the controller, or take the controller of the sheet"
+        raise InputError("stop", "conditions beside a controller in Python", "one of the two", mend)
+    stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
     reference, until = _reference(pair, later, progress, journals, warnings)
     real = replace(real, otherwise=later)
     rows = None
     if controller is None:
-        trajectory = run_arm_regime(real, lambda share: progress("real arm", share), journals("real"), until)
+        trajectory = run_arm_regime(real, lambda share: progress("real arm", share), journals("real"), until, stops)
     else:
         real = driven_by(real)
         trajectory, rows = run_with_controller(real, controller, lambda share: progress("real arm", share))
+    if reference and trajectory.status == STOPPED:
+        reference = _until(reference, float(trajectory.times[-1]))
     if trajectory.status == "diverged":
         trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
-    else:
+    elif trajectory.status == "finished":
         trajectory.message = explained(trajectory.message, why)
     run = gathered(real, trajectory, rows)
     dt_omega = step_times_eigenvalue(verdict, run.statistics)
@@ -114,6 +125,13 @@ def _reference(
         return run, None
     warnings.append(f"the reference run ended early: {done.message}")
     return run, 0.0 if done.status == "interrupted" else float(done.times[-1])
+
+
+def _until(reference: ArmRun, end: float) -> ArmRun:
+    """The reference run to an earlier end [s], so that it has a sample there."""
+    assert reference.regime is not None  # noqa: S101
+    run = gathered(reference.regime, run_arm_regime(reference.regime, until=end))
+    return replace(run, warnings=tuple(run_warnings(run)))
 
 
 def closed_loop_spectrum(regime: ArmRegime) -> Spectrum:

@@ -56,7 +56,8 @@ def status(result: RunRecord) -> Markup:
     """How the run ended; a run that did not finish says so where no one can miss it."""
     message = result.message
     if result.success:
-        return tag("p", tag("strong", "Finished."), f" {message}", class_="status good")
+        ended = "Finished." if result.status == "finished" else "Ended by a stop condition."
+        return tag("p", tag("strong", ended), f" {message}", class_="status good")
     data = result.data
     wanted = json.loads(data.attrs["robot"]).get("integration", {}).get("duration")
     of_wanted = f" of {wanted:g} s" if isinstance(wanted, (int, float)) else ""

@@ -17,6 +17,7 @@ from tmodes.batch.store import check_room, load_batch, room_for, write_batch
 from tmodes.batch.work import Work, inputs
 from tmodes.batch.workers import run_all, thread_count
 from tmodes.errors import InputError, SimulationError
+from tmodes.integrate.settings import refuse_stops
 from tmodes.robot import Robot
 from tmodes.trajectory import sample_times
 from tmodes.vary.lanes import Lane, changed_sheet, lane_of
@@ -66,6 +67,7 @@ def simulate_changes(
     progress: Progress,
 ) -> BatchRun:
     """Run a sheet with each of these changes; ``values`` is what the batch tells of them, by path."""
+    refuse_stops(sheet.integration, "all lanes of a batch run")
     times, count = sample_times(sheet.integration), thread_count(threads)
     folder = None if out is None else Path(out)
     lanes = _all_prepared(sheet, changes, lambda width: check_room((len(changes), len(times), width), folder), progress)

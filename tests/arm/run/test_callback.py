@@ -112,7 +112,8 @@ def test_limits_hold_within_an_interval(limit):
     """One sample, at 0.5 s, is not reached; what is left is the start."""
     run = simulate_arm(sheet(output_step=0.5, **limit), controller=chatters)
     assert run.status == "stopped"
-    assert f"integration.{next(iter(limit))} is used up" in run.message
+    assert f"integration.{next(iter(limit))} = " in run.message
+    assert "is used up; raise it" in run.message
     assert run.statistics["steps"] <= limit.get("max_steps", np.inf)
     assert run.times.tolist() == [0.0]
 

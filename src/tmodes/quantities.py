@@ -1,0 +1,54 @@
+"""What stop conditions may name of the 2010 robot: the numbers that a result holds, by name and with their units."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.equations.coordinates import deformations
+from tmodes.equations.layout import COORDINATES, DEFORMATIONS, ENERGIES
+from tmodes.mechanism import Parameters
+from tmodes.model import Model
+from tmodes.stops import Instants, Quantity
+
+__all__ = ["robot_quantities"]
+
+_AXES = ("x", "y", "z")
+
+
+def robot_quantities(model: Model, parameters: Parameters) -> dict[str, Quantity]:
+    """The quantities by name: coordinates, elastic angles, tip, gear, motor, contact and energies."""
+
+    def state(column: int) -> Quantity:
+        unit = "rad" if column < len(COORDINATES) else "rad/s"
+        return Quantity(unit, lambda at: at.states[:, column])
+
+    def seen(name: str, unit: str, column: int | None = None) -> Quantity:
+        def of(at: Instants) -> NDArray[np.float64]:
+            told = model.observe(at.times, at.states, at.rows, parameters)[name]
+            return told if column is None else told[:, column]
+
+        return Quantity(unit, of)
+
+    def angle(column: int) -> Quantity:
+        return Quantity("rad", lambda at: deformations(at.states[:, :6].T)[column])
+
+    def speed(at: Instants) -> NDArray[np.float64]:
+        told = model.observe(at.times, at.states, at.rows, parameters)["tip_velocity"]
+        return np.linalg.norm(told, axis=1)
+
+    def energy(at: Instants) -> NDArray[np.float64]:
+        return model.observe(at.times, at.states, at.rows, parameters)["energy"].sum(axis=1)
+
+    found = {f"{name}.position": state(k) for k, name in enumerate(COORDINATES)}
+    found |= {f"{name}.velocity": state(k + len(COORDINATES)) for k, name in enumerate(COORDINATES)}
+    found |= {f"deformation.{name}": angle(k) for k, name in enumerate(DEFORMATIONS)}
+    found |= {f"tip.{axis}": seen("tip", "m", k) for k, axis in enumerate(_AXES)}
+    found |= {f"tip.velocity.{axis}": seen("tip_velocity", "m/s", k) for k, axis in enumerate(_AXES)}
+    found |= {"tip.speed": Quantity("m/s", speed), "gear.torque": seen("gear_torque", "N*m")}
+    found |= {"motor.voltage": seen("voltage", "V"), "motor.current": seen("current", "A")}
+    found |= {f"energy.{name}": seen("energy", "J", k) for k, name in enumerate(ENERGIES)}
+    found["energy.total"] = Quantity("J", energy)
+    if model.mechanism.contact:
+        found["contact.force"] = seen("radial_force", "N")
+    return found

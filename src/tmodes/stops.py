@@ -1,0 +1,123 @@
+"""Stop conditions of a run, resolved: which named quantity, beyond which value, and how far it is from there."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Mapping
+from dataclasses import dataclass
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import InputError, SimulationError
+from tmodes.integrate.condition import Condition
+from tmodes.io.units import NotANumber, number
+from tmodes.io.words import nearest
+
+__all__ = ["Instants", "Quantity", "Stop", "Stops", "resolved"]
+
+Array = NDArray[np.float64]
+
+_SHOWN = 12
+"""Names that a message lists."""
+
+
+@dataclass(frozen=True)
+class Instants:
+    """Instants of a motion: ``times`` (n,) [s], ``states`` (n, size), and the rows (n, row) of the input there."""
+
+    times: Array
+    states: Array
+    rows: Array
+
+
+@dataclass(frozen=True)
+class Quantity:
+    """A named number of a motion with its unit; ``of`` gives its values (n,) at instants."""
+
+    unit: str
+    of: Callable[[Instants], Array]
+
+
+@dataclass(frozen=True)
+class Stop:
+    """A condition on a quantity: it holds where its value, or the ``size`` of it, is beyond ``limit``.
+
+    ``text``: how it was asked for; ``name``: of the quantity in words.
+    """
+
+    text: str
+    name: str
+    quantity: Quantity
+    limit: float
+    above: bool
+    size: bool = False
+
+    def values(self, instants: Instants) -> Array:
+        """The values that are compared, (n,)."""
+        found = self.quantity.of(instants)
+        return np.abs(found) if self.size else found
+
+    def beyond(self, values: Array) -> Array:
+        """How far values are beyond the limit, (n,): above 0 where the condition holds."""
+        return values - self.limit if self.above else self.limit - values
+
+    def shown(self, value: float) -> str:
+        """A value with its unit."""
+        return f"{value:.9g} {self.quantity.unit}".removesuffix(" -")
+
+
+@dataclass(frozen=True)
+class Stops:
+    """The stop conditions of a run; none of them is the usual case."""
+
+    stops: tuple[Stop, ...] = ()
+
+    def __bool__(self) -> bool:
+        return bool(self.stops)
+
+    def beyond(self, instants: Instants) -> Array:
+        """How far each condition is from setting in, (n, conditions): above 0 where it holds."""
+        return np.stack([stop.beyond(stop.values(instants)) for stop in self.stops], axis=1)
+
+    def refuse_at_start(self, start: Instants) -> None:
+        """Raise :class:`tmodes.errors.SimulationError` where a condition holds before anything has moved."""
+        for stop in self.stops:
+            value = stop.values(start)
+            if stop.beyond(value)[0] > 0:
+                raise SimulationError(
+                    f"stop condition `{stop.text}`: it holds at the start already, where {stop.name} is "
+                    f"{stop.shown(value[0])}; expected one that sets in later. Mend: change its value, or the start"
+                )
+
+
+def resolved(texts: Iterable[str], known: Mapping[str, Quantity], which: str = "integration.stop") -> tuple[Stop, ...]:
+    """The conditions of some texts on the quantities that a robot has.
+
+    Raises :class:`tmodes.errors.InputError` for what is no condition, names no quantity (with the nearest name), or
+    has a value of another unit.
+    """
+    return tuple(_resolved(text, known, f"{which}.{place}") for place, text in enumerate(texts))
+
+
+def _resolved(text: str, known: Mapping[str, Quantity], which: str) -> Stop:
+    told = Condition.parsed(text, which)
+    quantity = known.get(told.name)
+    if quantity is None:
+        raise _unknown(told.name, known, which)
+    try:
+        limit = number(told.value, quantity.unit)
+    except NotANumber as error:
+        unit = f"a number in {quantity.unit}" if quantity.unit != "-" else "a number without a unit"
+        raise InputError(which, error.got, f"{unit}, that of {told.name}", error.mend) from None
+    if not np.isfinite(limit):
+        raise InputError(which, "an infinite value", "a finite one, which can be passed", "leave the condition out")
+    return Stop(text, told.quantity, quantity, limit, told.above, told.size)
+
+
+def _unknown(name: str, known: Mapping[str, Quantity], which: str) -> InputError:
+    last = name.rpartition(".")[2]
+    close = nearest(name, known) or next((other for other in known if other.rpartition(".")[2] == last), None)
+    names = sorted(known, key=lambda other: (not other.startswith(name.partition(".")[0]), other))
+    more = ", ..." if len(names) > _SHOWN else ""
+    mend = f"did you mean `{close}`?" if close else "write one of these names"
+    return InputError(which, f"the unknown name {name!r}", f"one of {', '.join(names[:_SHOWN])}{more}", mend)

@@ -1,0 +1,119 @@
+"""Faults within a run, in every native loop: numbers that are none, masses that vanish, callbacks that go wrong."""
+
+from __future__ import annotations
+
+import time as clock
+from typing import Any
+
+import numpy as np
+import pytest
+
+from arm.run.sheets import TIGHT, arm, pendulum, torque
+from tmodes.arm import Arm
+from tmodes.errors import InputErrors
+from tmodes.integrate.settings import Method
+from tmodes.mechanism import Drive
+from tmodes.model import Model
+from tmodes.motion.regime import ArmRegime, arm_regime
+from tmodes.motion.simulate import simulate_arm
+from tmodes.reference.schedule import Schedule
+from tmodes.robots import load_robot
+from tmodes.trajectory import Trajectory, integrate
+
+METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
+BREAK = 0.0537
+
+
+def swing(**integration: Any) -> Arm:
+    settings = {"duration": 0.1, "output_step": 1e-3, "step": 1e-3, **integration}
+    return pendulum({"inertia": 0.3}, {"stiffness": 100.0, "damping": 0.1}, torque(1.0),
+                    initial={"state": "zero"}, integration=settings)  # fmt: skip
+
+
+def run_with(regime: ArmRegime, value: float) -> Trajectory:
+    """The run of an arm whose torque is a value from ``BREAK`` on."""
+    first = regime.planned.schedule.coefficients[0]
+    pieces = Schedule(np.array([0.0, BREAK, 0.1]), np.stack([first, np.full_like(first, value)]))
+    return integrate(regime.model, regime.model.numbers, pieces, regime.start, regime.arm.integration)
+
+
+@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize("value", [np.nan, np.inf])
+def test_a_force_that_is_no_number_ends_the_run_where_it_comes(method: str, value: float) -> None:
+    """Not a step further: all before is as it was without, all is finite, and the coordinate and the time are told."""
+    regime = arm_regime(swing(method=method))
+    bad, good = run_with(regime, value), run_with(regime, 1.0)
+    assert bad.status == "diverged"
+    assert f"at t = {BREAK:.6g} s in coordinate joint" in bad.message
+    assert "no number among the signals" in bad.message or "its next step leaves" in bad.message
+    assert bad.times[-1] == pytest.approx(0.053)
+    assert bad.states.tobytes() == good.states[: len(bad.times)].tobytes()
+    assert np.isfinite(bad.states).all()
+    assert bad.error is None
+
+
+@pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4"])
+def test_the_2010_robot_keeps_what_was_before_a_reference_that_is_no_number(method: str) -> None:
+    """The same in its native loops."""
+    robot = load_robot("filipovic2010")
+    mechanism, parameters = robot.split(Drive.CONTROLLED)
+    model, schedule = Model(mechanism), robot.reference.schedule()
+    coefficients = schedule.coefficients.copy()
+    coefficients[1:] = np.nan
+    update = {"method": Method(method), "duration": 2 * schedule.knots[1], "output_step": 1e-2}
+    settings = robot.integration.model_copy(update=update)
+    start = model.rest(robot.reference.start, parameters)
+    run = integrate(model, parameters, Schedule(schedule.knots, coefficients), start, settings)
+    assert run.status == "diverged"
+    assert f"at t = {schedule.knots[1]:.6g} s in coordinate " in run.message
+    assert np.isfinite(run.states).all()
+    assert run.times[-1] <= schedule.knots[1] < run.times[-1] + 1.01e-2
+
+
+def test_a_coordinate_without_mass_is_named_before_the_run() -> None:
+    """A joint that carries nothing has no acceleration."""
+    with pytest.raises(InputErrors, match="`nothing`, a link that has no mass and is moved by `slide`"):
+        arm(
+        joints=[{"name": "slide", "type": "prismatic", "parent": "base", "child": "nothing", "axis": [0, 0, 1]}],
+        links=[{"name": "nothing"}], integration={"duration": 0.1, **TIGHT}, initial={"state": "zero"},
+        drives=[{"joint": "slide", "command": "effort", "signal": {"type": "constant", "value": 1.0}}],
+    )  # fmt: skip
+
+
+def later(answer: Any) -> Any:
+    """A controller that goes wrong after 50 ms."""
+
+    def controller(time: float, q: Any, v: Any) -> Any:
+        return [0.5] if time < BREAK else answer
+
+    return controller
+
+
+@pytest.mark.parametrize(
+    ("answer", "told"),
+    [([np.nan], "nan for joint joint"), ([np.inf], "inf for joint joint"), ([1.0, 2.0], r"shape \(2,\)"),
+     (None, "expected 1 efforts"), ("text", "could not convert"), ([1j], "complex")],
+)  # fmt: skip
+def test_a_controller_that_goes_wrong_later(answer: Any, told: str) -> None:
+    """Its name, the time and what it gave are told; what was done is kept as it was."""
+    run = simulate_arm(swing(output_step=1e-2), controller=later(answer))
+    assert run.status == "stopped"
+    assert "controller later.<locals>.controller at t = 0.0" in run.message
+    assert np.isfinite(run.states).all()
+    assert run.times[-1] == pytest.approx(0.05)
+    with pytest.raises(AssertionError, match=told):
+        raise AssertionError(run.message)
+
+
+def test_a_slow_controller_ends_by_the_limit_on_time() -> None:
+    """Each answer takes 20 ms; the run ends soon after the 0.1 s that it is given."""
+
+    def slow(time: float, q: Any, v: Any) -> Any:
+        clock.sleep(0.02)
+        return [0.0]
+
+    began = clock.monotonic()
+    run = simulate_arm(swing(max_wall_time=0.1, output_step=0.1, method="rk4"), controller=slow)
+    assert run.status == "stopped"
+    assert "integration.max_wall_time = 0.1 is used up" in run.message
+    assert clock.monotonic() - began < 20.0
