@@ -191,6 +191,8 @@ class NativeRun:
         told["smallest_step_s"] = min(smallest, default=told["mean_step_s"])
         if self.settings.method in FIXED_STEP:
             told["step"] = self.cell("h")
+        if self.cell("passes"):
+            told["passes"] = int(self.cell("passes"))
         if self.cell("events"):
             told["contact_changes"] = int(self.cell("events"))
         if self.cell("stiff_time") > 0:

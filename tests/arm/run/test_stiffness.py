@@ -7,39 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.run.sheets import arm
+from arm.run.sheets import landing, sunk
 from arm.run.test_extrapolation import stiff
 from tmodes.integrate.choice import STIFF, chosen_method, worth_switching
 from tmodes.integrate.settings import Method
 from tmodes.motion.simulate import simulate_arm
-
-
-def landing(damping: float = 3e5, stiffness: float = 2e5, **integration: Any) -> Any:
-    """A mass that falls 50 mm onto a surface, whose damper makes its motion stiff: b/m = 2e5 1/s."""
-    return arm(
-        gravity=9.81,
-        joints=[{"name": "s", "type": "prismatic", "child": "b", "axis": [0, 0, 1]}],
-        links=[{"name": "b", "bodies": [{"name": "m", "mass": 1.5}]}],
-        drives=[{"joint": "s", "command": "effort", "signal": {"type": "constant", "value": 0.0}}],
-        initial={"state": "zero", "coordinates": {"s": 0.05}},
-        contact={"shape": {"type": "plane", "position": [0, 0, 0], "normal": [0, 0, 1]}, "law": "unilateral",
-                 "stiffness": stiffness, "damping": damping},
-        integration={"duration": 0.6, "output_step": 0.01, "relative_tolerance": 1e-8, "absolute_tolerance": 1e-10,
-                     **integration},
-    )  # fmt: skip
-
-
-def sunk(time: np.ndarray) -> np.ndarray:
-    """Closed form of the height: free fall, then a spring and an overdamped damper."""
-    mass, damping, stiffness = 1.5, 3e5, 2e5
-    touch, speed = np.sqrt(2 * 0.05 / 9.81), np.sqrt(2 * 0.05 * 9.81)
-    root = np.sqrt(damping**2 - 4 * mass * stiffness)
-    fast, slow = -(damping + root) / (2 * mass), -2 * stiffness / (damping + root)
-    rest = -mass * 9.81 / stiffness
-    first = (-speed + slow * rest) / (fast - slow)
-    later = np.maximum(time - touch, 0.0)
-    depth = rest + first * np.exp(fast * later) + (-rest - first) * np.exp(slow * later)
-    return np.where(time < touch, 0.05 - 9.81 * time**2 / 2, depth)
 
 
 @pytest.mark.parametrize("method", ["auto", "dormand_prince", "dop853"])
