@@ -74,7 +74,8 @@ class _Writer:
         error = self.norm.of_error(lambda i: load(b, loop.array["apart"], i), "new", "y", h)
         loop.add("done", 1.0)
         error = b.fmul(error, number(_CAUTION))
-        floor = loop.intrinsic("maxnum", error, number(1e-10))
+        # An error that is no number must stay one: the step is then shortened most.
+        floor = b.select(b.fcmp_ordered("<", error, number(1e-10)), number(1e-10), error)
         factor = b.fdiv(number(_SAFETY), power(loop, floor, _EXPONENT))
         accepted, rejected = loop.block("accepted"), loop.block("rejected")
         b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)

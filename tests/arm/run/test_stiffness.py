@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.run.sheets import landing, sunk
+from arm.run.sheets import landing, ringing, sliding, sunk
 from arm.run.test_extrapolation import stiff
-from tmodes.integrate.choice import STIFF, chosen_method, worth_switching
+from tmodes.integrate.choice import STIFF, TRIAL, chosen_method, worth_keeping, worth_switching
 from tmodes.integrate.settings import Method
 from tmodes.motion.simulate import simulate_arm
 
@@ -38,6 +38,46 @@ def test_what_is_not_stiff_is_not_called_so() -> None:
     assert run.status == "finished"
     assert "stiff" not in run.message
     assert run.statistics["contact_changes"] > 4
+
+
+def test_a_vibration_that_hardly_decays_is_seen() -> None:
+    """Its eigenvalues are imaginary: steps of dormand_prince stand at 1 over them, and not at 3.3."""
+    run = simulate_arm(ringing(method="auto"))
+    assert "by dormand_prince" in run.message
+    assert "on by extrapolation" in run.message
+    exact = simulate_arm(ringing(method="dop853", relative_tolerance=1e-10, absolute_tolerance=1e-12))
+    assert np.abs(run.q - exact.q).max() < 2e-6
+    assert run.statistics["evaluations"] < exact.statistics["evaluations"] / 20
+
+
+def test_a_change_that_does_not_pay_is_taken_back() -> None:
+    """Friction of a contact is explicit in both methods: after a trial the explicit one goes on, and says so."""
+    run, alone = (simulate_arm(sliding(method=method)) for method in ("auto", "dormand_prince"))
+    assert "extrapolation was tried" in run.message
+    assert "by dormand_prince again" in run.message
+    parts = run.statistics["parts"]
+    assert [parts[k]["method"] for k in "123"] == ["dormand_prince", "extrapolation", "dormand_prince"]
+    assert parts["2"]["steps"] + parts["2"]["rejected"] == TRIAL
+    assert sum(parts[k]["evaluations"] for k in "123") == run.statistics["evaluations"]
+    assert run.statistics["evaluations"] < 1.02 * alone.statistics["evaluations"]
+    assert np.abs(run.q - alone.q).max() < 1e-6
+
+
+def test_trials_are_the_same_whatever_the_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = simulate_arm(sliding(method="auto"))
+    monkeypatch.setattr("tmodes.trajectory._FIRST_PIECE", 7)
+    monkeypatch.setattr("tmodes.trajectory._PIECE_SECONDS", 1e-4)
+    pieces = simulate_arm(sliding(method="auto"))
+    assert "by dormand_prince again" in whole.message
+    assert pieces.states.tobytes() == whole.states.tobytes()
+    assert pieces.statistics == whole.statistics
+    assert pieces.message == whole.message
+
+
+def test_what_pays_is_a_matter_of_passes() -> None:
+    """Nine passes of four lanes, 1.1 each, over the six of an explicit step."""
+    assert worth_keeping(1e-5, 40 * 1.7e-5)
+    assert not worth_keeping(1e-5, 40 * 1.6e-5)
 
 
 def test_short_runs_keep_their_method() -> None:
