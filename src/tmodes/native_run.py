@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
-from tmodes.integrate.choice import worth_switching
 from tmodes.integrate.settings import FIXED_STEP, Integration, Method
+from tmodes.method_change import COUNTED, MethodChange
 from tmodes.reference.schedule import Schedule
 from tmodes.run_endings import Lost, chattered, used_up
 from tmodes.run_parts import ErrorEstimate, Moving, Numbers, Trajectory, sample_times
@@ -26,10 +26,6 @@ MOST_EVENTS, EVENT_TIME = 1000, 1e-3
 
 _TELLING = {Method.DORMAND_PRINCE, Method.DOP853, Method.EXTRAPOLATION, Method.ROSENBROCK}
 """Methods whose loops sum their local errors."""
-
-_COUNTED = ("steps", "rejected", "evaluations")
-_PART = ("end", *_COUNTED, "smallest")
-"""What is kept of the part of a run before its method changed; an end [s] of 0: it did not."""
 
 
 class NativeRun:
@@ -49,11 +45,12 @@ class NativeRun:
 
         ``samples``: where the samples are written, (samples, size), C-ordered; by default an array of its own.
         """
-        self.first, self.otherwise, self.parameters, self.model = settings, otherwise, parameters, model
+        self.first, self.parameters, self.model = settings, parameters, model
+        self.change = MethodChange(settings, otherwise)
         self.times = sample_times(settings)
         self.knots = np.ascontiguousarray(schedule.knots)
         self.rows = np.ascontiguousarray(np.column_stack([schedule.knots[:-1], schedule.coefficients]))
-        self.memory, self.slope, self.part = np.zeros(len(CELLS)), np.zeros(len(state)), np.zeros(len(_PART))
+        self.memory, self.slope = np.zeros(len(CELLS)), np.zeros(len(state))
         self.state = np.array(state, dtype=float)
         self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
         self.samples[0] = self.state
@@ -72,7 +69,7 @@ class NativeRun:
     @property
     def settings(self) -> Integration:
         """Those of the present part of the run."""
-        return self.otherwise if self.otherwise is not None and self.part[0] > 0 else self.first
+        return self.change.settings
 
     @property
     def status(self) -> Status:
@@ -97,15 +94,17 @@ class NativeRun:
     def advance(self, steps: int) -> None:
         """Let the native loop do at most so many steps, and no more than the settings allow."""
         steps = min(steps, max(1, self.first.max_steps - int(self.cell("steps") + self.cell("rejected"))))
-        values = self.arguments(steps).values()
+        values = self.arguments(self.change.most(steps, self.cell)).values()
         self.loop(*(value if isinstance(value, int) else value.ctypes.data for value in values))
         if self.status is Status.STIFF:
-            self._on_stiff()
+            self._put(status=float(Status.RUNNING), **self.change.switched(self.cell))
+        elif self.running:
+            self._put(**self.change.judged(self.cell))
 
     def arguments(self, steps: int) -> dict[str, Any]:
         """Those of the native loop, for at most so many steps: arrays, and whole numbers."""
         s = self.settings
-        watch = self.otherwise is not None and self.part[0] == 0 and self.cell("stiff_time") == 0
+        watch = self.change.possible and self.cell("stiff_time") == 0
         chosen = {
             "step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "chunk": float(steps),
             "bound": BOUND, "watch": float(watch), "most_events": MOST_EVENTS, "event_time": EVENT_TIME,
@@ -119,15 +118,6 @@ class NativeRun:
         }  # fmt: skip
         return {name: given[name] for name in ARGUMENTS}
 
-    def _on_stiff(self) -> None:
-        """Go on: with the other method where enough of the run is left, else with the same one, unwatched."""
-        self._put(status=float(Status.RUNNING))
-        t = self.cell("t")
-        if not worth_switching(self.first.duration - t, self.cell("h")):
-            return
-        self.part[:] = [t, *(self.cell(name) for name in _PART[1:])]
-        self._put(h=0.0, fresh=1.0, old_error=1e-4, smallest=0.0, stiff=0.0, calm=0.0)
-
     def exhausted(self, seconds: float) -> str:
         """Why the run may not go on, or nothing."""
         s, t = self.first, self.cell("t")
@@ -140,14 +130,14 @@ class NativeRun:
     def record(self) -> dict[str, Array]:
         """All that the run needs to go on."""
         return {
-            "memory": self.memory, "state": self.state, "slope": self.slope, "part": self.part, "errors": self.errors,
+            "memory": self.memory, "state": self.state, "slope": self.slope, "parts": self.change.kept, "errors": self.errors,
             "samples": self.samples[: self.done], "errors_out": self.errors_out[: self.done],
         }  # fmt: skip
 
     def resume(self, record: dict[str, Array]) -> None:
         """Go on where a record ends."""
         self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
-        self.part[:], self.errors[:] = record["part"], record["errors"]
+        self.change.kept[:], self.errors[:] = record["parts"], record["errors"]
         self.samples[: self.done], self.errors_out[: self.done] = record["samples"], record["errors_out"]
         if self.status is Status.STOPPED_BY_CONDITION:
             self.times[self.done - 1] = self.cell("t")
@@ -176,48 +166,34 @@ class NativeRun:
 
     def _ending(self) -> tuple[str, str]:
         if self.status is Status.FINISHED:
-            return "finished", f"reached the end, t = {self.first.duration:g} s{self._stiffness()}"
+            return (
+                "finished",
+                f"reached the end, t = {self.first.duration:g} s{self.change.words(self.cell('stiff_time'))}",
+            )
         if self.status is Status.CHATTERING:
             return chattered(self.cell("t"), MOST_EVENTS, EVENT_TIME)
         names = self.model.coordinates
         accelerations = self._rates_now()[len(names) : 2 * len(names)]
         return Lost(self.cell("t"), self.cell("h"), accelerations, names, BOUND).told(self.status)
 
-    def _stiffness(self) -> str:
-        """Where the motion turned out stiff, and what was done."""
-        name, time = self.first.method.value, self.cell("stiff_time")
-        if time <= 0:
-            return ""
-        why = f"its steps stood at the limit of stability of {name} there"
-        if self.part[0] > 0:
-            return f"; from t = {self.part[0]:.6g} s on by {self.settings.method.value}: {why}"
-        return f"; the motion is stiff from t = {time:.6g} s on: {why}"
-
     def statistics(self) -> dict[str, Any]:
         """What the run took, and how; the smallest step is that of all which no knot cut short [s]."""
         steps, t = self.cell("steps"), self.cell("t")
-        told: dict[str, Any] = {name: int(self.cell(name)) for name in _COUNTED}
+        told: dict[str, Any] = {name: int(self.cell(name)) for name in COUNTED}
         told |= {"method": self.settings.method.value, "mean_step_s": t / steps if steps else None}
-        smallest = [value for value in (float(self.part[-1]), self.cell("smallest")) if value > 0]
-        told["smallest_step_s"] = min(smallest, default=told["mean_step_s"])
+        told["smallest_step_s"] = self.change.smallest(self.cell) or told["mean_step_s"]
         if self.settings.method in FIXED_STEP:
             told["step"] = self.cell("h")
+        if self.cell("passes"):
+            told["passes"] = int(self.cell("passes"))
         if self.cell("events"):
             told["contact_changes"] = int(self.cell("events"))
         if self.cell("stiff_time") > 0:
             told["stiff_from_s"] = self.cell("stiff_time")
-        if self.part[0] > 0:
-            told["parts"] = self._parts()
+        if self.change.parts > 1:
+            told["parts"] = self.change.told(self.cell)
         return told
 
-    def _parts(self) -> dict[str, dict[str, Any]]:
-        """Method, begin and counts of each part of a run whose method changed."""
-        before = {name: int(value) for name, value in zip(_COUNTED, self.part[1:], strict=False)}
-        after = {name: int(self.cell(name)) - before[name] for name in _COUNTED}
-        return {
-            "1": {"method": self.first.method.value, "from_s": 0.0} | before,
-            "2": {"method": self.settings.method.value, "from_s": float(self.part[0])} | after,
-        }
 
     def _rates_now(self) -> Array:
         segment = min(int(self.cell("segment")), len(self.rows) - 1)

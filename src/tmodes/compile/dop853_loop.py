@@ -28,7 +28,7 @@ _LAST_TERM = (4 / 7) ** 4 * (3 / 7) ** 3
 _CONTROL = StepControl(order=8.0, beta=0.0, damping=0.2, smallest=1 / 3, largest=6.0)
 _K = tuple(f"k{stage + 1}" for stage in range(len(A)))
 _END = _K[STAGES]
-_STIFFNESS = StiffnessTest(slopes=(_END, _K[STAGES - 1]), states=("new", "probe"), limit=6.1)
+_STIFFNESS = StiffnessTest(slopes=(_END, _K[STAGES - 1]), states=("new", "probe"), limit=6.1, ringing=5.9)
 _METHOD = ExplicitMethod(_CONTROL, _STIFFNESS, _END)
 
 

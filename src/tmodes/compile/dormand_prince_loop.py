@@ -45,7 +45,7 @@ DENSE = (
 
 SAFETY, SMALLEST, LARGEST, BETA = 0.9, 0.2, 10.0, 0.04
 _CONTROL = StepControl(order=5.0, beta=BETA, damping=0.75, smallest=SMALLEST, largest=LARGEST, safety=SAFETY)
-_STIFFNESS = StiffnessTest(slopes=("k7", "k6"), states=("new", "probe"), limit=3.25)
+_STIFFNESS = StiffnessTest(slopes=("k7", "k6"), states=("new", "probe"), limit=3.25, ringing=0.99)
 _METHOD = ExplicitMethod(_CONTROL, _STIFFNESS, "k7")
 STAGES = tuple(f"k{i}" for i in range(1, 8))
 

@@ -1,9 +1,7 @@
-"""One implicit Euler step of an arm as a single pass of its recursion, for the loops that are made of such steps.
+"""One implicit pass of an arm's recursion, for loops whose steps iterate it.
 
 Springs, dampers and servos are taken at the end of the step, through h D + h^2 K inside the recursion; all else where
-the step is expected to end, at q + h v. With the geometry left at the start instead, what is not in h D + h^2 K excites
-the stiff modes a little in every step, as in W-methods (T. Steihaug, A. Wolfbrandt, Math. Comp. 33 (1979) 521-534), and
-extrapolation loses its order: by a factor of 20 in the error of 8 rows over 1 ms on the benchmarks' stiff arm.
+the caller puts it.
 """
 
 from __future__ import annotations
@@ -38,20 +36,6 @@ class ImplicitStep:
         b.call(self.rate.call_from, [time, *states, loop.row(), loop.held, loop.array[into]])
         store(b, number(0.0), loop.held, self.rate.step_offset)
         loop.add("evaluations", 1.0)
-
-    def euler(self, time_after: Any, h: Any, state: str, into: str) -> None:
-        """A step of h that ends at ``time_after``: v+ = v + h a, q+ = q + h v+; what follows them explicit."""
-        b, array, n = self.b, self.loop.array, self.pairs
-        self.loop.copy("ahead", state)
-        with counted(b, n, "ahead") as i:
-            beside = b.add(i, whole(n))
-            rate = load(b, array[state], beside)
-            moved = b.fadd(load(b, array[state], i), b.fmul(h, rate))
-            store(b, moved, array["ahead"], i)
-            store(b, moved, array["start"], i)
-            store(b, rate, array["start"], beside)
-        self.evaluate(time_after, h, into)
-        self.advance(h, state, into)
 
     def advance(self, h: Any, state: str, slope: str) -> None:
         """``state`` moved on by h with its accelerations; coordinates follow the new rates."""

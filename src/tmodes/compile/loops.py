@@ -10,10 +10,14 @@ from typing import Any
 from tmodes.compile.kernels import arithmetic_of, called, kernels_of, library
 from tmodes.compile.native import Library
 
-__all__ = ["EXPLICIT", "IMPLICIT", "ROSENBROCK", "implicit_loops", "rosenbrock_loop", "schedule_loops", "time_loops"]
+__all__ = [
+    "EXPLICIT", "EXTRAPOLATION", "IMPLICIT", "ROSENBROCK", "implicit_loops", "rosenbrock_loop", "schedule_loops",
+    "time_loops",
+]  # fmt: skip
 
 EXPLICIT = ("rk4", "dormand_prince", "dop853")
-IMPLICIT = ("extrapolation", "midpoint")
+EXTRAPOLATION = "extrapolation"
+IMPLICIT = (EXTRAPOLATION, "midpoint")
 ROSENBROCK = "rosenbrock"
 """Names of the methods, as in :class:`tmodes.integrate.settings.Method`."""
 
@@ -116,17 +120,22 @@ def _schedule_loop(
 
         from tmodes.compile.block import write_rate
         from tmodes.compile.rate_jacobian import RateJacobian
+        from tmodes.compile.rows_rate import write_rows_rate
 
-        module = ir.Module(name)
-        rate = write_rate(module, schedule, arithmetic_of("double")(module), "rate")
-        jacobian = (
-            {} if columns is None else {"jacobian": RateJacobian(module, schedule, columns, f"{method}.jacobian")}
-        )
-        _writer(method)(module, method, rate, guarded, **jacobian, **more)
+        module, needed = ir.Module(name), {}
+        if arithmetic == "double":
+            rate = write_rate(module, schedule, arithmetic_of(arithmetic)(module), "rate")
+        else:
+            rate = write_rows_rate(module, schedule, "rate")
+        if columns is not None:
+            needed = {"jacobian": RateJacobian(module, schedule, columns, f"{method}.jacobian")}
+        _writer(method)(module, method, rate, guarded, **needed, **more)
         return module
 
     def imports() -> dict[str, Library]:
         slopes = {} if columns is None else kernels_of(schedule, "derivative")
-        return called(schedule, "double") | slopes
+        return called(schedule, arithmetic) | slopes
+
+    arithmetic = "lanes" if method == EXTRAPOLATION else "double"  # rows of a tableau side by side
 
     return library(f"{name} {method}", schedule.key, write, {method: len(ARGUMENTS)}, 1, imports)

@@ -7,6 +7,7 @@ multistep and extrapolation codes for second-order systems; E. Hairer, S. Norset
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import Any
 
 from tmodes.compile.emit import F64, counted, load, number, whole
@@ -23,7 +24,11 @@ class MotionNorm:
         self.total, self.largest = loop.local("norm"), loop.local("largest")
 
     def of_difference(self, one: str, other: str, before: str, h: Any) -> Any:
-        """Root of the mean square of ``one`` - ``other`` over the tolerance; scales of ``one`` and ``before``.
+        """Norm of ``one`` - ``other``; scales of ``one`` and ``before``."""
+        return self.of_error(lambda i: self._difference(i, one, other), one, before, h)
+
+    def of_error(self, error: Callable[[Any], Any], one: str, before: str, h: Any) -> Any:
+        """Root of the mean square of ``error(i)`` over the tolerance; scales of ``one`` and ``before``.
 
         What stands behind the rates (works, currents) is measured by the largest among it.
         """
@@ -32,8 +37,8 @@ class MotionNorm:
         with counted(b, n, "pair") as i:
             beside = b.add(i, whole(n))
             scale = self._scale(self._size(i, one, before))
-            self._add(b.fdiv(self._error(i, one, other), scale))
-            rate = self._error(beside, one, other)
+            self._add(b.fdiv(error(i), scale))
+            rate = error(beside)
             shares = [b.fdiv(b.fmul(h, rate), scale), b.fdiv(rate, self._scale(self._size(beside, one, before)))]
             self._add(self.loop.intrinsic("minnum", *(self.loop.intrinsic("fabs", share) for share in shares)))
         b.store(number(0.0), self.largest)
@@ -41,12 +46,11 @@ class MotionNorm:
             size = self._size(b.add(i, whole(2 * n)), one, before)
             b.store(self.loop.intrinsic("maxnum", b.load(self.largest, typ=F64), size), self.largest)
         with counted(b, rest, "rest") as i:
-            error = self._error(b.add(i, whole(2 * n)), one, other)
-            self._add(b.fdiv(error, self._scale(b.load(self.largest, typ=F64))))
+            self._add(b.fdiv(error(b.add(i, whole(2 * n))), self._scale(b.load(self.largest, typ=F64))))
         mean = b.fdiv(b.load(self.total, typ=F64), number(float(max(self.loop.size, 1))))
         return self.loop.intrinsic("sqrt", mean)
 
-    def _error(self, i: Any, one: str, other: str) -> Any:
+    def _difference(self, i: Any, one: str, other: str) -> Any:
         return self.b.fsub(load(self.b, self.loop.array[one], i), load(self.b, self.loop.array[other], i))
 
     def _size(self, i: Any, one: str, before: str) -> Any:

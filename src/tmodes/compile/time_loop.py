@@ -22,7 +22,7 @@ __all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "Status", "TimeLoop"]
 
 CELLS = (
     "t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status",
-    "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time",
+    "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes",
 )  # fmt: skip
 """Memory of a loop between calls, one double each."""
 

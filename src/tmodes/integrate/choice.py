@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from tmodes.integrate.settings import Integration, Method
 
-__all__ = ["STIFF", "chosen_method", "explained", "otherwise", "worth_switching"]
+__all__ = ["STIFF", "TRIAL", "chosen_method", "explained", "otherwise", "worth_keeping", "worth_switching"]
 
 STIFF = 20_000
 """Explicit steps over a whole run beyond which the implicit method is the cheaper one."""
+
+TRIAL = 40
+"""Attempted steps after which an implicit method is judged."""
+
+_DEARER = 1.65
+"""Cost of a step of it over an explicit one: nine passes, of four lanes (1.1), over six."""
 
 _REACH = 3.3
 """Largest step times eigenvalue at which Dormand and Prince's method is stable, about."""
@@ -48,3 +54,11 @@ def worth_switching(left: float, step: float) -> bool:
     ``left``: what is left of it [s]; ``step``: of the explicit method now [s].
     """
     return left > STIFF * step
+
+
+def worth_keeping(step: float, gained: float) -> bool:
+    """Whether a trial of the implicit method, which went on by ``gained`` [s], was cheaper than explicit steps.
+
+    ``step``: of the explicit method before [s].
+    """
+    return gained > _DEARER * TRIAL * step

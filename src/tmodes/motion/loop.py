@@ -37,7 +37,8 @@ class Loops:
         """The function of a method; KeyError for a name that is none."""
         count = self.loop.parts.size
         if method in loops.IMPLICIT:
-            return loops.implicit_loops("arm implicit loops", self.loop.implicit_rate, 2 * count, count)[method]
+            rate = self.loop.euler_rate if method == loops.EXTRAPOLATION else self.loop.implicit_rate
+            return loops.implicit_loops("arm implicit loops", rate, 2 * count, count)[method]
         if method == loops.ROSENBROCK:
             columns = self.loop.layout.works.start
             return loops.rosenbrock_loop("arm rosenbrock", self.loop.rate, 2 * count, count, columns)[method]

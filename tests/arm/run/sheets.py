@@ -94,3 +94,59 @@ def beam(functions: dict[str, int], length: float, stiffness: float, mass: float
                "polar_inertia_per_length": 1e-6}  # fmt: skip
     return {"model": "strain", "functions": {"twist": 0, "bend_y": 0, "bend_z": 0, **functions}, "length": length,
             "damping_time": 0.0, "section": section, "rotary_inertia": "none", **more}  # fmt: skip
+
+
+def landing(damping: float = 3e5, stiffness: float = 2e5, **integration: Any) -> Any:
+    """A mass that falls 50 mm onto a surface, whose damper makes its motion stiff: b/m = 2e5 1/s."""
+    return arm(
+        gravity=9.81,
+        joints=[{"name": "s", "type": "prismatic", "child": "b", "axis": [0, 0, 1]}],
+        links=[{"name": "b", "bodies": [{"name": "m", "mass": 1.5}]}],
+        drives=[{"joint": "s", "command": "effort", "signal": {"type": "constant", "value": 0.0}}],
+        initial={"state": "zero", "coordinates": {"s": 0.05}},
+        contact={"shape": {"type": "plane", "position": [0, 0, 0], "normal": [0, 0, 1]}, "law": "unilateral",
+                 "stiffness": stiffness, "damping": damping},
+        integration={"duration": 0.6, "output_step": 0.01, "relative_tolerance": 1e-8, "absolute_tolerance": 1e-10,
+                     **integration},
+    )  # fmt: skip
+
+
+def sunk(time: np.ndarray) -> np.ndarray:
+    """Closed form of the height: free fall, then a spring and an overdamped damper."""
+    mass, damping, stiffness = 1.5, 3e5, 2e5
+    touch, speed = np.sqrt(2 * 0.05 / 9.81), np.sqrt(2 * 0.05 * 9.81)
+    root = np.sqrt(damping**2 - 4 * mass * stiffness)
+    fast, slow = -(damping + root) / (2 * mass), -2 * stiffness / (damping + root)
+    rest = -mass * 9.81 / stiffness
+    first = (-speed + slow * rest) / (fast - slow)
+    later = np.maximum(time - touch, 0.0)
+    depth = rest + first * np.exp(fast * later) + (-rest - first) * np.exp(slow * later)
+    return np.where(time < touch, 0.05 - 9.81 * time**2 / 2, depth)
+
+
+def ringing(**integration: Any) -> Arm:
+    """A gear that hardly damps, 3,600 1/s, and a torque that sets it ringing by 1e-7 rad."""
+    sheet = {"motor": {"inertia": 0.3}, "gear": {"stiffness": 3e6, "damping": 0.01}, "drive": torque(0.2)}
+    told = {"duration": 8.0, "output_step": 0.01, "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8}
+    return pendulum(**sheet, integration={**told, **integration})
+
+
+def sliding(**integration: Any) -> Arm:
+    """A mass that lands on a rough surface and is dragged along it: friction, which no method takes implicit, is stiff.
+
+    Two carriages carry it; the eigenvalue is friction times load over speed and mass, 1.2e5 1/s.
+    """
+    axes, masses, forces = {"x": [1, 0, 0], "s": [0, 0, 1]}, {"a": 0.5, "b": 1.5}, {"x": 2.0, "s": 0.0}
+    return arm(
+        gravity=9.81,
+        joints=[{"name": "x", "type": "prismatic", "child": "a", "axis": axes["x"]},
+                {"name": "s", "type": "prismatic", "parent": "a", "child": "b", "axis": axes["s"]}],
+        links=[{"name": name, "bodies": [{"name": "m", "mass": mass}]} for name, mass in masses.items()],
+        drives=[{"joint": name, "command": "effort", "signal": {"type": "constant", "value": force}}
+                for name, force in forces.items()],
+        initial={"state": "zero", "coordinates": {"s": 1e-7}},
+        contact={"shape": {"type": "plane", "position": [0, 0, 0], "normal": [0, 0, 1]}, "law": "unilateral",
+                 "stiffness": 2e5, "damping": 1e3, "friction": 0.5, "friction_velocity": 3e-5},
+        integration={"duration": 1.0, "output_step": 0.01, "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8,
+                     **integration},
+    )  # fmt: skip

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.run.sheets import arm, pendulum, torque
+from arm.run.sheets import arm, landing, pendulum, sunk, torque
 from tmodes.motion.simulate import simulate_arm
 
 Integration = dict[str, Any]
@@ -82,3 +82,18 @@ def test_knots_that_are_samples_but_for_rounding(output_step: float, time: float
     assert run.status == "finished"
     assert len(run.times) == round(1.0 / output_step) + 1
     assert np.isfinite(run.q).all()
+
+
+def test_a_hard_landing_takes_few_steps() -> None:
+    """Spring and damper of a surface are taken at the end of a step: 2e5 1/s hold back nothing."""
+    run = simulate_arm(landing(method="extrapolation"))
+    assert np.abs(run.q[:, 0] - sunk(run.times)).max() < 1e-9
+    assert run.statistics["steps"] < 300
+
+
+def test_passes_and_evaluations_are_told_apart() -> None:
+    """Eight rows: 36 evaluations of the motion in nine passes of four lanes, whatever is rejected."""
+    told = simulate_arm(stiff(method="extrapolation")).statistics
+    tried = told["steps"] + told["rejected"]
+    assert told["passes"] == 9 * tried
+    assert told["evaluations"] == 36 * tried

@@ -7,39 +7,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from arm.run.sheets import arm
+from arm.run.sheets import landing, ringing, sliding, sunk
 from arm.run.test_extrapolation import stiff
-from tmodes.integrate.choice import STIFF, chosen_method, worth_switching
+from tmodes.integrate.choice import STIFF, TRIAL, chosen_method, worth_keeping, worth_switching
 from tmodes.integrate.settings import Method
 from tmodes.motion.simulate import simulate_arm
-
-
-def landing(damping: float = 3e5, stiffness: float = 2e5, **integration: Any) -> Any:
-    """A mass that falls 50 mm onto a surface, whose damper makes its motion stiff: b/m = 2e5 1/s."""
-    return arm(
-        gravity=9.81,
-        joints=[{"name": "s", "type": "prismatic", "child": "b", "axis": [0, 0, 1]}],
-        links=[{"name": "b", "bodies": [{"name": "m", "mass": 1.5}]}],
-        drives=[{"joint": "s", "command": "effort", "signal": {"type": "constant", "value": 0.0}}],
-        initial={"state": "zero", "coordinates": {"s": 0.05}},
-        contact={"shape": {"type": "plane", "position": [0, 0, 0], "normal": [0, 0, 1]}, "law": "unilateral",
-                 "stiffness": stiffness, "damping": damping},
-        integration={"duration": 0.6, "output_step": 0.01, "relative_tolerance": 1e-8, "absolute_tolerance": 1e-10,
-                     **integration},
-    )  # fmt: skip
-
-
-def sunk(time: np.ndarray) -> np.ndarray:
-    """Closed form of the height: free fall, then a spring and an overdamped damper."""
-    mass, damping, stiffness = 1.5, 3e5, 2e5
-    touch, speed = np.sqrt(2 * 0.05 / 9.81), np.sqrt(2 * 0.05 * 9.81)
-    root = np.sqrt(damping**2 - 4 * mass * stiffness)
-    fast, slow = -(damping + root) / (2 * mass), -2 * stiffness / (damping + root)
-    rest = -mass * 9.81 / stiffness
-    first = (-speed + slow * rest) / (fast - slow)
-    later = np.maximum(time - touch, 0.0)
-    depth = rest + first * np.exp(fast * later) + (-rest - first) * np.exp(slow * later)
-    return np.where(time < touch, 0.05 - 9.81 * time**2 / 2, depth)
 
 
 @pytest.mark.parametrize("method", ["auto", "dormand_prince", "dop853"])
@@ -66,6 +38,46 @@ def test_what_is_not_stiff_is_not_called_so() -> None:
     assert run.status == "finished"
     assert "stiff" not in run.message
     assert run.statistics["contact_changes"] > 4
+
+
+def test_a_vibration_that_hardly_decays_is_seen() -> None:
+    """Its eigenvalues are imaginary: steps of dormand_prince stand at 1 over them, and not at 3.3."""
+    run = simulate_arm(ringing(method="auto"))
+    assert "by dormand_prince" in run.message
+    assert "on by extrapolation" in run.message
+    exact = simulate_arm(ringing(method="dop853", relative_tolerance=1e-10, absolute_tolerance=1e-12))
+    assert np.abs(run.q - exact.q).max() < 2e-6
+    assert run.statistics["evaluations"] < exact.statistics["evaluations"] / 20
+
+
+def test_a_change_that_does_not_pay_is_taken_back() -> None:
+    """Friction of a contact is explicit in both methods: after a trial the explicit one goes on, and says so."""
+    run, alone = (simulate_arm(sliding(method=method)) for method in ("auto", "dormand_prince"))
+    assert "extrapolation was tried" in run.message
+    assert "by dormand_prince again" in run.message
+    parts = run.statistics["parts"]
+    assert [parts[k]["method"] for k in "123"] == ["dormand_prince", "extrapolation", "dormand_prince"]
+    assert parts["2"]["steps"] + parts["2"]["rejected"] == TRIAL
+    assert sum(parts[k]["evaluations"] for k in "123") == run.statistics["evaluations"]
+    assert run.statistics["evaluations"] < 1.02 * alone.statistics["evaluations"]
+    assert np.abs(run.q - alone.q).max() < 1e-6
+
+
+def test_trials_are_the_same_whatever_the_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
+    whole = simulate_arm(sliding(method="auto"))
+    monkeypatch.setattr("tmodes.trajectory._FIRST_PIECE", 7)
+    monkeypatch.setattr("tmodes.trajectory._PIECE_SECONDS", 1e-4)
+    pieces = simulate_arm(sliding(method="auto"))
+    assert "by dormand_prince again" in whole.message
+    assert pieces.states.tobytes() == whole.states.tobytes()
+    assert pieces.statistics == whole.statistics
+    assert pieces.message == whole.message
+
+
+def test_what_pays_is_a_matter_of_passes() -> None:
+    """Nine passes of four lanes, 1.1 each, over the six of an explicit step."""
+    assert worth_keeping(1e-5, 40 * 1.7e-5)
+    assert not worth_keeping(1e-5, 40 * 1.6e-5)
 
 
 def test_short_runs_keep_their_method() -> None:

@@ -90,6 +90,14 @@ class ClosedLoop:
         """
         return self._rate(Instant(self, apart=True))
 
+    @cached_property
+    def euler_rate(self) -> Schedule:
+        """The same for implicit Euler steps, whose ``state`` is h of its rates ahead of ``start``.
+
+        A surface in contact with a tip is taken at the end of the step as well.
+        """
+        return self._rate(Instant(self, apart=True, euler=True))
+
     def _rate(self, instant: Instant) -> Schedule:
         currents = [instant.change[k] for k in sorted(instant.change)]
         works = Powers(instant).works

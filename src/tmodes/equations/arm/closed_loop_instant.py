@@ -29,8 +29,11 @@ class Instant:
     ``dead``: wrenches on points but for the contact's.
     """
 
-    def __init__(self, loop: ClosedLoop, *, apart: bool = False) -> None:
-        """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates)."""
+    def __init__(self, loop: ClosedLoop, *, apart: bool = False, euler: bool = False) -> None:
+        """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates).
+
+        ``euler``: the state has the rates of the start, so that a surface can be taken at the end of the step too.
+        """
         self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
         self.none = loop.parts.none
         self.schedule = Schedule(loop.parts.numbers.size, zeros=tuple(self.none.values()))
@@ -40,7 +43,7 @@ class Instant:
         self.step = self.schedule.input("step", 1)
         self.signals = [self._signal(k) for k in range(loop.plan.signals)]
         self.way = self._outwards()
-        self.apart, self.start = apart, self._start(apart=apart)
+        self.apart, self.euler, self.start = apart, euler, self._start(apart=apart)
         self.efforts: dict[int, Slot] = {}
         self.told: dict[int, Slot] = {}
         self.change: dict[int, Slot] = {}
@@ -117,10 +120,11 @@ class Instant:
             before = wrenches.get(touch.point, self.none[FORCE])
             wrenches[touch.point], gate = self.call(touch.touch.wrench(), *blocks, before)
             self.schedule.gate = gate if touch.touch.unilateral else None
-            if touch.has_mass:
-                node = self.parts.points[touch.point].node
-                inertia, bias = self.call(touch.touch.inertia(), *blocks)
-                self.way.attached[node] = (inertia, bias)
+            told = self.parts.points[touch.point]
+            if touch.has_mass or (self.euler and self.parts.station(told) is None):
+                step = self.step if self.euler else self.none[1]
+                inertia, bias = self.call(touch.touch.inertia(), *blocks, step)
+                self.way.attached[told.node] = (inertia, bias)
 
     def _drive(self) -> Recursion:
         """Efforts of the servos, and the motions that are given."""

@@ -103,23 +103,28 @@ class Touch:
         return Kernel(f"touch {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH, FORCE), (FORCE, 2), build)
 
     def inertia(self) -> Kernel:
-        """(pose of the frame, pose of the link's axes, rate in them, offset, numbers) -> (inertia, bias force).
+        """(pose of the frame, pose of the link's axes, rate in them, offset, numbers, step h) -> (inertia, bias force).
 
-        Of the surface's mass, about the frame's origin in the link's axes. The recursion's accelerations have gravity
-        in them, which does not act on the surface.
+        Of the surface's mass, and of h be + h^2 ka while it pushes: what a spring and a damper that are taken at the
+        end of a step add to it. About the frame's origin in the link's axes. The recursion's accelerations have
+        gravity in them, which does not act on the surface.
         """
 
-        def build(pose: Any, axes: Any, rate: Any, offset: Any, p: Any) -> list[list[Any]]:
+        def build(pose: Any, axes: Any, rate: Any, offset: Any, p: Any, step: Any) -> list[list[Any]]:
             place, velocity, arm, spin = _point(pose, axes, rate, offset)
             met, back = self._meeting(p, place, velocity), v.transpose(v.tri(axes))
+            added = step[0] * (p[5] + step[0] * p[6])
+            if self.unilateral:
+                added = (met.depth > 0) * (self._push(p, met) > 0) * added
+            mass = p[4] + added
             direction, lever = v.matvec(back, met.direction), v.matvec(back, arm)
             none = [[0.0] * 3 for _ in range(3)]
-            mass = Inertia(none, none, v.outer(v.scale(p[4], direction), direction)).at(lever)
+            inertia = Inertia(none, none, v.outer(v.scale(mass, direction), direction)).at(lever)
             drift = v.add(v.cross(spin, v.cross(spin, arm)), v.vec(p, 10))
-            push = p[4] * (met.curving + v.dot(met.direction, drift))
-            return [mass.packed(), Force(v.zero(), v.scale(push, direction)).force_at(lever).packed()]
+            push = mass * (met.curving + v.dot(met.direction, drift))
+            return [inertia.packed(), Force(v.zero(), v.scale(push, direction)).force_at(lever).packed()]
 
-        return Kernel(f"touch mass {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH), (INERTIA, FORCE), build)
+        return Kernel(f"touch mass {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH, 1), (INERTIA, FORCE), build)
 
     def told(self) -> Kernel:
         """(pose of the point, its [linear; angular] acceleration less gravity, numbers) -> (told (6), power taken)."""
