@@ -1,11 +1,13 @@
 """A stiff arm, 54 coordinates: what a second of its motion costs, side by side, with the error along the whole path.
 
-    python -m benchmarks.stiff [--rounds 3] [--starts rest,drop] [--stretch 0.05] [--exudyn] [--json FILE]
+    python -m benchmarks.stiff [--rounds 3] [--damping 0,1e-7,3e-5,2e-4] [--starts rest,drop] [--stretch 0.02]
+                               [--exudyn] [--json FILE]
 
-The arm and its manoeuvre are in `stiff_arm.py`; the error is the largest of all coordinates at samples every 1 ms,
-against our own Dormand-Prince at 1e-10. That one is held back by stability at any tolerance: beside it, its time at
-1e-6 over a stretch of the motion is scaled up to the whole. Contenders take turns; medians are printed. ``--exudyn``:
-see `stiff_exudyn.py`.
+The arm and its manoeuvre are in `stiff_arm.py`; ``--damping``: damping times of the links [s]. The error is the largest
+of all coordinates at samples every 1 ms, against our own Dormand-Prince at 1e-10. That one is held back by stability at
+any tolerance: beside it, its time at 1e-6 over a stretch of the motion is scaled up to the whole. For damping times
+beyond 1e-4 s it would take minutes: there the reference is extrapolation at 1e-10, and Dormand-Prince at 1e-10 checks
+it over the stretch. Contenders take turns; medians of processor time are printed. ``--exudyn``: see `stiff_exudyn.py`.
 """
 
 from __future__ import annotations
@@ -15,6 +17,7 @@ import json
 import platform
 import statistics
 import time
+from collections.abc import Iterator
 from pathlib import Path
 from typing import Any, NamedTuple
 
@@ -25,13 +28,19 @@ from tmodes.trajectory import Trajectory
 
 from .stiff_arm import stiff_arm
 
+
+def _at(method: str, tolerance: float) -> dict[str, Any]:
+    return {"method": method, "relative_tolerance": tolerance, "absolute_tolerance": tolerance / 100}
+
+
 METHODS = {
-    "extrapolation 1e-6": {"method": "extrapolation", "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8},
-    "extrapolation 1e-7": {"method": "extrapolation", "relative_tolerance": 1e-7, "absolute_tolerance": 1e-9},
+    "extrapolation 1e-6": _at("extrapolation", 1e-6),
+    "extrapolation 2e-7": _at("extrapolation", 2e-7),
+    "extrapolation 1e-7": _at("extrapolation", 1e-7),
     "midpoint, 0.25 ms": {"method": "midpoint", "step": 2.5e-4},
 }
-REFERENCE = {"method": "dormand_prince", "relative_tolerance": 1e-10, "absolute_tolerance": 1e-12}
-EXPLICIT = {"method": "dormand_prince", "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8}
+EXPLICIT_AT_MOST = 1e-4
+"""Damping time [s] beyond which the reference is not explicit."""
 
 
 class Figures(NamedTuple):
@@ -39,11 +48,19 @@ class Figures(NamedTuple):
 
     seconds: float
     error: float
-    evaluations: float
+    passes: float
 
 
-def _regime(start: str, **integration: Any) -> ArmRegime:
-    return arm_regime(stiff_arm(start=start, output_step=1e-3, **integration))
+class Case(NamedTuple):
+    """Damping time of the links [s], and start."""
+
+    damping_time: float
+    start: str
+
+    def regime(self, **integration: Any) -> ArmRegime:
+        """The arm, ready to run."""
+        arm = stiff_arm(start=self.start, damping_time=self.damping_time, output_step=1e-3, **integration)
+        return arm_regime(arm)
 
 
 def _timed(regime: ArmRegime) -> tuple[float, Trajectory]:
@@ -52,43 +69,53 @@ def _timed(regime: ArmRegime) -> tuple[float, Trajectory]:
     return time.process_time() - began, run
 
 
-def measured(start: str, rounds: int, stretch: float) -> dict[str, Figures]:
-    """Figures of all contenders from one start."""
-    whole, exact = _timed(_regime(start, **REFERENCE))
-    regimes = {name: _regime(start, **told) for name, told in METHODS.items()}
-    short = _regime(start, duration=stretch, **EXPLICIT)
-    times: dict[str, list[float]] = {name: [] for name in regimes}
-    explicit: list[float] = []
+def _passes(run: Trajectory) -> float:
+    return run.statistics.get("passes", run.statistics["evaluations"])
+
+
+def _apart(run: Trajectory, exact: Trajectory, count: int) -> float:
+    length = min(len(run.states), len(exact.states))
+    return float(np.abs(run.states[:length] - exact.states[:length])[:, :count].max())
+
+
+def measured(case: Case, rounds: int, stretch: float) -> dict[str, Figures]:
+    """Figures of all contenders."""
+    explicit = case.damping_time <= EXPLICIT_AT_MOST
+    name = "dormand_prince" if explicit else "extrapolation"
+    regimes = {label: case.regime(**told) for label, told in METHODS.items()}
+    times: dict[str, list[float]] = {label: [] for label in (*regimes, "short")}
     runs: dict[str, Trajectory] = {}
     for regime in regimes.values():
         run_arm_regime(regime, until=1e-3)  # compiled before it is timed
+    whole, exact = _timed(case.regime(**_at(name, 1e-10)))
+    regimes["short"] = case.regime(duration=stretch, **_at("dormand_prince", 1e-6))
     for _ in range(rounds):
-        for name, regime in regimes.items():
-            seconds, runs[name] = _timed(regime)
-            times[name].append(seconds)
-        explicit.append(_timed(short)[0] / stretch)
-    count = len(regimes["extrapolation 1e-7"].model.coordinates)
+        for label, regime in regimes.items():
+            seconds, runs[label] = _timed(regime)
+            times[label].append(seconds)
+    count = len(regimes["short"].model.coordinates)
     figures = {
-        name: Figures(
-            statistics.median(times[name]),
-            float(np.abs(run.states - exact.states)[:, :count].max()),
-            run.statistics["evaluations"],
-        )
-        for name, run in runs.items()
+        label: Figures(statistics.median(times[label]), _apart(runs[label], exact, count), _passes(runs[label]))
+        for label in METHODS
     }
-    evaluations = exact.statistics["evaluations"]
-    figures["dormand_prince 1e-10 (the reference)"] = Figures(whole, 0.0, evaluations)
-    figures[f"dormand_prince 1e-6 ({stretch:g} s, scaled)"] = Figures(statistics.median(explicit), float("nan"), 0.0)
+    figures[f"{name} 1e-10, the reference"] = Figures(whole, float("nan"), _passes(exact))
+    scaled = statistics.median(times["short"]) / stretch
+    figures[f"dormand_prince 1e-6, {stretch:g} s scaled"] = Figures(
+        scaled, float("nan"), _passes(runs["short"]) / stretch
+    )
+    if not explicit:
+        seconds, checked = _timed(case.regime(duration=stretch, **_at("dormand_prince", 1e-10)))
+        apart, passes = _apart(checked, exact, count), _passes(checked) / stretch
+        figures[f"dormand_prince 1e-10, {stretch:g} s scaled"] = Figures(seconds / stretch, apart, passes)
     return figures
 
 
-def _told(start: str, figures: dict[str, Figures]) -> None:
-    explicit = min(found.seconds for name, found in figures.items() if name.startswith("dormand_prince"))
-    print(f"start: {start}")
+def _lines(case: Case, figures: dict[str, Figures]) -> Iterator[str]:
+    explicit = next(found.seconds for name, found in figures.items() if name.startswith("dormand_prince 1e-6"))
     for name, found in figures.items():
-        print(
-            f"  {name:<40}{found.seconds:9.3f} s{1 / found.seconds:8.1f} x real time{explicit / found.seconds:8.1f} x "
-            f"dormand_prince   error {found.error:8.1e} rad   {found.evaluations:9.0f} passes"
+        yield (
+            f"{case.damping_time:7.0e} {case.start:5}{name:40}{found.seconds:9.3f}{1 / found.seconds:10.1f}"
+            f"{explicit / found.seconds:12.1f}{found.error:11.1e}{found.passes:11.0f}"
         )
 
 
@@ -96,18 +123,22 @@ def main() -> None:
     """Measure and print."""
     options = argparse.ArgumentParser(description=__doc__, formatter_class=argparse.RawDescriptionHelpFormatter)
     options.add_argument("--rounds", type=int, default=3)
+    options.add_argument("--damping", default="0,1e-7,3e-5,2e-4", help="damping times of the links [s]")
     options.add_argument("--starts", default="rest,drop")
-    options.add_argument("--stretch", type=float, default=0.05, help="seconds of motion of the explicit method")
+    options.add_argument("--stretch", type=float, default=0.02, help="seconds of motion of the explicit method")
     options.add_argument("--exudyn", action="store_true", help="also beside Exudyn's geometrically exact beams")
     options.add_argument("--json", help="also write the figures to this file")
     chosen = options.parse_args()
     machine = platform.processor() or platform.machine()
     print(f"1 s of motion, processor time, medians of {chosen.rounds} rounds; {machine}")
+    head = ("s", "x real time", "x explicit", "error/rad", "passes")
+    print(f"{'damping':>7} {'start':5}{'':40}{head[0]:>9}{head[1]:>10}{head[2]:>12}{head[3]:>11}{head[4]:>11}")
     told: dict[str, Any] = {}
-    for start in chosen.starts.split(","):
-        figures = measured(start, chosen.rounds, chosen.stretch)
-        _told(start, figures)
-        told[start] = {name: found._asdict() for name, found in figures.items()}
+    for damping_time in map(float, chosen.damping.split(",")):
+        for start in chosen.starts.split(","):
+            figures = measured(case := Case(damping_time, start), chosen.rounds, chosen.stretch)
+            print("\n".join(_lines(case, figures)), flush=True)
+            told[f"{damping_time:g} {start}"] = {name: found._asdict() for name, found in figures.items()}
     if chosen.exudyn:
         from .stiff_exudyn import compared
 

@@ -15,9 +15,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.bench.missing import PeerMissing
 from tmodes.chain import Beam, Chain
-
-from .missing import PeerMissing
 
 sys.exudynFast = True  # type: ignore[attr-defined]  # Exudyn's own switch: the module without range checks
 try:

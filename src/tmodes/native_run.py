@@ -130,8 +130,8 @@ class NativeRun:
     def record(self) -> dict[str, Array]:
         """All that the run needs to go on."""
         return {
-            "memory": self.memory, "state": self.state, "slope": self.slope, "parts": self.change.kept, "errors": self.errors,
-            "samples": self.samples[: self.done], "errors_out": self.errors_out[: self.done],
+            "memory": self.memory, "state": self.state, "slope": self.slope, "parts": self.change.kept,
+            "errors": self.errors, "samples": self.samples[: self.done], "errors_out": self.errors_out[: self.done],
         }  # fmt: skip
 
     def resume(self, record: dict[str, Array]) -> None:

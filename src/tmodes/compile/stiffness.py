@@ -3,8 +3,8 @@
 The last two stages of a step lie at the same time; the difference of their slopes over that of their states tells the
 largest |eigenvalue| of the motion, about. Where step times eigenvalue stands at the method's limit, step after step,
 the motion is stiff: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, section IV.2. A fast vibration
-that hardly decays has imaginary eigenvalues, where the limit may be far lower; steps that stand there may as well follow
-it for the sake of the error. So that limit counts only where another method can be tried.
+that hardly decays has imaginary eigenvalues, where the limit may be far lower; but steps that stand there may follow
+the vibration for the sake of the error. So that limit counts only where another method can be tried.
 """
 
 from __future__ import annotations
