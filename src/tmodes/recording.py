@@ -65,7 +65,7 @@ def record(
     """
     method = settings.method.value
     if method not in METHODS:
-        names = " or ".join(METHODS)
+        names = " or ".join(", ".join(METHODS).rsplit(", ", 1))
         raise InputError("integration.method", method, names, "name one of them: its steps can be differentiated")
     run = NativeRun(model, parameters, schedule.until(settings.duration), state, settings)
     steps, every = _steps(run, settings, most_bytes)

@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 SHORT = {"integration.duration": 0.3, "integration.output_step": 0.007}
 SEED_PATHS = ("gear.stiffness", "link.modes.0.bending_stiffness", "payload.mass", "controller.position_gain")
 ARM_PATHS = ("links.link.beam.section.bending_stiffness", "joints.joint.gear.stiffness", "links.link.beam.length")
-METHODS = ("dormand_prince", "rk4")
+METHODS = ("dormand_prince", "dop853", "rk4")
 
 
 @cache
@@ -208,7 +208,7 @@ def test_a_load_changes_the_rest_too_and_signals_that_part_are_refused() -> None
 
 
 def test_methods_and_runs_without_derivatives_are_refused() -> None:
-    with pytest.raises(InputError, match="dormand_prince or rk4"):
+    with pytest.raises(InputError, match="dormand_prince, dop853 or rk4"):
         adjoint_gradient(bending_arm(method="extrapolation"), squares)
     with pytest.raises(SimulationError, match="max_steps"):
         adjoint_gradient(bending_arm(max_steps=3, duration=2.0), squares)

@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.compile import dop853_table as dop853
 from tmodes.compile import dormand_prince_loop as dormand_prince
 
 __all__ = ["METHODS", "RungeKutta"]
@@ -63,5 +64,30 @@ def _classical() -> RungeKutta:
     return RungeKutta(a, b, np.array([0.0, 0.5, 0.5, 1.0, 1.0]), 4, dense)
 
 
-METHODS = {"dormand_prince": _dormand_prince(), "rk4": _classical()}
+def _dop853() -> RungeKutta:
+    """The last four stages, the slope at the step's end the first of them, are those of the dense output."""
+    count = len(dop853.A)
+    a, b = _spread(dop853.A, count), _spread([dop853.A[dop853.STAGES]], count)[0]
+    rows = _spread(dop853.DENSE, count)
+    ends = np.eye(count)[[0, dop853.STAGES]]
+
+    def dense(share: Array) -> Array:
+        rest = 1 - share
+        powers = np.cumprod([share, rest, share, rest, share, rest, share], axis=0)
+        change = powers[0] - powers[1] + 2 * powers[2]
+        slopes = np.outer(powers[1] - powers[2], ends[0]) - np.outer(powers[2], ends[1])
+        return np.outer(change, b) + slopes + powers[3:].T @ rows
+
+    return RungeKutta(a, b, np.array(dop853.C), dop853.STAGES, dense)
+
+
+def _spread(rows: Sequence[Mapping[int, float]], count: int) -> Array:
+    """Rows that leave out zeros, whole."""
+    matrix = np.zeros((len(rows), count))
+    for k, row in enumerate(rows):
+        matrix[k, [*row]] = [*row.values()]
+    return matrix
+
+
+METHODS = {"dormand_prince": _dormand_prince(), "dop853": _dop853(), "rk4": _classical()}
 """By the names of :class:`tmodes.integrate.settings.Method`."""
