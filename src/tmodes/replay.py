@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 
 from tmodes.compile.derivative_kernels import LANES
 from tmodes.compile.elimination import aligned
-from tmodes.compile.replay_loop import ARRAYS, COUNTS, replay_loops
-from tmodes.compile.runge_kutta import METHODS
+from tmodes.compile.replay_frame import ARRAYS, COUNTS
+from tmodes.compile.tableaus import METHODS, loops_of
 from tmodes.compile.tape import Tape
 from tmodes.compile.tape_loop import Table, operations
 from tmodes.recording import Recording
@@ -43,13 +43,18 @@ class _Piece(NamedTuple):
 
 
 class Replay:
-    """Recorded steps of a model whose rates are a ``schedule`` of (time, state, row), with its ``parameters``."""
+    """Recorded steps of a model whose rates are a ``schedule`` of (time, state, row), with its ``parameters``.
 
-    def __init__(self, schedule: Any, parameters: Array, recording: Recording) -> None:
+    Steps by extrapolation take a schedule of (time, state, row, step, start), ``pairs`` of whose states are coordinates
+    with their rates.
+    """
+
+    def __init__(self, schedule: Any, parameters: Array, recording: Recording, pairs: int = 0) -> None:
         self.recording, self.parameters = recording, parameters
         self.tape = Tape(schedule, ["rate"])
         self._forward, self._settled = self.tape.values(settled=False), self.tape.values(settled=True)
-        self._tableau = METHODS[recording.method]
+        self._tableau, self._pairs = METHODS[recording.method], pairs
+        self._moved = [name for name in ("state", "row", "start") if name in ("state", "row", *self._tableau.inputs)]
 
     def samples(self, parameters: Array | None = None, start: Array | None = None) -> Array:
         """The samples (n, size) by the same steps, with other numbers or from another state."""
@@ -77,12 +82,12 @@ class Replay:
         """Derivatives of the sum of ``weights`` (n, size) times the samples."""
         done, tape = self.recording, self.tape
         own = tape.marked([(0, tape.schedule.parameters)])
-        wanted = own | tape.marked([tape.span("state"), tape.span("row")])
+        wanted = own | tape.marked([tape.span(name) for name in self._moved])
         table, last = (tape.back(wanted, own, settled=settled) for settled in (False, True))
         values, slopes = self._values(self.parameters), aligned(tape.size)
         moved, rows = np.zeros(done.samples.shape[1]), np.zeros_like(done.rows)
         samples = np.ascontiguousarray(weights, dtype=float)
-        stages = np.zeros((len(self._tableau.b), len(moved)))
+        stages = np.zeros((self._tableau.stages, len(moved)))
         for piece in reversed([*self._pieces()]):
             more = {"moved": moved, "row_slopes": rows, "stage_slopes": stages, "slopes": slopes}
             self._call("back", piece, values, other=table, samples=samples, **more)
@@ -95,21 +100,21 @@ class Replay:
         size, count = len(start), len(self.parameters)
         slopes = aligned(LANES * tape.size)
         slopes[: LANES * count] = parameters.ravel()
-        marks = tape.marked([(0, count), tape.span("state"), tape.span("row")])
+        marks = tape.marked([(0, count), *(tape.span(name) for name in self._moved)])
         values = self._values(self.parameters)
         _run(tape.along(marks, LANES, settled=True), values[0], slopes)
         table = tape.along(marks, LANES, settled=False)
         samples = np.empty((len(done.times), size, LANES))
         samples[0] = start
         more = {"moved": np.ascontiguousarray(start), "row_slopes": np.ascontiguousarray(rows), "slopes": slopes}
-        stages = np.zeros((len(self._tableau.b), size, LANES))
+        stages = np.zeros((self._tableau.stages, size, LANES))
         for piece in self._pieces():
             self._call("along", piece, values, LANES, other=table, samples=samples, stage_slopes=stages, **more)
         return samples.transpose(2, 0, 1)
 
     def _values(self, parameters: Array) -> Array:
-        """Memory of each stage, with what does not change in a run."""
-        values = np.zeros((len(self._tableau.b), self.tape.size))
+        """Memory of the evaluations that are kept at once, with what does not change in a run."""
+        values = np.zeros((self._tableau.memory, self.tape.size))
         values[0, : len(parameters)] = parameters
         _run(self._settled, values[0], np.empty(0))
         values[1:] = values[0]
@@ -136,22 +141,23 @@ class Replay:
         """Call a native loop for some steps."""
         done, tape, tableau, steps = self.recording, self.tape, self._tableau, piece.steps
         table = other or self._forward
-        place = {name: tape.span(name)[0] for name in ("time", "state", "row")}
+        place = {f"{name}_at": tape.span(name)[0] for name in ("time", "state", "row", *tableau.inputs)}
         counts = {
             "steps": steps.stop - steps.start, "size": done.samples.shape[1], "row": done.rows.shape[1],
-            "stages": len(tableau.b), "values": values.shape[1], "time_at": place["time"], "state_at": place["state"],
-            "row_at": place["row"], "out_at": tape.end, "lanes": lanes, "slopes_out_at": lanes * tape.end,
-            "forward_rows": self._forward.rows, "other_rows": table.rows,
+            "stages": tableau.stages, "values": values.shape[1], "out_at": tape.end, "lanes": lanes,
+            "slopes_out_at": lanes * tape.end, "forward_rows": self._forward.rows, "other_rows": table.rows,
+            "pairs": self._pairs, **place,
         }  # fmt: skip
         given = {
-            "counts": np.array([counts[name] for name in COUNTS], dtype=np.int64), "segments": done.segments[steps],
-            "used": done.used[steps], "first_sample": done.first_sample[steps.start : steps.stop + 1],
-            "forward": self._forward.words, "other": table.words, "t": done.t[steps], "h": done.h[steps],
-            "y": piece.states, "rows": done.rows, "a": tableau.a, "b": tableau.b, "c": tableau.c,
-            "weights": done.weights, "values": values, **arrays,
+            "counts": np.array([counts.get(name, 0) for name in COUNTS], dtype=np.int64),
+            "segments": done.segments[steps], "used": done.used[steps],
+            "first_sample": done.first_sample[steps.start : steps.stop + 1], "forward": self._forward.words,
+            "other": table.words, "t": done.t[steps], "h": done.h[steps], "y": piece.states, "rows": done.rows,
+            "a": tableau.a, "b": tableau.b, "c": tableau.c, "weights": done.weights, "values": values,
+            "states": np.empty((tableau.stages, done.samples.shape[1])), **arrays,
         }  # fmt: skip
         empty = np.empty(0)
-        replay_loops()[loop](*(given.get(name, empty).ctypes.data for name in ARRAYS))
+        loops_of(done.method)[loop](*(given.get(name, empty).ctypes.data for name in ARRAYS))
 
 
 def _run(table: Table, values: Array, slopes: Array) -> None:

@@ -24,7 +24,8 @@ Array = NDArray[np.float64]
 SHORT = {"integration.duration": 0.3, "integration.output_step": 0.007}
 SEED_PATHS = ("gear.stiffness", "link.modes.0.bending_stiffness", "payload.mass", "controller.position_gain")
 ARM_PATHS = ("links.link.beam.section.bending_stiffness", "joints.joint.gear.stiffness", "links.link.beam.length")
-METHODS = ("dormand_prince", "dop853", "rk4")
+EXPLICIT = ("dormand_prince", "dop853", "rk4")
+CASES = [*((name, method) for name in ("seed", "arm") for method in EXPLICIT), ("arm", "extrapolation")]
 
 
 @cache
@@ -81,9 +82,7 @@ def lowered_once(name: str, method: str) -> Lowered:
 
 @cache
 def replay_of(name: str, method: str, most_bytes: float = 1e9) -> Replay:
-    here = lowered_once(name, method)
-    done = record(here.model, here.parameters, here.schedule, here.start, here.settings, most_bytes)
-    return Replay(here.rates, here.parameters.vector, done)
+    return lowered_once(name, method).recorded(most_bytes)
 
 
 def squares(times: Array, states: Array) -> tuple[float, Array]:
@@ -99,16 +98,15 @@ def richardson(function: Any, step: float) -> float:
     return (15 * ways[0] - 6 * ways[1] + ways[2]) / 10
 
 
-@pytest.mark.parametrize("name", ["seed", "arm"])
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(("name", "method"), CASES)
 def test_the_same_steps_give_the_same_samples(name: str, method: str) -> None:
     replay = replay_of(name, method)
     samples = replay.recording.samples
-    assert np.abs(replay.samples() - samples).max() <= 1e-11 * np.abs(samples).max()
+    rounding = 1e-10 if method == "extrapolation" else 1e-11  # weights of its rows reach 400
+    assert np.abs(replay.samples() - samples).max() <= rounding * np.abs(samples).max()
 
 
-@pytest.mark.parametrize("name", ["seed", "arm"])
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(("name", "method"), CASES)
 def test_the_gradient_is_that_of_differences_on_the_same_steps(name: str, method: str) -> None:
     here, replay = lowered_once(name, method), replay_of(name, method)
     times, samples = replay.recording.times, replay.recording.samples
@@ -127,8 +125,7 @@ def test_the_gradient_is_that_of_differences_on_the_same_steps(name: str, method
         assert gradient == pytest.approx(expected, rel=1e-7, abs=1e-12 * abs(value(0.0)) / scale)
 
 
-@pytest.mark.parametrize("name", ["seed", "arm"])
-@pytest.mark.parametrize("method", METHODS)
+@pytest.mark.parametrize(("name", "method"), CASES)
 def test_slopes_forwards_and_weights_in_reverse_tell_the_same_number(name: str, method: str) -> None:
     replay, rng = replay_of(name, method), np.random.default_rng(4)
     samples, rows = replay.recording.samples, replay.recording.rows
@@ -208,7 +205,7 @@ def test_a_load_changes_the_rest_too_and_signals_that_part_are_refused() -> None
 
 
 def test_methods_and_runs_without_derivatives_are_refused() -> None:
-    with pytest.raises(InputError, match="dormand_prince, dop853 or rk4"):
-        adjoint_gradient(bending_arm(method="extrapolation"), squares)
+    with pytest.raises(InputError, match="dormand_prince, dop853, rk4 or extrapolation"):
+        adjoint_gradient(bending_arm(method="midpoint", step=1e-3), squares)
     with pytest.raises(SimulationError, match="max_steps"):
         adjoint_gradient(bending_arm(max_steps=3, duration=2.0), squares)

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -11,9 +12,18 @@ from numpy.typing import NDArray
 from tmodes.compile import dop853_table as dop853
 from tmodes.compile import dormand_prince_loop as dormand_prince
 
-__all__ = ["METHODS", "RungeKutta"]
+__all__ = ["EXPLICIT", "RungeKutta", "SamplePlaces"]
 
 Array = NDArray[np.float64]
+Counts = NDArray[np.int64]
+
+
+class SamplePlaces(NamedTuple):
+    """Of each sample the step that it lies in, at which share of it, and how long that step is [s]."""
+
+    step: Counts
+    share: Array
+    length: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -29,6 +39,30 @@ class RungeKutta:
     c: Array
     own: int
     dense: Callable[[Array], Array]
+    inputs = ()
+    """What the evaluation takes beside time, state and row: nothing."""
+
+    @property
+    def stages(self) -> int:
+        """How many there are."""
+        return len(self.b)
+
+    @property
+    def memory(self) -> int:
+        """How many evaluations are kept at once: those of all stages."""
+        return len(self.b)
+
+    def used(self, evaluations: Counts) -> Counts:
+        """Stages of each step; those between its ends are not known yet."""
+        return np.full(len(evaluations), self.own, dtype=np.int64)
+
+    def weighted(self, used: Counts, places: SamplePlaces) -> tuple[Counts, Array]:
+        """Stages of each step with those that its samples need, and their weights in the samples, (n, stages)."""
+        step, length = places.step, places.length[:, None]
+        weights = length * self.dense(places.share)
+        weights[np.abs(weights) <= 1e-15 * length] = 0.0
+        used[step[1:][(weights[1:, self.own :] != 0).any(axis=1)]] = self.stages
+        return used, weights
 
 
 def _square(rows: tuple[tuple[float, ...], ...]) -> Array:
@@ -89,5 +123,5 @@ def _spread(rows: Sequence[Mapping[int, float]], count: int) -> Array:
     return matrix
 
 
-METHODS = {"dormand_prince": _dormand_prince(), "dop853": _dop853(), "rk4": _classical()}
+EXPLICIT = {"dormand_prince": _dormand_prince(), "dop853": _dop853(), "rk4": _classical()}
 """By the names of :class:`tmodes.integrate.settings.Method`."""

@@ -16,11 +16,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.arm import Arm
-from tmodes.recording import MOST_BYTES, Recording, record
-from tmodes.replay import Replay
+from tmodes.recording import MOST_BYTES
 from tmodes.robot import Robot
 from tmodes.sensitivity.changes import Changes
-from tmodes.sensitivity.lowering import Lowered, lowered
+from tmodes.sensitivity.lowering import lowered
 
 __all__ = ["Functional", "Gradient", "Sensitivities", "adjoint_gradient", "forward_sensitivities"]
 
@@ -66,7 +65,9 @@ def forward_sensitivities(
     memory for the states of the steps. Raises :class:`tmodes.errors.InputError` for a path or a method that cannot be
     differentiated (dormand_prince and rk4 can), and :class:`tmodes.errors.SimulationError` for a run that ends early.
     """
-    here, done = _recorded(sheet, most_bytes)
+    here = lowered(sheet)
+    replay = here.recorded(most_bytes)
+    done = replay.recording
     lowering = Changes(sheet, here)
     changes = [lowering.along(path) for path in paths]
     first = [change.start for change in changes]
@@ -75,7 +76,7 @@ def forward_sensitivities(
     parameters, rows = np.zeros((len(names), len(here.parameters.vector))), np.zeros((len(names), *done.rows.shape))
     for k, change in enumerate(changes):
         parameters[k], rows[k] = change.parameters, change.rows
-    found = Replay(here.rates, here.parameters.vector, done).along(np.stack(first), parameters, rows) if names else ()
+    found = replay.along(np.stack(first), parameters, rows) if names else ()
     return Sensitivities(done.times, done.samples, dict(zip(names, found, strict=True)))
 
 
@@ -86,17 +87,14 @@ def adjoint_gradient(
 
     One sweep in reverse over the recorded steps gives them all. Errors as of :func:`forward_sensitivities`.
     """
-    here, done = _recorded(sheet, most_bytes)
+    here = lowered(sheet)
+    replay = here.recorded(most_bytes)
+    done = replay.recording
     value, weights = functional(done.times, done.samples)
-    found = Replay(here.rates, here.parameters.vector, done).back(np.asarray(weights, dtype=float))
+    found = replay.back(np.asarray(weights, dtype=float))
     by, changes = {}, Changes(sheet, here)
     for path in paths:
         change = changes.along(path)
         told = found.parameters @ change.parameters + found.start @ change.start
         by[path] = float(told + (found.rows * change.rows).sum())
     return Gradient(float(value), by, found.start, found.parameters)
-
-
-def _recorded(sheet: Arm | Robot, most_bytes: float) -> tuple[Lowered, Recording]:
-    here = lowered(sheet)
-    return here, record(here.model, here.parameters, here.schedule, here.start, here.settings, most_bytes)

@@ -16,7 +16,9 @@ from tmodes.model import Model
 from tmodes.model_derivatives import rate_schedule
 from tmodes.motion.plan import Planned, planned
 from tmodes.motion.regime import ArmRegime, arm_regime
+from tmodes.recording import MOST_BYTES, record
 from tmodes.reference.schedule import Schedule
+from tmodes.replay import Replay
 from tmodes.robot import Robot
 from tmodes.trajectory import Moving, Numbers
 
@@ -40,6 +42,11 @@ class Lowered:
     settings: Integration
     regime: ArmRegime | None = None
 
+    def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
+        """The run, with its steps."""
+        done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
+        return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))
+
 
 def lowered(sheet: Arm | Robot) -> Lowered:
     """The run of an arm, or of the 2010 robot under control, as its sheet says it."""
@@ -52,7 +59,8 @@ def lowered(sheet: Arm | Robot) -> Lowered:
     model = regime.model
     if settings.method is Method.AUTO:
         settings = settings.chosen(Method.DORMAND_PRINCE)
-    return Lowered(model, model.loop.rate, model.numbers, regime.planned.schedule, regime.start, settings, regime)
+    rates = model.loop.implicit_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
+    return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime)
 
 
 def replanned(sheet: Arm) -> tuple[Planned, ClosedLoop]:
