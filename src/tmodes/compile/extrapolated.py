@@ -64,7 +64,7 @@ class Extrapolated:
             times[first : first + row] = np.arange(1, row + 1) / row
         return times
 
-    def used(self, evaluations: Counts) -> Counts:
+    def used(self, evaluations: Array) -> Counts:
         """Rows of each step, from the evaluations of its last attempt; one more tells whether a contact changed."""
         return ((np.sqrt(8.0 * evaluations + 1.0) - 1.0) / 2.0 + 1e-9).astype(np.int64)
 

@@ -52,7 +52,7 @@ class RungeKutta:
         """How many evaluations are kept at once: those of all stages."""
         return len(self.b)
 
-    def used(self, evaluations: Counts) -> Counts:
+    def used(self, evaluations: Array) -> Counts:
         """Stages of each step; those between its ends are not known yet."""
         return np.full(len(evaluations), self.own, dtype=np.int64)
 
