@@ -10,12 +10,14 @@ from numpy.typing import NDArray
 
 from tmodes.arm import Arm
 from tmodes.equations.arm.closed_loop import ClosedLoop
+from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.model import Model
 from tmodes.model_derivatives import rate_schedule
 from tmodes.motion.plan import Planned, planned
 from tmodes.motion.regime import ArmRegime, arm_regime
+from tmodes.motion.simulate import closed_loop_spectrum
 from tmodes.recording import MOST_BYTES, record
 from tmodes.reference.schedule import Schedule
 from tmodes.replay import Replay
@@ -31,7 +33,8 @@ Array = NDArray[np.float64]
 class Lowered:
     """A run in numbers: its model, the parameters, the signals, the state at the start, and how it is integrated.
 
-    ``rates``: the schedule of the rates; ``regime``: of an arm. The method ``auto`` is dormand_prince here.
+    ``rates``: the schedule of the rates; ``regime``: of an arm. The method ``auto`` is chosen as for any run; one that
+    turns out stiff underway goes on with it here.
     """
 
     model: Moving
@@ -49,18 +52,26 @@ class Lowered:
 
 
 def lowered(sheet: Arm | Robot) -> Lowered:
-    """The run of an arm, or of the 2010 robot under control, as its sheet says it."""
+    """The run of an arm, or of the 2010 robot under control, as it really is.
+
+    Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
+    """
     if isinstance(sheet, Robot):
-        mechanism, parameters = sheet.split(Drive.CONTROLLED)
-        start = Model(mechanism).rest(sheet.reference.start, parameters)
-        rates, schedule = rate_schedule(mechanism), sheet.reference.schedule()
-        return Lowered(Model(mechanism), rates, parameters, schedule, start, sheet.integration)
-    regime, settings = arm_regime(sheet), sheet.integration
-    model = regime.model
+        return _of_robot(sheet.pair().real)
+    regime, settings = arm_regime(sheet.pair().real), sheet.integration
     if settings.method is Method.AUTO:
-        settings = settings.chosen(Method.DORMAND_PRINCE)
+        highest = float(np.abs(closed_loop_spectrum(regime).eigenvalues).max(initial=0.0))
+        settings = settings.chosen(chosen_method(settings.method, highest, settings.duration)[0])
+    model = regime.model
     rates = model.loop.implicit_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
     return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime)
+
+
+def _of_robot(robot: Robot) -> Lowered:
+    mechanism, parameters = robot.split(Drive.CONTROLLED)
+    model = Model(mechanism)
+    start, schedule = model.rest(robot.reference.start, parameters), robot.reference.schedule()
+    return Lowered(model, rate_schedule(mechanism), parameters, schedule, start, robot.integration)
 
 
 def replanned(sheet: Arm) -> tuple[Planned, ClosedLoop]:
