@@ -42,6 +42,13 @@ class Differentiated:
         self.tape = Tape(schedule, list(self.outputs))
         self._made: dict[Any, Ready] = {}
 
+    def values(self, parameters: Array, blocks: Blocks) -> Blocks:
+        """The outputs themselves by name, (n, size)."""
+        size = self.tape.output_size
+        ready = self._get("values", lambda: Ready(self.tape.values(), 1, (0, 0), (self.tape.end, size)))
+        nothing = np.empty((len(next(iter(blocks.values()))), 0))
+        return self._split(self._run(ready, parameters, blocks, nothing, None))
+
     def along(self, parameters: Array, blocks: Blocks, directions: Blocks, *, change: Array | None = None) -> Blocks:
         """Slopes of the outputs by name, (n, size), along a direction of the inputs named, and of the parameters.
 
@@ -123,13 +130,14 @@ class Differentiated:
                 target += LANES * self.tape.output_size
         return Ready(table, LANES, (0, 0), (start, target - start))
 
-    def _run(self, ready: Ready, parameters: Array, blocks: Blocks, seeds: Array, slopes: Array) -> Array:
+    def _run(self, ready: Ready, parameters: Array, blocks: Blocks, seeds: Array, slopes: Array | None) -> Array:
+        """Run a table at all samples; without ``slopes`` what is found stands among the values."""
         inputs = self.packed(blocks)
         count, seeds = len(inputs), np.ascontiguousarray(seeds)
         values, found = np.empty(self.tape.size), np.empty((count, ready.found[1]))
         values[: len(parameters)] = parameters
         counts = (count, ready.table.rows, *self._inputs(), *ready.seeds, *ready.found)
-        arrays = (ready.table.words, values, slopes, inputs, seeds, found)
+        arrays = (ready.table.words, values, values if slopes is None else slopes, inputs, seeds, found)
         operations()["samples"](*counts, *(array.ctypes.data for array in arrays))
         return found
 

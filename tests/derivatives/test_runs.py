@@ -16,6 +16,7 @@ from tmodes.replay import Replay
 from tmodes.robot import Robot
 from tmodes.robots import load_robot
 from tmodes.sensitivity.changes import Changes
+from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.sensitivity.lowering import Lowered, lowered
 
@@ -98,6 +99,13 @@ def richardson(function: Any, step: float) -> float:
     return (15 * ways[0] - 6 * ways[1] + ways[2]) / 10
 
 
+SQUARES = Functional(("state",), lambda times, told: _of_states(*squares(times, told["state"])))
+
+
+def _of_states(value: float, weights: Array) -> tuple[float, dict[str, Array]]:
+    return value, {"state": weights}
+
+
 @pytest.mark.parametrize(("name", "method"), CASES)
 def test_the_same_steps_give_the_same_samples(name: str, method: str) -> None:
     replay = replay_of(name, method)
@@ -154,7 +162,7 @@ def test_gradients_by_quantities_are_those_of_runs_with_other_sheets(name: str) 
     tight = {"integration.relative_tolerance": 1e-12, "integration.absolute_tolerance": 1e-14}
     sheet = sheet_of(name, "dormand_prince").with_(tight)
     paths = paths_of(name)
-    gradient, forwards = adjoint_gradient(sheet, squares, paths), forward_sensitivities(sheet, paths)
+    gradient, forwards = adjoint_gradient(sheet, SQUARES, paths), forward_sensitivities(sheet, paths)
     weights = squares(forwards.times, forwards.states)[1]
     for path in paths:
         assert (weights * forwards.by[path]).sum() == pytest.approx(gradient.by[path], rel=1e-9)
@@ -206,6 +214,6 @@ def test_a_load_changes_the_rest_too_and_signals_that_part_are_refused() -> None
 
 def test_methods_and_runs_without_derivatives_are_refused() -> None:
     with pytest.raises(InputError, match="dormand_prince, dop853, rk4 or extrapolation"):
-        adjoint_gradient(bending_arm(method="midpoint", step=1e-3), squares)
+        adjoint_gradient(bending_arm(method="midpoint", step=1e-3), SQUARES)
     with pytest.raises(SimulationError, match="max_steps"):
-        adjoint_gradient(bending_arm(max_steps=3, duration=2.0), squares)
+        adjoint_gradient(bending_arm(max_steps=3, duration=2.0), SQUARES)

@@ -15,7 +15,7 @@ from tmodes.io.arm_check import arm_data
 from tmodes.io.arm_paths import entered, steps_of
 from tmodes.io.arm_units import at
 from tmodes.motion.plan import starts_at_rest
-from tmodes.motion.regime import arm_regime
+from tmodes.motion.regime import arm_regime, first_state
 from tmodes.sensitivity.differences import Change, far_difference, near_difference, number_at, replaced
 from tmodes.sensitivity.lowering import Lowered, replanned, rows_of, structure
 
@@ -42,21 +42,28 @@ class ArmChanges:
         known = at(entered(arm_data(self.sheet), groups, path), last)
         value = number_at(path, known, zero="signal" in groups)
 
+        rests = starts_at_rest(self.sheet)
+
         def numbers(change: float) -> Array:
-            plan, loop = replanned(self._changed(path, value + change))
+            arm = self._changed(path, value + change)
+            plan, model = replanned(arm)
             rows = rows_of(plan.schedule, self.here.settings.duration)
-            self._check(path, loop, rows)
-            return np.concatenate([loop.parts.numbers.vector, rows.ravel(), plan.signals.at(0.0)])
+            self._check(path, model.loop, rows)
+            start = plan.signals.at(0.0) if rests else first_state(arm, plan, model)
+            return np.concatenate([model.loop.parts.numbers.vector, rows.ravel(), start])
 
         parts = [len(self.here.parameters.vector), self.rows.size]
-        parameters, rows, begin = np.split(near_difference(numbers, value), np.cumsum(parts))
-        change = Change(parameters, np.zeros_like(self.here.start), rows.reshape(self.rows.shape))
-        if starts_at_rest(self.sheet) and not begin.any() and self._arm_alone(change):
-            change.start[: len(self.here.model.coordinates)] = self._rest_along(change.parameters)
-            return change
-        return change._replace(
-            start=far_difference(lambda by: arm_regime(self._changed(path, value + by)).start, value)
-        )
+        parameters, rows, start = np.split(near_difference(numbers, value), np.cumsum(parts))
+        change = Change(parameters, start, rows.reshape(self.rows.shape))
+        return change._replace(start=self._rest_of(path, value, change)) if rests else change
+
+    def _rest_of(self, path: str, value: float, change: Change) -> Array:
+        """Derivative of the state at rest; ``change`` holds that of the signals at the start."""
+        if change.start.any() or not self._arm_alone(change):
+            return far_difference(lambda by: arm_regime(self._changed(path, value + by)).start, value)
+        start = np.zeros_like(self.here.start)
+        start[: len(self.here.model.coordinates)] = self._rest_along(change.parameters)
+        return start
 
     def _changed(self, path: str, value: float) -> Arm:
         """The arm as it really is with another number, which is only checked where it does not simply replace one."""

@@ -15,6 +15,7 @@ from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.model import Model
 from tmodes.model_derivatives import rate_schedule
+from tmodes.motion.loop import LoopModel
 from tmodes.motion.plan import Planned, planned
 from tmodes.motion.regime import ArmRegime, arm_regime
 from tmodes.motion.simulate import closed_loop_spectrum
@@ -74,10 +75,10 @@ def _of_robot(robot: Robot) -> Lowered:
     return Lowered(model, rate_schedule(mechanism), parameters, schedule, start, robot.integration)
 
 
-def replanned(sheet: Arm) -> tuple[Planned, ClosedLoop]:
+def replanned(sheet: Arm) -> tuple[Planned, LoopModel]:
     """An arm's plan and its numbers, without a state at the start."""
     plan = planned(sheet)
-    return plan, ClosedLoop(plan.plan)
+    return plan, LoopModel(plan.plan)
 
 
 def rows_of(schedule: Schedule, duration: float) -> Array:

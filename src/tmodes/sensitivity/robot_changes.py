@@ -35,12 +35,15 @@ class RobotChanges:
         """By one quantity; see :class:`tmodes.sensitivity.changes.Changes`."""
         if path.startswith("reference."):
             return self._of_reference(path)
-        known = dict(self.sheet.pair().nominal.numbers()) if path in self.parameters.names else {}
-        number_at(path, known.get(path))
+        number_at(path, self._known.get(path))
         unit, start = np.zeros_like(self.parameters.vector), np.zeros_like(self.here.start)
         unit[self.parameters.names.index(path)] = self.sheet.real.get(path, 1.0)
         start[:6] = self._rest[1] @ unit
         return Change(unit, start, np.zeros_like(self.rows))
+
+    @cached_property
+    def _known(self) -> dict[str, float]:
+        return dict(self.sheet.numbers())
 
     @cached_property
     def _rest(self) -> tuple[Array, Array]:
