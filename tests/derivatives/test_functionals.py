@@ -91,8 +91,9 @@ def gradient_of_robot() -> Any:
 def test_any_quantity_of_an_arm_can_be_followed(quantity: str) -> None:
     told = forward_sensitivities(arm(), quantities=(quantity,)).told[quantity]
     functional = tracking_error(quantity, lambda times: told + np.cos(times)[:, None] * np.abs(told).max(axis=0))
-    found = adjoint_gradient(arm(), functional, (*ARM_PATHS,))
-    for path, value in ARM_PATHS.items():
+    paths = dict([*ARM_PATHS.items()][:: 1 if quantity == "tip" else 3])
+    found = adjoint_gradient(arm(), functional, (*paths,))
+    for path, value in paths.items():
         differences = sixth_order(
             lambda by, path=path, value=value: measured(arm().with_({path: value * (1 + by)}), functional), 2e-3
         )

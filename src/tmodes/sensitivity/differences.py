@@ -47,7 +47,7 @@ def number_at(path: str, known: Any, *, zero: bool = False) -> float:
     Raises :class:`tmodes.errors.InputError` for anything else, and for a zero where none may be.
     """
     same = isinstance(known, list) and len(set(map(str, known))) == 1
-    value = known[0] if same else known
+    value: Any = known[0] if same else known
     wrong = isinstance(value, bool) or not isinstance(value, (int, float)) or not np.isfinite(value)
     if wrong or (value == 0 and not zero):
         expected = "the path of a finite number other than 0: its change is told relative to it"

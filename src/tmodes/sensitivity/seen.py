@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.arm_passes import ArmPasses
 from tmodes.derivatives import Blocks, Differentiated
+from tmodes.equations.arm.schedule import Slot
 from tmodes.equations.layout import OBSERVED
 from tmodes.errors import InputError
 from tmodes.model import Model
@@ -117,7 +118,7 @@ class ArmSeen:
             points[:, k, _TOLD[kind]] += weights.get(name, 0.0)
         return {"points": points.reshape(count, size)}
 
-    def _points_of(self) -> Sequence[object]:
+    def _points_of(self) -> Sequence[Slot]:
         assert self._points is not None  # noqa: S101
         return self._points.outputs["points"]
 
