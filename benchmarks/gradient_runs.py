@@ -42,6 +42,9 @@ _ROBOT = (
 )  # fmt: skip
 
 
+_MULTIPLES = (1, 2, 3, 4, 6)
+
+
 @dataclass
 class _Numbers:
     vector: Array
@@ -64,12 +67,13 @@ class Case:
         here = self.here
         return integrate(here.model, here.parameters, here.schedule, here.start, here.settings)
 
-    def differences(self, path: str, step: float) -> float:
-        """Derivative of the functional by the logarithm of a number."""
+    def differences(self, path: str, step: float) -> tuple[float, float]:
+        """Derivative of the functional by the logarithm of a number, and by how much twice the step changes it."""
         change, value = Changes(self.sheet, self.here).along(path), self.values[path]
-        ways = [(self._moved(change, k * step * value) - self._moved(change, -k * step * value)) / (2 * k * step)
-                for k in (1, 2, 3)]  # fmt: skip
-        return float((15 * ways[0] - 6 * ways[1] + ways[2]) / 10)
+        apart = {k: self._moved(change, k * step * value) - self._moved(change, -k * step * value) for k in _MULTIPLES}
+        near, far = ([apart[k * times] / (2 * k * times * step) for k in (1, 2, 3)] for times in (1, 2))
+        found, other = ((15 * ways[0] - 6 * ways[1] + ways[2]) / 10 for ways in (near, far))
+        return found, abs(found - other)
 
     def _moved(self, change: Any, by: float) -> float:
         """The functional on the same steps with numbers changed along a direction."""

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import tracemalloc
 from functools import cache
 from typing import Any
 
@@ -155,6 +156,20 @@ def test_few_kept_states_give_the_same_derivatives() -> None:
     weights = np.random.default_rng(1).normal(size=whole.recording.samples.shape)
     for one, other in zip(whole.back(weights), sparse.back(weights), strict=True):
         assert np.abs(one - other).max() <= 1e-9 * np.abs(one).max()
+
+
+def test_states_between_those_kept_are_there_one_piece_at_a_time() -> None:
+    here = lowered(seed_robot("rk4").with_({"integration.step": 1e-5}))
+    whole, sparse = here.recorded(), here.recorded(50_000.0)
+    weights = np.ones_like(whole.recording.samples)
+    peaks = []
+    for replay in (whole, sparse):
+        replay.back(weights)  # all code is there
+        tracemalloc.start()
+        replay.back(weights)
+        peaks.append(tracemalloc.get_traced_memory()[1])
+        tracemalloc.stop()
+    assert peaks[1] - peaks[0] <= 0.1 * whole.recording.kept.nbytes
 
 
 @pytest.mark.parametrize("name", ["seed", "arm"])

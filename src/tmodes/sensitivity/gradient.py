@@ -32,13 +32,15 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Cost:
-    """What derivatives took, in seconds: the run with its recording, their sweep, what is measured, and the sheet.
+    """What derivatives took: seconds by what they went into, and memory.
 
-    ``measure``: values of quantities and their derivatives; ``sheet``: derivatives of the numbers by the paths.
-    ``steps`` of the run; ``checkpoints``: states that were kept of them, in ``bytes`` of memory.
+    ``plan``: what any run needs before it; ``forward``: the run, recorded; ``sweep``: the derivatives of its steps;
+    ``measure``: quantities and their derivatives; ``sheet``: derivatives of the numbers by the paths. ``steps`` of the
+    run; ``checkpoints``: states that were kept of them, in ``bytes`` of memory.
     """
 
     method: str
+    plan: float
     forward: float
     sweep: float
     measure: float
@@ -104,6 +106,7 @@ def forward_sensitivities(
     """
     watch = _Watch()
     here = lowered(sheet)
+    watch.lap("plan")
     replay = here.recorded(most_bytes)
     done = replay.recording
     watch.lap("forward")
@@ -137,6 +140,7 @@ def adjoint_gradient(
     """
     watch = _Watch()
     here = lowered(sheet)
+    watch.lap("plan")
     replay = here.recorded(most_bytes)
     done = replay.recording
     watch.lap("forward")

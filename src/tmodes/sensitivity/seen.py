@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.arm_passes import ArmPasses
-from tmodes.derivatives import Blocks, Differentiated
+from tmodes.derivatives import Blocks, differentiated
 from tmodes.equations.arm.schedule import Slot
 from tmodes.equations.layout import OBSERVED
 from tmodes.errors import InputError
@@ -39,7 +39,7 @@ class RobotSeen:
         _refuse_unknown(names, (*OBSERVED,))
         assert isinstance(here.model, Model)  # noqa: S101
         self.parameters, self._instants, self._names = here.parameters.vector, instants, names
-        self._of = Differentiated(observe_schedule(here.model.mechanism, names)) if names else None
+        self._of = differentiated(observe_schedule(here.model.mechanism, names)) if names else None
 
     def told(self) -> Blocks:
         """Values (n, numbers) by names."""
@@ -68,8 +68,8 @@ class ArmSeen:
         self._places = {name: places[name] for name in names if name in places}
         self._plain = tuple(name for name in names if name not in places)
         shown = tuple(dict.fromkeys((*self._plain, *(_MOVED if self._places else ()))))
-        self._of = Differentiated(loop.observe, shown) if shown else None
-        self._points = Differentiated(ArmPasses(loop.parts).schedule("inertia"), ["points"]) if self._places else None
+        self._of = differentiated(loop.observe, shown) if shown else None
+        self._points = differentiated(ArmPasses(loop.parts).schedule("inertia"), ["points"]) if self._places else None
 
     @cached_property
     def _seen(self) -> Blocks:
