@@ -103,8 +103,8 @@ def of_run(case: Case, rounds: int) -> dict[str, Any]:
         cost = forward_sensitivities(case.sheet, case.paths).cost
         times["forward"].append(cost.forward + cost.sweep + cost.measure + cost.sheet)
     told = {name: statistics.median(a / b for a, b in zip(times[name], times["run"], strict=True)) for name in times}
-    scaled = np.array([gained.by[path] * case.values[path] for path in case.paths])
-    near, noise = np.array([case.differences(path, _STEP) for path in case.paths]).T
+    scaled = np.array([gained.by[path] * case.values[path] for path in case.compared])
+    near, noise = np.array([case.differences(path, _STEP) for path in case.compared]).T
     largest = np.abs(scaled).max()
     return {
         "name": case.name, "method": gained.cost.method, "steps": gained.cost.steps, "paths": len(case.paths),
@@ -125,7 +125,7 @@ _RUN = (
     "{name} by {method}: {run_ms:.1f} ms, {steps} steps, {kept_kb:.0f} kB of states kept",
     "  adjoint of {paths} numbers  {adjoint:.2f} x the run, {adjoint_all:.2f} x with the numbers of the sheet",
     "  forward sensitivities  {forward_all:.2f} x, with the numbers of the sheet",
-    "  error over the largest {error:.0e} (differences {noise:.0e}), of the worst single {worst:.0e} ({worst_noise:.0e})",
+    "  error over the largest {error:.0e} (differences {noise:.0e}), worst single {worst:.0e} ({worst_noise:.0e})",
 )
 
 

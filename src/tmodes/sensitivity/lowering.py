@@ -60,9 +60,11 @@ def lowered(sheet: Arm | Robot) -> Lowered:
     if isinstance(sheet, Robot):
         return _of_robot(sheet.pair().real)
     regime, settings = arm_regime(sheet.pair().real), sheet.integration
-    if settings.method is Method.AUTO:
+    method = settings.method
+    if method is Method.AUTO:
         highest = float(np.abs(closed_loop_spectrum(regime).eigenvalues).max(initial=0.0))
-        settings = settings.chosen(chosen_method(settings.method, highest, settings.duration)[0])
+        method, _ = chosen_method(method, highest, settings.duration)
+    settings = settings.chosen(method)
     model = regime.model
     rates = model.loop.implicit_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
     return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime)
