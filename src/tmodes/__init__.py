@@ -20,6 +20,8 @@ if TYPE_CHECKING:
     from tmodes.robot import NominalRealPair, Robot
     from tmodes.robots import load_robot
     from tmodes.robots.load import load_sheet
+    from tmodes.sensitivity.functional import Functional, tracking_error
+    from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
     from tmodes.simulate import simulate as run
     from tmodes.vary.simulate import simulate_batch
 
@@ -29,6 +31,7 @@ __all__ = [
     "Arm",
     "ArmModel",
     "Drive",
+    "Functional",
     "Mechanism",
     "Model",
     "NominalRealPair",
@@ -37,17 +40,21 @@ __all__ = [
     "Result",
     "Robot",
     "TmodesError",
+    "adjoint_gradient",
+    "forward_sensitivities",
     "load_robot",
     "load_sheet",
     "run",
     "simulate_arm",
     "simulate_batch",
+    "tracking_error",
 ]
 
 _HOMES = {
     "Arm": "tmodes.arm.Arm",
     "ArmModel": "tmodes.arm_model.ArmModel",
     "Drive": "tmodes.mechanism.Drive",
+    "Functional": "tmodes.sensitivity.functional.Functional",
     "Mechanism": "tmodes.mechanism.Mechanism",
     "Model": "tmodes.model.Model",
     "NominalRealPair": "tmodes.robot.NominalRealPair",
@@ -56,10 +63,13 @@ _HOMES = {
     "Result": "tmodes.result.Result",
     "Robot": "tmodes.robot.Robot",
     "TmodesError": "tmodes.errors.TmodesError",
+    "adjoint_gradient": "tmodes.sensitivity.gradient.adjoint_gradient",
+    "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",
     "load_robot": "tmodes.robots.load_robot",
     "load_sheet": "tmodes.robots.load.load_sheet",
     "simulate_arm": "tmodes.motion.simulate.simulate_arm",
     "simulate_batch": "tmodes.vary.simulate.simulate_batch",
+    "tracking_error": "tmodes.sensitivity.functional.tracking_error",
     "run": "tmodes.simulate.simulate",  # tmodes.simulate is the module, so its function has the command line's name
 }
 

@@ -18,7 +18,7 @@ from tmodes.acceleration_table import AccelerationDerivatives, AccelerationTable
 from tmodes.arm_passes import ArmPasses
 from tmodes.chain import Chain
 from tmodes.compile.elimination import aligned, eliminate, padded
-from tmodes.derivatives import Columns, Differentiated
+from tmodes.derivatives import Columns, Differentiated, differentiated
 from tmodes.equations.arm.parts import Parts
 from tmodes.errors import InputError, SimulationError
 from tmodes.evaluator import Blocks, Rows
@@ -133,7 +133,7 @@ class DifferentiatedArm:
         blocks = {name: value[None] for name, value in state.items()}
         found = np.zeros(len(state["q"]))
         for name in ("inertia", "elastic"):
-            of = self._kept((name, "along"), lambda name=name: Differentiated(self.passes.schedule(name), ["forces"]))
+            of = self._kept((name, "along"), lambda name=name: differentiated(self.passes.schedule(name), ["forces"]))
             found += of.along(self.passes.parameters, blocks, {}, change=change)["forces"][0]
         return found
 
@@ -163,7 +163,7 @@ class DifferentiatedArm:
         return {}
 
     def _forward(self, *, loaded: bool) -> Differentiated:
-        return self._kept(("forward", loaded), lambda: Differentiated(self.passes.schedule("forward", loaded=loaded)))
+        return self._kept(("forward", loaded), lambda: differentiated(self.passes.schedule("forward", loaded=loaded)))
 
     def _kept(self, key: Any, make: Callable[[], Any]) -> Any:
         if key not in self._differentiated:
@@ -175,7 +175,7 @@ class DifferentiatedArm:
 
         def make() -> Columns:
             schedule = self.passes.schedule(name, loaded=loaded)
-            of = Differentiated(schedule, ["a" if name == "forward" else "forces"])
+            of = differentiated(schedule, ["a" if name == "forward" else "forces"])
             bodies = self.passes.parts.bodies()
             # The columns of the mass matrix stand in their own order: it is solved with as it comes.
             return of.columns([(label, sorted(bodies) if label == "a" else bodies) for label in by])

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 import threading
+from collections import OrderedDict
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
@@ -14,11 +15,28 @@ from tmodes.compile.elimination import aligned, padded
 from tmodes.compile.tape import Tape
 from tmodes.compile.tape_loop import Table, operations
 
-__all__ = ["Columns", "Differentiated", "Group", "Ready"]
+__all__ = ["Columns", "Differentiated", "Group", "Ready", "differentiated"]
 
 Array = NDArray[np.float64]
 Blocks = dict[str, Array]
 Group = tuple[str, Sequence[Sequence[int]]]
+
+
+_known: OrderedDict[tuple[str, tuple[str, ...]], Differentiated] = OrderedDict()
+_MOST = 64
+
+
+def differentiated(schedule: Any, outputs: Sequence[str] | None = None) -> Differentiated:
+    """A schedule that can be differentiated, as made before for one of the same structure.
+
+    Tables hold no number of the robot; to make them takes longer than a short run.
+    """
+    key = (schedule.key, tuple(outputs or schedule.outputs))
+    if key not in _known:
+        _known[key] = Differentiated(schedule, outputs)
+        while len(_known) > _MOST:
+            _known.popitem(last=False)
+    return _known[key]
 
 
 class Ready(NamedTuple):
@@ -40,7 +58,14 @@ class Differentiated:
         self.schedule = schedule
         self.outputs = {name: schedule.outputs[name] for name in (outputs or schedule.outputs)}
         self.tape = Tape(schedule, list(self.outputs))
-        self._made: dict[Any, Ready] = {}
+        self._made: dict[Any, Any] = {}
+
+    def values(self, parameters: Array, blocks: Blocks) -> Blocks:
+        """The outputs themselves by name, (n, size)."""
+        size = self.tape.output_size
+        ready = self.kept("values", lambda: Ready(self.tape.values(), 1, (0, 0), (self.tape.end, size)))
+        nothing = np.empty((len(next(iter(blocks.values()))), 0))
+        return self._split(self._run(ready, parameters, blocks, nothing, None))
 
     def along(self, parameters: Array, blocks: Blocks, directions: Blocks, *, change: Array | None = None) -> Blocks:
         """Slopes of the outputs by name, (n, size), along a direction of the inputs named, and of the parameters.
@@ -48,7 +73,7 @@ class Differentiated:
         ``change`` (parameters,): that of the parameters, the same at all samples. Costs about 2.5 evaluations.
         """
         names = tuple(name for name in self.schedule.inputs if name in directions)
-        ready = self._get(("along", names, change is not None), lambda: self._along(names, change is not None))
+        ready = self.kept(("along", names, change is not None), lambda: self._along(names, change is not None))
         count = len(next(iter(blocks.values())))
         size = self.schedule.input_size
         seeds = [directions.get(name, np.zeros((count, slot.size))) for name, slot in self.schedule.inputs.items()]
@@ -64,7 +89,7 @@ class Differentiated:
         over the samples, (parameters,). Costs about 3.5 evaluations, whatever the number of inputs.
         """
         wanted = tuple(sorted(names))
-        ready = self._get(("back", wanted), lambda: self._back(wanted))
+        ready = self.kept(("back", wanted), lambda: self._back(wanted))
         count = len(next(iter(blocks.values())))
         sizes = {name: sum(slot.size for slot in slots) for name, slots in self.outputs.items()}
         seeds = np.concatenate([weights.get(name, np.zeros((count, size))) for name, size in sizes.items()], axis=1)
@@ -77,13 +102,14 @@ class Differentiated:
     def columns(self, groups: Sequence[Group]) -> Columns:
         """Ready to compute the derivatives of the outputs by the elements of inputs that ``groups`` name."""
         key = ("columns", tuple((name, tuple(map(tuple, bodies))) for name, bodies in groups))
-        return Columns(self, groups, self._get(key, lambda: self._columns(groups)))
+        return Columns(self, groups, self.kept(key, lambda: self._columns(groups)))
 
     def packed(self, blocks: Blocks) -> Array:
         """The inputs of each sample, one after the other, (n, numbers)."""
         return np.ascontiguousarray(np.concatenate([blocks[name] for name in self.schedule.inputs], axis=1))
 
-    def _get(self, key: Any, make: Callable[[], Ready]) -> Ready:
+    def kept(self, key: Any, make: Callable[[], Any]) -> Any:
+        """What was made for a key, once."""
         if key not in self._made:
             self._made[key] = make()
         return self._made[key]
@@ -123,13 +149,14 @@ class Differentiated:
                 target += LANES * self.tape.output_size
         return Ready(table, LANES, (0, 0), (start, target - start))
 
-    def _run(self, ready: Ready, parameters: Array, blocks: Blocks, seeds: Array, slopes: Array) -> Array:
+    def _run(self, ready: Ready, parameters: Array, blocks: Blocks, seeds: Array, slopes: Array | None) -> Array:
+        """Run a table at all samples; without ``slopes`` what is found stands among the values."""
         inputs = self.packed(blocks)
         count, seeds = len(inputs), np.ascontiguousarray(seeds)
         values, found = np.empty(self.tape.size), np.empty((count, ready.found[1]))
         values[: len(parameters)] = parameters
         counts = (count, ready.table.rows, *self._inputs(), *ready.seeds, *ready.found)
-        arrays = (ready.table.words, values, slopes, inputs, seeds, found)
+        arrays = (ready.table.words, values, values if slopes is None else slopes, inputs, seeds, found)
         operations()["samples"](*counts, *(array.ctypes.data for array in arrays))
         return found
 

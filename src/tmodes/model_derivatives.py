@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cache
+from itertools import pairwise
 from typing import Any
 
 import numpy as np
@@ -12,10 +13,11 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.derivatives import Differentiated
 from tmodes.equations.arm.kernel import Kernel
 from tmodes.equations.arm.schedule import Schedule, Slot
-from tmodes.equations.layout import STATE_SIZE
+from tmodes.equations.coordinates import basis, deformation_basis, free_deformations
+from tmodes.equations.layout import OBSERVED, STATE_SIZE
 from tmodes.mechanism import Mechanism, Parameters
 
-__all__ = ["rate_jvp", "rate_schedule", "rate_vjp"]
+__all__ = ["observe_schedule", "rate_jvp", "rate_schedule", "rate_vjp", "rest_change"]
 
 Array = NDArray[np.float64]
 
@@ -26,15 +28,50 @@ def rate_schedule(mechanism: Mechanism) -> Schedule:
 
     Parameters and inputs are those of :meth:`tmodes.model.Model.rate`.
     """
-    from tmodes.compile.invariant import parted
     from tmodes.equations.closed_loop import closed_loop, rate_function
 
-    function = rate_function(closed_loop(mechanism))
-    held, rest = parted(function, invariant=3)
-    sizes = (1, STATE_SIZE, mechanism.reference_degree + 2, function.nnz_in(3), held.nnz_out(0))
-    key, schedule = mechanism.key, Schedule(sizes[3])
-    inputs = [schedule.input(name, size) for name, size in zip(("time", "state", "row"), sizes, strict=False)]
-    return _called(schedule, inputs, key, (held, rest), sizes)
+    return _instants(mechanism, rate_function(closed_loop(mechanism)), {"rate": STATE_SIZE}, mechanism.key)
+
+
+@cache
+def observe_schedule(mechanism: Mechanism, names: tuple[str, ...]) -> Schedule:
+    """(time, state, row) -> some of what :meth:`tmodes.model.Model.observe` tells, with its parameters and inputs."""
+    from tmodes.equations.closed_loop import closed_loop, observe_function
+
+    function = observe_function(closed_loop(mechanism), names)
+    return _instants(mechanism, function, {name: OBSERVED[name] for name in names}, f"{mechanism.key} {names}")
+
+
+def rest_change(mechanism: Mechanism, parameters: Parameters, theta: float, state: Array) -> tuple[Array, Array]:
+    """How the rest at a motor angle moves: derivatives of its coordinates by the angle, (6,), and by the parameters.
+
+    ``state``: that of :meth:`tmodes.model.Model.rest`; by the parameters (6, parameters). From the residual r of the
+    equations of rest: their root moves by -(dr/dx)^-1 dr/dp.
+    """
+    free = free_deformations(mechanism.rigid)
+    unit, shapes = basis()[:, 0], deformation_basis()
+    angles = np.linalg.lstsq(shapes, state[:6] - theta * unit, rcond=None)[0]
+    blocks = {"angles": angles[None], "theta": np.array([[theta]])}
+    of = _rest(mechanism)
+    found = [of.back(parameters.vector, blocks, {"residual": row[None]}, (*blocks, "parameters")) for row in np.eye(5)]
+    matrix = np.concatenate([one["angles"] for one in found])[np.ix_(free, free)]
+    by_theta = -np.linalg.solve(matrix, np.concatenate([one["theta"] for one in found])[free])[:, 0]
+    by_numbers = -np.linalg.solve(matrix, np.stack([one["parameters"] for one in found])[free])
+    return unit + shapes[:, free] @ by_theta, shapes[:, free] @ by_numbers
+
+
+@cache
+def _rest(mechanism: Mechanism) -> Differentiated:
+    """(angles, theta) -> ``residual`` (5,) of the forces at rest."""
+    from tmodes.equations.statics import rest_function
+
+    function = rest_function(mechanism)
+    schedule = Schedule(function.nnz_in(2))
+    sizes = (5, 1, schedule.parameters)
+    kernel = Kernel(f"at rest {mechanism.arm_key}", sizes, (5,), lambda *blocks: [[function.call([*blocks])[0][:5]]])
+    inputs = [schedule.input(name, size) for name, size in zip(("angles", "theta"), sizes, strict=False)]
+    schedule.output("residual", *schedule.call(kernel, *inputs, Slot("parameters", 0, schedule.parameters)))
+    return Differentiated(schedule)
 
 
 def rate_jvp(
@@ -79,16 +116,22 @@ def _blocks(given: Mapping[str, ArrayLike]) -> dict[str, Array]:
     return {name: array.reshape(len(array), -1) for name, array in arrays.items()}
 
 
-def _called(schedule: Schedule, inputs: list[Any], key: str, functions: tuple[Any, Any], sizes: Any) -> Schedule:
-    """The schedule with both functions called."""
-    held, rest = functions
-    first = Kernel(f"held {key}", (sizes[3],), (sizes[4],), lambda p: [[value] for value in held.call([p])])
-    second = Kernel(
-        f"rest {key}",
-        (*sizes[:3], sizes[4]),
-        (STATE_SIZE,),
-        lambda *blocks: [[value] for value in rest.call([*blocks])],
-    )
-    (kept,) = schedule.call(first, Slot("parameters", 0, sizes[3]))
-    schedule.output("rate", *schedule.call(second, *inputs, kept))
+def _instants(mechanism: Mechanism, function: Any, outputs: dict[str, int], key: str) -> Schedule:
+    """A function of (time, state, row, parameters) as a schedule of two kernels, the first of the parameters alone."""
+    from tmodes.compile.invariant import parted
+
+    held, rest = parted(function, invariant=3)
+    sizes = (1, STATE_SIZE, mechanism.reference_degree + 2, held.nnz_out(0))
+    schedule, ends = Schedule(function.nnz_in(3)), np.cumsum([0, *outputs.values()]).tolist()
+
+    def build(*blocks: Any) -> list[list[Any]]:
+        (told,) = rest.call([*blocks])
+        return [[told[start:end]] for start, end in pairwise(ends)]
+
+    first = Kernel(f"held {key}", (schedule.parameters,), sizes[3:], lambda p: [[value] for value in held.call([p])])
+    second = Kernel(f"rest {key}", sizes, tuple(outputs.values()), build)
+    inputs = [schedule.input(name, size) for name, size in zip(("time", "state", "row"), sizes, strict=False)]
+    (kept,) = schedule.call(first, Slot("parameters", 0, schedule.parameters))
+    for name, slot in zip(outputs, schedule.call(second, *inputs, kept), strict=True):
+        schedule.output(name, slot)
     return schedule

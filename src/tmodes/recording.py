@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.record_loop import Steps, record_steps
-from tmodes.compile.runge_kutta import METHODS
+from tmodes.compile.runge_kutta import SamplePlaces
+from tmodes.compile.tableaus import METHODS
 from tmodes.compile.time_loop import Status
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import Integration, refuse_stops
@@ -33,7 +34,7 @@ class Recording:
     """Steps of a run: ``t`` and ``h`` (steps,) [s], ``segments`` (steps,), state at the start of every ``every``-th.
 
     ``times`` (n,) and ``samples`` (n, size): what the run gave; ``first_sample`` (steps + 1): which of them lie in a
-    step, the start aside; ``weights`` (n, stages) of its stages in each; ``used``: how many stages a step needs.
+    step, the start aside; ``weights`` (n, stages) of its stages in each; ``used``: how many stages, or rows, it needs.
     """
 
     method: str
@@ -66,7 +67,7 @@ def record(
     refuse_stops(settings, "a run is differentiated")
     method = settings.method.value
     if method not in METHODS:
-        names = " or ".join(METHODS)
+        names = " or ".join(", ".join(METHODS).rsplit(", ", 1))
         raise InputError("integration.method", method, names, "name one of them: its steps can be differentiated")
     run = NativeRun(model, parameters, schedule.until(settings.duration), state, settings)
     steps, every = _steps(run, settings, most_bytes)
@@ -76,7 +77,7 @@ def record(
     t, h = steps.t, np.diff(steps.t, append=run.times[-1])
     pieces = schedule.until(settings.duration)
     rows = np.ascontiguousarray(np.column_stack([pieces.knots[:-1], pieces.coefficients]))
-    sampled = _sampled(method, t, h, run.times)
+    sampled = _sampled(method, steps, h, run.times)
     return Recording(method, t, h, steps.segments, every, steps.states, rows, run.times, run.samples, *sampled)
 
 
@@ -98,13 +99,11 @@ def _joined(parts: list[Steps]) -> Steps:
     return Steps(*(np.concatenate(arrays) for arrays in zip(*parts, strict=True)))
 
 
-def _sampled(method: str, t: Array, h: Array, times: Array) -> tuple[Counts, Array, Counts]:
+def _sampled(method: str, steps: Steps, h: Array, times: Array) -> tuple[Counts, Array, Counts]:
     """First sample of each step, weights of the stages in each sample, and the stages that each step needs."""
-    tableau = METHODS[method]
+    tableau, t = METHODS[method], steps.t
     step = np.clip(np.searchsorted(t + h * (1 + 1e-9), times), 0, len(t) - 1)
-    weights = h[step, None] * tableau.dense((times - t[step]) / h[step])
-    weights[np.abs(weights) <= 1e-15 * h[step, None]] = 0.0
-    used = np.full(len(t), tableau.own, dtype=np.int64)
-    used[step[1:][(weights[1:, tableau.own :] != 0).any(axis=1)]] = len(tableau.b)
+    places = SamplePlaces(step, (times - t[step]) / h[step], h[step])
+    used, weights = tableau.weighted(tableau.used(steps.evaluations), places)
     first = 1 + np.searchsorted(step[1:], np.arange(len(t) + 1))
     return first.astype(np.int64), np.ascontiguousarray(weights), used

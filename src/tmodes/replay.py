@@ -5,7 +5,7 @@ The steps stay as they were: their lengths are constants, so derivatives are tho
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -13,10 +13,10 @@ from numpy.typing import NDArray
 
 from tmodes.compile.derivative_kernels import LANES
 from tmodes.compile.elimination import aligned
-from tmodes.compile.replay_loop import ARRAYS, COUNTS, replay_loops
-from tmodes.compile.runge_kutta import METHODS
-from tmodes.compile.tape import Tape
+from tmodes.compile.replay_frame import ARRAYS, COUNTS
+from tmodes.compile.tableaus import METHODS, loops_of
 from tmodes.compile.tape_loop import Table, operations
+from tmodes.derivatives import differentiated
 from tmodes.recording import Recording
 
 __all__ = ["Gradients", "Replay"]
@@ -43,13 +43,22 @@ class _Piece(NamedTuple):
 
 
 class Replay:
-    """Recorded steps of a model whose rates are a ``schedule`` of (time, state, row), with its ``parameters``."""
+    """Recorded steps of a model whose rates are a ``schedule`` of (time, state, row), with its ``parameters``.
 
-    def __init__(self, schedule: Any, parameters: Array, recording: Recording) -> None:
+    Steps by extrapolation take a schedule of (time, state, row, step, start), ``pairs`` of whose states are coordinates
+    with their rates.
+    """
+
+    def __init__(self, schedule: Any, parameters: Array, recording: Recording, pairs: int = 0) -> None:
         self.recording, self.parameters = recording, parameters
-        self.tape = Tape(schedule, ["rate"])
-        self._forward, self._settled = self.tape.values(settled=False), self.tape.values(settled=True)
-        self._tableau = METHODS[recording.method]
+        self._of = differentiated(schedule, ["rate"])
+        self.tape = self._of.tape
+        self._forward, self._settled = (
+            self._of.kept(("values", settled), lambda settled=settled: self.tape.values(settled=settled))
+            for settled in (False, True)
+        )
+        self._tableau, self._pairs = METHODS[recording.method], pairs
+        self._moved = [name for name in ("state", "row", "start") if name in ("state", "row", *self._tableau.inputs)]
 
     def samples(self, parameters: Array | None = None, start: Array | None = None) -> Array:
         """The samples (n, size) by the same steps, with other numbers or from another state."""
@@ -76,14 +85,12 @@ class Replay:
     def back(self, weights: Array) -> Gradients:
         """Derivatives of the sum of ``weights`` (n, size) times the samples."""
         done, tape = self.recording, self.tape
-        own = tape.marked([(0, tape.schedule.parameters)])
-        wanted = own | tape.marked([tape.span("state"), tape.span("row")])
-        table, last = (tape.back(wanted, own, settled=settled) for settled in (False, True))
+        table, last = self._tables("back", lambda marks, own, settled: tape.back(marks | own, own, settled=settled))
         values, slopes = self._values(self.parameters), aligned(tape.size)
         moved, rows = np.zeros(done.samples.shape[1]), np.zeros_like(done.rows)
         samples = np.ascontiguousarray(weights, dtype=float)
-        stages = np.zeros((len(self._tableau.b), len(moved)))
-        for piece in reversed([*self._pieces()]):
+        stages = np.zeros((self._tableau.stages, len(moved)))
+        for piece in self._pieces(backwards=True):
             more = {"moved": moved, "row_slopes": rows, "stage_slopes": stages, "slopes": slopes}
             self._call("back", piece, values, other=table, samples=samples, **more)
         _run(last, values[0], slopes)
@@ -95,39 +102,49 @@ class Replay:
         size, count = len(start), len(self.parameters)
         slopes = aligned(LANES * tape.size)
         slopes[: LANES * count] = parameters.ravel()
-        marks = tape.marked([(0, count), tape.span("state"), tape.span("row")])
         values = self._values(self.parameters)
-        _run(tape.along(marks, LANES, settled=True), values[0], slopes)
-        table = tape.along(marks, LANES, settled=False)
+        table, first = self._tables(
+            "along", lambda marks, own, settled: tape.along(marks | own, LANES, settled=settled)
+        )
+        _run(first, values[0], slopes)
         samples = np.empty((len(done.times), size, LANES))
         samples[0] = start
         more = {"moved": np.ascontiguousarray(start), "row_slopes": np.ascontiguousarray(rows), "slopes": slopes}
-        stages = np.zeros((len(self._tableau.b), size, LANES))
+        stages = np.zeros((self._tableau.stages, size, LANES))
         for piece in self._pieces():
             self._call("along", piece, values, LANES, other=table, samples=samples, stage_slopes=stages, **more)
         return samples.transpose(2, 0, 1)
 
+    def _tables(self, kind: str, make: Callable[[Any, Any, bool], Table]) -> list[Table]:
+        """The tables of what changes in a run, and of what does not, from marks of inputs and of the parameters."""
+        marks = self.tape.marked([self.tape.span(name) for name in self._moved])
+        own = self.tape.marked([(0, len(self.parameters))])
+        return [
+            self._of.kept((kind, settled), lambda settled=settled: make(marks, own, settled))
+            for settled in (False, True)
+        ]
+
     def _values(self, parameters: Array) -> Array:
-        """Memory of each stage, with what does not change in a run."""
-        values = np.zeros((len(self._tableau.b), self.tape.size))
+        """Memory of the evaluations that are kept at once, with what does not change in a run."""
+        values = np.zeros((self._tableau.memory, self.tape.size))
         values[0, : len(parameters)] = parameters
         _run(self._settled, values[0], np.empty(0))
         values[1:] = values[0]
         return values
 
-    def _pieces(self) -> Iterator[_Piece]:
-        """Steps between two kept states, with all states."""
+    def _pieces(self, *, backwards: bool = False) -> Iterator[_Piece]:
+        """Steps between two kept states, with all states, one piece at a time."""
         done = self.recording
         if done.every == 1:
             yield _Piece(slice(0, len(done.t)), done.kept)
             return
-        values = self._values(self.parameters)
-        for k, state in enumerate(done.kept):
+        values, samples = self._values(self.parameters), np.empty_like(done.samples)
+        for k in range(len(done.kept))[:: -1 if backwards else 1]:
             steps = slice(k * done.every, min((k + 1) * done.every, len(done.t)))
-            states = np.empty((steps.stop - steps.start + 1, len(state)))
-            states[0] = state
+            states = np.empty((steps.stop - steps.start + 1, samples.shape[1]))
+            states[0] = done.kept[k]
             piece = _Piece(steps, states)
-            self._call("again", piece, values, samples=np.empty_like(done.samples))
+            self._call("again", piece, values, samples=samples)
             yield piece
 
     def _call(
@@ -136,22 +153,23 @@ class Replay:
         """Call a native loop for some steps."""
         done, tape, tableau, steps = self.recording, self.tape, self._tableau, piece.steps
         table = other or self._forward
-        place = {name: tape.span(name)[0] for name in ("time", "state", "row")}
+        place = {f"{name}_at": tape.span(name)[0] for name in ("time", "state", "row", *tableau.inputs)}
         counts = {
             "steps": steps.stop - steps.start, "size": done.samples.shape[1], "row": done.rows.shape[1],
-            "stages": len(tableau.b), "values": values.shape[1], "time_at": place["time"], "state_at": place["state"],
-            "row_at": place["row"], "out_at": tape.end, "lanes": lanes, "slopes_out_at": lanes * tape.end,
-            "forward_rows": self._forward.rows, "other_rows": table.rows,
+            "stages": tableau.stages, "values": values.shape[1], "out_at": tape.end, "lanes": lanes,
+            "slopes_out_at": lanes * tape.end, "forward_rows": self._forward.rows, "other_rows": table.rows,
+            "pairs": self._pairs, **place,
         }  # fmt: skip
         given = {
-            "counts": np.array([counts[name] for name in COUNTS], dtype=np.int64), "segments": done.segments[steps],
-            "used": done.used[steps], "first_sample": done.first_sample[steps.start : steps.stop + 1],
-            "forward": self._forward.words, "other": table.words, "t": done.t[steps], "h": done.h[steps],
-            "y": piece.states, "rows": done.rows, "a": tableau.a, "b": tableau.b, "c": tableau.c,
-            "weights": done.weights, "values": values, **arrays,
+            "counts": np.array([counts.get(name, 0) for name in COUNTS], dtype=np.int64),
+            "segments": done.segments[steps], "used": done.used[steps],
+            "first_sample": done.first_sample[steps.start : steps.stop + 1], "forward": self._forward.words,
+            "other": table.words, "t": done.t[steps], "h": done.h[steps], "y": piece.states, "rows": done.rows,
+            "a": tableau.a, "b": tableau.b, "c": tableau.c, "weights": done.weights, "values": values,
+            "states": np.empty((tableau.stages, done.samples.shape[1])), **arrays,
         }  # fmt: skip
         empty = np.empty(0)
-        replay_loops()[loop](*(given.get(name, empty).ctypes.data for name in ARRAYS))
+        loops_of(done.method)[loop](*(given.get(name, empty).ctypes.data for name in ARRAYS))
 
 
 def _run(table: Table, values: Array, slopes: Array) -> None:

@@ -21,15 +21,19 @@ __all__ = ["Steps", "record_steps"]
 Array = NDArray[np.float64]
 
 _WHOLE = ("loop", "capacity", "size", "every", "total")
-_WORDS, _REAL = ("arguments", "taken", "segments"), ("memory", "y", "t", "states")
+_WORDS, _REAL = ("arguments", "taken", "segments"), ("memory", "y", "t", "states", "evaluations")
 
 
 class Steps(NamedTuple):
-    """Starts of steps: time (n,), segment (n,), and the state of every so many, (n / every, size)."""
+    """Starts of steps: time (n,), segment (n,), and the state of every so many, (n / every, size).
+
+    ``evaluations`` (n,): of the attempt that was taken.
+    """
 
     t: Array
     segments: NDArray[np.int64]
     states: Array
+    evaluations: Array
 
 
 def record_steps(loop: Any, arguments: dict[str, Any], *, capacity: int, every: int = 1, total: int = 0) -> Steps:
@@ -39,18 +43,19 @@ def record_steps(loop: Any, arguments: dict[str, Any], *, capacity: int, every: 
     """
     size = len(arguments["y"])
     t, segments, taken = np.empty(capacity), np.empty(capacity, dtype=np.int64), np.zeros(1, dtype=np.int64)
-    states = np.empty((capacity // every + 2, size))
+    states, evaluations = np.empty((capacity // every + 2, size)), np.empty(capacity)
     addresses = [value if isinstance(value, int) else value.ctypes.data for value in arguments.values()]
     given = {
         "loop": ctypes.cast(loop, ctypes.c_void_p).value, "capacity": capacity, "size": size, "every": every,
         "total": total, "arguments": np.array(addresses, dtype=np.int64), "taken": taken, "segments": segments,
         "memory": arguments["memory"], "y": arguments["y"], "t": t, "states": states,
+        "evaluations": evaluations,
     }  # fmt: skip
     values = [given[name] for name in (*_WHOLE, *_WORDS, *_REAL)]
     _library()["record"](*(value.ctypes.data if isinstance(value, np.ndarray) else value for value in values))
     count = int(taken[0])
     kept = -(-(total + count) // every) - -(-total // every)
-    return Steps(t[:count], segments[:count], states[:kept])
+    return Steps(t[:count], segments[:count], states[:kept], evaluations[:count])
 
 
 @cache
@@ -84,6 +89,7 @@ def _write() -> Any:
 def _step(b: Any, given: dict[str, Any], taken: Any, advance: Any) -> None:
     """One attempt of a step; where it is not taken, the next one overwrites what was kept."""
     steps, segment = _cell(b, given, "steps"), b.fptosi(_cell(b, given, "segment"), I64)
+    evaluations = _cell(b, given, "evaluations")
     store(b, _cell(b, given, "t"), given["t"], taken)
     b.store(segment, b.gep(given["segments"], [taken], source_etype=I64))
     whole_run = b.add(given["total"], taken)
@@ -95,6 +101,7 @@ def _step(b: Any, given: dict[str, Any], taken: Any, advance: Any) -> None:
         with counted(b, given["size"], "state") as k:
             store(b, load(b, given["y"], k), target, k)
     advance()
+    store(b, b.fsub(_cell(b, given, "evaluations"), evaluations), given["evaluations"], taken)
     more = b.fcmp_ordered(">", _cell(b, given, "steps"), steps)
     b.store(b.add(taken, b.zext(more, I64)), given["taken"])
 

@@ -14,6 +14,7 @@ from numpy.typing import NDArray
 
 from tmodes.compile.derivative_kernels import ADD, NONE, STORE, Adjoint, Tangent
 from tmodes.compile.derivative_program import Elements, reached, turned
+from tmodes.compile.tape_calls import needed_calls, settled_calls
 from tmodes.compile.tape_loop import Table
 
 __all__ = ["Tape"]
@@ -36,13 +37,12 @@ class Tape:
         self.outputs = [slot for name in names for slot in schedule.outputs[name]]
         self.output_size = sum(slot.size for slot in self.outputs)
         self.end = schedule.workspace
-        self.calls = self._needed()
+        self.calls = needed_calls(schedule, self.outputs)
         self._angles, self.size = {}, self.end + self.output_size
         for call in self.calls:
             self._angles[id(call)] = self.size
             self.size += 2 * len(turned(call[0]))
-        changing = self.marked([(schedule.parameters, schedule.input_size)])
-        self.settled = {id(call) for call in self.calls if not self._mark(call, changing)}
+        self.settled = settled_calls(schedule, self.calls)
 
     def marked(self, ranges: Sequence[tuple[int, int]]) -> Marks:
         """Marks of the workspace, set in ranges (start, size)."""
@@ -235,15 +235,3 @@ class Tape:
     def _block(self, slot: Any) -> slice:
         start = self.schedule.offset(slot)
         return slice(start, start + slot.size)
-
-    def _needed(self) -> list[Any]:
-        """The calls that an output depends on."""
-        wanted = self.marked([(self.schedule.offset(slot), slot.size) for slot in self.outputs])
-        calls = []
-        for call in reversed(self.schedule.calls):
-            _, inputs, outputs = call
-            if any(wanted[self._block(slot)].any() for slot in outputs):
-                calls.append(call)
-                for slot in inputs:
-                    wanted[self._block(slot)] = True
-        return calls[::-1]

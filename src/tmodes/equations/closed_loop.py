@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -97,8 +98,8 @@ def _rates(loop: ClosedLoop) -> Any:
     return ca.vertcat(loop.phid, moved.acceleration, *(brought[name] for name in WORKS))
 
 
-def observe_function(loop: ClosedLoop) -> ca.Function:
-    """The vector of :data:`tmodes.equations.layout.OBSERVED`, of (time, state, row, parameters)."""
+def observe_function(loop: ClosedLoop, names: Sequence[str] = (*OBSERVED,)) -> ca.Function:
+    """The vector of :data:`tmodes.equations.layout.OBSERVED`, or some of it, of (time, state, row, parameters)."""
     robot, moved, phi, phid = loop.robot, loop.motion, loop.phi, loop.phid
     energy = moved.energy
     seen = {
@@ -114,7 +115,7 @@ def observe_function(loop: ClosedLoop) -> ca.Function:
         "gear_torque": moved.gear_torque(robot, loop.mechanism, phi, phid),
         "energy": ca.vertcat(*(getattr(energy, kind) for kind in ENERGIES)),
     }
-    return _function("observe", loop, ca.vertcat(*(seen[name] for name in OBSERVED)))
+    return _function("observe", loop, ca.vertcat(*(seen[name] for name in names)))
 
 
 def powers(robot: Robot, energy: Energies, phid: Any, motor_torque: Any, contact_rows: Any) -> dict[str, Any]:

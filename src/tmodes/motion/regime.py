@@ -21,7 +21,7 @@ if TYPE_CHECKING:
     from tmodes.arm import Arm
     from tmodes.integrate.settings import Integration
 
-__all__ = ["ArmRegime", "arm_regime", "run_arm_regime"]
+__all__ = ["ArmRegime", "arm_regime", "first_state", "run_arm_regime"]
 
 Array = NDArray[np.float64]
 
@@ -53,7 +53,7 @@ def arm_regime(arm: Arm, follow: Follow = Follow.SHEET) -> ArmRegime:
     """
     plan = planned(arm, follow)
     model = LoopModel(plan.plan)
-    start = _start(arm, plan, model)
+    start = first_state(arm, plan, model)
     rate = model.rate([0.0], start, plan.schedule.rows_at(np.zeros(1)))[0]
     bad = np.flatnonzero(~np.isfinite(rate[model.layout.v]))
     if len(bad):
@@ -64,7 +64,7 @@ def arm_regime(arm: Arm, follow: Follow = Follow.SHEET) -> ArmRegime:
     return ArmRegime(arm, plan, model, start)
 
 
-def _start(arm: Arm, plan: Planned, model: LoopModel) -> Array:
+def first_state(arm: Arm, plan: Planned, model: LoopModel) -> Array:
     """The state at time 0: at rest under the first commands, or undeformed; given coordinates and rates on top."""
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)

@@ -9,74 +9,123 @@ derivatives by what moves that time are wrong.
 
 from __future__ import annotations
 
-from collections.abc import Callable, Mapping, Sequence
+import time as clock
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.arm import Arm
-from tmodes.recording import MOST_BYTES, Recording, record
-from tmodes.replay import Replay
+from tmodes.recording import MOST_BYTES, Recording
 from tmodes.robot import Robot
 from tmodes.sensitivity.changes import Changes
-from tmodes.sensitivity.lowering import Lowered, lowered
+from tmodes.sensitivity.differences import Change
+from tmodes.sensitivity.functional import Functional
+from tmodes.sensitivity.lowering import lowered
+from tmodes.sensitivity.quantities import Quantities
 
-__all__ = ["Functional", "Gradient", "Sensitivities", "adjoint_gradient", "forward_sensitivities"]
+__all__ = ["Cost", "Gradient", "Sensitivities", "adjoint_gradient", "forward_sensitivities"]
 
 Array = NDArray[np.float64]
 
-Functional = Callable[[Array, Array], tuple[float, ArrayLike]]
-"""(times (n,), states (n, size)) -> (value, its derivative by the states (n, size))."""
+
+@dataclass(frozen=True)
+class Cost:
+    """What derivatives took: seconds by what they went into, and memory.
+
+    ``plan``: what any run needs before it; ``forward``: the run, recorded; ``sweep``: the derivatives of its steps;
+    ``measure``: quantities and their derivatives; ``sheet``: derivatives of the numbers by the paths. ``steps`` of the
+    run; ``checkpoints``: states that were kept of them, in ``bytes`` of memory.
+    """
+
+    method: str
+    plan: float
+    forward: float
+    sweep: float
+    measure: float
+    sheet: float
+    steps: int
+    checkpoints: int
+    bytes: int
 
 
 @dataclass(frozen=True, eq=False)
 class Sensitivities:
-    """``times`` (n,) [s], ``states`` (n, size), and by path their derivatives (n, size) per unit of the quantity."""
+    """``times`` (n,) [s], ``states`` (n, size), and by path their derivatives (n, size) per unit of the quantity.
+
+    ``told``: the quantities that were asked for, (n, numbers), and ``of`` their derivatives by name and path.
+    """
 
     times: Array
     states: Array
     by: dict[str, Array]
+    told: dict[str, Array]
+    of: dict[str, dict[str, Array]]
+    cost: Cost
 
 
 @dataclass(frozen=True, eq=False)
 class Gradient:
-    """Value of a functional, and its derivatives: by path, by the state at the start (size,), by all parameters.
+    """Value of a functional, and its derivatives, each per unit of what it is by.
 
-    ``by`` holds what a quantity does through the state at the start and the signals as well.
+    ``by``: by path, with what a quantity does through the state at the start and the signals; ``start`` (size,): by
+    the state at the start; ``parameters``: by all numbers that the compiled code reads; ``signals`` (pieces, 1 +
+    coefficients): by the coefficients of the pieces of all signals, the first column (their start) as if each stood by
+    itself.
     """
 
     value: float
     by: dict[str, float]
     start: Array
     parameters: Array
+    signals: Array
+    cost: Cost
 
 
 def forward_sensitivities(
     sheet: Arm | Robot,
     paths: Sequence[str] = (),
     *,
+    quantities: Sequence[str] = (),
     start: Mapping[str, ArrayLike] | None = None,
     most_bytes: float = MOST_BYTES,
 ) -> Sensitivities:
-    """Derivatives of the states at all samples by quantities of the sheet: ``links.arm.length``, ``gear.stiffness``.
+    """Derivatives of the states at all samples by numbers of the sheet: ``links.arm.length``, ``gear.stiffness``.
 
-    ``start``: directions (size,) of the state at the start, by names of one's own. Eight directions are carried along
-    at once; of many quantities and one number of interest :func:`adjoint_gradient` is the quicker. ``most_bytes``:
-    memory for the states of the steps. Raises :class:`tmodes.errors.InputError` for a path or a method that cannot be
-    differentiated (dormand_prince and rk4 can), and :class:`tmodes.errors.SimulationError` for a run that ends early.
+    ``quantities``: what else is told and differentiated, as ``tip`` (:class:`tmodes.sensitivity.quantities.Quantities`
+    has their names). ``start``: directions (size,) of the state at the start, by names of one's own. Eight directions
+    are carried along at once; of many numbers and one functional :func:`adjoint_gradient` is the quicker.
+    ``most_bytes``: memory for the states of the steps; where they are more, some are kept and those between computed
+    again.
+
+    Raises :class:`tmodes.errors.InputError` for a path, a quantity or a method that cannot be differentiated
+    (dormand_prince, dop853, rk4 and extrapolation can), and :class:`tmodes.errors.SimulationError` for a run that does
+    not reach its end. Sensitivity equations of the discrete steps: E. Hairer, S. P. Norsett, G. Wanner, Solving
+    Ordinary Differential Equations I, section II.6.
     """
-    here, done = _recorded(sheet, most_bytes)
+    watch = _Watch()
+    here = lowered(sheet)
+    watch.lap("plan")
+    replay = here.recorded(most_bytes)
+    done = replay.recording
+    watch.lap("forward")
     lowering = Changes(sheet, here)
-    changes = [lowering.along(path) for path in paths]
-    first = [change.start for change in changes]
-    first += [np.asarray(direction, dtype=float) for direction in (start or {}).values()]
-    names = [*paths, *(start or {})]
-    parameters, rows = np.zeros((len(names), len(here.parameters.vector))), np.zeros((len(names), *done.rows.shape))
-    for k, change in enumerate(changes):
-        parameters[k], rows[k] = change.parameters, change.rows
-    found = Replay(here.rates, here.parameters.vector, done).along(np.stack(first), parameters, rows) if names else ()
-    return Sensitivities(done.times, done.samples, dict(zip(names, found, strict=True)))
+    changes = {path: lowering.along(path) for path in paths}
+    none = Change(np.zeros_like(here.parameters.vector), np.zeros_like(here.start), np.zeros_like(done.rows))
+    changes |= {name: none._replace(start=np.asarray(way, dtype=float)) for name, way in (start or {}).items()}
+    watch.lap("sheet")
+    ways = [
+        np.stack(arrays) for arrays in zip(*((c.start, c.parameters, c.rows) for c in changes.values()), strict=True)
+    ]
+    found = dict(zip(changes, replay.along(*ways) if ways else (), strict=True))
+    watch.lap("sweep")
+    seen = Quantities(here, done, quantities)
+    slopes = {path: seen.along(found[path], change.parameters, change.rows) for path, change in changes.items()}
+    of = {name: {path: slope[name] for path, slope in slopes.items()} for name in quantities}
+    told = seen.told()
+    watch.lap("measure")
+    return Sensitivities(done.times, done.samples, found, told, of, watch.cost(done))
 
 
 def adjoint_gradient(
@@ -84,19 +133,44 @@ def adjoint_gradient(
 ) -> Gradient:
     """Derivatives of one number measured on the samples of a run, by any number of quantities of the sheet.
 
-    One sweep in reverse over the recorded steps gives them all. Errors as of :func:`forward_sensitivities`.
+    ``functional``: as :func:`tmodes.sensitivity.functional.tracking_error` gives it, or of one's own. One sweep in
+    reverse over the recorded steps gives them all, whose cost does not grow with the number of ``paths``. Memory and
+    errors as of :func:`forward_sensitivities`. Adjoints of the discrete steps with checkpoints: A. Griewank, A.
+    Walther, Evaluating Derivatives (2008), chapters 3 and 12.
     """
-    here, done = _recorded(sheet, most_bytes)
-    value, weights = functional(done.times, done.samples)
-    found = Replay(here.rates, here.parameters.vector, done).back(np.asarray(weights, dtype=float))
+    watch = _Watch()
+    here = lowered(sheet)
+    watch.lap("plan")
+    replay = here.recorded(most_bytes)
+    done = replay.recording
+    watch.lap("forward")
+    seen = Quantities(here, done, functional.quantities)
+    value, weights = functional.measure(done.times, seen.told())
+    measured = seen.back(weights)
+    watch.lap("measure")
+    carried = replay.back(measured.states)
+    watch.lap("sweep")
+    parameters, rows = carried.parameters + measured.parameters, carried.rows + measured.rows
     by, changes = {}, Changes(sheet, here)
     for path in paths:
         change = changes.along(path)
-        told = found.parameters @ change.parameters + found.start @ change.start
-        by[path] = float(told + (found.rows * change.rows).sum())
-    return Gradient(float(value), by, found.start, found.parameters)
+        told = parameters @ change.parameters + carried.start @ change.start
+        by[path] = float(told + (rows * change.rows).sum())
+    watch.lap("sheet")
+    return Gradient(float(value), by, carried.start, parameters, rows, watch.cost(done))
 
 
-def _recorded(sheet: Arm | Robot, most_bytes: float) -> tuple[Lowered, Recording]:
-    here = lowered(sheet)
-    return here, record(here.model, here.parameters, here.schedule, here.start, here.settings, most_bytes)
+class _Watch:
+    """Seconds between laps."""
+
+    def __init__(self) -> None:
+        self.last, self.laps = clock.perf_counter(), dict[str, float]()
+
+    def lap(self, name: str) -> None:
+        """Take the time since the last lap."""
+        now = clock.perf_counter()
+        self.laps[name], self.last = now - self.last, now
+
+    def cost(self, done: Recording) -> Cost:
+        """All laps, and what was recorded."""
+        return Cost(done.method, **self.laps, steps=len(done.t), checkpoints=len(done.kept), bytes=done.kept.nbytes)

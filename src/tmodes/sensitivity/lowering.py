@@ -10,13 +10,18 @@ from numpy.typing import NDArray
 
 from tmodes.arm import Arm
 from tmodes.equations.arm.closed_loop import ClosedLoop
+from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.model import Model
 from tmodes.model_derivatives import rate_schedule
+from tmodes.motion.loop import LoopModel
 from tmodes.motion.plan import Planned, planned
 from tmodes.motion.regime import ArmRegime, arm_regime
+from tmodes.motion.simulate import closed_loop_spectrum
+from tmodes.recording import MOST_BYTES, record
 from tmodes.reference.schedule import Schedule
+from tmodes.replay import Replay
 from tmodes.robot import Robot
 from tmodes.trajectory import Moving, Numbers
 
@@ -29,7 +34,8 @@ Array = NDArray[np.float64]
 class Lowered:
     """A run in numbers: its model, the parameters, the signals, the state at the start, and how it is integrated.
 
-    ``rates``: the schedule of the rates; ``regime``: of an arm. The method ``auto`` is dormand_prince here.
+    ``rates``: the schedule of the rates; ``regime``: of an arm. The method ``auto`` is chosen as for any run; one that
+    turns out stiff underway goes on with it here.
     """
 
     model: Moving
@@ -40,26 +46,41 @@ class Lowered:
     settings: Integration
     regime: ArmRegime | None = None
 
+    def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
+        """The run, with its steps."""
+        done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
+        return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))
+
 
 def lowered(sheet: Arm | Robot) -> Lowered:
-    """The run of an arm, or of the 2010 robot under control, as its sheet says it."""
-    settings = sheet.integration
-    if settings.method is Method.AUTO:
-        settings = settings.chosen(Method.DORMAND_PRINCE)
+    """The run of an arm, or of the 2010 robot under control, as it really is.
+
+    Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
+    """
     if isinstance(sheet, Robot):
-        mechanism, parameters = sheet.split(Drive.CONTROLLED)
-        start = Model(mechanism).rest(sheet.reference.start, parameters)
-        rates, schedule = rate_schedule(mechanism), sheet.reference.schedule()
-        return Lowered(Model(mechanism), rates, parameters, schedule, start, settings)
-    regime = arm_regime(sheet)
+        return _of_robot(sheet.pair().real)
+    regime, settings = arm_regime(sheet.pair().real), sheet.integration
+    method = settings.method
+    if method is Method.AUTO:
+        highest = float(np.abs(closed_loop_spectrum(regime).eigenvalues).max(initial=0.0))
+        method, _ = chosen_method(method, highest, settings.duration)
+    settings = settings.chosen(method)
     model = regime.model
-    return Lowered(model, model.loop.rate, model.numbers, regime.planned.schedule, regime.start, settings, regime)
+    rates = model.loop.euler_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
+    return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime)
 
 
-def replanned(sheet: Arm) -> tuple[Planned, ClosedLoop]:
+def _of_robot(robot: Robot) -> Lowered:
+    mechanism, parameters = robot.split(Drive.CONTROLLED)
+    model = Model(mechanism)
+    start, schedule = model.rest(robot.reference.start, parameters), robot.reference.schedule()
+    return Lowered(model, rate_schedule(mechanism), parameters, schedule, start, robot.integration)
+
+
+def replanned(sheet: Arm) -> tuple[Planned, LoopModel]:
     """An arm's plan and its numbers, without a state at the start."""
     plan = planned(sheet)
-    return plan, ClosedLoop(plan.plan)
+    return plan, LoopModel(plan.plan)
 
 
 def rows_of(schedule: Schedule, duration: float) -> Array:
