@@ -3,19 +3,20 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, replace
-from functools import cached_property, partial
+from functools import cached_property
 from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.batch.simulate import Batched
-from tmodes.compile import kernels, lane_kernels, loops
+from tmodes.compile import kernels
 from tmodes.equations.coordinates import basis, deformation_basis, free_columns, free_deformations
 from tmodes.equations.layout import COORDINATES, EVALUATED, LINE, OBSERVED, STATE_SIZE
 from tmodes.errors import SimulationError
 from tmodes.io.fields import number_paths
 from tmodes.mechanism import Drive, Mechanism, Parameters
+from tmodes.model_loops import ModelLoops, rate_of
 from tmodes.sampling import rows, sampled, split, total
 
 __all__ = ["Model"]
@@ -166,22 +167,15 @@ class Model(Batched):
     def _instants(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> list[Array]:
         return [rows(time, 1), rows(state, STATE_SIZE), rows(row, self.mechanism.reference_degree + 2)]
 
-    def _loop_function(self, kind: str) -> Any:
-        from tmodes.equations.implicit_step import loop_function
-
-        return loop_function(kind, self.mechanism)
-
     @cached_property
     def loops(self) -> Any:
         """The native time loops, by the names of :class:`tmodes.integrate.settings.Method`."""
-        return loops.time_loops("loops", self.mechanism.key, self._loop_function, guarded=12)
+        return ModelLoops(self.mechanism)
 
-    @cached_property
+    @property
     def lane_loops(self) -> Any:
         """The native time loops over robots side by side."""
-        return lane_kernels.time_lane_loops(
-            "lane loops", self.mechanism.key, partial(self._loop_function, "rate"), guarded=12
-        )
+        return self.loops.lanes
 
     @property
     def batch_widths(self) -> dict[str, int]:
@@ -197,7 +191,7 @@ class Model(Batched):
         def make() -> dict[str, Any]:
             from tmodes.equations.closed_loop import closed_loop, observe_function
 
-            return {"observe": observe_function(closed_loop(self.mechanism)), "rate": self._loop_function("rate")}
+            return {"observe": observe_function(closed_loop(self.mechanism)), "rate": rate_of(self.mechanism)}
 
         return kernels.sample_functions("observation", self.mechanism.key, make, {"observe": 3, "rate": 3})
 

@@ -1,11 +1,9 @@
-"""Derivatives of the rates of the 2010 robot: its equations, one function, as a schedule of two kernels."""
+"""Derivatives of the rates of the 2010 robot, and of its rest."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from functools import cache
-from itertools import pairwise
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -14,32 +12,13 @@ from tmodes.derivatives import Differentiated
 from tmodes.equations.arm.kernel import Kernel
 from tmodes.equations.arm.schedule import Schedule, Slot
 from tmodes.equations.coordinates import basis, deformation_basis, free_deformations
-from tmodes.equations.layout import OBSERVED, STATE_SIZE
+from tmodes.equations.layout import STATE_SIZE
 from tmodes.mechanism import Mechanism, Parameters
+from tmodes.model_schedules import rate_schedule
 
-__all__ = ["observe_schedule", "rate_jvp", "rate_schedule", "rate_vjp", "rest_change"]
+__all__ = ["rate_jvp", "rate_vjp", "rest_change"]
 
 Array = NDArray[np.float64]
-
-
-@cache
-def rate_schedule(mechanism: Mechanism) -> Schedule:
-    """(time, state, row) -> ``rate``, the derivative of the state; what follows from the parameters alone comes first.
-
-    Parameters and inputs are those of :meth:`tmodes.model.Model.rate`.
-    """
-    from tmodes.equations.closed_loop import closed_loop, rate_function
-
-    return _instants(mechanism, rate_function(closed_loop(mechanism)), {"rate": STATE_SIZE}, mechanism.key)
-
-
-@cache
-def observe_schedule(mechanism: Mechanism, names: tuple[str, ...]) -> Schedule:
-    """(time, state, row) -> some of what :meth:`tmodes.model.Model.observe` tells, with its parameters and inputs."""
-    from tmodes.equations.closed_loop import closed_loop, observe_function
-
-    function = observe_function(closed_loop(mechanism), names)
-    return _instants(mechanism, function, {name: OBSERVED[name] for name in names}, f"{mechanism.key} {names}")
 
 
 def rest_change(mechanism: Mechanism, parameters: Parameters, theta: float, state: Array) -> tuple[Array, Array]:
@@ -114,24 +93,3 @@ def _differentiated(mechanism: Mechanism) -> Differentiated:
 def _blocks(given: Mapping[str, ArrayLike]) -> dict[str, Array]:
     arrays = {name: np.asarray(value, dtype=float) for name, value in given.items()}
     return {name: array.reshape(len(array), -1) for name, array in arrays.items()}
-
-
-def _instants(mechanism: Mechanism, function: Any, outputs: dict[str, int], key: str) -> Schedule:
-    """A function of (time, state, row, parameters) as a schedule of two kernels, the first of the parameters alone."""
-    from tmodes.compile.invariant import parted
-
-    held, rest = parted(function, invariant=3)
-    sizes = (1, STATE_SIZE, mechanism.reference_degree + 2, held.nnz_out(0))
-    schedule, ends = Schedule(function.nnz_in(3)), np.cumsum([0, *outputs.values()]).tolist()
-
-    def build(*blocks: Any) -> list[list[Any]]:
-        (told,) = rest.call([*blocks])
-        return [[told[start:end]] for start, end in pairwise(ends)]
-
-    first = Kernel(f"held {key}", (schedule.parameters,), sizes[3:], lambda p: [[value] for value in held.call([p])])
-    second = Kernel(f"rest {key}", sizes, tuple(outputs.values()), build)
-    inputs = [schedule.input(name, size) for name, size in zip(("time", "state", "row"), sizes, strict=False)]
-    (kept,) = schedule.call(first, Slot("parameters", 0, schedule.parameters))
-    for name, slot in zip(outputs, schedule.call(second, *inputs, kept), strict=True):
-        schedule.output(name, slot)
-    return schedule

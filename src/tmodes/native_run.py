@@ -47,6 +47,7 @@ class NativeRun:
         """
         self.first, self.parameters, self.model = settings, parameters, model
         self.change = MethodChange(settings, otherwise)
+        self.parts = self.change.kept
         self.times = sample_times(settings)
         self.knots = np.ascontiguousarray(schedule.knots)
         self.rows = np.ascontiguousarray(np.column_stack([schedule.knots[:-1], schedule.coefficients]))
@@ -130,14 +131,14 @@ class NativeRun:
     def record(self) -> dict[str, Array]:
         """All that the run needs to go on."""
         return {
-            "memory": self.memory, "state": self.state, "slope": self.slope, "parts": self.change.kept,
+            "memory": self.memory, "state": self.state, "slope": self.slope, "parts": self.parts,
             "errors": self.errors, "samples": self.samples[: self.done], "errors_out": self.errors_out[: self.done],
         }  # fmt: skip
 
     def resume(self, record: dict[str, Array]) -> None:
         """Go on where a record ends."""
         self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
-        self.change.kept[:], self.errors[:] = record["parts"], record["errors"]
+        self.parts[:], self.errors[:] = record["parts"], record["errors"]
         self.samples[: self.done], self.errors_out[: self.done] = record["samples"], record["errors_out"]
         if self.status is Status.STOPPED_BY_CONDITION:
             self.times[self.done - 1] = self.cell("t")
@@ -193,7 +194,6 @@ class NativeRun:
         if self.change.parts > 1:
             told["parts"] = self.change.told(self.cell)
         return told
-
 
     def _rates_now(self) -> Array:
         segment = min(int(self.cell("segment")), len(self.rows) - 1)

@@ -226,7 +226,7 @@ def _put(run: NativeRun, kept: dict[str, Array]) -> None:
         getattr(run, name)[:] = kept[name]
 
 
-_CHANGING = ("memory", "state", "slope", "part", "errors")
+_CHANGING = ("memory", "state", "slope", "parts", "errors")
 
 
 def _peaks(beyond: Array) -> list[tuple[int, int]]:

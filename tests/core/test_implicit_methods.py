@@ -8,9 +8,10 @@ import numpy as np
 import pytest
 
 from tmodes.contact.environment import FrictionLaw
-from tmodes.equations.implicit_step import loop_function
+from tmodes.equations.implicit_step import implicit_rate_function
 from tmodes.mechanism import Drive, Mechanism, Reading
 from tmodes.model import Model
+from tmodes.model_loops import rate_of
 from tmodes.reference.schedule import Schedule
 from tmodes.simulate import simulate
 
@@ -29,21 +30,13 @@ def numbers(robot):
 
 @pytest.mark.parametrize("mechanism", STRUCTURES, ids=lambda one: one.key)
 def test_a_step_without_length_is_the_rate(mechanism, numbers):
-    """The forces at a step's end, sorted anew, are the forces; their derivatives are the slopes."""
-    kinds = ("rate", "implicit", "slopes")
-    rate, implicit, slopes = (loop_function(kind, mechanism) for kind in kinds)
+    """The forces at a step's end, sorted anew, are the forces."""
+    rate, implicit = rate_of(mechanism), implicit_rate_function(mechanism)
     random = np.random.default_rng(5)
     state, row = 0.3 * random.normal(size=17), random.normal(size=mechanism.reference_degree + 2)
     plain = rate(0.4, state, row, numbers).full().ravel()
-    np.testing.assert_allclose(
-        implicit(0.4, state, state, row, 0.0, numbers).full().ravel(), plain, rtol=1e-12, atol=1e-12 * abs(plain).max()
-    )
-    found = slopes(0.4, state, row, numbers).full().ravel()
-    for column, step in [*enumerate(1e-6 * np.eye(12, 17)), (None, np.zeros(17))]:
-        later = 1e-6 if column is None else 0.0
-        ends = [rate(0.4 + sign * later, state + sign * step, row, numbers).full().ravel() for sign in (1, -1)]
-        exact = found[204:] if column is None else found[:204].reshape(17, 12)[:, column]
-        np.testing.assert_allclose((ends[0] - ends[1]) / 2e-6, exact, atol=2e-8 * abs(found).max())
+    found = implicit(0.4, state, state[:12], row, 0.0, numbers).full().ravel()
+    np.testing.assert_allclose(found, plain, rtol=1e-12, atol=1e-12 * abs(plain).max())
 
 
 @pytest.mark.parametrize("method", ["extrapolation", "rosenbrock"])

@@ -27,8 +27,7 @@ class Oscillator:
 
     @cached_property
     def loops(self) -> Any:
-        def make(kind: str) -> ca.Function:
-            assert kind == "rate"
+        def make() -> ca.Function:
             t, x, row, p = ca.SX.sym("t"), ca.SX.sym("x", 2), ca.SX.sym("row", 2), ca.SX.sym("p")
             return ca.Function("oscillator", [t, x, row, p], [ca.vertcat(x[1], -p * x[0])])
 

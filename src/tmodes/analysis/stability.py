@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
 from typing import Any
 
@@ -9,9 +10,10 @@ import numpy as np
 
 from tmodes.analysis.modes import GROWING, Spectrum
 from tmodes.errors import SimulationError
+from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration, Method
 
-__all__ = ["StepVerdict", "growth_warnings", "step_size_verdict", "step_times_eigenvalue"]
+__all__ = ["StepVerdict", "chosen_settings", "growth_warnings", "step_size_verdict", "step_times_eigenvalue"]
 
 
 _REACH = {Method.DORMAND_PRINCE: 3.3, Method.DOP853: 6.1}
@@ -54,6 +56,15 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
         mend = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
         return StepVerdict(highest, dt_omega, True, f"rk4 is stable but inaccurate at this step: {told}; {mend}")
     return StepVerdict(highest, dt_omega, True)
+
+
+def chosen_settings(settings: Integration, spectrum: Callable[[], Spectrum]) -> Integration:
+    """The settings with a method, chosen by the eigenvalues at the start where none is named, and its tolerances."""
+    method = settings.method
+    if method is Method.AUTO:
+        highest = float(np.abs(spectrum().eigenvalues).max(initial=0.0))
+        method, _ = chosen_method(method, highest, settings.duration)
+    return settings.chosen(method)
 
 
 def step_times_eigenvalue(verdict: StepVerdict, statistics: dict[str, Any]) -> float | None:

@@ -51,12 +51,10 @@ def _writer(method: str) -> Any:
     }[method]  # fmt: skip
 
 
-def time_loops(name: str, key: str, make: Callable[[str], Any], guarded: int) -> Any:
+def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Any:
     """The native time loops, by their methods, around one right-hand side of (time, state, row, parameters).
 
-    ``make`` gives CasADi functions by their kind: ``rate``; ``implicit``, the rate of (time, ahead, start, row, step,
-    parameters); ``slopes``, the rate's derivatives by the ``guarded`` first numbers of the state, coordinates and
-    rates, and by time. Methods: all.
+    Methods: EXPLICIT.
     """
     from tmodes.compile.time_loop import ARGUMENTS
 
@@ -65,24 +63,15 @@ def time_loops(name: str, key: str, make: Callable[[str], Any], guarded: int) ->
 
         from tmodes.compile.lower import lower
         from tmodes.compile.program import straight_line
-        from tmodes.compile.straight_rate import StraightJacobian, write_straight_rate
 
-        module, pairs = ir.Module(name), {} if method in EXPLICIT else {"pairs": guarded // 2}
-        if method in IMPLICIT:
-            implicit = write_straight_rate(module, straight_line(make("implicit"), invariant=5))
-            _writer(method)(module, method, implicit, guarded, **pairs)
-            return module
-        rate, slopes = lower(module, straight_line(make("rate"), invariant=3)), {}
-        if method == ROSENBROCK:
-            program = straight_line(make("slopes"), invariant=3)
-            slopes = {"jacobian": StraightJacobian(module, program, rate.size, guarded)}
-        _writer(method)(module, method, rate, guarded, **pairs, **slopes)
+        module = ir.Module(name)
+        _writer(method)(module, method, lower(module, straight_line(make(), invariant=3)), guarded)
         return module
 
     def made(method: str) -> Library:
         return library(f"{name} {method}", key, partial(write, method), {method: len(ARGUMENTS)}, level=3)
 
-    return _Loops((*EXPLICIT, *IMPLICIT, ROSENBROCK), made)
+    return _Loops(EXPLICIT, made)
 
 
 def schedule_loops(name: str, schedule: Any, guarded: int) -> Any:
@@ -103,37 +92,30 @@ def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Any:
 
 def rosenbrock_loop(name: str, schedule: Any, guarded: int, pairs: int, columns: int) -> Any:
     """The loop of a Rosenbrock method, with the exact Jacobian by the first ``columns`` numbers of the state."""
-
-    def made(method: str) -> Library:
-        return _schedule_loop(f"{name} {columns}", schedule, guarded, method, columns=columns, pairs=pairs)
-
-    return _Loops((ROSENBROCK,), made)
+    more = {"pairs": pairs, "columns": columns}
+    return _Loops((ROSENBROCK,), lambda method: _schedule_loop(f"{name} {columns}", schedule, guarded, method, **more))
 
 
-def _schedule_loop(
-    name: str, schedule: Any, guarded: int, method: str, columns: int | None = None, **more: Any
-) -> Library:
+def _schedule_loop(name: str, schedule: Any, guarded: int, method: str, **more: Any) -> Library:
     from tmodes.compile.time_loop import ARGUMENTS
 
     def write() -> Any:
         from llvmlite import ir
 
         from tmodes.compile.block import write_rate
-        from tmodes.compile.rate_jacobian import RateJacobian
         from tmodes.compile.rows_rate import write_rows_rate
 
-        module, needed = ir.Module(name), {}
+        module = ir.Module(name)
         if arithmetic == "double":
             rate = write_rate(module, schedule, arithmetic_of(arithmetic)(module), "rate")
         else:
             rate = write_rows_rate(module, schedule, "rate")
-        if columns is not None:
-            needed = {"jacobian": RateJacobian(module, schedule, columns, f"{method}.jacobian")}
+        needed = {"schedule": schedule} if method == ROSENBROCK else {}
         _writer(method)(module, method, rate, guarded, **needed, **more)
         return module
 
     def imports() -> dict[str, Library]:
-        slopes = {} if columns is None else kernels_of(schedule, "derivative")
+        slopes = kernels_of(schedule, "derivative") if method == ROSENBROCK else {}
         return called(schedule, arithmetic) | slopes
 
     arithmetic = "lanes" if method == EXTRAPOLATION else "double"  # rows of a tableau side by side

@@ -8,14 +8,14 @@ that need none, and for small stiff arms.
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any
 
 from tmodes.compile.block import ScheduleRate
 from tmodes.compile.emit import F64, counted, load, number, store, whole
 from tmodes.compile.gate import Gate
-from tmodes.compile.lower import Lowered
 from tmodes.compile.lu import lu_functions
 from tmodes.compile.motion_norm import MotionNorm
+from tmodes.compile.rate_jacobian import RateJacobian
 from tmodes.compile.step_control import add_local_errors, power
 from tmodes.compile.time_loop import Status, TimeLoop
 from tmodes.errors import CompileError
@@ -67,36 +67,27 @@ _SAFETY, _SMALLEST, _LARGEST, _FIRST_STEP = 0.9, 0.2, 6.0, 1e-6
 _STAGES = tuple(f"u{i}" for i in range(1, 9))
 
 
-class Jacobian(Protocol):
-    """Native functions ``prepare(parameters, held)`` and ``call(time, state, row, held, by_state, by_time)``."""
-
-    columns: int
-    held_size: int
-    prepare: Any
-    call: Any
-
-
 def write_rosenbrock_loop(
-    module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int, *, jacobian: Jacobian, pairs: int
+    module: Any, name: str, lowered: ScheduleRate, guarded: int, *, schedule: Any, pairs: int, columns: int
 ) -> None:
     """Write the loop; steps end on knots, samples are interpolated.
 
-    ``jacobian``: by the numbers of the state that rates depend on, its first; what is left (works) is integrated along.
-    Raises :class:`CompileError` for more than ``MOST_STATES`` of them.
+    ``columns``: numbers of the state that rates depend on, its first; what is left (works) is integrated along. Raises
+    :class:`CompileError` for more than ``MOST_STATES`` of them.
     """
-    if jacobian.columns > MOST_STATES:
+    if columns > MOST_STATES:
         raise CompileError(
-            f"integration.method: got rosenbrock for a state of {jacobian.columns} numbers, whose Jacobian would not "
-            f"fit; expected at most {MOST_STATES}. Mend: take method extrapolation, which needs no Jacobian"
+            f"integration.method: got rosenbrock for a state of {columns} numbers, whose Jacobian would not fit; "
+            f"expected at most {MOST_STATES}. Mend: take method extrapolation, which needs no Jacobian"
         )
     loop = TimeLoop(module, name, lowered, (*_STAGES, "probe", "by_time", "low", "new"), guarded)
-    _Writer(loop, jacobian, lowered, pairs).write()
+    _Writer(loop, RateJacobian(module, schedule, columns, f"{name}.jacobian"), lowered, pairs).write()
 
 
 class _Writer:
     """Writes the body of the loop."""
 
-    def __init__(self, loop: TimeLoop, jacobian: Jacobian, lowered: Lowered | ScheduleRate, pairs: int) -> None:
+    def __init__(self, loop: TimeLoop, jacobian: RateJacobian, lowered: ScheduleRate, pairs: int) -> None:
         self.loop, self.b, self.jacobian, self.columns = loop, loop.builder, jacobian, jacobian.columns
         self.factor, self.solve = lu_functions(loop.module, self.columns)
         self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop, lowered.gate_offset)

@@ -16,9 +16,7 @@ from tmodes.equations.symbols import symbolic_robot
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.robot import Robot
 
-__all__ = [
-    "ClosedLoop", "closed_loop", "observe_function", "polynomial", "powers", "rate_function", "slopes_function",
-]  # fmt: skip
+__all__ = ["ClosedLoop", "closed_loop", "observe_function", "polynomial", "powers", "rate_function"]
 
 
 @dataclass(frozen=True)
@@ -82,20 +80,10 @@ def polynomial(row: Any, time: Any) -> tuple[Any, Any, Any]:
 
 def rate_function(loop: ClosedLoop) -> ca.Function:
     """Derivative of the state by time, of (time, state, row, parameters)."""
-    return _function("rate", loop, _rates(loop))
-
-
-def slopes_function(loop: ClosedLoop) -> ca.Function:
-    """Derivatives of those rates by coordinates and rates, row by row, then by time, of the same arguments."""
-    rates = _rates(loop)
-    by_state, by_time = ca.jacobian(rates, loop.state[:12]), ca.jacobian(rates, loop.time)
-    return _function("slopes", loop, ca.vertcat(ca.vec(by_state.T), by_time))
-
-
-def _rates(loop: ClosedLoop) -> Any:
     moved = loop.motion
     brought = powers(loop.robot, moved.energy, loop.phid, moved.motor_torque, moved.contact_rows)
-    return ca.vertcat(loop.phid, moved.acceleration, *(brought[name] for name in WORKS))
+    rates = ca.vertcat(loop.phid, moved.acceleration, *(brought[name] for name in WORKS))
+    return _function("rate", loop, rates)
 
 
 def observe_function(loop: ClosedLoop, names: Sequence[str] = (*OBSERVED,)) -> ca.Function:

@@ -12,7 +12,7 @@ from typing import Any
 
 import casadi as ca
 
-from tmodes.equations.closed_loop import closed_loop, polynomial, powers, rate_function, slopes_function
+from tmodes.equations.closed_loop import polynomial, powers
 from tmodes.equations.contact import ContactTerms, contact_terms
 from tmodes.equations.coordinates import basis, free_columns
 from tmodes.equations.dynamics import accelerations, torque_of_prescribed_motor
@@ -23,7 +23,7 @@ from tmodes.equations.symbols import symbolic_robot
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.robot import Robot
 
-__all__ = ["implicit_rate_function", "loop_function"]
+__all__ = ["implicit_rate_function"]
 
 
 @dataclass(frozen=True)
@@ -35,18 +35,11 @@ class _Soft:
     damping: Any
 
 
-def loop_function(kind: str, mechanism: Mechanism) -> ca.Function:
-    """What a time loop is made of: ``rate``, ``implicit``, or ``slopes``."""
-    if kind == "implicit":
-        return implicit_rate_function(mechanism)
-    return {"rate": rate_function, "slopes": slopes_function}[kind](closed_loop(mechanism))
-
-
 def implicit_rate_function(mechanism: Mechanism) -> ca.Function:
     """Derivative of the state by time, of (time, ahead, start, row, step, parameters)."""
     robot, parameters = symbolic_robot()
     time, step = ca.SX.sym("time"), ca.SX.sym("step")
-    ahead, start = ca.SX.sym("ahead", STATE_SIZE), ca.SX.sym("start", STATE_SIZE)
+    ahead, start = ca.SX.sym("ahead", STATE_SIZE), ca.SX.sym("start", 12)
     row = ca.SX.sym("row", mechanism.reference_degree + 2)
     drive = polynomial(row, time)
     terms = equation_terms(energies(robot, mechanism, ahead[:6], ahead[6:12]), ahead[:6], ahead[6:12])

@@ -8,13 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.modes import closed_loop_spectrum as robot_spectrum
+from tmodes.analysis.stability import chosen_settings
 from tmodes.arm import Arm
 from tmodes.equations.arm.closed_loop import ClosedLoop
-from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.model import Model
-from tmodes.model_derivatives import rate_schedule
+from tmodes.model_schedules import implicit_schedule, rate_schedule
 from tmodes.motion.loop import LoopModel
 from tmodes.motion.plan import Planned, planned
 from tmodes.motion.regime import ArmRegime, arm_regime
@@ -59,12 +60,8 @@ def lowered(sheet: Arm | Robot) -> Lowered:
     """
     if isinstance(sheet, Robot):
         return _of_robot(sheet.pair().real)
-    regime, settings = arm_regime(sheet.pair().real), sheet.integration
-    method = settings.method
-    if method is Method.AUTO:
-        highest = float(np.abs(closed_loop_spectrum(regime).eigenvalues).max(initial=0.0))
-        method, _ = chosen_method(method, highest, settings.duration)
-    settings = settings.chosen(method)
+    regime = arm_regime(sheet.pair().real)
+    settings = chosen_settings(sheet.integration, lambda: closed_loop_spectrum(regime))
     model = regime.model
     rates = model.loop.euler_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
     return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime)
@@ -74,7 +71,9 @@ def _of_robot(robot: Robot) -> Lowered:
     mechanism, parameters = robot.split(Drive.CONTROLLED)
     model = Model(mechanism)
     start, schedule = model.rest(robot.reference.start, parameters), robot.reference.schedule()
-    return Lowered(model, rate_schedule(mechanism), parameters, schedule, start, robot.integration)
+    settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
+    rates = implicit_schedule if settings.method is Method.EXTRAPOLATION else rate_schedule
+    return Lowered(model, rates(mechanism), parameters, schedule, start, settings)
 
 
 def replanned(sheet: Arm) -> tuple[Planned, LoopModel]:

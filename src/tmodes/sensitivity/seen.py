@@ -14,7 +14,7 @@ from tmodes.equations.arm.schedule import Slot
 from tmodes.equations.layout import OBSERVED
 from tmodes.errors import InputError
 from tmodes.model import Model
-from tmodes.model_derivatives import observe_schedule
+from tmodes.model_schedules import observe_schedule
 from tmodes.motion.loop import LoopModel
 from tmodes.sensitivity.lowering import Lowered
 

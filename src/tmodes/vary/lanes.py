@@ -9,14 +9,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.modes import Spectrum
 from tmodes.analysis.modes import closed_loop_spectrum as robot_spectrum
+from tmodes.analysis.stability import chosen_settings
 from tmodes.arm import Arm
 from tmodes.arm_model import ArmModel
 from tmodes.batch.simulate import Batched
 from tmodes.errors import InputError, InputErrors
-from tmodes.integrate.choice import chosen_method
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
 from tmodes.mechanism import Drive
 from tmodes.model import Model
 from tmodes.motion.regime import ArmRegime, arm_regime
@@ -71,7 +70,7 @@ def lane_of(real: Robot | Arm) -> Lane:
 def _robot_lane(robot: Robot) -> Lane:
     mechanism, parameters = robot.split(Drive.CONTROLLED)
     model, schedule = Model(mechanism), robot.reference.schedule()
-    settings = _chosen(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
+    settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
     rows = schedule.until(settings.duration)
@@ -84,18 +83,10 @@ def _robot_lane(robot: Robot) -> Lane:
 
 def _arm_lane(arm: Arm) -> Lane:
     regime = arm_regime(arm)
-    model, settings = regime.model, _chosen(arm.integration, lambda: closed_loop_spectrum(regime))
+    model, settings = regime.model, chosen_settings(arm.integration, lambda: closed_loop_spectrum(regime))
     key = (model.loop.rate.key, model.coordinates, settings.method)
     schedule = regime.planned.schedule
     return Lane(key, model, model.numbers.vector, schedule, regime.start, settings, _tip_of(regime))
-
-
-def _chosen(settings: Integration, spectrum: Callable[[], Spectrum]) -> Integration:
-    """The settings with an integrator chosen by the eigenvalues at the start, where none is named."""
-    if settings.method is not Method.AUTO:
-        return settings
-    highest = float(np.abs(spectrum().eigenvalues).max(initial=0.0))
-    return settings.chosen(chosen_method(settings.method, highest, settings.duration)[0])
 
 
 def _tip_of(regime: ArmRegime) -> Callable[[Array, Array], Array]:
