@@ -9,7 +9,8 @@ from llvmlite import ir
 
 from tmodes.compile.arithmetic import Lanes
 from tmodes.compile.block import ScheduleRate, call_prepare, write_main
-from tmodes.compile.emit import F64, POINTER, VOID, at, counted, declare, load, store, whole
+from tmodes.compile.calls import I32, table_of
+from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
 from tmodes.compile.lanes_memory import Layout
 from tmodes.compile.rows import spread_parameters
 from tmodes.compile.unroll import pays
@@ -87,10 +88,11 @@ class _Writer:
         lanes.store(b, steps, held, self.place(inputs["step"]))
         self._spread(b, row, held, inputs["row"])
         b.call(self.main, [held])
-        first = 0
-        for slot in self.outputs:
-            self._copy(b, at(b, held, self._offset(slot)), at(b, out, first * lanes.stride), slot.size)
-            first += slot.size
+        places = [self.place(slot) + k for slot in self.outputs for k in range(slot.size)]
+        table = table_of(b, f"{self.name}.outputs", places)
+        with counted(b, len(places), "output") as i:
+            place = b.sext(b.load(b.gep(table, [i], source_etype=I32), typ=I32), I64)
+            lanes.store(b, lanes.load(b, self._vector(b, held, place), 0), self._vector(b, out, i), 0)
         b.ret_void()
         return call
 
@@ -127,9 +129,7 @@ class _Writer:
         target = at(b, held, self._offset(slot))
         with counted(b, slot.size, "spread") as k:
             vector = self.splat(b, load(b, source, k))
-            self.lanes.store(b, vector, at(b, target, b.mul(k, whole(self.lanes.stride))), 0)
+            self.lanes.store(b, vector, self._vector(b, target, k), 0)
 
-    def _copy(self, b: Any, source: Any, target: Any, size: int) -> None:
-        with counted(b, size, "copy") as k:
-            start = b.mul(k, whole(self.lanes.stride))
-            self.lanes.store(b, self.lanes.load(b, at(b, source, start), 0), at(b, target, start), 0)
+    def _vector(self, b: Any, base: Any, index: Any) -> Any:
+        return at(b, base, b.mul(index, whole(self.lanes.stride)))
