@@ -108,9 +108,8 @@ def cases() -> dict[str, Callable[[], Case]]:
     stiff += [f"joints.j{k}.motor.inertia" for k in range(4)] + [
         f"drives.{k}.controller.position_gain" for k in range(4)
     ]
-    method = {"integration.method": "extrapolation"}
     return {
         "seed": lambda: Case("filipovic2010", load_robot("filipovic2010").with_(told), _ROBOT),
         "panda": lambda: Case("panda_elastic", load_sheet("panda_elastic").with_(told), tuple(panda)),
-        "stiff": lambda: Case("stiff arm, 54", stiff_arm(duration=DURATION).with_(method), tuple(stiff), 5),
+        "stiff": lambda: Case("stiff arm, 54", stiff_arm(duration=DURATION, method="extrapolation"), tuple(stiff), 5),
     }

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.record_loop import Steps, record_steps
+from tmodes.compile.replay_methods import METHODS
 from tmodes.compile.runge_kutta import SamplePlaces
-from tmodes.compile.tableaus import METHODS
 from tmodes.compile.time_loop import Status
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import Integration, refuse_stops

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from tmodes.compile.derivative_kernels import LANES
 from tmodes.compile.elimination import aligned
 from tmodes.compile.replay_frame import ARRAYS, COUNTS
-from tmodes.compile.tableaus import METHODS, loops_of
+from tmodes.compile.replay_methods import METHODS, loops_of
 from tmodes.compile.tape_loop import Table, operations
 from tmodes.derivatives import differentiated
 from tmodes.recording import Recording

@@ -3,16 +3,18 @@
 from __future__ import annotations
 
 from abc import ABC, abstractmethod
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from contextlib import contextmanager
 from typing import Any
 
 from llvmlite import ir
 
 from tmodes.compile.emit import I64, POINTER, VOID, at, counted, declare, load, number, store, whole
-from tmodes.compile.tape_loop import WORDS
+from tmodes.compile.kernels import native_functions
+from tmodes.compile.native import Library
+from tmodes.compile.tape_loop import WORDS, write_run
 
-__all__ = ["ARRAYS", "COUNTS", "ReplayLoop"]
+__all__ = ["ARRAYS", "COUNTS", "ReplayLoop", "written_loops"]
 
 COUNTS = (
     "steps", "size", "row", "stages", "values", "time_at", "state_at", "row_at", "out_at", "lanes", "slopes_out_at",
@@ -143,3 +145,19 @@ class ReplayLoop(ABC):
         with b.if_then(b.fcmp_unordered("!=", factor, number(0.0))), counted(b, count, "more") as k:
             term = b.fmul(factor, load(b, source, k), flags=("contract",))
             store(b, b.fadd(load(b, to, k), term, flags=("contract",)), to, k)
+
+
+def written_loops(name: str, kinds: Sequence[type[ReplayLoop]]) -> Library:
+    """``again``: states after each step and at samples; ``along``: slopes of both; ``back``: weights carried back.
+
+    Made at their first use; ``name`` says all of them.
+    """
+
+    def write() -> Any:
+        module = ir.Module(name)
+        run = write_run(module)
+        for kind in kinds:
+            kind(module, run).write()
+        return module
+
+    return native_functions(name, write, {kind.name: len(ARRAYS) for kind in kinds})

@@ -10,29 +10,17 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from llvmlite import ir
-
 from tmodes.compile.emit import at, counted, load, number, store, whole
-from tmodes.compile.kernels import native_functions
 from tmodes.compile.native import Library
-from tmodes.compile.replay_frame import ARRAYS, ReplayLoop
-from tmodes.compile.tape_loop import write_run
+from tmodes.compile.replay_frame import ReplayLoop, written_loops
 
 __all__ = ["replay_loops"]
 
 
 @cache
 def replay_loops() -> Library:
-    """``again``: states after each step and at samples; ``along``: slopes of both; ``back``: weights carried back."""
-    return native_functions("replay", _write, dict.fromkeys(("again", "along", "back"), len(ARRAYS)))
-
-
-def _write() -> Any:
-    module = ir.Module("replay")
-    run = write_run(module)
-    for kind in (_Again, _Along, _Back):
-        kind(module, run).write()
-    return module
+    """The loops, as :func:`tmodes.compile.replay_frame.written_loops` names them."""
+    return written_loops("replay", (_Again, _Along, _Back))
 
 
 class _Explicit(ReplayLoop):

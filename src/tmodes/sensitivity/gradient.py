@@ -18,11 +18,12 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.arm import Arm
 from tmodes.recording import MOST_BYTES, Recording
+from tmodes.replay import Replay
 from tmodes.robot import Robot
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.differences import Change
 from tmodes.sensitivity.functional import Functional
-from tmodes.sensitivity.lowering import lowered
+from tmodes.sensitivity.lowering import Lowered, lowered
 from tmodes.sensitivity.quantities import Quantities
 
 __all__ = ["Cost", "Gradient", "Sensitivities", "adjoint_gradient", "forward_sensitivities"]
@@ -104,12 +105,8 @@ def forward_sensitivities(
     not reach its end. Sensitivity equations of the discrete steps: E. Hairer, S. P. Norsett, G. Wanner, Solving
     Ordinary Differential Equations I, section II.6.
     """
-    watch = _Watch()
-    here = lowered(sheet)
-    watch.lap("plan")
-    replay = here.recorded(most_bytes)
+    watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
-    watch.lap("forward")
     lowering = Changes(sheet, here)
     changes = {path: lowering.along(path) for path in paths}
     none = Change(np.zeros_like(here.parameters.vector), np.zeros_like(here.start), np.zeros_like(done.rows))
@@ -138,12 +135,8 @@ def adjoint_gradient(
     errors as of :func:`forward_sensitivities`. Adjoints of the discrete steps with checkpoints: A. Griewank, A.
     Walther, Evaluating Derivatives (2008), chapters 3 and 12.
     """
-    watch = _Watch()
-    here = lowered(sheet)
-    watch.lap("plan")
-    replay = here.recorded(most_bytes)
+    watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
-    watch.lap("forward")
     seen = Quantities(here, done, functional.quantities)
     value, weights = functional.measure(done.times, seen.told())
     measured = seen.back(weights)
@@ -158,6 +151,16 @@ def adjoint_gradient(
         by[path] = float(told + (rows * change.rows).sum())
     watch.lap("sheet")
     return Gradient(float(value), by, carried.start, parameters, rows, watch.cost(done))
+
+
+def _begun(sheet: Arm | Robot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:
+    """The run, with its steps."""
+    watch = _Watch()
+    here = lowered(sheet)
+    watch.lap("plan")
+    replay = here.recorded(most_bytes)
+    watch.lap("forward")
+    return watch, here, replay
 
 
 class _Watch:
