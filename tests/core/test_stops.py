@@ -18,6 +18,7 @@ from tmodes.model import Model
 from tmodes.quantities import robot_quantities
 from tmodes.regime import run_regime
 from tmodes.result import Result
+from tmodes.robot import Robot
 from tmodes.simulate import simulate
 from tmodes.stops import Instants
 
@@ -91,8 +92,8 @@ def test_conditions_are_written_and_read_back(name, tmp_path):
     from tmodes.robots.load import load_sheet
 
     sheet = load_sheet(name, {"integration.stop": ["tip.z < 250 mm", "abs(tip.velocity.x) > 90e-3"]})
-    write = robot_to_yaml if name == "filipovic2010" else arm_to_yaml
-    (tmp_path / "sheet.yaml").write_text(write(sheet), encoding="utf-8")
+    written = robot_to_yaml(sheet) if isinstance(sheet, Robot) else arm_to_yaml(sheet)
+    (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
     assert load_sheet(tmp_path / "sheet.yaml") == sheet
 
 
