@@ -10,12 +10,15 @@ import numpy as np
 import pytest
 
 from tmodes.errors import InputError, InputErrors, SimulationError
+from tmodes.io.arm_write import arm_to_yaml
 from tmodes.io.paths import parse_assignment
+from tmodes.io.write import robot_to_yaml
 from tmodes.mechanism import Drive
 from tmodes.model import Model
 from tmodes.quantities import robot_quantities
 from tmodes.regime import run_regime
 from tmodes.result import Result
+from tmodes.robot import Robot
 from tmodes.simulate import simulate
 from tmodes.stops import Instants
 
@@ -81,6 +84,17 @@ def test_a_sheet_with_a_wrong_condition_is_refused(robot):
     with pytest.raises(InputErrors, match=r"integration.stop.1: got 'tip.z'") as errors:
         robot.with_({"integration.stop": ["tip.z < 0", "tip.z", "a = 1"]})
     assert len(errors.value.errors) == 2
+
+
+@pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
+def test_conditions_are_written_and_read_back(name, tmp_path):
+    """In the sheet as YAML, with whatever a condition holds."""
+    from tmodes.robots.load import load_sheet
+
+    sheet = load_sheet(name, {"integration.stop": ["tip.z < 250 mm", "abs(tip.velocity.x) > 90e-3"]})
+    written = robot_to_yaml(sheet) if isinstance(sheet, Robot) else arm_to_yaml(sheet)
+    (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
+    assert load_sheet(tmp_path / "sheet.yaml") == sheet
 
 
 def test_batches_refuse_conditions(robot):

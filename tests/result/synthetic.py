@@ -83,6 +83,7 @@ ROBOT: dict[str, Any] = {
         "step": 2 / 37500,
         "line_points": 21,
         "energy_tolerance": 1.0e-6,
+        "stop": [],
         "energy_stop": False,
         "max_steps": 200_000_000,
         "max_wall_time": 3600.0,

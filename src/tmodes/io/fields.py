@@ -79,7 +79,8 @@ class Place:
         rules = self.info.metadata if self.info else ()
         longest = [rule.max_length for rule in rules if hasattr(rule, "max_length")]
         shortest = [rule.min_length for rule in rules if hasattr(rule, "min_length")]
-        return f" of {max([0, *shortest])} to {min(longest)} characters" if longest else ""
+        of = "items" if get_origin(self.annotation) is tuple else "characters"
+        return f" of {max([0, *shortest])} to {min(longest)} {of}" if longest else ""
 
 
 @cache

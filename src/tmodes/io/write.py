@@ -37,6 +37,9 @@ def _entry(key: str, value: Any, path: str, indent: str) -> Iterator[str]:
                 yield from ("", key)
             for inner, factor in value.items():
                 yield f"{indent}  {inner}: {scalar_text(factor, quantity=False)}"
+        case tuple() if not any(isinstance(item, BaseModel) for item in value):
+            if value:
+                yield f"{key} [{', '.join(scalar_text(item, quantity=False) for item in value)}]"
         case tuple():
             yield key
             for index, item in enumerate(value):

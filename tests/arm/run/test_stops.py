@@ -236,3 +236,37 @@ def test_reference_is_compared_at_the_same_times() -> None:
     assert run.reference is not None
     assert run.reference.times.tobytes() == run.times.tobytes()
     assert run.reference.q[-1, 0] == pytest.approx(0.25, abs=1e-12)
+
+
+STIFFNESS, SPEED = 5e4, 0.8
+
+
+def meeting(**integration: Any) -> Arm:
+    """2 kg that slide along x at 0.8 m/s, without gravity, and meet a springy wall at 0.1 m."""
+    wall = {"type": "plane", "position": [0.1, 0, 0], "normal": [-1, 0, 0]}
+    return arm(
+        gravity=0.0, joints=[{"name": "slide", "type": "prismatic", "parent": "base", "child": "block",
+                              "axis": [1, 0, 0]}],
+        links=[{"name": "block", "bodies": [{"name": "load", "mass": 2.0}]}], tip={"link": "block"},
+        drives=[{"joint": "slide", "command": "effort", "signal": {"type": "constant", "value": 0.0}}],
+        initial={"state": "zero", "rates": {"slide": SPEED}},
+        contact={"point": "tip", "shape": wall, "law": "unilateral", "stiffness": STIFFNESS, "damping": 0.0},
+        integration={"duration": 0.2, "output_step": 0.01, "relative_tolerance": 1e-10, "absolute_tolerance": 1e-12,
+                     **integration},
+    )  # fmt: skip
+
+
+@pytest.mark.parametrize("method", ["dormand_prince", "dop853", "extrapolation", "rosenbrock"])
+def test_contact_is_made_and_broken_where_it_is(method: str) -> None:
+    """The wall is met at 0.1 m over the speed, pushes as a sine, and is left half a swing later, at the same speed."""
+    omega, met = np.sqrt(STIFFNESS / 2.0), 0.1 / SPEED
+    sheet = meeting(method=method)
+    made = simulate_arm(sheet, stop=["contact.penetration > 0"])
+    assert made.times[-1] == pytest.approx(met, abs=1e-9)
+    force = float(0.6 * STIFFNESS * SPEED / omega)
+    pressed = simulate_arm(sheet, stop=[f"contact.force > {force!r} N"])
+    assert pressed.times[-1] == pytest.approx(met + np.arcsin(0.6) / omega, abs=2e-9)
+    run = simulate_arm(sheet)
+    assert run.statistics["contact_changes"] == 2
+    left = run.times[-1] - (0.1 - run.q[-1, 0]) / SPEED  # it flies back from the wall at its speed
+    assert left == pytest.approx(met + np.pi / omega, abs=5e-9)
