@@ -1,4 +1,4 @@
-"""Groups of lanes over threads: the native loops run without Python's lock, so each thread keeps one core busy."""
+"""Spans of lanes over threads: the native loops run without Python's lock, so each thread keeps one core busy."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from threading import Event
 
 import numpy as np
 
-from tmodes.batch.lanes import groups, run_lanes
+from tmodes.batch.lanes import run_lanes, spans
 from tmodes.batch.work import Work
 from tmodes.errors import InputError
 from tmodes.trajectory import Trajectory
@@ -35,11 +35,11 @@ def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], Non
 
     ``progress`` is told the share of all lanes' time that is done; what it raises stops the batch.
     """
-    lanes = [(work, group) for work in works for group in groups(work)]
+    lanes = [(work, span) for work in works for span in spans(work, threads)]
     reached, stop = np.zeros(len(works[0].states) if works else 0), Event()
     whole = sum(work.inputs.size * work.settings.duration for work in works)
     with ThreadPoolExecutor(threads, "tmodes-batch") as pool:
-        futures = [pool.submit(run_lanes, work, group, stop.is_set, reached) for work, group in lanes]
+        futures = [pool.submit(run_lanes, work, span, stop.is_set, reached) for work, span in lanes]
         try:
             _watch(futures, lambda: progress(float(reached.sum()) / whole))
         except KeyboardInterrupt:
@@ -49,8 +49,8 @@ def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], Non
             pool.shutdown(cancel_futures=True)
             raise
     done: dict[int, Trajectory] = {}
-    for (work, group), future in zip(lanes, futures, strict=True):
-        done |= zip(work.places[group.start : group.stop].tolist(), future.result(), strict=True)
+    for (work, span), future in zip(lanes, futures, strict=True):
+        done |= zip(work.places[span.start : span.stop].tolist(), future.result(), strict=True)
     return done
 
 
