@@ -46,7 +46,7 @@ def run_regime(
     Raises :class:`tmodes.errors.SimulationError` where there is no equilibrium or the mass matrix is singular.
     """
     mechanism, parameters = robot.split(drive)
-    model, schedule, settings = Model(mechanism), robot.reference.schedule(), robot.integration
+    model, schedule, settings = Model(mechanism), robot.wanted(drive), robot.integration
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
     if until is None:

@@ -46,7 +46,7 @@ def lowered(sheet: Arm | Robot) -> Lowered:
     if isinstance(sheet, Robot):
         mechanism, parameters = sheet.split(Drive.CONTROLLED)
         start = Model(mechanism).rest(sheet.reference.start, parameters)
-        rates, schedule = rate_schedule(mechanism), sheet.reference.schedule()
+        rates, schedule = rate_schedule(mechanism), sheet.wanted(Drive.CONTROLLED)
         return Lowered(Model(mechanism), rates, parameters, schedule, start, sheet.integration)
     regime, settings = arm_regime(sheet), sheet.integration
     model = regime.model

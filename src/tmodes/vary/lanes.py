@@ -68,7 +68,7 @@ def lane_of(real: Robot | Arm) -> Lane:
 
 def _robot_lane(robot: Robot) -> Lane:
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, schedule, settings = Model(mechanism), robot.reference.schedule(), robot.integration
+    model, schedule, settings = Model(mechanism), robot.wanted(Drive.CONTROLLED), robot.integration
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
     rows = schedule.until(settings.duration)
