@@ -8,12 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes import native_run
 from tmodes.batch.alone import lane_run, told
 from tmodes.batch.memory import private
 from tmodes.batch.result import COUNTS
 from tmodes.batch.work import Work
 from tmodes.compile.lanes_loop import LANE_ARGUMENTS, LANE_CELLS, LANE_OPTIONS, WIDTH
 from tmodes.compile.time_loop import CELLS, Status
+from tmodes.integrate.settings import Integration
 from tmodes.trajectory import BOUND, NativeRun, Trajectory
 
 __all__ = ["Room", "SideBySide"]
@@ -34,9 +36,7 @@ class Room:
         self.state, self.slope = private(size, WIDTH), private(size, WIDTH)
         self.parameters = private(work.inputs.parameters.shape[1], WIDTH)
         self.scratch, self.places = private(_scratch_size(library, method)), private(WIDTH)
-        s = work.settings
-        told = {"step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "most": float(s.max_steps)}
-        self.options[:] = [(told | {"chunk": 0.0, "bound": BOUND})[name] for name in LANE_OPTIONS]
+        self.options[:] = list(_options(work.settings).values())
         self._take_schedules([0] if len(work.inputs.schedules) == 1 else [])
         self._given: dict[str, int] = {}
 
@@ -140,6 +140,13 @@ class SideBySide:
         run.memory[:] = self.room.memory[: len(CELLS), place]
         run.state[:] = self.room.state[:, place]
         return run
+
+
+def _options(s: Integration) -> dict[str, float]:
+    """Those of the native loop, in its order; ``chunk`` is set for each call."""
+    told = {"step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "most": s.max_steps, "chunk": 0}
+    told |= {"bound": BOUND, "most_events": native_run.MOST_EVENTS, "event_time": native_run.EVENT_TIME}
+    return {name: float(told[name]) for name in LANE_OPTIONS}
 
 
 def _scratch_size(library: Any, method: str) -> int:

@@ -44,9 +44,17 @@ def room_for(shape: tuple[int, int, int], folder: Path | None) -> Iterator[Array
         _refuse_batch(folder)
         with atomic_write(folder / _STATES) as path:
             states = np.lib.format.open_memmap(path, mode="w+", dtype=np.float64, shape=shape)
+            _reserve(path)
             yield states
             states.flush()
             del states
+
+
+def _reserve(path: Path) -> None:
+    """Take the disk's room for a file: to write into a map of a file whose disk is full ends the process."""
+    if hasattr(os, "posix_fallocate"):
+        with path.open("r+b") as file:
+            os.posix_fallocate(file.fileno(), 0, path.stat().st_size)
 
 
 def check_room(shape: tuple[int, int, int], folder: Path | None) -> None:

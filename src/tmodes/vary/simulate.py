@@ -106,6 +106,9 @@ def _prepared(
     sheet: Robot | Arm, changes: Sequence[Changes], values: dict[str, Array], folder: Path | None, progress: Progress
 ) -> Prepared:
     """All lanes; the room is asked for as soon as the size of a state is known."""
+    if sheet.integration.energy_stop:
+        mend = "leave it out, or run the lane by itself (tmodes run)"
+        raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", mend)
     lanes: list[Lane | str] = []
     times, checked = sample_times(sheet.integration), False
     for index, told in enumerate(changes):
