@@ -29,7 +29,7 @@ SAMPLES = 1024
 LANES = Wide.stride
 """States that go at once, as in batches of runs."""
 
-_ROUND = 4e-3
+_ROUND = 2e-2
 """Least time of a round [s]: the batch is repeated that often."""
 
 _LONG_ROUND = 0.1
