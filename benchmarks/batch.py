@@ -145,9 +145,7 @@ def main() -> None:
     print(
         f"{processor()}, {chosen.lanes} lanes, {WIDTH} side by side, {chosen.threads} threads, {chosen.rounds} rounds"
     )
-    print(
-        "| case | one run [ms] | one lane [ms] | run / lane | one thread / threads | by processor | difference |"
-    )
+    print("| case | one run [ms] | one lane [ms] | run / lane | one thread / threads | by processor | difference |")
     print("|---|---|---|---|---|---|---|")
     figures = []
     for case in (seed(), *map(chain, _DURATIONS)):

@@ -68,8 +68,8 @@ def batch(
     no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
     tmodes.batch.store.load_batch("FOLDER") reads them.
 
-    Example, a gear whose stiffness is known to 20 %: tmodes batch filipovic2010 --draw gear.stiffness=3760:5640
-    --runs 1000
+    Example, a gear whose stiffness is known to 20 %: tmodes batch filipovic2010
+    --draw real.gear.stiffness=0.16:0.24 --runs 1000
 
     Example, payload and damping, 11 by 3 runs: tmodes batch filipovic2010 --vary payload.mass=0.4:0.6:11
     --vary gear.damping=0:4:3
