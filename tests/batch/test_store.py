@@ -134,13 +134,13 @@ def wrong_calls(seed):
         "4 numbers": given | {"schedules": linear},
         "size": given | {"parameters": np.zeros((2, 2, 26))},
         "named|name the integrator": given | {"settings": auto},
-        "at least 1": given | {"threads": 0},
+        "1 to 1024": given | {"threads": 0},
         "1 or": given | {"schedules": [seed.schedule] * 3},
     }
 
 
 @pytest.mark.parametrize("told", ["9", "26 numbers", "17 numbers", "4 numbers", "size", "named|name the integrator",
-                                  "at least 1", "1 or"])  # fmt: skip
+                                  "1 to 1024", "1 or"])  # fmt: skip
 def test_wrong_calls_are_refused(seed, told):
     with pytest.raises(InputError, match=told):
         seed.model.simulate_batch(**wrong_calls(seed)[told])

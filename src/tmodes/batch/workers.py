@@ -17,16 +17,18 @@ from tmodes.trajectory import Trajectory
 
 __all__ = ["run_all", "thread_count"]
 
+_MOST_THREADS = 1024
+
 _PATIENCE = 0.1
 """Seconds between two words about the progress."""
 
 
 def thread_count(threads: int | None) -> int:
-    """Threads of a batch; None: as many as this process may use cores. Raises InputError for fewer than one."""
+    """Threads of a batch; None: as many as this process may use cores. Raises InputError for none, or too many."""
     if threads is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if threads < 1:
-        raise InputError("threads", str(threads), "at least 1", "leave it out to use all cores")
+    if not 1 <= threads <= _MOST_THREADS:
+        raise InputError("threads", str(threads), f"1 to {_MOST_THREADS}", "leave it out to use all cores")
     return threads
 
 
