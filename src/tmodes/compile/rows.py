@@ -14,13 +14,13 @@ __all__ = ["copy_rows", "spread_parameters"]
 _FEW_BLOCKS = 4
 
 
-def spread_parameters(b: Any, source: Any, workspace: Any, size: int, width: int) -> None:
-    """Parameters at the start of the workspace; beside each, its derivatives, which are zero."""
+def spread_parameters(b: Any, source: Any, workspace: Any, size: int, width: int, *, same: bool = False) -> None:
+    """Parameters at the start of the workspace; beside each, its copies (``same``) or derivatives, which are zero."""
     with counted(b, size, "parameter") as k:
         place, value = b.mul(k, whole(width)), load(b, source, k)
         store(b, value, workspace, place)
         for lane in range(1, width):
-            store(b, ir.Constant(F64, 0.0), workspace, b.add(place, whole(lane)))
+            store(b, value if same else ir.Constant(F64, 0.0), workspace, b.add(place, whole(lane)))
 
 
 def copy_rows(b: Any, rows: Any, workspace: Any, blocks: list[tuple[int, int]], width: int, *, into: bool) -> None:
