@@ -4,26 +4,29 @@
 
 The seed's robot under control, and rigid chains of 6, 12 and 36 coordinates that swing freely; the numbers of the lanes
 differ by a millionth, so that all need about as many steps. A lane and a run by itself are compared by processor time,
-threads by the clock; contenders take turns, and medians of the ratios of a round are printed. The error beside them is
-the largest difference of a lane from its run by itself, over the largest state.
+threads by the clock, which says something on a quiet machine only, and by processor time: below 1 there, threads
+disturb each other. Contenders take turns, and medians of the ratios of a round are printed. The error beside them is
+the largest difference of a lane from its run by itself, over the largest state. ``python -m benchmarks.narrow
+benchmarks.batch`` measures as on a processor with vectors of four.
 """
 
 from __future__ import annotations
 
 import argparse
 import json
-import platform
 import statistics
 import time
 from collections.abc import Callable
 from dataclasses import dataclass
 from pathlib import Path
-from typing import Any
+from typing import Any, NamedTuple
 
 import numpy as np
 
 from tmodes.batch.work import LaneNumbers
 from tmodes.chain import Body, Chain, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.compile.lanes_loop import WIDTH
+from tmodes.compile.native import processor
 from tmodes.equations.arm.closed_loop_plan import LoopPlan
 from tmodes.integrate.settings import Integration
 from tmodes.mechanism import Drive
@@ -93,28 +96,38 @@ def measured(case: Case, lanes: int, threads: int, rounds: int) -> dict[str, Any
     batch = case.batch(many[:9], 1)
     singles = [case.alone(numbers) for numbers in many[:9]]
     error = max(np.abs(batch.states[k] - run.states).max() / np.abs(run.states).max() for k, run in enumerate(singles))
-    times: dict[str, list[float]] = {"alone": [], "lane": [], "one": [], "threads": []}
+    times: dict[str, list[float]] = {"alone": [], "lane": [], "one": [], "threads": [], "busy": []}
     for _ in range(rounds):
-        times["alone"].append(_spent(lambda: [case.alone(k) for k in many[:_ALONE]], time.process_time) / _ALONE)
-        began = time.perf_counter()
-        times["lane"].append(_spent(lambda: case.batch(many, 1), time.process_time) / lanes)
-        times["one"].append((time.perf_counter() - began) / lanes)
-        times["threads"].append(_spent(lambda: case.batch(many, threads), time.perf_counter) / lanes)
+        alone = _spent(lambda: [case.alone(k) for k in many[:_ALONE]])
+        one, all_at_once = (_spent(lambda count=count: case.batch(many, count)) for count in (1, threads))
+        times["alone"].append(alone.processor / _ALONE)
+        times["lane"].append(one.processor / lanes)
+        times["busy"].append(all_at_once.processor / lanes)
+        times["one"].append(one.clock / lanes)
+        times["threads"].append(all_at_once.clock / lanes)
     return {
         "case": case.name,
         "run_alone_s": statistics.median(times["alone"]),
         "lane_s": statistics.median(times["lane"]),
         "alone_over_lane": _ratio(times["alone"], times["lane"]),
         "one_thread_over_threads": _ratio(times["one"], times["threads"]),
+        "one_thread_over_threads_processor": _ratio(times["lane"], times["busy"]),
         "difference": float(error),
         "steps": int(batch.statistics["steps"][0]),
     }
 
 
-def _spent(work: Callable[[], object], clock: Callable[[], float]) -> float:
-    began = clock()
+class Spent(NamedTuple):
+    """Time of some work: by the clock, and of all processors [s]."""
+
+    clock: float
+    processor: float
+
+
+def _spent(work: Callable[[], object]) -> Spent:
+    clock, processor = time.perf_counter(), time.process_time()
     work()
-    return clock() - began
+    return Spent(time.perf_counter() - clock, time.process_time() - processor)
 
 
 def _ratio(above: list[float], below: list[float]) -> float:
@@ -129,15 +142,18 @@ def main() -> None:
     options.add_argument("--threads", type=int, default=2)
     options.add_argument("--json", help="also write the figures to this file")
     chosen = options.parse_args()
-    print(f"{platform.processor() or platform.machine()}, {chosen.lanes} lanes, {chosen.rounds} rounds")
-    print("| case | one run [ms] | one lane [ms] | run / lane | one thread / threads | largest difference |")
-    print("|---|---|---|---|---|---|")
+    print(
+        f"{processor()}, {chosen.lanes} lanes, {WIDTH} side by side, {chosen.threads} threads, {chosen.rounds} rounds"
+    )
+    print("| case | one run [ms] | one lane [ms] | run / lane | one thread / threads | by processor | difference |")
+    print("|---|---|---|---|---|---|---|")
     figures = []
     for case in (seed(), *map(chain, _DURATIONS)):
         f = measured(case, chosen.lanes, chosen.threads, chosen.rounds)
         figures.append(f)
         numbers = f"{f['run_alone_s'] * 1e3:.3f} | {f['lane_s'] * 1e3:.3f} | {f['alone_over_lane']:.2f}"
-        print(f"| {f['case']} | {numbers} | {f['one_thread_over_threads']:.2f} | {f['difference']:.1e} |", flush=True)
+        gains = f"{f['one_thread_over_threads']:.2f} | {f['one_thread_over_threads_processor']:.2f}"
+        print(f"| {f['case']} | {numbers} | {gains} | {f['difference']:.1e} |", flush=True)
     if chosen.json:
         told = {"lanes": chosen.lanes, "threads": chosen.threads, "cases": figures}
         Path(chosen.json).write_text(json.dumps(told, indent=1), encoding="utf-8")

@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass, replace
 from functools import cached_property
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.batch.simulate import Batched
+from tmodes.batch.result import BatchRun
+from tmodes.batch.simulate import How, Schedules, simulate_lanes
 from tmodes.compile import kernels
 from tmodes.equations.coordinates import basis, deformation_basis, free_columns, free_deformations
 from tmodes.equations.layout import COORDINATES, EVALUATED, LINE, OBSERVED, STATE_SIZE
 from tmodes.errors import SimulationError
+from tmodes.integrate.settings import Integration
 from tmodes.io.fields import number_paths
 from tmodes.mechanism import Drive, Mechanism, Parameters
 from tmodes.model_loops import ModelLoops, rate_of
@@ -27,7 +29,7 @@ _NEWTON_STEPS = 30
 
 
 @dataclass(frozen=True)
-class Model(Batched):
+class Model:
     """The native code of one mechanism, for every set of parameters; each group is made at its first use.
 
     Arrays are C-ordered doubles; n is a number of samples.
@@ -180,11 +182,14 @@ class Model(Batched):
     @property
     def batch_widths(self) -> dict[str, int]:
         """Numbers that compiled code reads of each lane of a batch."""
-        return {
-            "parameters": len(number_paths()),
-            "states": STATE_SIZE,
-            "schedules": self.mechanism.reference_degree + 2,
-        }
+        widths = len(number_paths()), STATE_SIZE, self.mechanism.reference_degree + 2
+        return dict(zip(("parameters", "states", "schedules"), widths, strict=True))
+
+    def simulate_batch(
+        self, parameters: ArrayLike, schedules: Schedules, states: ArrayLike, settings: Integration, **how: Unpack[How]
+    ) -> BatchRun:
+        """Many robots of this structure at once, as :func:`tmodes.batch.simulate.simulate_lanes` tells."""
+        return simulate_lanes(self, parameters, schedules, states, settings, **how)
 
     @cached_property
     def _observation(self) -> Any:

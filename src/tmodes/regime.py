@@ -54,7 +54,7 @@ def run_regime(
     holds at the start, and :class:`tmodes.errors.InputError` for a condition that cannot be.
     """
     mechanism, parameters = robot.split(drive)
-    model, schedule, settings = Model(mechanism), robot.reference.schedule(), robot.integration
+    model, schedule, settings = Model(mechanism), robot.wanted(drive), robot.integration
     stops = Stops(resolved(stop, robot_quantities(model, parameters))) if stop else None
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)

@@ -24,6 +24,7 @@ from tmodes.elements.quantity import DataSheet, Misfit, not_negative, refuse
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Integration
 from tmodes.mechanism import Drive, Mechanism, Parameters, Reading
+from tmodes.reference.schedule import Schedule
 from tmodes.reference.trapezoid import TrapezoidalMove
 
 __all__ = ["FACTOR", "FORMAT", "PLANT", "NominalRealPair", "Robot"]
@@ -120,10 +121,15 @@ class Robot(DataSheet):
             contact=self.environment.friction_law if in_contact else None,
             drive=drive,
             rigid=self.rigid_elements(),
-            reference_degree=self.reference.schedule().degree,
+            reference_degree=self.wanted(drive).degree,
         )
         names, values = zip(*self.numbers(), strict=True)
         return mechanism, Parameters(names, np.array(values))
+
+    def wanted(self, drive: Drive) -> Schedule:
+        """The wanted motor angle [rad] over a run: a controller hears it with ``reference.noise``."""
+        motion = self.reference.schedule()
+        return self.reference.noise.on(motion, self.integration.duration) if drive is Drive.CONTROLLED else motion
 
     def pair(self) -> NominalRealPair:
         """The robot as it is known and as it really is.

@@ -98,3 +98,21 @@ def test_stiff_arms_run_one_by_one(swing, threads):
     for lane in (0, 1, 3):
         single = integrate(model, LoopNumbers(many[lane]), swing.planned.schedule, swing.start, chosen)
         assert batch.states[lane].tobytes() == single.states.tobytes()
+
+
+def test_a_lane_that_chatters_ends_by_itself(bounce, monkeypatch):
+    """A contact that changes too often: told as a run by itself tells it; the others go on."""
+    monkeypatch.setattr("tmodes.native_run.MOST_EVENTS", 1)
+    monkeypatch.setattr("tmodes.native_run.EVENT_TIME", 10.0)
+    model, chosen = bounce.model, settings(bounce)
+    starts = np.tile(bounce.start, (3, 1))
+    starts[:, model.layout.v] = np.array([-1.0, 1.0, -2.0])[
+        :, None
+    ]  # only the second one meets the wall, and leaves it
+    batch = model.simulate_batch(model.numbers.vector, bounce.planned.schedule, starts, chosen)
+    single = integrate(model, model.numbers, bounce.planned.schedule, starts[1], chosen)
+    assert batch.status == ("finished", single.status, "finished") == ("finished", "chattering", "finished")
+    assert batch.counts[1] == len(single.times) < len(batch.times)
+    assert "more than 1 times" in batch.message[1]
+    others = model.simulate_batch(model.numbers.vector, bounce.planned.schedule, starts[[0, 2]], chosen)
+    assert batch.states[[0, 2]].tobytes() == others.states.tobytes()

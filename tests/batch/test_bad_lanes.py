@@ -3,10 +3,15 @@
 from __future__ import annotations
 
 from dataclasses import replace
+from types import SimpleNamespace
+from typing import Any
 
 import numpy as np
 import pytest
 
+from tmodes.batch.simulate import prepare_loops
+from tmodes.errors import InputError
+from tmodes.integrate.settings import Method
 from tmodes.mechanism import Parameters
 from tmodes.trajectory import integrate
 
@@ -80,3 +85,10 @@ def test_a_start_that_is_no_number_has_no_sample(seed):
     assert batch.counts[1] == 0
     assert batch.status[1] == "diverged"
     assert batch.states[[0, 2]].tobytes() == seed.run([0, 2]).states.tobytes()
+
+
+def test_a_method_that_a_model_does_not_have_is_refused():
+    """In words that name those it has."""
+    explicit: Any = SimpleNamespace(loops={}, lane_loops={})
+    with pytest.raises(InputError, match=r"integration.method: got rosenbrock; expected one of .*dop853"):
+        prepare_loops(explicit, Method.ROSENBROCK)

@@ -11,6 +11,8 @@ from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError
 from tmodes.motion.simulate import simulate_arm
 from tmodes.reference.signals_noise import Noise, normal_numbers
+from tmodes.robots import load_robot
+from tmodes.simulate import simulate
 
 
 def noise(**more):
@@ -84,3 +86,39 @@ def test_each_lane_has_a_seed_of_its_own():
     assert np.abs(batch.states[0] - batch.states[1]).max() > 1e-4
     run = simulate_arm(sheet.with_({"loads.0.signal.seed": 12}))
     assert np.abs(batch.states[8, :, : len(run.coordinates)] - run.q).max() < 1e-12
+
+
+def shaken_robot(**noise):
+    """The paper's robot over 50 ms, its controller with noise on what is wanted."""
+    changes = {"integration.duration": 0.05, "integration.output_step": 1e-3}
+    return load_robot("filipovic2010").with_(changes | {f"reference.noise.{name}": x for name, x in noise.items()})
+
+
+def test_noise_on_the_wanted_angle_of_the_robot():
+    """The controller hears the move with the signal of the same numbers on it; the plan has none."""
+    robot = shaken_robot(deviation=1e-4, frequency=200.0, seed=5)
+    shaken, still = simulate(robot).data, simulate(shaken_robot()).data
+    signal = Noise(type="noise", deviation=1e-4, frequency=200.0, seed=5).schedule(0.05)
+    heard = (shaken["theta_wanted"] - still["theta_wanted"]).values
+    assert np.abs(heard - signal.at(shaken["time"].values)).max() < 1e-15
+    assert np.abs(heard).max() > 1e-5
+    assert shaken["q_reference"].equals(still["q_reference"])
+    assert np.abs(shaken["q"] - still["q"]).max() > 1e-6
+    assert np.abs(shaken["energy_balance"]).max() < 1e-6 * np.abs(shaken["work"]).max()
+
+
+def test_each_lane_of_the_robot_has_a_seed_of_its_own():
+    robot = shaken_robot(deviation=1e-4)
+    batch = tmodes.simulate_batch(robot, {"reference.noise.seed": [1, 2, 1, 7, 8, 9, 10, 11, 12]})
+    assert batch.finished.all()
+    assert batch.states[0].tobytes() == batch.states[2].tobytes()
+    assert np.abs(batch.states[0] - batch.states[1]).max() > 1e-4
+    run = simulate(robot.with_({"reference.noise.seed": 12})).data["q"].values
+    assert np.abs(batch.states[8, :, : run.shape[1]] - run).max() < 1e-12
+
+
+def test_noise_that_wants_too_many_pieces_is_refused_at_once():
+    robot = shaken_robot(deviation=1e-4, frequency=1e9)
+    for run in (lambda: simulate(robot), lambda: tmodes.simulate_batch(robot, {"payload.mass": [0.5]})):
+        with pytest.raises(InputError, match="at most"):
+            run()

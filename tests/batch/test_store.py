@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import json
 import os
 import signal
@@ -12,7 +13,7 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmodes.batch.store import load_batch
+from tmodes.batch.store import load_batch, room_for
 from tmodes.errors import InputError, ResultFileError
 from tmodes.reference.schedule import Schedule
 
@@ -130,13 +131,33 @@ def wrong_calls(seed):
         "17 numbers": given | {"states": np.zeros(16)},
         "4 numbers": given | {"schedules": linear},
         "size": given | {"parameters": np.zeros((2, 2, 26))},
-        "at least 1": given | {"threads": 0},
+        "1 to 1024": given | {"threads": 0},
         "1 or": given | {"schedules": [seed.schedule] * 3},
     }
 
 
-@pytest.mark.parametrize("told", ["9", "26 numbers", "17 numbers", "4 numbers", "size",
-                                  "at least 1", "1 or"])  # fmt: skip
+@pytest.mark.parametrize("told", ["9", "26 numbers", "17 numbers", "4 numbers", "size", "1 to 1024", "1 or"])
 def test_wrong_calls_are_refused(seed, told):
     with pytest.raises(InputError, match=told):
         seed.model.simulate_batch(**wrong_calls(seed)[told])
+
+
+def test_a_disk_that_fills_up_meanwhile_is_told_before_anything_runs(seed, tmp_path, monkeypatch):
+    """Room is taken, not only asked for; where it is gone, nothing is left in the folder."""
+
+    def full(handle, start, length):
+        assert length > seed.many.shape[0] * 41 * 17 * 8
+        raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
+
+    monkeypatch.setattr(os, "posix_fallocate", full, raising=False)
+    monkeypatch.setattr("tmodes.batch.simulate.run_all", lambda *_: pytest.fail("it runs"))
+    with pytest.raises(ResultFileError, match="No space left on device"):
+        seed.run(out=tmp_path)
+    assert list(tmp_path.iterdir()) == []
+
+
+@pytest.mark.skipif(not hasattr(os, "posix_fallocate"), reason="no such call")
+def test_room_on_the_disk_is_taken_before_anything_runs(tmp_path):
+    with room_for((1000, 10, 10), tmp_path):
+        (states,) = tmp_path.glob(".tmodes-*.tmp")
+        assert states.stat().st_blocks * 512 >= 1000 * 10 * 10 * 8

@@ -70,12 +70,16 @@ WRONG = {
     "at most 1000000": ["--vary", "payload.mass=1:2:1001", "--vary", "gravity=9:10:1001"],
     "lane 0: payload.mass: got -1.0": ["--vary", "payload.mass=-1:2:2"],
     "did you mean": ["--draw", "payload.mas=1:2"],
+    "payload.mass twice": ["--vary", "payload.mass=1:2:2", "--vary", "payload.mass=3:4:2"],
+    "lane 2: payload.mass: got -1.0": ["--vary", "payload.mass=1:-1:3"],
     "one integration": ["--vary", "integration.duration=1:2:3"],
 }
 
 
 @pytest.mark.parametrize("told", list(WRONG))
 def test_wrong_lines_are_refused(told, monkeypatch, capsys):
+    """Before anything runs."""
+    monkeypatch.setattr("tmodes.vary.simulate.run_all", lambda *_: pytest.fail("it runs"))
     monkeypatch.setattr(sys, "argv", ["tmodes", *COMMAND[3:], *WRONG[told]])
     with pytest.raises(SystemExit) as ended:
         main()
@@ -116,3 +120,20 @@ def test_a_longer_draw_begins_with_the_shorter_one():
     assert np.all((long["b"] >= 5.0) & (long["b"] < 6.0))
     assert long["a"].mean() == pytest.approx(1.0, abs=4 * 2 / np.sqrt(12 * 1000))
     assert np.corrcoef(long["a"], long["b"])[0, 1] == pytest.approx(0.0, abs=0.15)
+
+
+def test_a_folder_that_is_taken_is_refused_before_anything_runs(tmp_path, monkeypatch, capsys):
+    (tmp_path / "batch.json").write_text("{}")
+    monkeypatch.setattr("tmodes.vary.simulate.run_all", lambda *_: pytest.fail("it runs"))
+    monkeypatch.setattr(sys, "argv", ["tmodes", *COMMAND[3:], "--vary", "gravity=9:10:2", "--out", str(tmp_path)])
+    with pytest.raises(SystemExit) as ended:
+        main()
+    assert ended.value.code == 4
+    assert "a batch that is there" in capsys.readouterr().err
+
+
+def test_seeds_of_noise_are_a_sweep():
+    noise = ["--set", "reference.noise.deviation=1e-4", "--vary", "reference.noise.seed=1:3:3", "--json"]
+    data = json.loads(tmodes_batch(*noise).stdout)
+    assert [each["values"] for each in data["each"]] == [{"reference.noise.seed": seed} for seed in (1.0, 2.0, 3.0)]
+    assert len({each["tip_difference_m"] for each in data["each"]}) == 3

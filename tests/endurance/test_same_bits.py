@@ -13,6 +13,7 @@ import numpy as np
 
 from tmodes.bench.ours import Ours
 from tmodes.bench.rigid import RigidChain
+from tmodes.compile.wide import Wide
 
 from .scale import often
 
@@ -52,9 +53,9 @@ def test_surroundings_change_no_bit(tmp_path: Path) -> None:
 def test_threads_change_no_bit() -> None:
     """The same batch on one thread, and on eight at once."""
     ours = Ours(RigidChain(3))
-    once, alone = ours.batch("lanes")
+    once, alone = ours.batch(Wide.name)
     once()
-    batches = [ours.batch("lanes") for _ in range(8)]
+    batches = [ours.batch(Wide.name) for _ in range(8)]
     with ThreadPoolExecutor(8) as pool:
         for _ in range(often(3, 1000)):
             for _, out in batches:

@@ -49,7 +49,7 @@ def test_each_aim_is_judged_by_its_own_ratio() -> None:
     assert found == {
         "36 joints: faster than Pinocchio": (4.0, True),
         "36 joints: faster than MuJoCo": (3.95, False),
-        "36 joints: a lane of four cheaper than one": (4.0, True),
+        "36 joints: a lane of many cheaper than one": (4.0, True),
         "36 joints: two cores over one": (pytest.approx(5 / 3), False),
         "36 joints: compile, equations included": (1.1, False),
         "36 joints: code from the cache": (9.0, True),

@@ -66,7 +66,13 @@ ROBOT: dict[str, Any] = {
         "friction_law": "signed",
     },
     "controller": {"position_gain": 2000.0, "velocity_gain": 20.0},
-    "reference": {"start": 0.0, "end": np.pi / 4, "duration": 2.0, "ramp_fraction": 0.2},
+    "reference": {
+        "start": 0.0,
+        "end": np.pi / 4,
+        "duration": 2.0,
+        "ramp_fraction": 0.2,
+        "noise": {"deviation": 0.0, "frequency": 100.0, "seed": 0},
+    },
     "real": {
         "gear.stiffness": 0.2,
         "gear.damping": 0.2,

@@ -39,22 +39,34 @@ def room_for(shape: tuple[int, int, int], folder: Path | None) -> Iterator[Array
     if folder is None:
         yield np.empty(shape)
         return
+    folder.mkdir(parents=True, exist_ok=True)
     with FolderLock(folder):
-        if (there := folder / _TOLD).exists():
-            raise file_error(there, "a batch that is there", "a new folder", "choose another folder")
+        _refuse_batch(folder)
         with atomic_write(folder / _STATES) as path:
             states = np.lib.format.open_memmap(path, mode="w+", dtype=np.float64, shape=shape)
+            _reserve(path)
             yield states
             states.flush()
             del states
 
 
+def _reserve(path: Path) -> None:
+    """Take the disk's room for a file: to write into a map of a file whose disk is full ends the process."""
+    if hasattr(os, "posix_fallocate"):
+        with path.open("r+b") as file:
+            os.posix_fallocate(file.fileno(), 0, path.stat().st_size)
+
+
 def check_room(shape: tuple[int, int, int], folder: Path | None) -> None:
-    """Refuse, with numbers, more samples (lanes, samples, size) than memory or the disk has room for."""
+    """Refuse, with numbers, more samples (lanes, samples, size) than there is room for; and to write over a batch."""
     lanes, samples, size = shape
     needed = 8 * lanes * samples * size
     if folder is not None:
+        _refuse_batch(folder)
+        absent = [place for place in (folder, *folder.parents) if not place.exists()]
         check_writable(folder, needed)
+        for place in absent:  # to ask leaves nothing behind
+            place.rmdir()
     elif needed > MOST_BYTES:
         raise InputError(
             "simulate_batch",
@@ -62,6 +74,11 @@ def check_room(shape: tuple[int, int, int], folder: Path | None) -> None:
             f"at most {MOST_BYTES / 1e9:.3g} GB in memory",
             "give a folder (out=), a longer output_step, or fewer lanes",
         )
+
+
+def _refuse_batch(folder: Path) -> None:
+    if (there := folder / _TOLD).exists():
+        raise file_error(there, "a batch that is there", "a new folder", "choose another folder")
 
 
 def write_batch(batch: BatchRun, folder: Path) -> None:

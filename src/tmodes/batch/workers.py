@@ -1,4 +1,4 @@
-"""Groups of lanes over threads: the native loops run without Python's lock, so each thread keeps one core busy."""
+"""Spans of lanes over threads: the native loops run without Python's lock, so each thread keeps one core busy."""
 
 from __future__ import annotations
 
@@ -10,23 +10,25 @@ from threading import Event
 
 import numpy as np
 
-from tmodes.batch.lanes import groups, run_lanes
+from tmodes.batch.lanes import run_lanes, spans
 from tmodes.batch.work import Work
 from tmodes.errors import InputError
 from tmodes.trajectory import Trajectory
 
 __all__ = ["run_all", "thread_count"]
 
+_MOST_THREADS = 1024
+
 _PATIENCE = 0.1
 """Seconds between two words about the progress."""
 
 
 def thread_count(threads: int | None) -> int:
-    """Threads of a batch; None: as many as this process may use cores. Raises InputError for fewer than one."""
+    """Threads of a batch; None: as many as this process may use cores. Raises InputError for none, or too many."""
     if threads is None:
         return len(os.sched_getaffinity(0)) if hasattr(os, "sched_getaffinity") else os.cpu_count() or 1
-    if threads < 1:
-        raise InputError("threads", str(threads), "at least 1", "leave it out to use all cores")
+    if not 1 <= threads <= _MOST_THREADS:
+        raise InputError("threads", str(threads), f"1 to {_MOST_THREADS}", "leave it out to use all cores")
     return threads
 
 
@@ -35,11 +37,11 @@ def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], Non
 
     ``progress`` is told the share of all lanes' time that is done; what it raises stops the batch.
     """
-    lanes = [(work, group) for work in works for group in groups(work)]
+    lanes = [(work, span) for work in works for span in spans(work, threads)]
     reached, stop = np.zeros(len(works[0].states) if works else 0), Event()
     whole = sum(work.inputs.size * work.settings.duration for work in works)
     with ThreadPoolExecutor(threads, "tmodes-batch") as pool:
-        futures = [pool.submit(run_lanes, work, group, stop.is_set, reached) for work, group in lanes]
+        futures = [pool.submit(run_lanes, work, span, stop.is_set, reached) for work, span in lanes]
         try:
             _watch(futures, lambda: progress(float(reached.sum()) / whole))
         except KeyboardInterrupt:
@@ -49,8 +51,8 @@ def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], Non
             pool.shutdown(cancel_futures=True)
             raise
     done: dict[int, Trajectory] = {}
-    for (work, group), future in zip(lanes, futures, strict=True):
-        done |= zip(work.places[group.start : group.stop].tolist(), future.result(), strict=True)
+    for (work, span), future in zip(lanes, futures, strict=True):
+        done |= zip(work.places[span.start : span.stop].tolist(), future.result(), strict=True)
     return done
 
 

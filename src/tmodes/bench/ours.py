@@ -1,10 +1,11 @@
-"""Our own forward dynamics of the rigid chain: one lane, four lanes, and four lanes on every core."""
+"""Our own forward dynamics of the rigid chain: one lane, a vector of lanes, and such on every core."""
 
 from __future__ import annotations
 
 import time
 from collections.abc import Callable, Iterator
 from concurrent.futures import ThreadPoolExecutor
+from ctypes import c_void_p
 from functools import cached_property
 from typing import Any
 
@@ -12,10 +13,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.arm_model import ArmModel
+from tmodes.batch.memory import private
 from tmodes.bench.clock import now
 from tmodes.bench.contender import CHECKED, Contender
 from tmodes.bench.rigid import RigidChain
 from tmodes.compile import kernels
+from tmodes.compile.wide import Wide
 from tmodes.equations.arm.forward import forward_dynamics
 
 __all__ = ["LANES", "SAMPLES", "Ours", "cores"]
@@ -23,11 +26,14 @@ __all__ = ["LANES", "SAMPLES", "Ours", "cores"]
 SAMPLES = 1024
 """States of a batch."""
 
-LANES = 4
-"""States that go at once."""
+LANES = Wide.stride
+"""States that go at once, as in batches of runs."""
 
-_ROUND = 4e-3
+_ROUND = 2e-2
 """Least time of a round [s]: the batch is repeated that often."""
+
+_LONG_ROUND = 0.1
+"""The same on several cores: a system takes some hundredths of a second until each thread has a core of its own."""
 
 
 def cores() -> int:
@@ -54,23 +60,24 @@ class Ours:
         return np.ascontiguousarray(np.concatenate(given, axis=1))
 
     def library(self, arithmetic: str) -> Any:
-        """The native code: ``double`` or ``lanes``."""
+        """The native code: ``double``, or lanes by their name."""
         return kernels.schedule_function("arm", self.schedule, arithmetic)
 
     def batch(self, arithmetic: str) -> tuple[Callable[[], None], NDArray[np.float64]]:
-        """One pass over the batch, with a workspace of its own, and where it leaves the accelerations."""
-        width = LANES if arithmetic == "lanes" else 1
-        workspace, out = np.zeros(self.schedule.workspace * width), np.empty((SAMPLES, self.robot.joints))
-        run, parameters, rows = self.library(arithmetic)["run"], self.model.parameters, self.rows
+        """One pass over the batch, in memory of its own, and where it leaves the accelerations."""
+        width = LANES if arithmetic == Wide.name else 1
+        workspace, out = private(self.schedule.workspace * width), private(SAMPLES, self.robot.joints)
+        arrays = self.model.parameters, workspace, self.rows, out
+        run, given = self.library(arithmetic)["run"], [array.ctypes.data_as(c_void_p) for array in arrays]
 
         def once() -> None:
-            run(SAMPLES // width, 0, *(array.ctypes.data for array in (parameters, workspace, rows, out)))
+            run(SAMPLES // width, 0, *given)
 
         return once, out
 
     def contenders(self) -> Iterator[Contender]:
-        """1 lane; 4 lanes; 4 lanes on each core."""
-        for name, arithmetic in (("tmodes, 1 lane", "double"), (f"tmodes, {LANES} lanes, per lane", "lanes")):
+        """1 lane; lanes; lanes on each core."""
+        for name, arithmetic in (("tmodes, 1 lane", "double"), (f"tmodes, {LANES} lanes, per lane", Wide.name)):
             once, out = self.batch(arithmetic)
             yield Contender(name, repeated(once), found_in(once, out))
         yield self._on_all_cores()
@@ -78,8 +85,8 @@ class Ours:
     def _on_all_cores(self) -> Contender:
         count = cores()
         pool = ThreadPoolExecutor(count)
-        batches = [self.batch("lanes") for _ in range(count)]
-        repeats = _repeats(batches[0][0])
+        batches = [self.batch(Wide.name) for _ in range(count)]
+        repeats = _repeats(batches[0][0], _LONG_ROUND)
 
         def often(once: Callable[[], None]) -> None:
             for _ in range(repeats):
@@ -106,11 +113,11 @@ def found_in(once: Callable[[], None], out: NDArray[np.float64]) -> Callable[[],
     return found
 
 
-def _repeats(once: Callable[[], None]) -> int:
+def _repeats(once: Callable[[], None], round_time: float = _ROUND) -> int:
     once()
     began = now()
     once()
-    return max(1, int(_ROUND / max(now() - began, 1e-9)))
+    return max(1, int(round_time / max(now() - began, 1e-9)))
 
 
 def repeated(once: Callable[[], None]) -> Callable[[], float]:

@@ -126,8 +126,8 @@ def write_samples(module: Any, schedule: Any, arithmetic: Arithmetic, name: str)
     """The exported ``name(n, each, parameters, workspace, in, out)``: the schedule at n samples, row by row.
 
     A row holds the inputs, or the outputs, one after the other; ``each`` not zero: every sample has parameters of its
-    own. In ``lanes`` four rows go at once, and n counts fours; of ``derivative`` each input row is followed by the row
-    of its direction and each output row by that of its derivatives.
+    own. Of ``derivative`` each input row is followed by the row of its direction and each output row by that of its
+    derivatives. Lanes: :func:`tmodes.compile.lane_rows.write_lane_samples`.
     """
     main = write_main(module, schedule, arithmetic, f"{name}.main")
     labels = [("n", I64), ("each", I64), ("p", POINTER), ("workspace", POINTER), ("in", POINTER), ("out", POINTER)]
@@ -137,16 +137,12 @@ def write_samples(module: Any, schedule: Any, arithmetic: Arithmetic, name: str)
     width = arithmetic.stride
     taken = [(schedule.offset(slot), slot.size) for slot in schedule.inputs.values()]
     given = [(schedule.offset(slot), slot.size) for slots in schedule.outputs.values() for slot in slots]
-    spread_parameters(b, parameters, workspace, schedule.parameters, width, same=arithmetic.name == "lanes")
+    spread_parameters(b, parameters, workspace, schedule.parameters, width)
     call_prepare(b, main, workspace)
     with counted(b, count, "sample") as sample:
         with b.if_then(b.icmp_signed("!=", each, whole(0))):
-            rows = width if arithmetic.name == "lanes" else 1
-            start = at(b, parameters, b.mul(sample, whole(schedule.parameters * rows)))
-            if arithmetic.name == "lanes":
-                copy_rows(b, start, workspace, [(0, schedule.parameters)], width, into=True)
-            else:
-                spread_parameters(b, start, workspace, schedule.parameters, width)
+            start = at(b, parameters, b.mul(sample, whole(schedule.parameters)))
+            spread_parameters(b, start, workspace, schedule.parameters, width)
             call_prepare(b, main, workspace)
         row = b.mul(sample, whole(schedule.input_size * width))
         copy_rows(b, at(b, source, row), workspace, taken, width, into=True)

@@ -117,16 +117,20 @@ def arithmetic_of(name: str) -> Any:
 def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
     """The function ``run(n, each, parameters, workspace, in, out)`` of a schedule of kernels over many samples.
 
-    ``arithmetic``: ``double``, ``lanes`` (four samples at once) or ``derivative`` (each with a direction).
+    ``arithmetic``: ``double``, ``lanes`` (four samples at once; ``wide8``: eight) or ``derivative`` (each with a
+    direction).
     """
 
     def write() -> Any:
         from llvmlite import ir
 
+        from tmodes.compile.arithmetic import Lanes
         from tmodes.compile.block import write_samples
+        from tmodes.compile.lane_rows import write_lane_samples
 
-        module = ir.Module(name)
-        write_samples(module, schedule, arithmetic_of(arithmetic)(module), "run")
+        module, kind = ir.Module(name), arithmetic_of(arithmetic)
+        write = write_lane_samples if issubclass(kind, Lanes) else write_samples
+        write(module, schedule, kind(module), "run")
         return module
 
     imports = partial(called, schedule, arithmetic)

@@ -6,6 +6,7 @@ from typing import Any
 
 from tmodes.compile.gate import SHORTEST
 from tmodes.compile.lanes_loop import LanesLoop
+from tmodes.compile.time_loop import Status
 
 __all__ = ["LanesGate"]
 
@@ -41,20 +42,39 @@ class LanesGate:
             self.loop.put(label, value, where)
 
     def meet(self, h: Any, accepted: Any) -> Any:
-        """Of the accepted lanes those whose gate did not change too early; the others try again with a shorter step."""
+        """Of the accepted lanes those whose gate did not change too early; the others try again with a shorter step.
+
+        A lane whose gate changes too often is over.
+        """
         if self.offset is None:
             return accepted
         loop, b = self.loop, self._b
-        missed, shorter = self._missed(h)
+        changed, missed, shorter = self._missed(h)
         missed = b.and_(accepted, missed)
         loop.put("h", shorter, missed)
         loop.count("rejected", missed)
         met = b.and_(accepted, b.not_(missed))
+        changed = b.and_(met, changed)
+        with b.if_then(loop.any(changed), likely=False):
+            self._count(changed)
+        calm = b.fcmp_ordered("<=", loop.get("burst"), loop.option("most_events"))
+        loop.end_where(b.and_(met, b.not_(calm)), Status.CHATTERING)
+        met = b.and_(met, calm)
         self._keep(met)
         return met
 
-    def _missed(self, h: Any) -> tuple[Any, Any]:
-        """Where a step must be shortened, and to what."""
+    def _count(self, changed: Any) -> None:
+        """Count the changes of each lane, also among those that came within a short time."""
+        loop, b = self.loop, self._b
+        loop.count("events", changed)
+        time = loop.get("t")
+        later = b.fcmp_ordered(">", b.fsub(time, loop.get("burst_time")), loop.option("event_time"))
+        loop.put("burst", loop.constant(0.0), b.and_(changed, later))
+        loop.put("burst_time", time, b.and_(changed, later))
+        loop.count("burst", changed)
+
+    def _missed(self, h: Any) -> tuple[Any, Any, Any]:
+        """Where the gate changed, where the step must be shortened, and to what."""
         loop, b, zero = self.loop, self._b, self.loop.constant(0.0)
         before, now = [loop.get(label) for label in _CELLS], self._now()
         was, is_ = (b.and_(*(b.fcmp_ordered(">", x, zero) for x in pair)) for pair in (before, now))
@@ -68,4 +88,4 @@ class LanesGate:
         shortest = b.fmul(loop.constant(SHORTEST), size)
         far = b.fcmp_ordered(">", h, shortest)
         changed = b.xor(was, is_)
-        return b.and_(changed, far), loop.call("maxnum", b.fmul(h, share), shortest)
+        return changed, b.and_(changed, far), loop.call("maxnum", b.fmul(h, share), shortest)

@@ -29,7 +29,7 @@ LANE_METHODS = ("rk4", "dormand_prince")
 LANE_CELLS = (*CELLS, "gate_known", "gate0", "gate1")
 """Memory of a loop between calls, one double for each lane of each."""
 
-LANE_OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "most")
+LANE_OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "most", "most_events", "event_time")
 """Settings of a loop, the same for all lanes; ``most``: attempted steps of a run after which it is given up."""
 
 LANE_ARGUMENTS = (

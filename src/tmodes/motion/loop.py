@@ -4,16 +4,18 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any
+from typing import Any, Unpack
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.batch.simulate import Batched
+from tmodes.batch.result import BatchRun
+from tmodes.batch.simulate import How, Schedules, simulate_lanes
 from tmodes.compile import lane_kernels, loops
 from tmodes.equations.arm.closed_loop import ClosedLoop
 from tmodes.equations.arm.closed_loop_plan import LoopPlan, StateLayout
 from tmodes.evaluator import derivatives, evaluate
+from tmodes.integrate.settings import Integration
 
 __all__ = ["LoopModel", "LoopNumbers", "Loops"]
 
@@ -46,7 +48,7 @@ class Loops:
 
 
 @dataclass(frozen=True, eq=False)
-class LoopModel(Batched):
+class LoopModel:
     """The native code of one plan's structure.
 
     Arrays are of n instants: time (n,) [s], state (n, size), row (n, row).
@@ -89,6 +91,12 @@ class LoopModel(Batched):
         """Numbers that compiled code reads of each lane of a batch."""
         parameters, size = self.loop.rate.parameters, self.layout.size
         return {"parameters": parameters, "states": size, "schedules": self.plan.row_size}
+
+    def simulate_batch(
+        self, parameters: ArrayLike, schedules: Schedules, states: ArrayLike, settings: Integration, **how: Unpack[How]
+    ) -> BatchRun:
+        """Many robots of this structure at once, as :func:`tmodes.batch.simulate.simulate_lanes` tells."""
+        return simulate_lanes(self, parameters, schedules, states, settings, **how)
 
     def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: LoopNumbers | None = None) -> Array:
         """Derivative of the state by time, (n, size) [the state's units over s]."""

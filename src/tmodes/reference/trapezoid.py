@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 import numpy as np
+from pydantic import Field
 
 from tmodes.elements.quantity import DataSheet, any_sign, positive
+from tmodes.reference.noise_of_reference import ReferenceNoise
 from tmodes.reference.schedule import Schedule
 
 __all__ = ["TrapezoidalMove"]
@@ -26,6 +28,7 @@ class TrapezoidalMove(DataSheet):
     ramp_fraction: float = positive(
         "-", "ramp", "share of the duration that each ramp takes", at_most=0.5, smallest=1e-6
     )
+    noise: ReferenceNoise = Field(default_factory=ReferenceNoise)
 
     def schedule(self) -> Schedule:
         """The move as three pieces of second degree; two pieces when the ramps meet."""

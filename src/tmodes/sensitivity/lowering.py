@@ -70,7 +70,7 @@ def lowered(sheet: Arm | Robot) -> Lowered:
 def _of_robot(robot: Robot) -> Lowered:
     mechanism, parameters = robot.split(Drive.CONTROLLED)
     model = Model(mechanism)
-    start, schedule = model.rest(robot.reference.start, parameters), robot.reference.schedule()
+    start, schedule = model.rest(robot.reference.start, parameters), robot.wanted(Drive.CONTROLLED)
     settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
     rates = implicit_schedule if settings.method is Method.EXTRAPOLATION else rate_schedule
     return Lowered(model, rates(mechanism), parameters, schedule, start, settings)

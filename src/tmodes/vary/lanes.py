@@ -69,7 +69,7 @@ def lane_of(real: Robot | Arm) -> Lane:
 
 def _robot_lane(robot: Robot) -> Lane:
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, schedule = Model(mechanism), robot.reference.schedule()
+    model, schedule = Model(mechanism), robot.wanted(Drive.CONTROLLED)
     settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
+from dataclasses import dataclass, replace
 from pathlib import Path
 
 import numpy as np
@@ -22,10 +22,11 @@ from tmodes.robot import Robot
 from tmodes.trajectory import sample_times
 from tmodes.vary.lanes import Lane, changed_sheet, lane_of
 
-__all__ = ["simulate_batch", "simulate_changes"]
+__all__ = ["Prepared", "prepared", "prepared_alone", "run_prepared", "simulate_batch"]
 
 Array = NDArray[np.float64]
 Progress = Callable[[str, float], None]
+Changes = Mapping[str, float | int]
 
 
 def simulate_batch(
@@ -50,56 +51,78 @@ def simulate_batch(
     telling their lane, and for lanes whose coordinates differ; :class:`tmodes.errors.SimulationError` where none can
     start.
     """
+    return run_prepared(
+        prepared(sheet, vary, out=out, progress=progress), tips=tips, threads=threads, progress=progress
+    )
+
+
+@dataclass(frozen=True, eq=False)
+class Prepared:
+    """Lanes that were checked and can run, or why not; ``values`` is what the batch tells of them, by path.
+
+    ``times`` (n,) [s]: of the samples; ``folder``: where they go, or None.
+    """
+
+    lanes: Sequence[Lane | str]
+    values: dict[str, Array]
+    times: Array
+    folder: Path | None
+
+
+def prepared(
+    sheet: Robot | Arm,
+    vary: Mapping[str, ArrayLike],
+    *,
+    out: str | os.PathLike[str] | None = None,
+    progress: Progress = lambda stage, share: None,
+) -> Prepared:
+    """All that can be wrong with a batch is told here, before anything runs; see :func:`simulate_batch`."""
     values = _checked(vary)
     size = len(next(iter(values.values())))
     changes = [{path: _plain(numbers[lane]) for path, numbers in values.items()} for lane in range(size)]
-    return simulate_changes(sheet, changes, values, tips=tips, threads=threads, out=out, progress=progress)
+    return _prepared(sheet, changes, values, None if out is None else Path(out), progress)
 
 
-def simulate_changes(
-    sheet: Robot | Arm,
-    changes: Sequence[Mapping[str, float | int]],
-    values: dict[str, Array],
-    *,
-    tips: bool,
-    threads: int | None,
-    out: str | os.PathLike[str] | None,
-    progress: Progress,
+def prepared_alone(sheet: Robot | Arm, progress: Progress = lambda stage, share: None) -> Prepared:
+    """The sheet as it stands, as a batch of one lane."""
+    return _prepared(sheet, [{}], {}, None, progress)
+
+
+def run_prepared(
+    batch: Prepared, *, tips: bool, threads: int | None = None, progress: Progress = lambda stage, share: None
 ) -> BatchRun:
-    """Run a sheet with each of these changes; ``values`` is what the batch tells of them, by path."""
-    refuse_stops(sheet.integration, "all lanes of a batch run")
-    times, count = sample_times(sheet.integration), thread_count(threads)
-    folder = None if out is None else Path(out)
-    lanes = _all_prepared(sheet, changes, lambda width: check_room((len(changes), len(times), width), folder), progress)
-    with room_for((len(lanes), len(times), _common_width(lanes)), folder) as room:
-        batch = replace(_run(lanes, times, room, count, progress), values=values)
+    """Run lanes that were prepared; see :func:`simulate_batch`."""
+    lanes, count = batch.lanes, thread_count(threads)
+    with room_for((len(lanes), len(batch.times), _common_width(lanes)), batch.folder) as room:
+        done = replace(_run(lanes, batch.times, room, count, progress), values=batch.values)
         if tips:
-            batch = replace(batch, tips=_tips(batch, lanes, progress))
-    if folder is None:
-        return batch
-    write_batch(batch, folder)
-    return load_batch(folder)
+            done = replace(done, tips=_tips(done, lanes, progress))
+    if batch.folder is None:
+        return done
+    write_batch(done, batch.folder)
+    return load_batch(batch.folder)
 
 
-def _all_prepared(
-    sheet: Robot | Arm,
-    changes: Sequence[Mapping[str, float | int]],
-    check: Callable[[int], None],
-    progress: Progress,
-) -> list[Lane | str]:
-    """All lanes; ``check`` is asked as soon as the size of a state is known."""
+def _prepared(
+    sheet: Robot | Arm, changes: Sequence[Changes], values: dict[str, Array], folder: Path | None, progress: Progress
+) -> Prepared:
+    """All lanes; the room is asked for as soon as the size of a state is known."""
+    refuse_stops(sheet.integration, "all lanes of a batch run")
+    if sheet.integration.energy_stop:
+        mend = "leave it out, or run the lane by itself (tmodes run)"
+        raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", mend)
     lanes: list[Lane | str] = []
-    checked = False
+    times, checked = sample_times(sheet.integration), False
     for index, told in enumerate(changes):
-        lanes.append(_prepared(sheet, told, index))
+        lanes.append(_lane(sheet, told, index))
         width = _common_width(lanes)
         if width and not checked:
-            check(width)
+            check_room((len(changes), len(times), width), folder)
             checked = True
         progress("preparing", (index + 1) / len(changes))
     if not checked:
         raise SimulationError(f"no lane can start; lane 0: {lanes[0]}")
-    return lanes
+    return Prepared(lanes, values, times, folder)
 
 
 def _checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
@@ -128,7 +151,7 @@ def _plain(value: np.float64) -> float | int:
     return int(number) if number.is_integer() and abs(number) < 2**53 else number
 
 
-def _prepared(sheet: Robot | Arm, changes: Mapping[str, float | int], index: int) -> Lane | str:
+def _lane(sheet: Robot | Arm, changes: Changes, index: int) -> Lane | str:
     """A lane, or why it cannot start."""
     real = changed_sheet(sheet, changes, index)
     try:

@@ -1,0 +1,76 @@
+"""Spans of lanes: each lane in one of them; what went through a room before is not seen by what comes after."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tmodes.batch.lanes import spans
+from tmodes.batch.memory import LINE, private
+from tmodes.batch.work import Work, inputs
+from tmodes.batch.workers import thread_count
+from tmodes.compile.lanes_loop import WIDTH
+from tmodes.errors import InputError
+from tmodes.integrate.settings import Method
+from tmodes.reference.schedule import Schedule
+
+
+def work_of(seed, lanes, method):
+    settings = seed.settings.model_copy(update={"method": method})
+    many = np.tile(seed.many[:1], (lanes, 1))
+    told = inputs(many, seed.schedule, seed.start, settings.duration, seed.model.batch_widths)
+    return Work(seed.model, told, settings, np.zeros(1), np.zeros((lanes, 1, 1)), np.arange(lanes))
+
+
+@pytest.mark.parametrize("method", [Method.DORMAND_PRINCE, Method.DOP853])
+@pytest.mark.parametrize("threads", [1, 2, 7, 64])
+@pytest.mark.parametrize("lanes", [1, 7, 8, 9, 100, 1024, 5000])
+def test_each_lane_is_in_one_span(seed, lanes, threads, method):
+    """Side by side in whole groups; as many spans as keep all threads busy to the end."""
+    found = spans(work_of(seed, lanes, method), threads)
+    assert [lane for span in found for lane in span] == list(range(lanes))
+    side = WIDTH if method is Method.DORMAND_PRINCE else 1
+    assert all(len(span) % side == 0 for span in found[:-1])
+    assert len(found) >= min(8 * threads, -(-lanes // side))
+    assert max(map(len, found)) <= 64 * side
+
+
+@pytest.mark.parametrize("method", [Method.DORMAND_PRINCE, Method.RK4])
+def test_one_room_for_many_groups(seed, method, monkeypatch):
+    """In one long span, with bad lanes, starts and motions of their own: the bytes of spans of one group each."""
+    rng, lanes = np.random.default_rng(4), 5 * WIDTH + 3
+    many = seed.parameters.vector * (1 + 0.02 * rng.normal(size=(lanes, len(seed.parameters))))
+    many[3, seed.place("payload.mass")] = np.nan
+    many[WIDTH + 1, seed.place("controller.position_gain")] = -1e7
+    starts = seed.start + 1e-3 * rng.normal(size=(lanes, len(seed.start)))
+    starts[2 * WIDTH] = np.inf
+    knots = [np.linspace(0.0, 0.02, 2 + lane % 4) for lane in range(lanes)]
+    schedules = [Schedule(each, 0.1 * rng.normal(size=(len(each) - 1, 3))) for each in knots]
+    settings = seed.settings.model_copy(update={"method": method, "max_steps": 20_000})
+    for moved in (schedules, seed.schedule):
+        given = (many, moved, starts, settings)
+        short = seed.model.simulate_batch(*given, threads=2)
+        with monkeypatch.context() as patch:
+            patch.setattr("tmodes.batch.lanes._SPANS", 1)
+            long = seed.model.simulate_batch(*given, threads=1)
+        assert long.states.tobytes() == short.states.tobytes()
+        assert (long.status, long.message) == (short.status, short.message)
+        assert all(np.array_equal(long.statistics[name], short.statistics[name]) for name in long.statistics)
+        assert (~long.finished).sum() == 3
+
+
+def test_private_memory_shares_no_line():
+    """It begins on a line and the line of its last number has room for nothing else."""
+    arrays = [private(3, 5), private(1), private(16, 4), private(2, 8)]
+    for array in arrays:
+        assert not array.any()
+        assert array.flags.c_contiguous
+        assert array.ctypes.data % LINE == 0
+    lines = [range(a.ctypes.data // LINE, (a.ctypes.data + a.nbytes - 1) // LINE + 1) for a in arrays]
+    assert all(set(one).isdisjoint(other) for k, one in enumerate(lines) for other in lines[:k])
+
+
+@pytest.mark.parametrize("threads", [0, 1_000_000])
+def test_threads_without_end_are_refused(threads):
+    with pytest.raises(InputError, match=f"threads: got {threads}; expected 1 to 1024"):
+        thread_count(threads)
