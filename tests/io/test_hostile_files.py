@@ -121,7 +121,7 @@ def test_names_of_files_may_hold_spaces_and_letters_of_all_kinds(tmp_path: Path)
     assert load_robot(str(file)) == load_robot("filipovic2010")
 
 
-@pytest.mark.parametrize("cut", range(1, SHEET.index("\nreal:") - 40, 61))
+@pytest.mark.parametrize("cut", range(1, SHEET.index("ramp_fraction:"), 61))
 def test_a_truncated_file_is_told(cut: int) -> None:
     """Something is missing wherever the cut is."""
     with pytest.raises((InputError, InputErrors), match=r"^cut\.yaml:\d"):

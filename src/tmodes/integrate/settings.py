@@ -4,9 +4,9 @@ from __future__ import annotations
 
 from collections.abc import Iterator
 from enum import StrEnum
-from typing import Self
+from typing import Any, Self
 
-from pydantic import Field, model_validator
+from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
 from tmodes.errors import InputError
@@ -44,6 +44,10 @@ class Method(StrEnum):
 
 FIXED_STEP = (Method.RK4, Method.MIDPOINT)
 """Methods whose step is `integration.step`."""
+
+
+_TOLERANCES = {"relative_tolerance": 1e-7, "absolute_tolerance": 1e-9}
+"""Those of ``extrapolation`` where none are given."""
 
 
 class Integration(DataSheet):
@@ -108,6 +112,12 @@ class Integration(DataSheet):
         "s", "wall", "seconds of computing after which a run gives up", default=3600.0, span=True
     )
 
+    @model_serializer(mode="wrap")
+    def _as_given(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
+        """Tolerances that were left out are left out again: the method that is chosen has its own."""
+        left_out = _TOLERANCES.keys() - self.model_fields_set
+        return {name: value for name, value in write(self).items() if name not in left_out}
+
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
         refuse([*self._sampling_misfits(), *self._stepping_misfits(), *self._stop_misfits()])
@@ -163,8 +173,7 @@ class Integration(DataSheet):
         """
         changes: dict[str, object] = {"method": method}
         if method is Method.EXTRAPOLATION:
-            defaults = {"relative_tolerance": 1e-7, "absolute_tolerance": 1e-9}
-            changes |= {name: value for name, value in defaults.items() if name not in self.model_fields_set}
+            changes |= {name: value for name, value in _TOLERANCES.items() if name not in self.model_fields_set}
         return self.model_copy(update=changes)
 
     @property

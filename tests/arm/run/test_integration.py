@@ -6,7 +6,10 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import TIGHT, ZERO, arm, pendulum, torque
+from tmodes.arm import Arm
 from tmodes.errors import InputError
+from tmodes.integrate.settings import Method
+from tmodes.io.arm_check import arm_data
 from tmodes.motion.simulate import simulate_arm
 
 GEAR = {"stiffness": 100.0, "damping": 0.5}
@@ -185,3 +188,14 @@ def test_too_many_samples_are_refused_before_they_are_made():
     settings = {"duration": 10.0, "output_step": 1e-5, "line_points": 2}
     with pytest.raises(InputError, match=r"1e\+06 samples, about [2-9]\.\d* GB"):
         simulate_arm(pendulum(MOTOR, GEAR, torque(0.0), initial={"state": "zero"}, integration=settings))
+
+
+def test_a_tolerance_left_out_stays_left_out() -> None:
+    """A changed or stored sheet still has the tolerances of the method that is chosen."""
+    sheet = pendulum(MOTOR, GEAR, torque(1.0), integration={"duration": 0.5})
+    again = Arm.from_data(arm_data(sheet.with_({"gravity": 9.0})))
+    for one in (sheet, again):
+        assert one.integration.chosen(Method.EXTRAPOLATION).relative_tolerance == 1e-7
+        assert one.integration.chosen(Method.DOP853).relative_tolerance == 1e-9
+    told = again.with_({"integration.relative_tolerance": 1e-9}).integration
+    assert told.chosen(Method.EXTRAPOLATION).relative_tolerance == 1e-9
