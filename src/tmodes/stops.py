@@ -13,9 +13,12 @@ from tmodes.integrate.condition import Condition
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import nearest
 
-__all__ = ["Instants", "Quantity", "Stop", "Stops", "resolved"]
+__all__ = ["STOPPED", "Instants", "Quantity", "Stop", "Stops", "resolved"]
 
 Array = NDArray[np.float64]
+
+STOPPED = "stopped_by_condition"
+"""Status of a run that a condition ended."""
 
 _SHOWN = 12
 """Names that a message lists."""
@@ -64,6 +67,12 @@ class Stop:
     def shown(self, value: float) -> str:
         """A value with its unit."""
         return f"{value:.9g} {self.quantity.unit}".removesuffix(" -")
+
+    def told(self, time: float, before: float, value: float) -> str:
+        """Sentence of a run that it ended at a time [s]: its value just before and there, where they differ."""
+        told, was = self.shown(value), self.shown(before)
+        side = f"reaches {told}" if told == was else f"jumps from {was} to {told}"
+        return f"ended at t = {time:.9g} s: stop condition `{self.text}`, {self.name} {side}"
 
 
 @dataclass(frozen=True)

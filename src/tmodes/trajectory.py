@@ -13,8 +13,8 @@ from tmodes.integrate.settings import Integration, Method
 from tmodes.native_run import BOUND, NativeRun
 from tmodes.reference.schedule import Schedule
 from tmodes.run_parts import ErrorEstimate, Journal, Moving, Numbers, Trajectory, sample_times
-from tmodes.stops import Stops
-from tmodes.watched_run import STOPPED, WatchedRun
+from tmodes.stops import STOPPED, Stops
+from tmodes.watched_run import WatchedRun
 
 __all__ = [
     "BOUND",

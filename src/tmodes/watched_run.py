@@ -17,14 +17,11 @@ from tmodes.compile.time_loop import CELLS, Status
 from tmodes.integrate.settings import Method
 from tmodes.native_run import NativeRun
 from tmodes.run_parts import Trajectory
-from tmodes.stops import Instants, Stop, Stops
+from tmodes.stops import STOPPED, Instants, Stops
 
-__all__ = ["LOOKS", "STOPPED", "WatchedRun"]
+__all__ = ["LOOKS", "WatchedRun"]
 
 Array = NDArray[np.float64]
-
-STOPPED = "stopped_by_condition"
-"""Status of a trajectory that a condition ended."""
 
 LOOKS = {Method.EXTRAPOLATION: 8, Method.DOP853: 8, Method.ROSENBROCK: 6}
 """Points of a step at which conditions are looked at, by method: long steps take more."""
@@ -192,7 +189,7 @@ class WatchedRun:
         if run.status is not Status.STOPPED_BY_CONDITION:
             return run.end()
         stop = self.stops.stops[int(self.ended[0])]
-        return run.trajectory(STOPPED, f"ended at t = {run.cell('t'):.9g} s: {_told(stop, *self.ended[1:])}")
+        return run.trajectory(STOPPED, stop.told(run.cell("t"), *self.ended[1:]))
 
     def record(self) -> dict[str, Array]:
         """All that the run needs to go on."""
@@ -202,13 +199,6 @@ class WatchedRun:
         """Go on where a record ends."""
         self.run.resume(record)
         self.ended[:] = record["ended"]
-
-
-def _told(stop: Stop, before: float, value: float) -> str:
-    """Which condition ended a run, and the values on either side where they differ."""
-    told, was = stop.shown(value), stop.shown(before)
-    side = f"reaches {told}" if told == was else f"jumps from {was} to {told}"
-    return f"stop condition `{stop.text}`, {stop.name} {side}"
 
 
 def _one(points: _Points, k: int) -> _Points:

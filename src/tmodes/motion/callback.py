@@ -9,6 +9,7 @@ from __future__ import annotations
 import time as clock
 from collections.abc import Callable, Iterator
 from dataclasses import dataclass, field, replace
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -16,9 +17,11 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.equations.arm.control_kernels import Servo
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
+from tmodes.motion.callback_stops import SetIn
 from tmodes.motion.loop import LoopModel
 from tmodes.motion.regime import ArmRegime
 from tmodes.run_endings import used_up
+from tmodes.stops import STOPPED, Instants, Stops
 from tmodes.trajectory import BOUND, Trajectory, sample_times
 
 __all__ = ["Controller", "driven_by", "run_with_controller"]
@@ -84,10 +87,12 @@ class _Run:
     guarded: _Guarded
     settings: Integration
     places: list[int]
+    stops: Stops = field(default_factory=Stops)
     rows: list[Array] = field(default_factory=list)
     states: list[Array] = field(default_factory=list)
     evaluations: int = 0
     steps: int = 0
+    kept: float = 0.0
     began: float = field(default_factory=clock.monotonic)
 
     def row(self, time: float, state: Array, piece: float) -> Array:
@@ -106,8 +111,15 @@ class _Run:
 
     def keep(self, time: float, state: Array) -> None:
         """A sample."""
+        self.kept = time
         self.rows.append(self.row(time, state, time))
         self.states.append(state)
+
+    def end_at(self, time: float, state: Array) -> None:
+        """The last sample is at a time [s], in place of one that is there already."""
+        if self.kept == time:
+            del self.states[-1], self.rows[-1]
+        self.keep(time, state)
 
     def count_step(self, time: float) -> None:
         """Count a step that begins at ``time`` [s]; raises where no steps or seconds of computing are left for it."""
@@ -120,7 +132,10 @@ class _Run:
 
 
 def run_with_controller(
-    regime: ArmRegime, controller: Controller, progress: Callable[[float], None] = lambda share: None
+    regime: ArmRegime,
+    controller: Controller,
+    progress: Callable[[float], None] = lambda share: None,
+    stops: Stops | None = None,
 ) -> tuple[Trajectory, Array]:
     """Integrate with a Python controller; the trajectory, and the rows (n, row) with the efforts at its samples.
 
@@ -130,11 +145,14 @@ def run_with_controller(
     plan, settings = regime.planned.plan, regime.arm.integration
     places = [1 + drive.signal * (plan.degree + 1) for drive in plan.drives if drive.servo]
     names = tuple(drive.joint for drive in plan.drives if drive.servo)
-    run = _Run(regime, _Guarded(controller, names, len(regime.model.coordinates)), settings, places)
+    guarded = _Guarded(controller, names, len(regime.model.coordinates))
+    run = _Run(regime, guarded, settings, places, stops or Stops())
     times = sample_times(settings)
     run.keep(0.0, regime.start)
+    run.stops.refuse_at_start(Instants(times[:1], np.array(run.states), np.array(run.rows)))
     status, message = _advance(run, times, progress)
     done = len(run.states)
+    times[done - 1] = run.kept
     method = settings.method if settings.method in (Method.RK4, Method.DOP853) else Method.DORMAND_PRINCE
     counts = {"steps": run.steps, "evaluations": run.evaluations, "rejected": 0, "method": method.value}
     return Trajectory(times[:done], np.array(run.states), status, message, counts), np.array(run.rows)
@@ -145,10 +163,14 @@ def _advance(run: _Run, times: Array, progress: Callable[[float], None]) -> tupl
     end = float(times[-1])
     try:
         for before, after, is_sample in _intervals(run.regime.planned.schedule.knots, times):
-            state, length = _across(run, before, after, state, length)
+            begun = state, length
+            state, length = _across(run, before, after, *begun)
             lost = _lost(run, after, state)
             if lost:
                 return "diverged", lost
+            if run.stops and (found := _set_in(run, (before, after), begun, state)):
+                run.end_at(*found[:2])
+                return STOPPED, found[2]
             if is_sample:
                 run.keep(after, state)
                 progress(after / end)
@@ -190,6 +212,15 @@ def _across(run: _Run, before: float, after: float, state: Array, length: float)
             if _lost(run, solver.t, solver.y):
                 break
     return solver.y, wish
+
+
+def _set_in(run: _Run, ends: tuple[float, float], begun: tuple[Array, float], state: Array) -> tuple[Any, ...] | None:
+    """Time and state where a condition sets in within an interval, and the words; what is tried is not counted."""
+    counts = run.steps, run.evaluations
+    find = SetIn(run.stops, lambda time, at: run.row(time, at, ends[0]), run.settings.duration)
+    found = find.within(ends, (begun[0], state), lambda time: _across(run, ends[0], time, *begun)[0])
+    run.steps, run.evaluations = counts
+    return found
 
 
 def _rk4(run: _Run, before: float, after: float, state: Array) -> Array:

@@ -75,10 +75,8 @@ def simulate_arm(
     warnings += start_warnings(real)
     later = otherwise(given, real.arm.integration.method)
     stops = arm_stops(real, tuple(stop))
-    if stops and controller is not None:
-        mend = "end the run by raising an error in the controller, or take the controller of the sheet"
-        raise InputError("stop", "conditions beside a controller in Python", "one of the two", mend)
-    stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
+    if controller is None:
+        stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
     reference, until = _reference(pair, later, progress, journals, warnings)
     real = replace(real, otherwise=later)
     rows = None
@@ -86,7 +84,8 @@ def simulate_arm(
         trajectory = run_arm_regime(real, lambda share: progress("real arm", share), journals("real"), until, stops)
     else:
         real = driven_by(real)
-        trajectory, rows = run_with_controller(real, controller, lambda share: progress("real arm", share))
+        own = arm_stops(real, tuple(stop))  # states of a run without the sheet's control are shorter
+        trajectory, rows = run_with_controller(real, controller, lambda share: progress("real arm", share), own)
     if reference and trajectory.status == STOPPED:
         reference = _until(reference, float(trajectory.times[-1]))
     if trajectory.status == "diverged":

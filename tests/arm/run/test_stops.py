@@ -270,3 +270,21 @@ def test_contact_is_made_and_broken_where_it_is(method: str) -> None:
     assert run.statistics["contact_changes"] == 2
     left = run.times[-1] - (0.1 - run.q[-1, 0]) / SPEED  # it flies back from the wall at its speed
     assert left == pytest.approx(met + np.pi / omega, abs=5e-9)
+
+
+@pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4"])
+def test_beside_a_controller_in_python(method: str) -> None:
+    """The mass is pushed up by half its weight: z = 1 - g t^2/4 passes a height at a known time, its last sample."""
+    sheet = mass(integration={"method": method})
+    half = simulate_arm(sheet, controller=lambda time, q, v: [G], stop=["tip.z < 0.75 m"])
+    assert half.status == "stopped_by_condition"
+    assert half.times[-1] == pytest.approx(np.sqrt(1 / G), abs=1e-12)
+    assert half.q[-1, 0] == pytest.approx(0.75, abs=1e-12)
+    assert "`tip.z < 0.75 m`, tip.z reaches 0.75 m" in half.message
+    assert len(half.times) == 33
+    with pytest.raises(SimulationError, match="holds at the start already"):
+        simulate_arm(sheet, controller=lambda time, q, v: [G], stop=["tip.z < 2 m"])
+    pushed = simulate_arm(
+        sheet, controller=lambda time, q, v: [G if time < 0.1 else 50.0], stop=["slide.effort > 20 N"]
+    )
+    assert pushed.times[-1] == pytest.approx(0.1, abs=1e-12)
