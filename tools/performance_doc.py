@@ -76,12 +76,13 @@ def _beside(one: dict[str, Any], ours: float) -> str:
 
 def _notes(told: dict[str, Any]) -> Iterator[str]:
     yield from (
-        "- *gcc, same list*: all calls of the recursion written into one C function, by CasADi from the same list of",
-        "  instructions.",
+        "- *gcc, same list*: all calls of the recursion written into one C function, operation by operation; what",
+        "  follows from the parameters alone is computed once, as here.",
         "- *Pinocchio* is called from Python, as its users do; *MuJoCo* and *Exudyn* are inside their own loops in C.",
         "- *limit*: from that list and the measured time of each operation here. Throughput: all operations as",
-        "  fast as independent ones go, products and sums fused where they can be. Critical path: the longest chain of",
-        "  operations that wait for each other. Loads and stores are left out, so nothing quite reaches it.",
+        "  fast as independent ones go, products and sums fused where they can be, sums beside products where there",
+        "  are units for both. Critical path: the longest chain of operations that wait for each other. Loads and",
+        "  stores are left out, so nothing quite reaches it.",
         "- *compile* is in a fresh process with an empty cache; *from the cache* in one that finds it full.",
     )
     yield from (f"- Left out: {line}." for line in left_out(told))

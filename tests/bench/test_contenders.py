@@ -3,20 +3,18 @@
 from __future__ import annotations
 
 import shutil
-from itertools import pairwise
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 
 from tmodes.bench import gcc, peer_exudyn, peer_mujoco, peer_pinocchio
 from tmodes.bench.contender import CHECKED, Contender, Timed, in_turns
 from tmodes.bench.exact import accelerations, relative_error
+from tmodes.bench.limit import limit
 from tmodes.bench.missing import PeerMissing, needed
 from tmodes.bench.ours import SAMPLES, Ours
 from tmodes.bench.rigid import GRAVITY, INERTIA, MASS, TURNED, RigidChain
-from tmodes.compile.inline import inlined
 
 
 def error_of(contender: Contender, robot: RigidChain) -> float:
@@ -120,17 +118,11 @@ def test_absent_peer_names_its_package() -> None:
         needed("no_such_module_anywhere", "some-package")
 
 
-def test_inlined_schedule_equals_its_kernels() -> None:
-    """One straight program of a chain with every kind of call, at random inputs."""
-    ours = Ours(RigidChain(3))
-    function = inlined(ours.schedule)
-    once, out = ours.batch("double")
-    once()
-    starts = np.cumsum([0, *(slot.size for slot in ours.schedule.inputs.values())])
-    for row, found in zip(ours.rows[:5], out, strict=False):
-        blocks = [row[left:right] for left, right in pairwise(starts)]
-        wanted = np.array(function(*map(ca.DM, blocks), ours.model.parameters)).ravel()
-        assert np.abs(found - wanted).max() <= 1e-13 * np.abs(wanted).max()
+def test_limit_counts_the_list_that_runs() -> None:
+    """Each joint adds as many operations as another; what follows from parameters is not counted as changing."""
+    found = [limit(Ours(RigidChain(n)).schedule) for n in (4, 5, 6)]
+    assert found[2].changing - found[1].changing == found[1].changing - found[0].changing > 300
+    assert all(0 < one.critical_path < one.throughput and one.changing < one.operations for one in found)
 
 
 def test_contenders_take_turns_and_the_first_round_does_not_count() -> None:

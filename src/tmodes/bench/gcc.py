@@ -16,7 +16,8 @@ import numpy as np
 from tmodes.bench.contender import Contender
 from tmodes.bench.missing import PeerMissing
 from tmodes.bench.ours import SAMPLES, Ours, found_in, repeated
-from tmodes.compile.inline import c_text, inlined
+from tmodes.compile.c_text import c_text
+from tmodes.compile.unroll import unrolled
 
 __all__ = ["FLAGS", "PATIENCE", "build", "contender"]
 
@@ -27,16 +28,17 @@ PATIENCE = 20.0
 """Seconds after which the compiler is given up."""
 
 _LOOP = """
-void many(long long n, const double *p, const double *in, double *out)
+#include <string.h>
+void many(long long n, const double *p, double *w, const double *in, double *out)
 {
-    static const long long at[] = {OFFSETS};
-    const double *arg[sizeof(at) / sizeof(at[0]) + 1];
-    double *res[1];
+    static const int at[] = {TAKEN}, size[] = {SIZES}, given[] = {GIVEN};
+    memcpy(w, p, PARAMETERS * sizeof(double));
+    forward_prepare(w);
     for (long long i = 0; i < n; i++) {
-        for (unsigned k = 0; k < sizeof(at) / sizeof(at[0]); k++) arg[k] = in + i * INPUTS + at[k];
-        arg[sizeof(at) / sizeof(at[0])] = p;
-        res[0] = out + i * OUTPUTS;
-        FUNCTION(arg, res, 0, 0, 0);
+        for (unsigned k = 0; k < sizeof(at) / sizeof(at[0]); in += size[k], k++)
+            memcpy(w + at[k], in, size[k] * sizeof(double));
+        forward(w);
+        for (unsigned k = 0; k < sizeof(given) / sizeof(given[0]); k++) *out++ = w[given[k]];
     }
 }
 """
@@ -68,25 +70,28 @@ def build(text: str, flags: Sequence[str], patience: float = PATIENCE) -> tuple[
 
 def contender(ours: Ours, name: str, patience: float = PATIENCE) -> Contender:
     """``name`` is one of :data:`FLAGS`."""
-    many, seconds = _many(ours, FLAGS[name], patience)
-    out = np.empty((SAMPLES, ours.robot.joints))
-    arrays = ours.model.parameters, ours.rows, out
+    library, seconds = build(_text(ours.schedule), FLAGS[name], patience)
+    library.many.restype = None
+    out, workspace = np.empty((SAMPLES, ours.robot.joints)), np.zeros(ours.schedule.workspace)
+    arrays = ours.model.parameters, workspace, ours.rows, out
 
     def once() -> None:
-        many(ctypes.c_longlong(SAMPLES), *(ctypes.c_void_p(array.ctypes.data) for array in arrays))
+        library.many(ctypes.c_longlong(SAMPLES), *(ctypes.c_void_p(array.ctypes.data) for array in arrays))
 
     return Contender(f"{name}, same list", repeated(once), found_in(once, out), compile_seconds=seconds)
 
 
-def _many(ours: Ours, flags: Sequence[str], patience: float) -> tuple[Any, float]:
-    """The loop over the batch, in C."""
-    schedule = ours.schedule
-    sizes = [slot.size for slot in schedule.inputs.values()]
-    starts = ", ".join(str(start) for start in np.concatenate([[0], np.cumsum(sizes)[:-1]]))
-    words = {"OFFSETS": starts, "INPUTS": str(sum(sizes)), "OUTPUTS": str(schedule.output_size), "FUNCTION": "forward"}
+def _text(schedule: Any) -> str:
+    """The list of a schedule and the loop over the batch, in C."""
+    offset = schedule.offset
+    given = [slot for slots in schedule.outputs.values() for slot in slots]
+    numbers = {
+        "TAKEN": [offset(slot) for slot in schedule.inputs.values()],
+        "SIZES": [slot.size for slot in schedule.inputs.values()],
+        "GIVEN": [place for slot in given for place in range(offset(slot), offset(slot) + slot.size)],
+        "PARAMETERS": [schedule.parameters],
+    }
     loop = _LOOP
-    for word, value in words.items():
-        loop = loop.replace(word, value)
-    library, seconds = build(c_text(inlined(schedule, "forward")) + loop, flags, patience)
-    library.many.restype = None
-    return library.many, seconds
+    for word, told in numbers.items():
+        loop = loop.replace(word, ", ".join(map(str, told)))
+    return c_text(unrolled(schedule), "forward") + loop

@@ -1,8 +1,8 @@
 """The estimated limit of a program on this machine: from its instruction list and the measured cost of operations.
 
 Two bounds, loads and stores left out: the critical path, the longest chain of operations that wait for each other; and
-throughput, all operations at the rate at which independent ones go. A product that only one sum reads counts as one
-operation with it, as a fused multiply-add can do.
+throughput, all operations at the rate at which independent ones go, sums beside products where the processor has units
+for both. A product that only one sum reads counts as one operation with it, as a fused multiply-add can do.
 """
 
 from __future__ import annotations
@@ -16,14 +16,17 @@ from typing import Any
 import numpy as np
 
 from tmodes.bench.clock import now
-from tmodes.compile.inline import inlined
 from tmodes.compile.latency import BODY, OPERATIONS, chains
-from tmodes.compile.program import Program, straight_line
+from tmodes.compile.program import READ, Program
+from tmodes.compile.unroll import unrolled
 
 __all__ = ["Limit", "Machine", "critical_path", "limit", "machine", "throughput"]
 
 _WIDTH = 10
 """Chains side by side: more than any processor's units times their depth."""
+
+_MIXED = 16
+"""The same where only each other chain is one of fused operations."""
 
 _LOOPS, _ROUNDS = 2000, 7
 
@@ -36,7 +39,10 @@ _LIKE = {
 
 @dataclass(frozen=True)
 class Machine:
-    """Measured: time of a cycle [s]; of each operation, the time to its result and its time among independent ones."""
+    """Measured: time of a cycle [s]; of each operation, the time to its result and its time among independent ones.
+
+    ``cost["mixed"]``: that of sums and fused operations in turn.
+    """
 
     cycle: float
     latency: dict[str, float]
@@ -60,6 +66,7 @@ def machine() -> Machine:
     single, many = chains(1), chains(_WIDTH)
     latency = {name: _timed(single[name], 1) for name in OPERATIONS}
     cost = {name: _timed(many[name], _WIDTH) for name in OPERATIONS}
+    cost["mixed"] = _timed(chains(_MIXED)["mixed"], _MIXED)
     return Machine(_timed(single["cycle"], 1), latency, cost)
 
 
@@ -75,11 +82,12 @@ def _timed(function: Any, width: int) -> float:
 
 def limit(schedule: Any) -> Limit:
     """The limit of a schedule's forward evaluation, parameters at hand."""
-    program = straight_line(inlined(schedule), invariant=len(schedule.inputs))
-    here = machine()
+    code, here = unrolled(schedule), machine()
+    outputs = [*enumerate(index for _, index in code.results)]
+    program = Program("main", (), -1, len(outputs), code.main, outputs, [False] * len(code.main))
     path = critical_path(program, here.latency)
     changing = sum(count for name, count in _kinds(program).items() if name)
-    operations = sum(value.kind not in ("input", "constant") for value in program.values)
+    operations = sum(value.kind not in READ for value in (*code.prepare, *code.main))
     return Limit(operations, changing, path, path / here.cycle, throughput(program, here.cost))
 
 
@@ -106,13 +114,19 @@ def critical_path(program: Program, latency: dict[str, float]) -> float:
 
 
 def throughput(program: Program, cost: dict[str, float]) -> float:
-    """Time of all operations for a new state when none waits [s]; products and sums are fused where they can be."""
+    """Time of all operations for a new state when none waits [s]; products and sums are fused where they can be.
+
+    Sums that remain go beside all else as far as ``cost["mixed"]`` says.
+    """
     counts = _kinds(program)
     fused = _fused(program)
     counts["add"] -= fused
     counts["mul"] -= fused
     counts["fma"] += fused
-    return sum(count * cost[name] for name, count in counts.items() if name)
+    sums = counts.pop("add") * cost["add"]
+    others = sum(count * cost[name] for name, count in counts.items() if name)
+    together = 2 * cost["mixed"] / (cost["add"] + cost["fma"])
+    return max(sums, others, together * (sums + others))
 
 
 def _fused(program: Program) -> int:

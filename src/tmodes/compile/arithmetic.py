@@ -18,8 +18,7 @@ from tmodes.compile.trigonometry import sine_and_cosine, sines_and_cosines
 __all__ = ["Arithmetic", "Derivative", "Double", "Lanes"]
 
 _FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
-
-_SIDE_BY_SIDE = 4
+_SIDE_BY_SIDE = 8  # sines that go at once: where a vector holds fewer, as two halves
 
 
 class Arithmetic(ABC):
@@ -99,7 +98,7 @@ class Double(Arithmetic):
         return b.extract_value(pair, 0), b.extract_value(pair, 1)
 
     def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Sine and cosine of several angles, four at a time: to the bit those of each alone."""
+        """Sine and cosine of several angles, eight at a time: to the bit those of each alone."""
         found: list[tuple[Any, Any]] = []
         for start in range(0, len(angles), _SIDE_BY_SIDE):
             found += self._turn_together(b, angles[start : start + _SIDE_BY_SIDE])
@@ -108,10 +107,11 @@ class Double(Arithmetic):
     def _turn_together(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
         if len(angles) == 1:
             return [self.turn(b, angles[0])]
-        packed = ir.Constant(ir.VectorType(F64, _SIDE_BY_SIDE), [0.0] * _SIDE_BY_SIDE)
+        lanes = 1 << (len(angles) - 1).bit_length()
+        packed = ir.Constant(ir.VectorType(F64, lanes), [0.0] * lanes)
         for lane, angle in enumerate(angles):
             packed = b.insert_element(packed, angle, whole(lane))
-        pair = b.call(sines_and_cosines(self.module, _SIDE_BY_SIDE), [packed])
+        pair = b.call(sines_and_cosines(self.module, lanes), [packed])
         both = [b.extract_value(pair, k) for k in range(2)]
         places = [whole(lane) for lane in range(len(angles))]
         return [(b.extract_element(both[0], place), b.extract_element(both[1], place)) for place in places]

@@ -5,7 +5,7 @@ from __future__ import annotations
 import hashlib
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from functools import cache, partial
+from functools import lru_cache, partial
 from typing import Any
 
 from llvmlite import ir
@@ -13,24 +13,28 @@ from llvmlite import ir
 from tmodes.compile.arithmetic import Arithmetic
 from tmodes.compile.calls import write_calls
 from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, store, whole
-from tmodes.compile.program import Instruction, block_program
+from tmodes.compile.ordering import kernel_program
+from tmodes.compile.program import Instruction
 from tmodes.compile.rows import copy_rows, spread_parameters
-from tmodes.compile.turning import early_angles, order_of_evaluation
 from tmodes.compile.unroll import Unrolled, pays, unrolled
+from tmodes.compile.values import write_values
 
-__all__ = ["ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_rate", "write_samples", "write_values"]
+__all__ = ["ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_rate", "write_samples"]
 
 
-@cache
 def kernel_symbol(kernel: Any, arithmetic: str) -> str:
     """The name of a kernel's native function: the same for the same structure, everywhere."""
-    told = f"{kernel.key} {kernel.inputs} {kernel.outputs} {arithmetic}"
+    return _symbol(f"{kernel.key} {kernel.inputs} {kernel.outputs} {arithmetic}")
+
+
+@lru_cache(maxsize=4096)
+def _symbol(told: str) -> str:
     return f"kernel_{hashlib.sha256(told.encode()).hexdigest()[:32]}"
 
 
 def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:
     """The exported function of a kernel: pointers to the input blocks, then to the output blocks, never overlapping."""
-    program = block_program(kernel.function())
+    program = kernel_program(kernel)
     labels = [f"i{k}" for k in range(program.inputs)] + [f"o{k}" for k in range(program.outputs)]
     name = kernel_symbol(kernel, arithmetic.name)
     function = declare(module, name, VOID, [(label, POINTER) for label in labels])
@@ -44,36 +48,6 @@ def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:
         value = arithmetic.constant(0.0) if index is None else values[index]
         arithmetic.store(b, value, function.args[program.inputs + output], element)
     b.ret_void()
-
-
-def write_values(
-    b: Any, program: Sequence[Instruction], arithmetic: Arithmetic, read: Callable[[int, int], Any]
-) -> dict[int, Any]:
-    """All values of a program by index; ``read`` gives an element of an argument."""
-    values: dict[int, Any] = {}
-    turned: dict[int, tuple[Any, Any]] = {}
-
-    def write(index: int) -> Any:
-        instruction = program[index]
-        if instruction.kind == "constant":
-            return arithmetic.constant(instruction.value)
-        if instruction.kind == "input":
-            return read(*instruction.source)
-        if instruction.kind not in ("sin", "cos"):
-            return arithmetic.operation(b, instruction.kind, *(values[arg] for arg in instruction.args))
-        angle = instruction.args[0]
-        if angle not in turned:
-            turned[angle] = arithmetic.turn(b, values[angle])
-        return turned[angle][0 if instruction.kind == "sin" else 1]
-
-    angles = early_angles(program)
-    first, rest = order_of_evaluation(program, angles)
-    for index in first:
-        values[index] = write(index)
-    turned.update(zip(angles, arithmetic.turns(b, [values[angle] for angle in angles]), strict=True))
-    for index in rest:
-        values[index] = write(index)
-    return values
 
 
 def write_main(

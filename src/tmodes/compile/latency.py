@@ -25,25 +25,33 @@ BODY = 32
 def chains(width: int) -> Library:
     """Functions ``f(n, x)`` by operation: n times BODY operations on each of ``width`` numbers, one after the other.
 
-    The chains of different numbers do not wait for each other. ``cycle``: integer operations that take a cycle each.
+    The chains of different numbers do not wait for each other. ``cycle``: integer operations that take a cycle each;
+    ``mixed``: ``add`` and ``fma`` on one number and the other in turn.
     """
     module = ir.Module("latency")
     for operation in OPERATIONS:
-        _write_chain(module, operation, width)
+        _write_chain(module, operation, [operation] * width)
+    _write_chain(module, "mixed", ["add", "fma"] * (width // 2))
     _write_cycles(module)
-    return Library("latency", to_object(module, 2), dict.fromkeys((*OPERATIONS, "cycle"), 2))
+    return Library("latency", to_object(module, 2), dict.fromkeys((*OPERATIONS, "mixed", "cycle"), 2))
 
 
-def _write_chain(module: Any, operation: str, width: int) -> None:
-    function = declare(module, operation, VOID, [("n", I64), ("x", POINTER)])
+def _write_chain(module: Any, name: str, operations: list[str]) -> None:
+    """The operation of each number."""
+    function = declare(module, name, VOID, [("n", I64), ("x", POINTER)])
     b, arithmetic = ir.IRBuilder(function.append_basic_block("entry")), Double(module)
-    cells = [b.alloca(F64, name=f"x{k}") for k in range(width)]
+    cells = [b.alloca(F64, name=f"x{k}") for k in range(len(operations))]
     for k, cell in enumerate(cells):
         b.store(load(b, function.args[1], k), cell)
     with counted(b, function.args[0]):
         for _ in range(BODY):
-            for cell in cells:
-                b.store(_next(module, b, arithmetic, operation, b.load(cell, typ=F64)), cell)
+            values = [b.load(cell, typ=F64) for cell in cells]
+            if "sin" in operations:
+                values = [sine for sine, _ in arithmetic.turns(b, values)]
+            else:
+                values = [_next(module, b, arithmetic, *pair) for pair in zip(operations, values, strict=True)]
+            for cell, value in zip(cells, values, strict=True):
+                b.store(value, cell)
     for k, cell in enumerate(cells):
         store(b, b.load(cell, typ=F64), function.args[1], k)
     b.ret_void()
@@ -51,8 +59,6 @@ def _write_chain(module: Any, operation: str, width: int) -> None:
 
 def _next(module: Any, b: Any, arithmetic: Double, operation: str, value: Any) -> Any:
     """The operation on a value, such that the result stays a number of usual size for ever."""
-    if operation == "sin":
-        return arithmetic.turn(b, value)[0]
     if operation == "sqrt":
         return arithmetic.operation(b, "sqrt", value)
     if operation == "fma":

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections import Counter
-from collections.abc import Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass, field
 from typing import NamedTuple
 
@@ -11,7 +11,13 @@ import casadi as ca
 
 from tmodes.errors import CompileError
 
-__all__ = ["BlockProgram", "Instruction", "Program", "block_program", "straight_line", "with_shared_inverses"]
+__all__ = [
+    "READ", "BlockProgram", "Instruction", "Program", "block_program", "needed", "straight_line",
+    "with_shared_inverses",
+]  # fmt: skip
+
+READ = ("constant", "input")
+"""Kinds of values that are not computed."""
 
 _WORTH_AN_INVERSE = 2
 
@@ -131,6 +137,18 @@ def block_program(function: ca.Function) -> BlockProgram:
     program.results = [(out, element, places[index]) for out, element, index in program.results if index is not None]
     program.results += [(out, element, None) for out, element in sorted(every - given)]
     return program
+
+
+def needed(values: Sequence[Instruction], results: Iterable[int]) -> list[int]:
+    """Indices of the values that some of them need, in order."""
+    marks = bytearray(len(values))
+    for index in results:
+        marks[index] = True
+    for index in reversed(range(len(values))):
+        if marks[index]:
+            for arg in values[index].args:
+                marks[arg] = True
+    return [index for index, is_needed in enumerate(marks) if is_needed]
 
 
 def with_shared_inverses(values: Sequence[Instruction]) -> tuple[list[Instruction], list[int]]:

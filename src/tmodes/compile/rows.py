@@ -7,11 +7,12 @@ from typing import Any
 from llvmlite import ir
 
 from tmodes.compile.calls import I32, table_of
-from tmodes.compile.emit import F64, I64, counted, load, store, whole
+from tmodes.compile.emit import F64, I64, at, counted, load, store, whole
 
 __all__ = ["copy_rows", "spread_parameters"]
 
 _FEW_BLOCKS = 4
+_AT_ONCE = 8
 
 
 def spread_parameters(b: Any, source: Any, workspace: Any, size: int, width: int, *, same: bool = False) -> None:
@@ -31,6 +32,13 @@ def copy_rows(b: Any, rows: Any, workspace: Any, blocks: list[tuple[int, int]], 
         _copy_by_table(b, rows, workspace, blocks, width, into=into)
         return
     first = 0
+    if width == 1:
+        for offset, size in blocks:
+            beside, place = at(b, rows, first), at(b, workspace, offset)
+            source, target = (beside, place) if into else (place, beside)
+            _copy_block(b, source, target, size)
+            first += size
+        return
     for offset, size in blocks:
         with counted(b, size, "block") as k:
             for lane in range(width):
@@ -41,6 +49,17 @@ def copy_rows(b: Any, rows: Any, workspace: Any, blocks: list[tuple[int, int]], 
                 else:
                     store(b, load(b, workspace, place), rows, beside)
         first += size
+
+
+def _copy_block(b: Any, source: Any, target: Any, size: int) -> None:
+    """Numbers that stand side by side, some at a time."""
+    wide = ir.VectorType(F64, _AT_ONCE)
+    with counted(b, size // _AT_ONCE, "some") as k:
+        place = b.mul(k, whole(_AT_ONCE))
+        taken, put = (b.bitcast(at(b, base, place), wide.as_pointer()) for base in (source, target))
+        b.store(b.load(taken, typ=wide, align=8), put, align=8)
+    for k in range(size - size % _AT_ONCE, size):
+        store(b, load(b, source, k), target, k)
 
 
 def _merged(blocks: list[tuple[int, int]]) -> list[tuple[int, int]]:

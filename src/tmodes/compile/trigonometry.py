@@ -13,7 +13,7 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.emit import F64, I64, declare, number, whole
+from tmodes.compile.emit import F64, I64, POINTER, counted, declare, load, number, store
 
 __all__ = ["FAR_COSINE", "FAR_SINE", "sine_and_cosine", "sines_and_cosines"]
 
@@ -103,17 +103,19 @@ def sines_and_cosines(module: Any, lanes: int) -> Any:
 
 
 def _one_by_one(module: Any, name: str, pair: Any, width: _Width) -> Any:
-    """The same function lane by lane, kept out of the way."""
+    """The same function lane by lane, in a loop and kept out of the way."""
     function = declare(module, name, pair, [("x", width.kind)], private=True)
     function.attributes.add("noinline")
     function.attributes.add("cold")
-    builder = ir.IRBuilder(function.append_basic_block("entry"))
-    both = [ir.Constant(width.kind, ir.Undefined)] * 2
-    for lane in range(width.lanes):
-        angle = builder.extract_element(function.args[0], whole(lane))
-        found = builder.call(sine_and_cosine(module), [angle])
-        both = [builder.insert_element(both[k], builder.extract_value(found, k), whole(lane)) for k in range(2)]
-    _answer(builder, *both)
+    b = ir.IRBuilder(function.append_basic_block("entry"))
+    lanes = [b.bitcast(b.alloca(width.kind), POINTER) for _ in range(3)]
+    whole_vectors = [b.bitcast(each, width.kind.as_pointer()) for each in lanes]
+    b.store(function.args[0], whole_vectors[0])
+    with counted(b, width.lanes, "lane") as lane:
+        found = b.call(sine_and_cosine(module), [load(b, lanes[0], lane)])
+        for k in range(2):
+            store(b, b.extract_value(found, k), lanes[1 + k], lane)
+    _answer(b, *(b.load(each, typ=width.kind) for each in whole_vectors[1:]))
     return function
 
 

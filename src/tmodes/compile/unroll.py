@@ -10,7 +10,8 @@ from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from tmodes.compile.program import BlockProgram, Instruction, block_program
+from tmodes.compile.ordering import kernel_program
+from tmodes.compile.program import BlockProgram, Instruction, needed
 
 __all__ = ["LIMIT", "Unrolled", "pays", "unrolled"]
 
@@ -57,14 +58,14 @@ def unrolled(schedule: Any) -> Unrolled:
     for kernel, *slots in schedule.calls:
         same = (kernel.key, kernel.inputs, kernel.outputs)
         if same not in programs:
-            programs[same] = block_program(kernel.function())
+            programs[same] = kernel_program(kernel)
         taken, put = ([_span(schedule, slot) for slot in side] for side in slots)
         for output, element, value in numbered.inlined(programs[same], [[memory[i] for i in s] for s in taken]):
             memory[put[output][element]] = value
     told = [*(slot for slots in schedule.outputs.values() for slot in slots), *([schedule.gate] * bool(schedule.gate))]
     wanted = sorted({place for slot in told for place in _span(schedule, slot)} - inputs)
-    values, results = _needed(numbered.values, [(place, memory[place]) for place in wanted])
-    return _parted(values, results, schedule, set(wanted))
+    results = [(place, memory[place]) for place in wanted]
+    return _parted(numbered.values, results, schedule, set(wanted))
 
 
 def _span(schedule: Any, slot: Any) -> range:
@@ -122,25 +123,26 @@ def _parted(values: list[Instruction], results: list[tuple[int, int]], schedule:
     for value in values:
         known = value.kind == "constant" or (value.kind == "input" and value.source[1] < schedule.parameters)
         fixed.append(known or (value.kind != "input" and all(fixed[arg] for arg in value.args)))
-    used = {arg for index, value in enumerate(values) if not fixed[index] for arg in value.args}
-    used |= {index for _, index in results}
+    ends = [index for _, index in results]
+    used = {arg for index in needed(values, ends) if not fixed[index] for arg in values[index].args} | {*ends}
     kept = [i for i in sorted(used) if fixed[i] and values[i].kind not in ("input", "constant")]
     taken |= {place for slot in schedule.inputs.values() for place in _span(schedule, slot)}
     free = [place for place in range(schedule.parameters, schedule.workspace) if place not in taken]
     prepared = [(place, index) for place, index in zip(free, kept, strict=False)]
-    read = {index: Instruction("input", source=(0, place)) for place, index in prepared}
-    main = _needed([read.get(i, value) for i, value in enumerate(values)], results)
-    return Unrolled(*_needed(values, prepared), *main)
+    main = list(values)
+    for place, index in prepared:
+        main[index] = Instruction("input", source=(0, place))
+    return Unrolled(*_shortened(values, prepared), *_shortened(main, results))
 
 
-def _needed(
+def _shortened(
     values: Sequence[Instruction], results: Sequence[tuple[int, int]]
 ) -> tuple[list[Instruction], list[tuple[int, int]]]:
     """The part of a program that its results need."""
-    needed = {index for _, index in results}
-    for index in reversed(range(len(values))):
-        if index in needed:
-            needed.update(values[index].args)
-    places = {index: place for place, index in enumerate(sorted(needed))}
-    kept = [values[i]._replace(args=tuple(places[arg] for arg in values[i].args)) for i in places]
+    chosen = needed(values, [index for _, index in results])
+    places = dict(zip(chosen, range(len(chosen)), strict=True))
+    kept: list[Instruction] = []
+    for index in chosen:
+        kind, args, source, value = values[index]
+        kept.append(Instruction(kind, tuple([places[arg] for arg in args]), source, value))
     return kept, [(place, places[index]) for place, index in results]

@@ -9,7 +9,10 @@ from tmodes.equations.arm.hinge import PLACEMENT, POSE
 from tmodes.equations.arm.kernel import Kernel
 from tmodes.equations.arm.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
 
-__all__ = ["BODY", "body_kernel", "body_moment_kernel", "point_kernel", "push_kernel", "sum_kernel", "times_kernel"]
+__all__ = [
+    "BODY", "body_inertia_kernel", "body_kernel", "body_moment_kernel", "point_kernel", "push_kernel", "sum_kernel",
+    "times_kernel",
+]  # fmt: skip
 
 BODY = 10
 """Numbers of a rigid body: mass, first moment m c (3), inertia about the frame's origin (xx, yy, zz, xy, xz, yz)."""
@@ -26,7 +29,16 @@ def body_kernel(*, on_section: bool) -> Kernel:
         bias = body_bias(moment, inertia, v.vec(rate))
         return [body_inertia(body[0], moment, inertia).packed(), bias.packed()]
 
-    return Kernel(f"body{' on section' * on_section}", (BODY, 9, 3), (INERTIA, FORCE), build)
+    return Kernel(f"body{' on section' * on_section}", (BODY, 9, 3), (INERTIA, FORCE), build, plain=True)
+
+
+def body_inertia_kernel() -> Kernel:
+    """Body -> its inertia about its frame's origin."""
+
+    def build(body: Any) -> list[list[Any]]:
+        return [body_inertia(body[0], v.vec(body, 1), v.symmetric(body, 4)).packed()]
+
+    return Kernel("body inertia", (BODY,), (INERTIA,), build, plain=True)
 
 
 def push_kernel(*, on_section: bool) -> Kernel:

@@ -7,11 +7,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING
 
+from tmodes.equations.arm.ahead import Ahead
 from tmodes.equations.arm.contact_kernels import load_kernel
-from tmodes.equations.arm.forward import Recursion, ahead_kernel
+from tmodes.equations.arm.forward import Recursion
 from tmodes.equations.arm.kernel import Kernel
 from tmodes.equations.arm.passes import Blocks, Passes
-from tmodes.equations.arm.schedule import Schedule, Slot
+from tmodes.equations.arm.schedule import Divisible, Schedule, Slot
 from tmodes.equations.arm.signals_kernels import base_kernel, packing_kernel, replacing_kernel, signal_kernel
 from tmodes.equations.arm.spatial import FORCE
 
@@ -89,11 +90,11 @@ class Instant:
         q, rates = self.call(replacing_kernel(n, places), q, rates, *moved)
         return q, rates
 
-    def _start(self, *, apart: bool) -> tuple[Slot, Slot]:
+    def _start(self, *, apart: bool) -> tuple[Divisible, Slot]:
         """Coordinates and rates that springs start from: an input, or h of their rates ahead of the state's."""
         if apart:
             return self._moved(self.schedule.input("start", 2 * self.parts.size))
-        return self.call(ahead_kernel(self.parts.size), self.way.q, self.way.v, self.step)[0], self.way.v
+        return Ahead(self.way, self.step), self.way.v
 
     def _frame(self, point: int) -> tuple[Slot, Slot, Slot]:
         """Pose of the frame that a point is fixed to, pose of its link's axes, and its rate in them."""
@@ -155,7 +156,7 @@ class Instant:
         recursion.followed = followed
         return recursion
 
-    def _serve(self, driver: Driver, q: Slot, rates: Slot) -> tuple[Slot, ...]:
+    def _serve(self, driver: Driver, q: Divisible, rates: Slot) -> tuple[Slot, ...]:
         """The servo's effort, feedback, rate of the current, and what is told, at coordinates and rates."""
         place, signal = driver.coordinate, self.signals[driver.plan.signal]
         assert driver.plan.servo is not None  # noqa: S101

@@ -2,17 +2,16 @@
 
 from __future__ import annotations
 
-from typing import Any
-
+from tmodes.equations.arm.ahead import Ahead
 from tmodes.equations.arm.hinge import Hinge
 from tmodes.equations.arm.kernel import Kernel
 from tmodes.equations.arm.parts import NodePart, Parts
 from tmodes.equations.arm.passes import Passes
-from tmodes.equations.arm.schedule import Schedule, Slot
+from tmodes.equations.arm.schedule import Divisible, Schedule, Slot
 from tmodes.equations.arm.screw import Screw
 from tmodes.equations.arm.spatial import FORCE
 
-__all__ = ["Recursion", "ahead_kernel", "forward_dynamics"]
+__all__ = ["Recursion", "forward_dynamics"]
 
 
 def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
@@ -27,18 +26,8 @@ def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
     step = schedule.input("step", 1)
     way.outwards()
-    (ahead,) = schedule.call(ahead_kernel(parts.size), way.q, way.v, step)
-    schedule.output("a", *Recursion(way, effort, given, step, (ahead, way.v)).run())
+    schedule.output("a", *Recursion(way, effort, given, step, (Ahead(way, step), way.v)).run())
     return schedule
-
-
-def ahead_kernel(size: int) -> Kernel:
-    """(q, v, h) -> q + h v: the angles from which the springs of an implicit step of h start."""
-
-    def build(q: Any, v: Any, step: Any) -> list[list[Any]]:
-        return [[q[i] + step[0] * v[i] for i in range(size)]]
-
-    return Kernel(f"ahead {size}", (size, size, 1), (size,), build)
 
 
 class Recursion:
@@ -54,7 +43,7 @@ class Recursion:
         effort: Slot,
         given: Slot,
         step: Slot,
-        start: tuple[Slot, Slot],
+        start: tuple[Divisible, Slot],
         feedback: Slot | None = None,
     ) -> None:
         """``start``: coordinates and rates from which springs, dampers and friction start; those of ``way`` place all.
@@ -105,8 +94,7 @@ class Recursion:
         if parent < 0:
             (self.held[index],) = self.schedule.call(joint.hold(), *blocks)
             self.on_base.append((joint.outward(), blocks))
-        elif isinstance(joint, Screw) and (body := self._sole_body(parent)):
-            sums = (body, self.way.ways[parent].tip_rate)
+        elif isinstance(joint, Screw) and (sums := self._sole_body(parent)):
             outward = joint.outward(onto_body=True)
             *more, self.held[index] = self.schedule.call(outward, *blocks, *sums)
             self.loads[parent] = (more[0], more[1])
@@ -128,11 +116,12 @@ class Recursion:
             self.loads[index] = self.way.load_of_tip(index)
         return self.loads[index]
 
-    def _sole_body(self, index: int) -> Slot | None:
-        """The body of a node's rigid link, where nothing else is known yet to be fixed to it."""
+    def _sole_body(self, index: int) -> tuple[Slot, Slot] | None:
+        """The body of a node's rigid link and its bias force, where nothing else is known yet to be fixed to it."""
         pushed = any(self.parts.points[k].node == index for k in self.way.wrenches)
+        body, push = self.parts.nodes[index].tip_body, self.way.ways[index].push
         more = pushed or index in self.loads or index in self.way.attached
-        return None if more or self.way.ways[index].tip else self.parts.nodes[index].tip_body
+        return None if more or body is None or push is None else (body, push)
 
     def _joint(self, index: int, own: Slot) -> Hinge | Screw:
         joint = self.way.ways[index].joint

@@ -16,7 +16,7 @@ class Kernel:
     """``build`` takes a vector of symbols for each input size and returns a list of entries for each output size.
 
     ``key`` names the structure: two kernels of the same key are the same function. ``long``: thousands of operations,
-    too many to be written out at each call.
+    too many to be written out at each call. ``plain``: made of sums, products and quotients alone.
     """
 
     key: str
@@ -24,6 +24,7 @@ class Kernel:
     outputs: tuple[int, ...]
     build: Callable[..., Sequence[list[Any]]]
     long: bool = False
+    plain: bool = False
 
     def function(self) -> ca.Function:
         """The kernel as a CasADi function; common subexpressions are found."""

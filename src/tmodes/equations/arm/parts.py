@@ -88,6 +88,8 @@ class Parts:
         self.names = [f"{joint.name}.motor" for joint in elastic] + [joint.name for joint in moving]
         self.efforts = [joint.name for joint in moving if joint.drive in (Drive.EFFORT, Drive.ELASTIC)]
         self.given = [joint.name for joint in moving if joint.drive is Drive.PRESCRIBED]
+        told = (self.names, self.efforts, self.given)
+        self._places = tuple({name: place for place, name in enumerate(names)} for names in told)
         for index, node in enumerate(chain.nodes):
             self.nodes.append(self._node(index, node))
         self.phases = self.numbers.block(self._phases())
@@ -129,14 +131,13 @@ class Parts:
         hinge = Hinge(joint.kind, axis if moves else 2, driven, aside, on_section)
         placement = self.numbers.block([*placed.rotation.ravel(), *placed.position])
         kind = drive_kind(joint) if moves and joint.drive is not Drive.PRESCRIBED else None
-        place = {name: names.index(joint.name) if moves and joint.name in names else -1
-                 for name, names in (("effort", self.efforts), ("given", self.given))}  # fmt: skip
+        angle, effort, given = (places.get(joint.name, -1) if moves else -1 for places in self._places)
         return NodePart(
             node, hinge, placement, self.numbers.block(along), kind,
             self.numbers.block(drive_numbers(joint)) if kind else None,
-            angle=self.names.index(joint.name) if moves else -1,
+            angle=angle,
             motor=self._motor(joint) if moves else -1,
-            effort=place["effort"], given=place["given"],
+            effort=effort, given=given,
             link=None if isinstance(link, RigidLink) else self._link(index, node.name, link),
             tip_body=self._tip_body(index, link),
             screw=Screw.of(screw, driven=driven) if screw else None,
@@ -145,7 +146,7 @@ class Parts:
 
     def _motor(self, joint: Joint) -> int:
         name = f"{joint.name}.motor"
-        return self.names.index(name) if joint.drive is Drive.ELASTIC else -1
+        return self._places[0][name] if joint.drive is Drive.ELASTIC else -1
 
     def _link(self, index: int, name: str, link: Beam | Segment) -> LinkPart:
         first = len(self.names)

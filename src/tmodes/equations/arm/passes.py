@@ -8,18 +8,21 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain import Chain
-from tmodes.equations.arm.body_kernels import body_kernel, push_kernel, sum_kernel
+from tmodes.equations.arm.body_kernels import body_inertia_kernel, body_kernel, push_kernel, sum_kernel
 from tmodes.equations.arm.drive_kernels import mixing_kernel
 from tmodes.equations.arm.hinge import POSE, Hinge
 from tmodes.equations.arm.parts import LinkPart, NodePart, Parts
-from tmodes.equations.arm.schedule import Schedule, Slot
+from tmodes.equations.arm.schedule import Divisible, Schedule, Slot
 from tmodes.equations.arm.screw import TURN, Screw, turn_kernel
+from tmodes.equations.arm.screw_rates import rates_kernel
 from tmodes.equations.arm.spatial import FORCE
 
 __all__ = ["BASE", "Blocks", "Passes", "Way", "resting_base"]
 
 BASE = 2 * FORCE - 3 + POSE
 """Numbers of the base: acceleration less gravity (6) and rate (3) in its own axes, pose in the world (15)."""
+
+_TOGETHER = 8
 
 
 def resting_base(chain: Chain, factor: float = 1.0) -> NDArray[np.float64]:
@@ -43,6 +46,8 @@ class Way:
     carried_pose: Slot | None = None
     terms: Slot | None = None
     tip: Slot | None = None
+    push: Slot | None = None
+    """Bias force of the body of a rigid link, where it is known."""
     sections: tuple[Slot, ...] = ()
     section_poses: list[Slot] = field(default_factory=list)
 
@@ -83,6 +88,7 @@ class Passes:
         blocks = blocks or Blocks.as_inputs(parts)
         self.schedule, self.q, self.v, self.base = blocks.schedule, blocks.q, blocks.v, blocks.base
         self.ways: list[Way] = []
+        self.turns: dict[int, Slot] = {}
         self.none = parts.none
         self.wrenches: dict[int, Slot] = {}
         self.attached: dict[int, tuple[Slot, Slot]] = {}
@@ -104,7 +110,7 @@ class Passes:
     def _pair(self, index: int) -> tuple[Slot, Slot]:
         return (self.none[1], self.none[1]) if index < 0 else (self.q.part(index, 1), self.v.part(index, 1))
 
-    def bend(self, link: LinkPart, block: Slot) -> Slot:
+    def bend(self, link: LinkPart, block: Divisible) -> Slot:
         """The link's part of a block of all coordinates."""
         return block.part(link.first, link.kernels.n)
 
@@ -114,15 +120,17 @@ class Passes:
 
     def outwards(self) -> None:
         """Rates, and poses where they are needed, from the base to the tips."""
-        call, turns = self.schedule.call, self._turns()
+        call = self.schedule.call
         for part in self.parts.nodes:
             parent = self.parent(part)
             rate = parent.tip_rate if parent else self.base.part(FORCE, 3)
             angle, speed = self.angle(part)
             tip = parent.tip.part(0, 9) if parent and parent.tip else self.none[9]
             if self.short and part.screw and part.way:
-                hinge, root_rate = call(part.screw.inward(), part.way, rate, turns[part.angle], speed)
-                way = Way(part.screw, part.way, hinge, root_rate, root_rate)
+                blocks, body = (part.way, rate, self._turn(part.angle), speed), part.tip_body
+                inward = rates_kernel(part.screw, with_body=body is not None)
+                hinge, root_rate, *push = call(inward, *blocks, *([body] if body else []))
+                way = Way(part.screw, part.way, hinge, root_rate, root_rate, push=push[0] if push else None)
             else:
                 hinge, root_rate = call(part.hinge.inward(), part.placement, tip, part.axis, rate, angle, speed)
                 way = Way(part.hinge, part.axis, hinge, root_rate, root_rate)
@@ -135,17 +143,18 @@ class Passes:
                 self._bend_outwards(part.link, way)
             self.ways.append(way)
 
-    def _turns(self) -> dict[int, Slot]:
-        """Cosine and sine of the angle of each joint with a short way; four at a time cost little more than one."""
-        found: dict[int, Slot] = {}
-        turning = {part.angle for part in self.parts.nodes if self.short and part.screw}
-        for start in range(self.parts.joints.start, self.parts.joints.stop, 4):
-            group = range(start, min(start + 4, self.parts.joints.stop))
-            if turning.intersection(group):
-                phases = self.parts.phases.part(TURN * (start - self.parts.joints.start), TURN * len(group))
-                (both,) = self.schedule.call(turn_kernel(len(group)), self.q.part(start, len(group)), phases)
-                found |= {index: both.part(TURN * k, TURN) for k, index in enumerate(group)}
-        return found
+    def _turn(self, angle: int) -> Slot:
+        """Cosine and sine of the angle of a joint with a short way; eight at a time cost little more than one.
+
+        They are called where the first is needed: so they are found while one joint waits for the joint before.
+        """
+        if angle not in self.turns:
+            first = angle - (angle - self.parts.joints.start) % _TOGETHER
+            group = range(first, min(first + _TOGETHER, self.parts.joints.stop))
+            phases = self.parts.phases.part(TURN * (first - self.parts.joints.start), TURN * len(group))
+            (both,) = self.schedule.call(turn_kernel(len(group)), self.q.part(first, len(group)), phases)
+            self.turns |= {index: both.part(TURN * k, TURN) for k, index in enumerate(group)}
+        return self.turns[angle]
 
     def _bend_outwards(self, link: LinkPart, way: Way) -> None:
         q, v = self.bend(link, self.q), self.bend(link, self.v)
@@ -161,7 +170,9 @@ class Passes:
         """Inertia and bias force of what is fixed to a node's tip, less the forces on its points."""
         part, way = self.parts.nodes[index], self.ways[index]
         inertia, bias = self.none[21], self.none[FORCE]
-        if part.tip_body:
+        if part.tip_body and way.push:
+            (inertia,), bias = self.schedule.call(body_inertia_kernel(), part.tip_body), way.push
+        elif part.tip_body:
             kernel = body_kernel(on_section=way.tip is not None)
             inertia, bias = self.schedule.call(kernel, part.tip_body, self.frame(way.tip), way.tip_rate)
         if index in self.attached:

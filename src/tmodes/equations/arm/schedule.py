@@ -5,13 +5,14 @@ from __future__ import annotations
 import hashlib
 from dataclasses import dataclass, field
 from functools import cached_property
+from typing import Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.equations.arm.kernel import Kernel
 
-__all__ = ["Numbers", "Schedule", "Slot"]
+__all__ = ["Divisible", "Numbers", "Schedule", "Slot"]
 
 
 @dataclass(frozen=True)
@@ -25,6 +26,14 @@ class Slot:
     def part(self, start: int, size: int) -> Slot:
         """A block inside this one."""
         return Slot(self.region, self.start + start, size)
+
+
+class Divisible(Protocol):
+    """A block, or what stands for one, of which smaller blocks are taken."""
+
+    def part(self, start: int, size: int) -> Slot:
+        """A block inside this one."""
+        ...
 
 
 class Numbers:
@@ -108,13 +117,10 @@ class Schedule:
     @cached_property
     def key(self) -> str:
         """All of the structure of a finished schedule, as a digest: same key, same code."""
-        told = [
-            f"{self.parameters} {self.changing} {self.gate} {self.zeros} {self.often}",
-            repr(list(self.inputs.items())),
-            repr(list(self.outputs.items())),
-        ]
-        told += [
-            f"{kernel.key} {kernel.inputs} {kernel.outputs} {inputs} {outputs}"
-            for kernel, inputs, outputs in self.calls
-        ]
-        return hashlib.sha256("\n".join(told).encode()).hexdigest()
+        kinds: dict[tuple[str, tuple[int, ...], tuple[int, ...]], int] = {}
+        told: list[int] = []
+        for kernel, inputs, outputs in self.calls:
+            told.append(kinds.setdefault((kernel.key, kernel.inputs, kernel.outputs), len(kinds)))
+            told += [slot.start if slot.region == "changing" else -1 - slot.start for slot in (*inputs, *outputs)]
+        head = [self.parameters, self.changing, self.gate, self.zeros, self.often, self.inputs, self.outputs, [*kinds]]
+        return hashlib.sha256(repr(head).encode() + np.array(told, dtype="<i8").tobytes()).hexdigest()

@@ -17,10 +17,10 @@ from tmodes.equations.arm.body_kernels import BODY
 from tmodes.equations.arm.framing import STRAIGHT, ScrewWay
 from tmodes.equations.arm.hinge import POSE
 from tmodes.equations.arm.kernel import Kernel
-from tmodes.equations.arm.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
+from tmodes.equations.arm.spatial import FORCE, INERTIA, Force, Inertia, body_inertia
 from tmodes.equations.arm.spin import Spin
 
-__all__ = ["SCREW", "TURN", "Screw", "screw_numbers", "turn_kernel"]
+__all__ = ["HINGE", "SCREW", "TURN", "Screw", "screw_numbers", "turn_kernel"]
 
 TURN = 2
 """Cosine and sine of a joint's angle and phase."""
@@ -28,7 +28,7 @@ TURN = 2
 SCREW = 12
 """Numbers of a way: cos, sin, sin^2, sin cos of alpha and of beta, lever (3), along."""
 
-_HINGE = TURN + 5
+HINGE = TURN + 5
 """Turn, and the bias acceleration of the root in the joint's own axes: angular about x and y, linear."""
 
 
@@ -69,7 +69,7 @@ class Screw:
         """What the way out keeps: U/(S.U + own inertia) (free: 1 about z, left out), and the free acceleration."""
         return FORCE if self.free else FORCE + 1
 
-    def _way(self, numbers: Any) -> list[tuple[Spin | None, v.Vector | None]]:
+    def way(self, numbers: Any) -> list[tuple[Spin | None, v.Vector | None]]:
         """Steps from the parent to the joint's own axes: a turn, then a shift in the turned axes."""
         lever = [numbers[8 + i] if there else 0.0 for i, there in enumerate(self.lever)]
         beta = Spin(2, *(numbers[4 + i] for i in range(4))) if self.turned else None
@@ -77,11 +77,22 @@ class Screw:
         shift = [0.0, 0.0, numbers[11]] if self.along else None
         return [(beta, lever if any(self.lever) else None), (alpha, shift)]
 
-    def _motion_to_joint(self, way: list[Any], motion: Force) -> Force:
-        for spin, shift in way:
-            motion = spin.force_back(motion) if spin else motion
-            motion = motion.motion_at(shift) if shift else motion
-        return motion
+    def _motion_to_joint(self, way: list[Any], motion: Force, drift: Force) -> Force:
+        """The acceleration of the parent's tip at the joint, in its own axes, and the drift.
+
+        The turn about x and the shift along x change places, so that no turn waits for a shift: with the root's
+        acceleration this is the longest chain of the way out.
+        """
+        (beta, lever), (alpha, along) = way
+        motion = beta.force_back(motion) if beta else motion
+        x, *across = lever or v.zero()
+        motion = motion.motion_at([0.0, *across]) if any(self.lever[1:]) else motion
+        z = along[2] if along else 0.0
+        early = [drift.linear[0], drift.linear[1] - motion.angular[0] * z, drift.linear[2]]
+        angular = alpha.back(motion.angular) if alpha else motion.angular
+        linear = alpha.back_onto(motion.linear, early) if alpha else v.add(motion.linear, early)
+        late = [angular[1] * z, angular[2] * x, -angular[1] * x]
+        return Force(v.add(angular, drift.angular), v.add(linear, late))
 
     def _force_to_parent(self, way: list[Any], force: Force) -> Force:
         for spin, shift in reversed(way):
@@ -94,21 +105,6 @@ class Screw:
             inertia = inertia.at(shift) if shift else inertia
             inertia = spin.inertia(inertia) if spin else inertia
         return inertia
-
-    def inward(self) -> Kernel:
-        """(way, rate of the parent, turn, speed) -> (hinge, rate of the root)."""
-
-        def build(numbers: Any, parent_rate: Any, turn: Any, speed: Any) -> list[list[Any]]:
-            w, linear = v.vec(parent_rate), v.zero()
-            for spin, shift in self._way(numbers):
-                if spin:
-                    w, linear = spin.back(w), spin.back(linear)
-                if shift:
-                    linear = v.add(linear, v.cross(w, v.cross(w, shift)))
-            angular, (x, y, z) = [w[1] * speed[0], -w[0] * speed[0]], Spin.of(2, turn[0], turn[1]).back(w)
-            return [[turn[0], turn[1], *angular, *linear], [x, y, z + speed[0]]]
-
-        return Kernel(f"inward {self.key}", (SCREW, 3, TURN, 1), (_HINGE, 3), build)
 
     def _passed(self, inertia: Any, bias: Any, hinge: Any, effort: Any, own: Any) -> tuple[Inertia, Force, list[Any]]:
         """Articulated inertia and bias force that the joint passes on, in its own axes, and what is held.
@@ -138,18 +134,20 @@ class Screw:
         """Articulated inertia and bias force of the link's root, added to those of the parent's tip.
 
         (I, p, hinge, way, effort, own inertia, sum of I, sum of p) -> (I, p, held). The effort of a driven joint is
-        its acceleration. ``onto_body``: in place of the sums the parent's body and rate, of which they are.
+        its acceleration. ``onto_body``: in place of the sum of I the parent's body, which is all that it is.
         """
 
         def build(inertia: Any, bias: Any, hinge: Any, numbers: Any, effort: Any, own: Any, *sums: Any) -> Any:
             passed, push, kept = self._passed(inertia, bias, hinge, effort, own)
-            way, (there, pull) = self._way(numbers), _sums(*sums, onto_body=onto_body)
+            way, (there, pull) = self.way(numbers), _sums(*sums, onto_body=onto_body)
             moved = self._inertia_to_parent(way, passed) + there
             return [moved.packed(), (self._force_to_parent(way, push) + pull).packed(), kept]
 
-        sums = (BODY, 3) if onto_body else (INERTIA, FORCE)
-        inputs = (INERTIA, FORCE, _HINGE, SCREW, 1, 1, *sums)
-        return Kernel(f"outward{' onto body' * onto_body} {self.key}", inputs, (INERTIA, FORCE, self.held), build)
+        sums = (BODY if onto_body else INERTIA, FORCE)
+        inputs = (INERTIA, FORCE, HINGE, SCREW, 1, 1, *sums)
+        return Kernel(
+            f"outward{' onto body' * onto_body} {self.key}", inputs, (INERTIA, FORCE, self.held), build, plain=True
+        )
 
     def hold(self) -> Kernel:
         """(I, p, hinge, way, effort, own inertia) -> held: where nobody asks for what is passed to the base."""
@@ -157,51 +155,57 @@ class Screw:
         def build(inertia: Any, bias: Any, hinge: Any, _: Any, effort: Any, own: Any) -> list[list[Any]]:
             return [self._passed(inertia, bias, hinge, effort, own)[2]]
 
-        return Kernel(f"hold {self.key}", (INERTIA, FORCE, _HINGE, SCREW, 1, 1), (self.held,), build)
+        return Kernel(f"hold {self.key}", (INERTIA, FORCE, HINGE, SCREW, 1, 1), (self.held,), build, plain=True)
 
     def onward(self) -> Kernel:
         """(acceleration of the parent's tip, hinge, way, held, a given one) -> (that of the root, the joint's)."""
 
         def build(parent: Any, hinge: Any, numbers: Any, held: Any, given: Any) -> list[list[Any]]:
-            root = self._motion_to_joint(self._way(numbers), Force.of(parent)) + _drift(hinge)
+            root = self._motion_to_joint(self.way(numbers), Force.of(parent), _drift(hinge))
             before, acceleration = root.angular[2], given[0]
-            if not self.driven:
-                moves = root.packed()
-                terms = [held[i] * x for i, x in enumerate(moves[:2] + moves[3:] if self.free else moves)]
-                after = held[self.held - 1] - v.total(terms[2:]) - (terms[0] + terms[1])
+            if self.driven:
+                root.angular[2] = before + acceleration
+            else:
+                after = self._after(root, held)
                 acceleration = after - before if self.free else after
                 root.angular[2] = after if self.free else before + after
-            else:
-                root.angular[2] = before + acceleration
             return [_turn(hinge).force_back(root).packed(), [acceleration]]
 
-        return Kernel(f"onward {self.key}", (FORCE, _HINGE, SCREW, self.held, 1), (FORCE, 1), build)
+        return Kernel(f"onward {self.key}", (FORCE, HINGE, SCREW, self.held, 1), (FORCE, 1), build, plain=True)
+
+    def _after(self, root: Force, held: Any) -> Any:
+        """What is held of the free acceleration and of that of the root: two sums side by side, the turning first."""
+        *turning, x, y, z = (held[k] for k in range(self.held - 1))
+        first = held[self.held - 1]
+        for share, part in zip(turning, root.angular, strict=False):
+            first = first - share * part
+        return (first - z * root.linear[2]) - (x * root.linear[0] + y * root.linear[1])
 
     def load(self) -> Kernel:
         """(force at the link's root, hinge, way, sum at the parent's tip) -> (sum, effort along the joint)."""
 
         def build(force: Any, hinge: Any, numbers: Any, sum_: Any) -> list[list[Any]]:
             push = _turn(hinge).force(Force.of(force))
-            told = self._force_to_parent(self._way(numbers), push) + Force.of(sum_)
+            told = self._force_to_parent(self.way(numbers), push) + Force.of(sum_)
             return [told.packed(), [force[2]]]
 
-        return Kernel(f"load {self.key}", (FORCE, _HINGE, SCREW, FORCE), (FORCE, 1), build)
+        return Kernel(f"load {self.key}", (FORCE, HINGE, SCREW, FORCE), (FORCE, 1), build, plain=True)
 
     def pose(self) -> Kernel:
         """(pose and rate of the parent's tip, in the parent's axes, hinge, way, speed) -> pose of the link's root."""
 
         def build(pose: Any, rate: Any, hinge: Any, numbers: Any, _: Any) -> list[list[Any]]:
             rows, arm = v.tri(pose), v.zero()
-            for spin, shift in reversed(self._way(numbers)):
+            for spin, shift in reversed(self.way(numbers)):
                 arm = v.add(arm, shift) if shift else arm
                 arm = spin.vector(arm) if spin else arm
             place = v.add(v.vec(pose, 9), v.matvec(rows, arm))
             velocity = v.add(v.vec(pose, 12), v.matvec(rows, v.cross(v.vec(rate), arm)))
-            for spin in (*(step[0] for step in self._way(numbers)), _turn(hinge)):
+            for spin in (*(step[0] for step in self.way(numbers)), _turn(hinge)):
                 rows = [spin.back(row) for row in rows] if spin else rows
             return [v.flat(rows, place, velocity)]
 
-        return Kernel(f"pose {self.key}", (POSE, 3, _HINGE, SCREW, 1), (POSE,), build)
+        return Kernel(f"pose {self.key}", (POSE, 3, HINGE, SCREW, 1), (POSE,), build, plain=True)
 
 
 def turn_kernel(count: int) -> Kernel:
@@ -240,8 +244,7 @@ def _clear(inertia: Inertia) -> None:
         inertia.angular[i][2] = inertia.angular[2][i] = 0.0
 
 
-def _sums(first: Any, second: Any, *, onto_body: bool) -> tuple[Inertia, Force]:
-    if not onto_body:
-        return Inertia.of(first), Force.of(second)
-    moment, inertia = v.vec(first, 1), v.symmetric(first, 4)
-    return body_inertia(first[0], moment, inertia), body_bias(moment, inertia, v.vec(second))
+def _sums(inertia: Any, push: Any, *, onto_body: bool) -> tuple[Inertia, Force]:
+    if onto_body:
+        return body_inertia(inertia[0], v.vec(inertia, 1), v.symmetric(inertia, 4)), Force.of(push)
+    return Inertia.of(inertia), Force.of(push)

@@ -45,6 +45,13 @@ class Spin:
         turned[i], turned[j] = self.cosine * a[i] + self.sine * a[j], self.cosine * a[j] - self.sine * a[i]
         return turned
 
+    def back_onto(self, a: v.Vector, sum_: v.Vector) -> v.Vector:
+        """R^T a + sum: the sum is taken in at the beginning, and nothing waits for it."""
+        (i, j), turned = self._plane, v.add(a, sum_)
+        turned[i] = self.sine * a[j] + (self.cosine * a[i] + sum_[i])
+        turned[j] = self.cosine * a[j] - (self.sine * a[i] - sum_[j])
+        return turned
+
     def force(self, a: Force) -> Force:
         """Both vectors turned."""
         return Force(self.vector(a.angular), self.vector(a.linear))
