@@ -53,14 +53,14 @@ class RobotChanges:
         value = number_at(path, _inside(self.sheet.model_dump(), path), zero=True)
 
         def numbers(change: float) -> Array:
-            reference = self.sheet.with_({path: value + change}).reference
-            rows = rows_of(reference.schedule(), self.here.settings.duration)
+            changed = self.sheet.with_({path: value + change})
+            rows = rows_of(changed.wanted(Drive.CONTROLLED), self.here.settings.duration)
             if rows.shape != self.rows.shape or not np.array_equal(rows[:, 0], self.rows[:, 0]):
                 raise InputError(
                     path, "a change of the times at which pieces of the reference end",
                     "a change of numbers alone, along which a run can be differentiated", "name another quantity",
                 )  # fmt: skip
-            return np.append(rows, reference.start)
+            return np.append(rows, changed.reference.start)
 
         found, start = near_difference(numbers, value), np.zeros_like(self.here.start)
         start[:6] = self._rest[0] * found[-1]
