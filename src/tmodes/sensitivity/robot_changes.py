@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError
-from tmodes.mechanism import Parameters
+from tmodes.mechanism import Drive, Parameters
 from tmodes.model import Model
 from tmodes.model_derivatives import rest_change
 from tmodes.robot import Robot
