@@ -49,6 +49,14 @@ def test_unknown_integrator(tmp_path):
         assert all(word in told for word in known)
 
 
+def test_passes_of_lanes_are_told(tmp_path):
+    """Of a method that evaluates several states at once both counts are told."""
+    options = ["--integrator", "extrapolation", "--duration", "0.02", "--no-figures"]
+    told = tmodes("run", "spong1987", *options, "--out", tmp_path).stdout
+    assert "evaluations in " in told
+    assert "passes of four lanes" in told
+
+
 def test_the_2010_robot_has_no_implicit_steps(tmp_path):
     told = tmodes("run", "filipovic2010", "--integrator", "auto", "--out", tmp_path, code=2).stderr
     assert "one of dormand_prince, dop853, rk4" in told
