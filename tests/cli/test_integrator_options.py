@@ -51,6 +51,14 @@ def test_unknown_integrator(tmp_path):
         assert all(word in told for word in known)
 
 
+def test_passes_of_lanes_are_told(tmp_path):
+    """Of a method that evaluates several states at once both counts are told."""
+    options = ["--integrator", "extrapolation", "--duration", "0.02", "--no-figures"]
+    told = tmodes("run", "spong1987", *options, "--out", tmp_path).stdout
+    assert "evaluations in " in told
+    assert "passes of four lanes" in told
+
+
 @pytest.mark.parametrize("method", ["auto", "extrapolation", "rosenbrock", "midpoint"])
 def test_every_method_for_the_2010_robot(tmp_path, method):
     told = json.loads(

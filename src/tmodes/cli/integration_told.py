@@ -34,6 +34,8 @@ def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:
 
 def _steps(told: dict[str, Any]) -> str:
     text = f"{told['steps']:,} of {told['method']} ({told['rejected']:,} rejected), {told['evaluations']:,} evaluations"
+    if told.get("passes"):
+        text += f" in {told['passes']:,} passes of four lanes"
     if told.get("mean_step_s"):
         text += f"; smallest {told['smallest_step_s']:.2g} s, mean {told['mean_step_s']:.2g} s"
     return text
