@@ -23,7 +23,7 @@ Group = tuple[str, Sequence[Sequence[int]]]
 
 
 _known: OrderedDict[tuple[str, tuple[str, ...]], Differentiated] = OrderedDict()
-_MOST = 64
+_MOST = 24
 
 
 def differentiated(schedule: Any, outputs: Sequence[str] | None = None) -> Differentiated:
