@@ -9,6 +9,7 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.integrate.choice import otherwise as later_settings
 from tmodes.integrate.settings import Integration, Method
 from tmodes.native_run import BOUND, NativeRun
 from tmodes.reference.schedule import Schedule
@@ -54,7 +55,8 @@ def integrate(
     Raises :class:`tmodes.errors.SimulationError` where a stop condition holds at the start already.
     """
     if settings.method is Method.AUTO:
-        settings, otherwise = settings.chosen(Method.DORMAND_PRINCE), otherwise or settings.chosen(Method.EXTRAPOLATION)
+        otherwise = otherwise or later_settings(settings, Method.DORMAND_PRINCE)
+        settings = settings.chosen(Method.DORMAND_PRINCE)
     run = NativeRun(model, parameters, schedule.until(settings.duration), state, settings, otherwise=otherwise)
     going = WatchedRun(run, stops) if stops else run
     if journal and (record := journal.restore()):

@@ -9,6 +9,7 @@ import pytest
 
 from tmodes.contact.environment import FrictionLaw
 from tmodes.equations.implicit_step import implicit_rate_function
+from tmodes.errors import InputErrors
 from tmodes.mechanism import Drive, Mechanism, Reading
 from tmodes.model import Model
 from tmodes.model_loops import rate_of
@@ -110,3 +111,12 @@ def test_rest_on_a_surface_that_hardly_gives(robot, stiffness):
     reach = sum(mode.length for mode in robot.link.modes)
     tip = model.observe(0.0, state, row, parameters)["tip"]
     assert abs(np.linalg.norm(tip) - reach) < 0.1 / np.sqrt(stiffness)
+
+
+def test_tolerances_below_the_rounding_of_extrapolation(robot):
+    """Named it is refused in words; chosen by the stiffness it is not."""
+    stiff = {"gear.stiffness": 1e9, "gear.damping": 1e3, "integration.relative_tolerance": 1e-11}
+    with pytest.raises(InputErrors, match=r"relative_tolerance: got 1e-11; expected at least 1e-10 for extrapolation"):
+        robot.with_({**stiff, "integration.method": "extrapolation"})
+    done = simulate(robot.with_({**stiff, "integration.duration": 0.5}))
+    assert "by dormand_prince, because extrapolation rounds above its tolerance" in done.message

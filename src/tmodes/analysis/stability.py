@@ -60,11 +60,10 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
 
 def chosen_settings(settings: Integration, spectrum: Callable[[], Spectrum]) -> Integration:
     """The settings with a method, chosen by the eigenvalues at the start where none is named, and its tolerances."""
-    method = settings.method
-    if method is Method.AUTO:
-        highest = float(np.abs(spectrum().eigenvalues).max(initial=0.0))
-        method, _ = chosen_method(method, highest, settings.duration)
-    return settings.chosen(method)
+    if settings.method is not Method.AUTO:
+        return settings.chosen(settings.method)
+    highest = float(np.abs(spectrum().eigenvalues).max(initial=0.0))
+    return settings.chosen(chosen_method(settings, highest)[0])
 
 
 def step_times_eigenvalue(verdict: StepVerdict, statistics: dict[str, Any]) -> float | None:

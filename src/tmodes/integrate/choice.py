@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import LEAST_EXTRAPOLATED, Integration, Method
 
 __all__ = ["STIFF", "TRIAL", "chosen_method", "explained", "otherwise", "worth_keeping", "worth_switching"]
 
@@ -19,12 +19,15 @@ _REACH = 3.3
 """Largest step times eigenvalue at which Dormand and Prince's method is stable, about."""
 
 
-def chosen_method(method: Method, highest: float, duration: float) -> tuple[Method, str]:
+def chosen_method(given: Integration, highest: float) -> tuple[Method, str]:
     """The method of a run and why, in words (empty where it was given); ``highest``: largest |eigenvalue| [1/s]."""
-    if method is not Method.AUTO:
-        return method, ""
-    steps = highest * duration / _REACH
+    if given.method is not Method.AUTO:
+        return given.method, ""
+    steps = highest * given.duration / _REACH
     told = f"the fastest eigenvalue, {highest:.3g} 1/s, would take about {max(steps, 1.0):.2g} explicit steps"
+    if steps > STIFF and _too_exact(given):
+        why = "because extrapolation rounds above its tolerance"
+        return Method.DORMAND_PRINCE, f"by dormand_prince, {why}, though {told}"
     if steps > STIFF:
         return Method.EXTRAPOLATION, f"by extrapolation, because {told}"
     return Method.DORMAND_PRINCE, f"by dormand_prince: {told}"
@@ -43,9 +46,13 @@ def otherwise(given: Integration, method: Method) -> Integration | None:
 
     ``given``: the settings of the sheet; ``method``: the one that was chosen by them.
     """
-    if given.method is not Method.AUTO or method is not Method.DORMAND_PRINCE:
+    if given.method is not Method.AUTO or method is not Method.DORMAND_PRINCE or _too_exact(given):
         return None
     return given.chosen(Method.EXTRAPOLATION)
+
+
+def _too_exact(given: Integration) -> bool:
+    return given.chosen(Method.EXTRAPOLATION).relative_tolerance < LEAST_EXTRAPOLATED
 
 
 def worth_switching(left: float, step: float) -> bool:

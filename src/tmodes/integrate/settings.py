@@ -14,6 +14,7 @@ from tmodes.integrate.condition import MOST, Condition
 
 __all__ = [
     "FIXED_STEP",
+    "LEAST_EXTRAPOLATED",
     "LEAST_TOLERANCE",
     "MOST_BYTES",
     "ArmIntegration",
@@ -28,6 +29,10 @@ MOST_BYTES = 1_800_000_000
 
 LEAST_TOLERANCE = 1e-14
 """A relative tolerance below this is lost in the rounding of a step."""
+
+
+LEAST_EXTRAPOLATED = 1e-10
+"""The same of ``extrapolation``, which sums up its rows with weights of some thousands."""
 
 
 class Method(StrEnum):
@@ -144,6 +149,9 @@ class Integration(DataSheet):
             yield Misfit("output_step", got, f"at most {self._size(most_samples)}", mend)
 
     def _stepping_misfits(self) -> Iterator[Misfit]:
+        if self.method is Method.EXTRAPOLATION and self.relative_tolerance < LEAST_EXTRAPOLATED:
+            least = f"at least {LEAST_EXTRAPOLATED:g} for extrapolation, whose rounding is larger than that of others"
+            yield Misfit("relative_tolerance", repr(self.relative_tolerance), least, "take dop853, or rosenbrock")
         if self.method not in FIXED_STEP:
             return
         steps = self.duration / self.step

@@ -11,7 +11,7 @@ from arm.run.sheets import arm, beam, pendulum, torque
 from tmodes import trajectory
 from tmodes.arm import Arm
 from tmodes.compile.tableau import difference_weights
-from tmodes.errors import CompileError, InputErrors
+from tmodes.errors import CompileError
 from tmodes.motion.regime import arm_regime, run_arm_regime
 from tmodes.motion.simulate import simulate_arm
 from tmodes.trajectory import Trajectory
@@ -220,11 +220,3 @@ def test_rosenbrock_refuses_what_its_memory_cannot_hold() -> None:
     told = {"duration": 0.01, "output_step": 0.01, "method": "rosenbrock"}
     with pytest.raises(CompileError, match="take method extrapolation"):
         path(arm(**many, gravity=0.0, initial={"state": "zero"}, integration=told))
-
-
-@pytest.mark.parametrize("method", ["midpoint", "rosenbrock", "extrapolation"])
-def test_the_paper_robot_refuses_methods_of_arms(method: str) -> None:
-    from tmodes.robots.load import load_sheet
-
-    with pytest.raises(InputErrors, match=r"integration\.method"):
-        load_sheet("filipovic2010", {"integration.method": method})

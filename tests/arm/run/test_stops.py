@@ -53,11 +53,15 @@ def passes(angle: float) -> float:
 
 @pytest.mark.parametrize("method", METHODS)
 def test_falling_mass_passes_a_height(method: str) -> None:
-    """z = 1 - g t^2/2 is exact in every method: the time is found to rounding, and is that of the last sample."""
+    """z = 1 - g t^2/2 is exact in every method: the time is found to rounding, and is that of the last sample.
+
+    Rows of extrapolation are summed up with weights of some thousands, and so is their rounding.
+    """
+    rounding = 1e-12 if method == "extrapolation" else 2e-14
     run = simulate_arm(mass(integration={"method": method}), stop=["tip.z < 250 mm"])
     assert run.status == "stopped_by_condition"
-    assert run.times[-1] == pytest.approx(np.sqrt(1.5 / G), abs=2e-14)
-    assert run.points.position[-1, -1, 2] == pytest.approx(0.25, abs=2e-14)
+    assert run.times[-1] == pytest.approx(np.sqrt(1.5 / G), abs=rounding)
+    assert run.points.position[-1, -1, 2] == pytest.approx(0.25, abs=rounding)
     assert len(run.times) == 41
     assert (np.diff(run.times) > 0).all()
     assert "`tip.z < 250 mm`, tip.z reaches 0.25 m" in run.message
@@ -91,11 +95,14 @@ def test_time_is_found_with_the_order_of_the_method() -> None:
 
 @pytest.mark.parametrize("method", METHODS)
 def test_a_condition_that_holds_for_a_moment_within_a_step(method: str) -> None:
-    """Thrown up, the mass is above its height less 1e-7 m for 0.3 ms; steps are up to a hundred times longer."""
+    """Thrown up, the mass is above its height less 1e-7 m for 0.3 ms; steps are up to a hundred times longer.
+
+    It passes that height at 1.4 mm/s: there the rounding of what is between steps of extrapolation, 1e-10 m, counts.
+    """
     top, time = 1.0 + 4.0 / (2 * G), 2.0 / G
     sheet = mass(rate=2.0, integration={"method": method, "step": 0.03})
     run = simulate_arm(sheet, stop=[f"slide.position > {top - 1e-7!r}"])
-    assert run.times[-1] == pytest.approx(time - np.sqrt(2e-7 / G), abs=1e-11)
+    assert run.times[-1] == pytest.approx(time - np.sqrt(2e-7 / G), abs=1e-7 if method == "extrapolation" else 1e-11)
     assert simulate_arm(sheet, stop=[f"slide.position > {top + 1e-7!r}"]).status == "finished"
 
 
