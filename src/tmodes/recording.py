@@ -34,7 +34,8 @@ class Recording:
     """Steps of a run: ``t`` and ``h`` (steps,) [s], ``segments`` (steps,), state at the start of every ``every``-th.
 
     ``times`` (n,) and ``samples`` (n, size): what the run gave; ``first_sample`` (steps + 1): which of them lie in a
-    step, the start aside; ``weights`` (n, stages) of its stages in each; ``used``: how many stages, or rows, it needs.
+    step, the start aside; ``weights`` (n, stages) of its stages in each; ``used``: how many stages, or rows, it needs;
+    ``contact_changes``: how often a contact set in or ended.
     """
 
     method: str
@@ -49,6 +50,7 @@ class Recording:
     first_sample: Counts
     weights: Array
     used: Counts
+    contact_changes: int
 
 
 def record(
@@ -78,7 +80,8 @@ def record(
     pieces = schedule.until(settings.duration)
     rows = np.ascontiguousarray(np.column_stack([pieces.knots[:-1], pieces.coefficients]))
     sampled = _sampled(method, steps, h, run.times)
-    return Recording(method, t, h, steps.segments, every, steps.states, rows, run.times, run.samples, *sampled)
+    kept, told = (steps.segments, every, steps.states, rows), (run.times, run.samples, *sampled)
+    return Recording(method, t, h, *kept, *told, int(run.cell("events")))
 
 
 def _steps(run: NativeRun, settings: Integration, most_bytes: float) -> tuple[Steps, int]:

@@ -1,10 +1,10 @@
 """Sensitivities of a run to its data sheet, and gradients of what is measured on it.
 
 The steps of the run are recorded and differentiated as they are, whatever their lengths would be for other numbers: the
-results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact or a gear's
-dead zone sets in, steps end on the change; that its time moves with the numbers is not seen, which leaves nothing out
-where the force is continuous there. A unilateral surface with a damper lets go with a jump of its force: behind it,
-derivatives by what moves that time are wrong.
+results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact sets in or
+ends, a step ends on the change; that its time moves with the numbers is not seen, which leaves nothing out where the
+force is continuous there. On a unilateral surface with a damper it jumps with the speed of impact: such runs are
+refused.
 """
 
 from __future__ import annotations
@@ -102,8 +102,8 @@ def forward_sensitivities(
 
     Raises :class:`tmodes.errors.InputError` for a path, a quantity or a method that cannot be differentiated
     (dormand_prince, dop853, rk4 and extrapolation can), and :class:`tmodes.errors.SimulationError` for a run that does
-    not reach its end. Sensitivity equations of the discrete steps: E. Hairer, S. P. Norsett, G. Wanner, Solving
-    Ordinary Differential Equations I, section II.6.
+    not reach its end, or in which the force of a contact jumps. Sensitivity equations of the discrete steps: E. Hairer,
+    S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, section II.6.
     """
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
