@@ -63,10 +63,12 @@ def record(
 ) -> Recording:
     """Run, and keep the steps.
 
-    Raises :class:`tmodes.errors.InputError` for a method whose steps are no tableau, and
+    Raises :class:`tmodes.errors.InputError` for a method whose steps are no tableau and for no memory, and
     :class:`tmodes.errors.SimulationError` for a run that does not reach its end.
     """
     refuse_stops(settings, "a run is differentiated")
+    if not most_bytes > 0:
+        raise InputError("most_bytes", f"{most_bytes!r}", "a number above 0 [bytes]", f"the usual is {MOST_BYTES}")
     method = settings.method.value
     if method not in METHODS:
         names = " or ".join(", ".join(METHODS).rsplit(", ", 1))
@@ -92,7 +94,7 @@ def _steps(run: NativeRun, settings: Integration, most_bytes: float) -> tuple[St
         capacity = min(_AT_ONCE, settings.max_steps)
         part = record_steps(run.loop, run.arguments(1), capacity=capacity, every=every, total=total)
         parts, total = [*parts, part], total + len(part.t)
-        while sum(part.states.nbytes for part in parts) > most_bytes:
+        while sum(part.states.nbytes for part in parts) > most_bytes and sum(len(part.states) for part in parts) > 1:
             joined = _joined(parts)
             parts, every = [joined._replace(states=joined.states[::2])], 2 * every
     return _joined(parts), every
