@@ -174,5 +174,9 @@ def test_wrong_names_and_shapes_are_refused() -> None:
         adjoint_gradient(robot(), tracking_error("drives", TOUCHED))
     with pytest.raises(InputError, match="one for all"):
         adjoint_gradient(arm(), tracking_error("tip", np.zeros(2)))
+    with pytest.raises(InputError, match=r"start\.own.*shape \(1,\)"):
+        forward_sensitivities(robot(), start={"own": [1.0]})
+    with pytest.raises(InputError, match="finite numbers"):
+        adjoint_gradient(arm(), tracking_error("tip", (0.0, 0.0, np.nan)))
     with pytest.raises(InputError, match="other than 0"):
         adjoint_gradient(robot(), tracking_error("tip", TOUCHED), ["motor.no_such_number"])

@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.arm import Arm
+from tmodes.errors import InputError
 from tmodes.recording import MOST_BYTES, Recording
 from tmodes.replay import Replay
 from tmodes.robot import Robot
@@ -110,7 +111,9 @@ def forward_sensitivities(
     lowering = Changes(sheet, here)
     changes = {path: lowering.along(path) for path in paths}
     none = Change(np.zeros_like(here.parameters.vector), np.zeros_like(here.start), np.zeros_like(done.rows))
-    changes |= {name: none._replace(start=np.asarray(way, dtype=float)) for name, way in (start or {}).items()}
+    changes |= {
+        name: none._replace(start=_direction(name, way, here.start.size)) for name, way in (start or {}).items()
+    }
     watch.lap("sheet")
     ways = [
         np.stack(arrays) for arrays in zip(*((c.start, c.parameters, c.rows) for c in changes.values()), strict=True)
@@ -151,6 +154,15 @@ def adjoint_gradient(
         by[path] = float(told + (rows * change.rows).sum())
     watch.lap("sheet")
     return Gradient(float(value), by, carried.start, parameters, rows, watch.cost(done))
+
+
+def _direction(name: str, way: ArrayLike, size: int) -> Array:
+    """A direction (size,) of the state at the start."""
+    found = np.asarray(way, dtype=float)
+    if found.shape != (size,):
+        expected = f"({size},), a number for each of the state"
+        raise InputError(f"start.{name}", f"an array of shape {found.shape}", expected, "fill it with zeros")
+    return found
 
 
 def _begun(sheet: Arm | Robot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:
