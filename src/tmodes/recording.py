@@ -34,7 +34,8 @@ class Recording:
     """Steps of a run: ``t`` and ``h`` (steps,) [s], ``segments`` (steps,), state at the start of every ``every``-th.
 
     ``times`` (n,) and ``samples`` (n, size): what the run gave; ``first_sample`` (steps + 1): which of them lie in a
-    step, the start aside; ``weights`` (n, stages) of its stages in each; ``used``: how many stages, or rows, it needs.
+    step, the start aside; ``weights`` (n, stages) of its stages in each; ``used``: how many stages, or rows, it needs;
+    ``contact_changes``: how often a contact set in or ended.
     """
 
     method: str
@@ -49,6 +50,7 @@ class Recording:
     first_sample: Counts
     weights: Array
     used: Counts
+    contact_changes: int
 
 
 def record(
@@ -61,10 +63,12 @@ def record(
 ) -> Recording:
     """Run, and keep the steps.
 
-    Raises :class:`tmodes.errors.InputError` for a method whose steps are no tableau, and
+    Raises :class:`tmodes.errors.InputError` for a method whose steps are no tableau and for no memory, and
     :class:`tmodes.errors.SimulationError` for a run that does not reach its end.
     """
     refuse_stops(settings, "a run is differentiated")
+    if not most_bytes > 0:
+        raise InputError("most_bytes", f"{most_bytes!r}", "a number above 0 [bytes]", f"the usual is {MOST_BYTES}")
     method = settings.method.value
     if method not in METHODS:
         names = " or ".join(", ".join(METHODS).rsplit(", ", 1))
@@ -78,7 +82,8 @@ def record(
     pieces = schedule.until(settings.duration)
     rows = np.ascontiguousarray(np.column_stack([pieces.knots[:-1], pieces.coefficients]))
     sampled = _sampled(method, steps, h, run.times)
-    return Recording(method, t, h, steps.segments, every, steps.states, rows, run.times, run.samples, *sampled)
+    kept, told = (steps.segments, every, steps.states, rows), (run.times, run.samples, *sampled)
+    return Recording(method, t, h, *kept, *told, int(run.cell("events")))
 
 
 def _steps(run: NativeRun, settings: Integration, most_bytes: float) -> tuple[Steps, int]:
@@ -89,7 +94,7 @@ def _steps(run: NativeRun, settings: Integration, most_bytes: float) -> tuple[St
         capacity = min(_AT_ONCE, settings.max_steps)
         part = record_steps(run.loop, run.arguments(1), capacity=capacity, every=every, total=total)
         parts, total = [*parts, part], total + len(part.t)
-        while sum(part.states.nbytes for part in parts) > most_bytes:
+        while sum(part.states.nbytes for part in parts) > most_bytes and sum(len(part.states) for part in parts) > 1:
             joined = _joined(parts)
             parts, every = [joined._replace(states=joined.states[::2])], 2 * every
     return _joined(parts), every

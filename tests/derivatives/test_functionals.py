@@ -151,6 +151,15 @@ def test_the_cost_is_told() -> None:
     assert min(cost.forward, cost.sweep, cost.measure, cost.sheet) >= 0
 
 
+def test_little_memory_keeps_one_state_and_none_is_refused() -> None:
+    plenty, least = (adjoint_gradient(bending_arm(), SQUARES, (), most_bytes=most) for most in (1e8, 1.0))
+    assert least.cost.checkpoints == 1 < plenty.cost.checkpoints
+    assert np.abs(least.start - plenty.start).max() <= 1e-12 * np.abs(plenty.start).max()
+    for most in (0.0, -1.0, float("nan")):
+        with pytest.raises(InputError, match="most_bytes"):
+            adjoint_gradient(bending_arm(), SQUARES, (), most_bytes=most)
+
+
 def test_a_stiff_arm_is_followed_by_the_method_of_its_run() -> None:
     sheet = bending_arm(method="auto", duration=10.0, output_step=1.0).with_(
         {"links.link.beam.section.bending_stiffness": 2e9, "links.link.beam.damping_time": 0.0}
@@ -165,5 +174,9 @@ def test_wrong_names_and_shapes_are_refused() -> None:
         adjoint_gradient(robot(), tracking_error("drives", TOUCHED))
     with pytest.raises(InputError, match="one for all"):
         adjoint_gradient(arm(), tracking_error("tip", np.zeros(2)))
+    with pytest.raises(InputError, match=r"start\.own.*shape \(1,\)"):
+        forward_sensitivities(robot(), start={"own": [1.0]})
+    with pytest.raises(InputError, match="finite numbers"):
+        adjoint_gradient(arm(), tracking_error("tip", (0.0, 0.0, np.nan)))
     with pytest.raises(InputError, match="other than 0"):
         adjoint_gradient(robot(), tracking_error("tip", TOUCHED), ["motor.no_such_number"])

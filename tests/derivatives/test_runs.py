@@ -28,6 +28,7 @@ SEED_PATHS = ("gear.stiffness", "link.modes.0.bending_stiffness", "payload.mass"
 ARM_PATHS = ("links.link.beam.section.bending_stiffness", "joints.joint.gear.stiffness", "links.link.beam.length")
 EXPLICIT = ("dormand_prince", "dop853", "rk4")
 CASES = [*((name, method) for name in ("seed", "arm") for method in EXPLICIT), ("arm", "extrapolation")]
+IN_REVERSE = [*CASES, ("seed", "extrapolation")]
 
 
 @cache
@@ -115,7 +116,7 @@ def test_the_same_steps_give_the_same_samples(name: str, method: str) -> None:
     assert np.abs(replay.samples() - samples).max() <= rounding * np.abs(samples).max()
 
 
-@pytest.mark.parametrize(("name", "method"), CASES)
+@pytest.mark.parametrize(("name", "method"), IN_REVERSE)
 def test_the_gradient_is_that_of_differences_on_the_same_steps(name: str, method: str) -> None:
     here, replay = lowered_once(name, method), replay_of(name, method)
     times, samples = replay.recording.times, replay.recording.samples
@@ -134,7 +135,7 @@ def test_the_gradient_is_that_of_differences_on_the_same_steps(name: str, method
         assert gradient == pytest.approx(expected, rel=1e-7, abs=1e-12 * abs(value(0.0)) / scale)
 
 
-@pytest.mark.parametrize(("name", "method"), CASES)
+@pytest.mark.parametrize(("name", "method"), IN_REVERSE)
 def test_slopes_forwards_and_weights_in_reverse_tell_the_same_number(name: str, method: str) -> None:
     replay, rng = replay_of(name, method), np.random.default_rng(4)
     samples, rows = replay.recording.samples, replay.recording.rows

@@ -71,11 +71,12 @@ def to_object(module: Any, level: int, *, tidy: bool = True) -> bytes:
     passes = builder.getModulePassManager()
     passes.run(parsed, builder)
     _free(passes)
-    with nullcontext() if tidy else _in_the_order_written():
+    with _emission, nullcontext() if tidy else _in_the_order_written():
         return machine.emit_object(parsed)
 
 
 _emission = Lock()
+"""Code is emitted by one thread at a time: no other module is to meet a switch that is not its own."""
 
 
 @contextmanager
@@ -85,12 +86,11 @@ def _in_the_order_written() -> Iterator[None]:
     Of long straight programs it makes a worse one: of six rigid joints one that takes a tenth longer to compile, and a
     twentieth longer to run. The switch is the whole process's, so it is put back at once.
     """
-    with _emission:
-        llvm.set_option("", "-enable-misched=0")
-        try:
-            yield
-        finally:
-            llvm.set_option("", "-enable-misched=1")
+    llvm.set_option("", "-enable-misched=0")
+    try:
+        yield
+    finally:
+        llvm.set_option("", "-enable-misched=1")
 
 
 def _free(passes: Any) -> None:

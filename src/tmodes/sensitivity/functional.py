@@ -43,6 +43,8 @@ def tracking_error(quantity: str, reference: ArrayLike | Callable[[Array], Array
             raise InputError(
                 "reference", f"an array of shape {wanted.shape}", expected, "reshape it, or sample it anew"
             )
+        if not np.isfinite(wanted).all():
+            raise InputError("reference", "not-a-number or an infinite value", "finite numbers", "look for gaps in it")
         apart = is_ - wanted
         shares = _trapezoids(times)[:, None]
         return float((shares * apart**2).sum()), {quantity: 2 * shares * apart}

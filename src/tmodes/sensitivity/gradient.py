@@ -1,10 +1,10 @@
 """Sensitivities of a run to its data sheet, and gradients of what is measured on it.
 
 The steps of the run are recorded and differentiated as they are, whatever their lengths would be for other numbers: the
-results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact or a gear's
-dead zone sets in, steps end on the change; that its time moves with the numbers is not seen, which leaves nothing out
-where the force is continuous there. A unilateral surface with a damper lets go with a jump of its force: behind it,
-derivatives by what moves that time are wrong.
+results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact sets in or
+ends, a step ends on the change; that its time moves with the numbers is not seen, which leaves nothing out where the
+force is continuous there. On a unilateral surface with a damper it jumps with the speed of impact: such runs are
+refused.
 """
 
 from __future__ import annotations
@@ -17,6 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.arm import Arm
+from tmodes.errors import InputError
 from tmodes.recording import MOST_BYTES, Recording
 from tmodes.replay import Replay
 from tmodes.robot import Robot
@@ -102,15 +103,17 @@ def forward_sensitivities(
 
     Raises :class:`tmodes.errors.InputError` for a path, a quantity or a method that cannot be differentiated
     (dormand_prince, dop853, rk4 and extrapolation can), and :class:`tmodes.errors.SimulationError` for a run that does
-    not reach its end. Sensitivity equations of the discrete steps: E. Hairer, S. P. Norsett, G. Wanner, Solving
-    Ordinary Differential Equations I, section II.6.
+    not reach its end, or in which the force of a contact jumps. Sensitivity equations of the discrete steps: E. Hairer,
+    S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, section II.6.
     """
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
     lowering = Changes(sheet, here)
     changes = {path: lowering.along(path) for path in paths}
     none = Change(np.zeros_like(here.parameters.vector), np.zeros_like(here.start), np.zeros_like(done.rows))
-    changes |= {name: none._replace(start=np.asarray(way, dtype=float)) for name, way in (start or {}).items()}
+    changes |= {
+        name: none._replace(start=_direction(name, way, here.start.size)) for name, way in (start or {}).items()
+    }
     watch.lap("sheet")
     ways = [
         np.stack(arrays) for arrays in zip(*((c.start, c.parameters, c.rows) for c in changes.values()), strict=True)
@@ -151,6 +154,15 @@ def adjoint_gradient(
         by[path] = float(told + (rows * change.rows).sum())
     watch.lap("sheet")
     return Gradient(float(value), by, carried.start, parameters, rows, watch.cost(done))
+
+
+def _direction(name: str, way: ArrayLike, size: int) -> Array:
+    """A direction (size,) of the state at the start."""
+    found = np.asarray(way, dtype=float)
+    if found.shape != (size,):
+        expected = f"({size},), a number for each of the state"
+        raise InputError(f"start.{name}", f"an array of shape {found.shape}", expected, "fill it with zeros")
+    return found
 
 
 def _begun(sheet: Arm | Robot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:

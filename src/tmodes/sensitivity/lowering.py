@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 from tmodes.analysis.modes import closed_loop_spectrum as robot_spectrum
 from tmodes.analysis.stability import chosen_settings
 from tmodes.arm import Arm
+from tmodes.arm.contact import ContactLaw, ContactSheet
 from tmodes.equations.arm.closed_loop import ClosedLoop
+from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.model import Model
@@ -35,8 +37,8 @@ Array = NDArray[np.float64]
 class Lowered:
     """A run in numbers: its model, the parameters, the signals, the state at the start, and how it is integrated.
 
-    ``rates``: the schedule of the rates; ``regime``: of an arm. The method ``auto`` is chosen as for any run; one that
-    turns out stiff underway goes on with it here.
+    ``rates``: the schedule of the rates; ``regime`` and ``contact``: of an arm. The method ``auto`` is chosen as for
+    any run; one that turns out stiff underway goes on with it here.
     """
 
     model: Moving
@@ -46,10 +48,21 @@ class Lowered:
     start: Array
     settings: Integration
     regime: ArmRegime | None = None
+    contact: ContactSheet | None = None
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
-        """The run, with its steps."""
+        """The run, with its steps.
+
+        Raises :class:`tmodes.errors.SimulationError` where the force of a contact jumped on the way: how the time of
+        the jump moves with the numbers is part of the derivative, and not seen.
+        """
         done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
+        if done.contact_changes and self.contact and _jumps(self.contact):
+            raise SimulationError(
+                "derivatives of a run: contact set in or ended on a unilateral surface with a damper or a preload, "
+                "whose force jumps there; expected a force without jumps. Mend: end the run before, or set "
+                "contact.damping and contact.preload to 0"
+            )
         return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))
 
 
@@ -60,11 +73,17 @@ def lowered(sheet: Arm | Robot) -> Lowered:
     """
     if isinstance(sheet, Robot):
         return _of_robot(sheet.pair().real)
-    regime = arm_regime(sheet.pair().real)
+    real = sheet.pair().real
+    regime = arm_regime(real)
     settings = chosen_settings(sheet.integration, lambda: closed_loop_spectrum(regime))
     model = regime.model
     rates = model.loop.euler_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
-    return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime)
+    return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime, real.contact)
+
+
+def _jumps(contact: ContactSheet) -> bool:
+    """Whether the push of a surface sets in at once: its damper's by the speed of impact, or a preload."""
+    return contact.law is ContactLaw.UNILATERAL and (contact.damping > 0 or contact.preload > 0)
 
 
 def _of_robot(robot: Robot) -> Lowered:
