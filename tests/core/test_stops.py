@@ -15,7 +15,7 @@ from tmodes.io.paths import parse_assignment
 from tmodes.io.write import robot_to_yaml
 from tmodes.mechanism import Drive
 from tmodes.model import Model
-from tmodes.quantities import robot_quantities
+from tmodes.quantities import robot_quantities, robot_stops
 from tmodes.regime import run_regime
 from tmodes.result import Result
 from tmodes.robot import Robot
@@ -26,11 +26,11 @@ SHORT = {"integration.duration": 0.6, "integration.output_step": 0.01}
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 
 
-@pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4"])
+@pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4", "extrapolation", "midpoint"])
 def test_a_motor_that_follows_its_reference_passes_an_angle(robot, method):
     """theta is theta_o of the planned robot: it passes an angle when the polynomials of the reference do."""
     sheet = robot.with_({**SHORT, "integration.method": method})
-    run = run_regime(sheet, Drive.PRESCRIBED, stop=["theta.position > 2 deg"])
+    run = run_regime(sheet, Drive.PRESCRIBED, stops=robot_stops(sheet, ["theta.position > 2 deg"], Drive.PRESCRIBED))
     schedule = robot.reference.schedule()
     assert run.trajectory.status == "stopped_by_condition"
     time = run.trajectory.times[-1]
