@@ -106,7 +106,7 @@ def _with_method(pair: NominalRealPair, spectra: Mapping[str, Spectrum]) -> tupl
     """The pair with an integrator chosen for both, and why it was."""
     settings = pair.real.integration
     highest = max(float(np.abs(spectrum.eigenvalues).max(initial=0.0)) for spectrum in spectra.values())
-    method, why = chosen_method(settings.method, highest, settings.duration)
+    method, why = chosen_method(settings, highest)
     chosen = {"integration": settings.chosen(method)}
     return NominalRealPair(pair.nominal.model_copy(update=chosen), pair.real.model_copy(update=chosen)), why
 

@@ -106,6 +106,19 @@ def test_batches_refuse_conditions(robot):
         simulate_batch(sheet, {"payload.mass": [0.4, 0.5]})
 
 
+@pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
+def test_a_wrong_name_is_told_by_check(name, tmp_path):
+    """Before anything runs, and nothing is written."""
+    from tmodes.cli.main import app
+    from tmodes.robots.load import load_sheet
+
+    sheet = load_sheet(name, {"integration.stop": ["tip.q < 1"]})
+    written = robot_to_yaml(sheet) if isinstance(sheet, Robot) else arm_to_yaml(sheet)
+    (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
+    with pytest.raises(InputError, match=r"integration.stop.0: got the unknown name 'tip.q'.*did you mean `tip.z`"):
+        app(["check", str(tmp_path / "sheet.yaml")], standalone_mode=False)
+
+
 def test_from_the_command_line(tmp_path):
     """The result is whole, the exit code is 0, and the way it ended is told."""
     options = ["--stop", "theta.position > 2 deg", "--no-figures", "--duration", "0.6"]

@@ -63,7 +63,7 @@ def chosen_settings(settings: Integration, spectrum: Callable[[], Spectrum]) -> 
     method = settings.method
     if method is Method.AUTO:
         highest = float(np.abs(spectrum().eigenvalues).max(initial=0.0))
-        method, _ = chosen_method(method, highest, settings.duration)
+        method, _ = chosen_method(settings, highest)
     return settings.chosen(method)
 
 

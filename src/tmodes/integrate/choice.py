@@ -4,10 +4,13 @@ from __future__ import annotations
 
 from tmodes.integrate.settings import Integration, Method
 
-__all__ = ["STIFF", "TRIAL", "chosen_method", "explained", "otherwise", "worth_keeping", "worth_switching"]
+__all__ = ["FINEST", "STIFF", "TRIAL", "chosen_method", "explained", "otherwise", "worth_keeping", "worth_switching"]
 
 STIFF = 20_000
 """Explicit steps over a whole run beyond which the implicit method is the cheaper one."""
+
+FINEST = 1e-10
+"""Relative tolerance below which rounding, which extrapolation magnifies, is not far from its local errors."""
 
 TRIAL = 40
 """Attempted steps after which an implicit method is judged."""
@@ -19,12 +22,14 @@ _REACH = 3.3
 """Largest step times eigenvalue at which Dormand and Prince's method is stable, about."""
 
 
-def chosen_method(method: Method, highest: float, duration: float) -> tuple[Method, str]:
+def chosen_method(settings: Integration, highest: float) -> tuple[Method, str]:
     """The method of a run and why, in words (empty where it was given); ``highest``: largest |eigenvalue| [1/s]."""
-    if method is not Method.AUTO:
-        return method, ""
-    steps = highest * duration / _REACH
+    if settings.method is not Method.AUTO:
+        return settings.method, ""
+    steps = highest * settings.duration / _REACH
     told = f"the fastest eigenvalue, {highest:.3g} 1/s, would take about {max(steps, 1.0):.2g} explicit steps"
+    if steps > STIFF and _too_fine(settings):
+        return Method.DORMAND_PRINCE, f"by dormand_prince, for tolerances below {FINEST:g}: {told}"
     if steps > STIFF:
         return Method.EXTRAPOLATION, f"by extrapolation, because {told}"
     return Method.DORMAND_PRINCE, f"by dormand_prince: {told}"
@@ -39,13 +44,18 @@ def explained(message: str, why: str) -> str:
 
 
 def otherwise(given: Integration, method: Method) -> Integration | None:
-    """The settings to go on with where a motion turns out stiff; None where its method was named or is implicit.
+    """The settings to go on with where a motion turns out stiff; None where there are none.
 
-    ``given``: the settings of the sheet; ``method``: the one that was chosen by them.
+    ``given``: the settings of the sheet; ``method``: the one that was chosen by them. A method that was named stays;
+    so does one that is implicit, or whose tolerance is below ``FINEST``.
     """
-    if given.method is not Method.AUTO or method is not Method.DORMAND_PRINCE:
+    if given.method is not Method.AUTO or method is not Method.DORMAND_PRINCE or _too_fine(given):
         return None
     return given.chosen(Method.EXTRAPOLATION)
+
+
+def _too_fine(given: Integration) -> bool:
+    return given.chosen(Method.EXTRAPOLATION).relative_tolerance < FINEST
 
 
 def worth_switching(left: float, step: float) -> bool:

@@ -160,7 +160,7 @@ def _with_method(regime: ArmRegime, pair: ArmPair, spectrum: Spectrum) -> tuple[
     """The same with an integrator chosen, and why it was."""
     settings = regime.arm.integration
     highest = float(np.abs(spectrum.eigenvalues).max(initial=0.0))
-    method, why = chosen_method(settings.method, highest, settings.duration)
+    method, why = chosen_method(settings, highest)
 
     def by(arm: Arm) -> Arm:
         return arm.model_copy(update={"integration": arm.integration.chosen(method)})
