@@ -2,18 +2,31 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
+
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.coordinates import deformations
 from tmodes.equations.layout import COORDINATES, DEFORMATIONS, ENERGIES
-from tmodes.mechanism import Parameters
+from tmodes.mechanism import Drive, Parameters
 from tmodes.model import Model
-from tmodes.stops import Instants, Quantity
+from tmodes.robot import Robot
+from tmodes.stops import Instants, Quantity, Stops, resolved
 
-__all__ = ["robot_quantities"]
+__all__ = ["robot_quantities", "robot_stops"]
 
 _AXES = ("x", "y", "z")
+
+
+def robot_stops(robot: Robot, more: Sequence[str] = (), drive: Drive = Drive.CONTROLLED) -> Stops:
+    """The stop conditions of a robot's sheet, and ``more`` of them; nothing is compiled for it.
+
+    Raises :class:`tmodes.errors.InputError` as :func:`tmodes.stops.resolved`.
+    """
+    mechanism, parameters = robot.split(drive)
+    known = robot_quantities(Model(mechanism), parameters)
+    return Stops((*resolved(robot.integration.stop, known), *resolved(more, known, "stop")))
 
 
 def robot_quantities(model: Model, parameters: Parameters) -> dict[str, Quantity]:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable
 from dataclasses import dataclass
 
 import numpy as np
@@ -12,9 +12,8 @@ from tmodes.error_estimate import with_error
 from tmodes.integrate.settings import Integration
 from tmodes.mechanism import Drive, Parameters
 from tmodes.model import Model
-from tmodes.quantities import robot_quantities
 from tmodes.robot import Robot
-from tmodes.stops import Stops, resolved
+from tmodes.stops import Stops
 from tmodes.trajectory import Journal, Trajectory, integrate
 
 __all__ = ["Regime", "run_regime"]
@@ -42,20 +41,19 @@ def run_regime(
     progress: Callable[[float], None] = lambda share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
     until: float | None = None,
-    stop: Sequence[str] = (),
+    stops: Stops | None = None,
     otherwise: Integration | None = None,
 ) -> Regime:
     """Run one robot from rest in its own equilibrium, its motor controlled or following theta_o exactly.
 
     ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
-    ``stop``: conditions (:func:`tmodes.stops.resolved`) of which the first that sets in ends the run. ``otherwise``:
-    the settings to go on with where the motion turns out stiff; None: those of the robot to the end. Raises
-    :class:`tmodes.errors.SimulationError` where there is no equilibrium, the mass matrix is singular, or a condition
-    holds at the start, and :class:`tmodes.errors.InputError` for a condition that cannot be.
+    ``stops``: conditions (:func:`tmodes.quantities.robot_stops`) of which the first that sets in ends the run.
+    ``otherwise``: the settings to go on with where the motion turns out stiff; None: those of the robot to the end.
+    Raises :class:`tmodes.errors.SimulationError` where there is no equilibrium, the mass matrix is singular, or a
+    condition holds at the start.
     """
     mechanism, parameters = robot.split(drive)
     model, schedule, settings = Model(mechanism), robot.wanted(drive), robot.integration
-    stops = Stops(resolved(stop, robot_quantities(model, parameters))) if stop else None
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
     motion = (model, parameters, schedule, start)

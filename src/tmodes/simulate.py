@@ -16,6 +16,7 @@ from tmodes.analysis.settling import settling
 from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict
 from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.mechanism import Drive
+from tmodes.quantities import robot_stops
 from tmodes.regime import Regime, run_regime
 from tmodes.robot import NominalRealPair, Robot
 from tmodes.trajectory import STOPPED, Journal
@@ -52,6 +53,7 @@ def simulate(
     from tmodes.headline_errors import with_headline_errors
 
     pair = robot if isinstance(robot, NominalRealPair) else robot.pair()
+    stops = robot_stops(pair.real, stop)
     spectra = _spectra(pair)
     by, why = _with_method(pair, spectra)
     verdict, growth = _verdict(by, spectra)
@@ -61,12 +63,12 @@ def simulate(
     )
     real = run_regime(
         by.real, Drive.CONTROLLED, lambda share: progress("real robot", share), journals, _as_far_as(reference),
-        (*pair.real.integration.stop, *stop), later,
+        stops, later,
     )  # fmt: skip
     if real.trajectory.status == STOPPED:  # the reference with a sample at that time, to be compared
         until = float(real.trajectory.times[-1])
         reference = run_regime(by.nominal, Drive.PRESCRIBED, until=until, otherwise=later)
-    elif real.trajectory.status == "finished":
+    if real.trajectory.status in ("finished", STOPPED):
         real.trajectory.message = explained(real.trajectory.message, why)
     progress("gathering", 0.0)
     finished = reference.trajectory.status == real.trajectory.status == "finished"

@@ -189,7 +189,8 @@ class WatchedRun:
         if run.status is not Status.STOPPED_BY_CONDITION:
             return run.end()
         stop = self.stops.stops[int(self.ended[0])]
-        return run.trajectory(STOPPED, stop.told(run.cell("t"), *self.ended[1:]))
+        told = stop.told(run.cell("t"), *self.ended[1:]) + run.change.words(run.cell("stiff_time"))
+        return run.trajectory(STOPPED, told)
 
     def record(self) -> dict[str, Array]:
         """All that the run needs to go on."""

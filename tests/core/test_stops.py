@@ -15,7 +15,7 @@ from tmodes.io.paths import parse_assignment
 from tmodes.io.write import robot_to_yaml
 from tmodes.mechanism import Drive
 from tmodes.model import Model
-from tmodes.quantities import robot_quantities
+from tmodes.quantities import robot_quantities, robot_stops
 from tmodes.regime import run_regime
 from tmodes.result import Result
 from tmodes.robot import Robot
@@ -26,11 +26,11 @@ SHORT = {"integration.duration": 0.6, "integration.output_step": 0.01}
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 
 
-@pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4"])
+@pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4", "extrapolation", "midpoint"])
 def test_a_motor_that_follows_its_reference_passes_an_angle(robot, method):
     """theta is theta_o of the planned robot: it passes an angle when the polynomials of the reference do."""
     sheet = robot.with_({**SHORT, "integration.method": method})
-    run = run_regime(sheet, Drive.PRESCRIBED, stop=["theta.position > 2 deg"])
+    run = run_regime(sheet, Drive.PRESCRIBED, stops=robot_stops(sheet, ["theta.position > 2 deg"], Drive.PRESCRIBED))
     schedule = robot.reference.schedule()
     assert run.trajectory.status == "stopped_by_condition"
     time = run.trajectory.times[-1]
@@ -104,6 +104,19 @@ def test_batches_refuse_conditions(robot):
     sheet = robot.with_({**SHORT, "integration.stop": ["tip.z < 0"]})
     with pytest.raises(InputError, match=r"integration.stop: .*all lanes of a batch run to the end"):
         simulate_batch(sheet, {"payload.mass": [0.4, 0.5]})
+
+
+@pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
+def test_a_wrong_name_is_told_by_check(name, tmp_path):
+    """Before anything runs, and nothing is written."""
+    from tmodes.cli.main import app
+    from tmodes.robots.load import load_sheet
+
+    sheet = load_sheet(name, {"integration.stop": ["tip.q < 1"]})
+    written = robot_to_yaml(sheet) if isinstance(sheet, Robot) else arm_to_yaml(sheet)
+    (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
+    with pytest.raises(InputError, match=r"integration.stop.0: got the unknown name 'tip.q'.*did you mean `tip.z`"):
+        app(["check", str(tmp_path / "sheet.yaml")], standalone_mode=False)
 
 
 def test_from_the_command_line(tmp_path):

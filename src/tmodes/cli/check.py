@@ -47,16 +47,20 @@ def _told(sheet: Robot | Arm) -> tuple[str, dict[str, object]]:
     """What the sheet is, in words and for machines."""
     from tmodes.arm import Arm
     from tmodes.mechanism import Drive
+    from tmodes.quantities import robot_stops
 
     if isinstance(sheet, Arm):
         return _told_of_arm(sheet)
+    robot_stops(sheet)
     mechanism, parameters = sheet.pair().real.split(Drive.CONTROLLED)
     return f"{len(parameters)} numbers; {mechanism.key}", {"mechanism": mechanism.key}
 
 
 def _told_of_arm(arm: Arm) -> tuple[str, dict[str, object]]:
     from tmodes.arm_model import ArmModel
+    from tmodes.motion.quantities import refuse_wrong_stops
 
+    refuse_wrong_stops(arm.pair().real)
     coordinates = list(ArmModel(arm.pair().real.chain()).coordinates)
     bending = sum(link.beam is not None for link in arm.links)
     counts = f"joints: {len(arm.joints)}, beams: {bending}, coordinates: {len(coordinates)}"

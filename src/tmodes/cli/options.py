@@ -85,13 +85,15 @@ Tolerance = Annotated[
 ]
 AbsoluteTolerance = Annotated[
     float | None,
-    typer.Option("--atol", metavar="RAD", help="integration.absolute_tolerance: for what is near zero; rtol / 1000."),
+    typer.Option(
+        "--atol", metavar="RAD", help="integration.absolute_tolerance: for what is near zero, about rtol / 1000."
+    ),
 ]
 CheckError = Annotated[
     bool,
     typer.Option(
         "--check-error",
-        help="Run again with a tenth of the tolerances (rk4: half the step), and tell the error of every figure by it.",
+        help="Run again with a tenth of the tolerances (fixed step: half of it), for the error of every figure.",
     ),
 ]
 Duration = Annotated[float | None, typer.Option(metavar="SECONDS", help="integration.duration, simulated time.")]

@@ -25,6 +25,8 @@ def told(result: Result | ArmResult, folder: RunFolder) -> None:
     else:
         title, rows = f"{result.robot.name}: {result.status} ({result.data.attrs['reading']} reading)", _rows(summary)
     print_table(title, ["quantity", "value", "error", "where"], list(rows))
+    if result.status == "finished":  # any other ending is told apart, where errors are
+        print(f"end     {result.message}")
     for line in integration_lines(result, summary):
         print(line)
     print(f"open    {folder.report_file}" if folder.report_file.exists() else "no report was written")

@@ -42,9 +42,10 @@ def explained(message: str, why: str) -> str:
 
 
 def otherwise(given: Integration, method: Method) -> Integration | None:
-    """The settings to go on with where a motion turns out stiff; None where its method was named or is implicit.
+    """The settings to go on with where a motion turns out stiff; None where there are none.
 
-    ``given``: the settings of the sheet; ``method``: the one that was chosen by them.
+    ``given``: the settings of the sheet; ``method``: the one that was chosen by them. A method that was named stays;
+    so does one that is implicit, or whose tolerance is below that of its rounding.
     """
     if given.method is not Method.AUTO or method is not Method.DORMAND_PRINCE or _too_exact(given):
         return None

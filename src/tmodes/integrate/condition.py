@@ -55,4 +55,8 @@ def _mend(text: str) -> str:
         return "write > or <: a quantity passes a value at one time, with or without it"
     if "<" not in text and ">" not in text:
         return "write what is compared with what, with > or <"
+    if text.strip()[-1] in "<>":
+        return "write the number after it"
+    if text.strip()[0] in "<>":
+        return "write the name before it"
     return "write one comparison; several conditions are several items of the list"

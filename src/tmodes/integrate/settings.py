@@ -95,9 +95,10 @@ class Integration(DataSheet):
         span=True,
     )
     check_error: bool = Field(
-        default=False, description="true: run again with a tenth of the tolerances (rk4: half the step) for the error"
+        default=False,
+        description="true: run again with a tenth of the tolerances (rk4, midpoint: half the step) for the error",
     )
-    step: float = positive("s", "dt", "fixed step (rk4)", default=2 / 37500, span=True)
+    step: float = positive("s", "dt", "fixed step (rk4, midpoint)", default=2 / 37500, span=True)
     energy_tolerance: float = positive(
         "-",
         "etol",

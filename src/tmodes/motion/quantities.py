@@ -8,14 +8,17 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.arm import Arm
 from tmodes.arm_model import ArmModel, PointMotion
 from tmodes.chain import JointKind
 from tmodes.equations.layout import ENERGIES
+from tmodes.motion.loop import LoopModel
+from tmodes.motion.plan import planned
 from tmodes.motion.regime import ArmRegime
 from tmodes.motion.run import energies_of
 from tmodes.stops import Instants, Quantity, Stop, Stops, resolved
 
-__all__ = ["arm_quantities", "arm_stops"]
+__all__ = ["arm_quantities", "arm_stops", "refuse_wrong_stops"]
 
 Array = NDArray[np.float64]
 
@@ -34,6 +37,16 @@ def arm_stops(regime: ArmRegime, more: tuple[str, ...] = ()) -> Stops:
     known = arm_quantities(regime)
     limits = tuple(_limits(regime, known)) if settings.stop_at_limits else ()
     return Stops((*resolved(settings.stop, known), *resolved(more, known, "stop"), *limits))
+
+
+def refuse_wrong_stops(arm: Arm) -> None:
+    """Refuse what :func:`arm_stops` refuses, without a state to start from; nothing is compiled for it.
+
+    Raises :class:`tmodes.errors.InputError`.
+    """
+    if arm.integration.stop:
+        plan = planned(arm)
+        arm_stops(ArmRegime(arm, plan, LoopModel(plan.plan), np.zeros(0)))
 
 
 def arm_quantities(regime: ArmRegime) -> dict[str, Quantity]:

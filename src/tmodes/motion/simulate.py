@@ -62,6 +62,7 @@ def simulate_arm(
     """
     pair = arm if isinstance(arm, ArmPair) else arm.pair()
     real = arm_regime(pair.real)
+    stops = arm_stops(real, tuple(stop))
     samples = real.arm.integration.duration / real.arm.integration.output_step
     refuse_too_large(real.arm.integration, samples, 2 * bytes_per_sample(real.model), "or a shorter duration")
     if not real.model.coordinates:
@@ -74,7 +75,6 @@ def simulate_arm(
     warnings = [*([verdict.sentence] if verdict.sentence else []), *growth_warnings(spectrum, "real arm", _CAUSES)]
     warnings += start_warnings(real)
     later = otherwise(given, real.arm.integration.method)
-    stops = arm_stops(real, tuple(stop))
     if controller is None:
         stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
     reference, until = _reference(pair, later, progress, journals, warnings)
@@ -90,7 +90,7 @@ def simulate_arm(
         reference = _until(reference, float(trajectory.times[-1]))
     if trajectory.status == "diverged":
         trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
-    elif trajectory.status == "finished":
+    elif trajectory.status in ("finished", STOPPED):
         trajectory.message = explained(trajectory.message, why)
     run = gathered(real, trajectory, rows)
     dt_omega = step_times_eigenvalue(verdict, run.statistics)

@@ -84,6 +84,9 @@ def test_short_runs_keep_their_method() -> None:
     assert not worth_switching(0.1, 0.1 / (STIFF - 1))
     assert worth_switching(0.1, 0.1 / (STIFF + 1))
     assert chosen_method(Integration(duration=1.0), 0.0)[0] is Method.DORMAND_PRINCE
+    fine = Integration(duration=1.0, relative_tolerance=1e-12)
+    assert chosen_method(Integration(duration=1.0), 1e6)[0] is Method.EXTRAPOLATION
+    assert chosen_method(fine, 1e6)[0] is Method.DORMAND_PRINCE  # extrapolation does not get there
     assert "extrapolation" not in simulate_arm(landing(method="auto", duration=0.2)).message
 
 
