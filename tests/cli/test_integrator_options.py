@@ -43,6 +43,12 @@ def test_check_error(tmp_path):
     assert "< " not in told
 
 
+def test_limits_of_a_robot_that_has_none(tmp_path):
+    told = tmodes("run", "filipovic2010", "--stop-at-limits", "--out", tmp_path, code=2).stderr
+    assert "--stop-at-limits: got the robot filipovic2010, which has none; expected an arm" in told
+    assert "Mend: leave it out; --stop ends a run" in told
+
+
 def test_unknown_integrator(tmp_path):
     """The known ones are listed."""
     for name, known in (("filipovic2010", ("dormand_prince", "dop853", "rk4")), ("spong1987", ("extrapolation",))):

@@ -13,8 +13,9 @@ def error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> st
     told = summary["error"]
     if not told or path not in told["figures"]:
         return ""
-    bound = "< " if "sum" in told["how"] else ""
-    return f"{bound}{told['figures'][path] * factor:.1e} {unit}".rstrip()
+    error = told["figures"][path] * factor
+    bound = "< " if "sum" in told["how"] and error else ""
+    return f"{bound}{error:.1e} {unit}".rstrip() if error else f"0 {unit}".rstrip()
 
 
 def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:

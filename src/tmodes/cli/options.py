@@ -130,6 +130,9 @@ def chosen_sheet(
     told = dict(parse_assignment(text) for text in settings or []) | (changes or {})
     own = {"reading": reading and reading.value, "contact": contact}
     own = {name: value for name, value in own.items() if value is not None}
+    if "integration.stop_at_limits" in told and _is_paper_robot(robot):
+        got, mend = f"the robot {robot}, which has none", "leave it out; --stop ends a run at a value of your choice"
+        raise InputError("--stop-at-limits", got, "an arm whose joints have limits", mend)
     if own and not _is_arm(robot):
         return load_sheet(robot, told | own)
     sheet = load_sheet(robot, told, roots=roots or (), trust_paths=trust_paths)
@@ -150,6 +153,12 @@ def integration_changes(
     told = {"method": integrator, "relative_tolerance": rtol, "absolute_tolerance": atol, "duration": duration}
     told |= {"check_error": check_error or None, "stop": stop or None, "stop_at_limits": stop_at_limits or None}
     return {f"integration.{name}": value for name, value in told.items() if value is not None}
+
+
+def _is_paper_robot(robot: str) -> bool:
+    from tmodes.robots.load import sheet_names
+
+    return (robot in sheet_names() or Path(robot).is_file()) and not _is_arm(robot)
 
 
 def _is_arm(robot: str) -> bool:

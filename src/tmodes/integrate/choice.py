@@ -24,13 +24,18 @@ def chosen_method(given: Integration, highest: float) -> tuple[Method, str]:
     if given.method is not Method.AUTO:
         return given.method, ""
     steps = highest * given.duration / _REACH
-    told = f"the fastest eigenvalue, {highest:.3g} 1/s, would take about {max(steps, 1.0):.2g} explicit steps"
+    told = f"the fastest eigenvalue, {_about(highest)} 1/s, asks for some {_about(max(steps, 2.0))} explicit steps"
     if steps > STIFF and _too_exact(given):
         why = "because extrapolation rounds above its tolerance"
         return Method.DORMAND_PRINCE, f"by dormand_prince, {why}, though {told}"
     if steps > STIFF:
         return Method.EXTRAPOLATION, f"by extrapolation, because {told}"
     return Method.DORMAND_PRINCE, f"by dormand_prince: {told}"
+
+
+def _about(value: float) -> str:
+    """A number in two digits, without a power of ten where that is the easier to read."""
+    return f"{float(f'{value:.2g}'):,.0f}" if 1 <= value < 1e7 else f"{value:.2g}"
 
 
 def explained(message: str, why: str) -> str:
