@@ -108,7 +108,8 @@ def test_integrators_agree_on_the_falling_chain() -> None:
     """Methods of ours and SciPy's on our accelerations end at the same place, at the tightest that each can do."""
     run = ChainRun(RigidChain(3))
     adaptive = [runner for runner in run.runners() if "rk4" not in runner.name]
-    errors = {runner.name: min(runner.run(setting)[1] for setting in runner.settings[-3:]) for runner in adaptive}
+    errors = {runner.name: runner.run(runner.settings[-1])[1] for runner in adaptive}
+    assert errors.pop("tmodes, extrapolation") < 2e-9  # its least tolerance is 1e-10
     errors["rk4"] = run._judged(run._fixed)(2000)[1]
     assert len(errors) >= 3
     assert max(errors.values()) < 1e-9

@@ -14,7 +14,7 @@ from tmodes.bench.clock import now
 from tmodes.bench.equal_error import Runner
 from tmodes.bench.missing import needed
 from tmodes.bench.rigid import RigidChain
-from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved
+from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved, tolerances_of
 from tmodes.equations.arm.closed_loop_plan import LoopPlan
 from tmodes.integrate.settings import Integration, Method
 from tmodes.motion.loop import LoopModel
@@ -45,7 +45,7 @@ class ChainRun:
         """Ours, and SciPy on our accelerations."""
         for method in adaptive_methods(self.model.loops):
             run = self._judged(partial(self._adaptive, method=method))
-            yield Runner(f"tmodes, {method.value}", run, TOLERANCES, "rtol {:.0e}")
+            yield Runner(f"tmodes, {method.value}", run, tolerances_of(method), "rtol {:.0e}")
         yield Runner("tmodes, rk4", self._judged(self._fixed), STEPS, "{:g} steps")
         yield Runner("SciPy DOP853 on tmodes' rate", self._scipy, TOLERANCES, "rtol {:.0e}")
 

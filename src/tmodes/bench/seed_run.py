@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.bench.clock import now
 from tmodes.bench.equal_error import Runner
-from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved
+from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved, tolerances_of
 from tmodes.integrate.settings import Integration, Method
 from tmodes.mechanism import Drive
 from tmodes.model import Model
@@ -50,7 +50,9 @@ class SeedRun:
     def runners(self) -> Iterator[Runner]:
         """Ours, at equal error and at the paper's step; SciPy's."""
         for method in adaptive_methods(self.model.loops):
-            yield Runner(f"tmodes, {method.value}", partial(self._adaptive, method), TOLERANCES, "rtol {:.0e}")
+            yield Runner(
+                f"tmodes, {method.value}", partial(self._adaptive, method), tolerances_of(method), "rtol {:.0e}"
+            )
         yield Runner("tmodes, rk4", lambda steps: self._ours(self._fixed(steps)), STEPS, "{:g} steps")
         yield Runner(
             "tmodes, rk4, the paper's step", lambda steps: self._ours(self._fixed(steps)), (PAPER_STEPS,),

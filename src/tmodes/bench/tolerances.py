@@ -10,17 +10,24 @@ from numpy.typing import NDArray
 
 from tmodes.bench.clock import now
 from tmodes.errors import CompileError
-from tmodes.integrate.settings import FIXED_STEP, Method
+from tmodes.integrate.settings import FIXED_STEP, LEAST_EXTRAPOLATED, Method
 
 Array = NDArray[np.float64]
 
-__all__ = ["STEPS", "TOLERANCES", "adaptive_methods", "solved"]
+__all__ = ["STEPS", "TOLERANCES", "adaptive_methods", "solved", "tolerances_of"]
 
 TOLERANCES = tuple(10.0**-power for power in np.arange(3.0, 12.1, 0.5))
 """Relative tolerances of adaptive methods."""
 
 STEPS = tuple(round(25 * 2.0 ** (k / 2)) for k in range(29))
 """Numbers of equal steps."""
+
+
+def tolerances_of(method: Method) -> tuple[float, ...]:
+    """Those that a method takes."""
+    if method is not Method.EXTRAPOLATION:
+        return TOLERANCES
+    return tuple(max(told, LEAST_EXTRAPOLATED) for told in TOLERANCES if told > 0.9 * LEAST_EXTRAPOLATED)
 
 
 def adaptive_methods(loops: Any) -> list[Method]:
