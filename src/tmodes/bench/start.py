@@ -18,24 +18,25 @@ from tmodes.bench.clock import now
 
 __all__ = ["started"]
 
-_RELOADS = 3
+_STARTS = 3
+"""Processes with an empty cache, and as many that find it full: of each the median is told."""
 
 
 def started(joints: int) -> dict[str, float]:
-    """Times [s] and peak memory [bytes] of a fresh process with an empty cache, and of further ones that find it full.
+    """Times [s] and peak memory [bytes] of fresh processes with an empty cache, and of further ones that find it full.
 
     ``equations``: schedule and numbers of the chain; ``compile``: native code, emission included; ``first_call``: one
-    state; ``reload``: native code from the cache; ``memory``: the largest of the first process, ``memory_before``: of
+    state; ``reload``: native code from the cache; ``memory``: the largest of a first process, ``memory_before``: of
     which it had before.
     """
     with tempfile.TemporaryDirectory() as folder:
-        cache = Path(folder, "cache")
-        first = _process(joints, cache)
-        later = [_process(joints, cache) for _ in range(_RELOADS)]
-        entries = list(cache.iterdir())
+        caches = [Path(folder, f"cache{k}") for k in range(_STARTS)]
+        first, later = ([_process(joints, cache) for cache in caches] for _ in ("empty", "full"))
+        entries = list(caches[0].iterdir())
         size = sum(entry.stat().st_size for entry in entries)
     reload = statistics.median(one["compile"] for one in later)
-    return first | {"reload": reload, "cache_entries": len(entries), "cache_bytes": size}
+    told = {name: statistics.median(one[name] for one in first) for name in first[0]}
+    return told | {"reload": reload, "cache_entries": len(entries), "cache_bytes": size}
 
 
 def _process(joints: int, cache: Path) -> dict[str, Any]:
