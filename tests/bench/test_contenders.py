@@ -3,6 +3,9 @@
 from __future__ import annotations
 
 import shutil
+import sys
+import time
+from pathlib import Path
 from typing import Any
 
 import numpy as np
@@ -80,6 +83,21 @@ def test_gcc_that_takes_too_long_is_left_out() -> None:
         pytest.skip("needs gcc")
     with pytest.raises(PeerMissing, match=r"longer than 0\.001 s"):
         gcc.contender(Ours(RigidChain(2)), "gcc -O3", patience=1e-3)
+
+
+@pytest.mark.skipif(sys.platform != "linux", reason="looks at /proc")
+def test_what_a_compiler_started_ends_with_it(tmp_path: Path) -> None:
+    """gcc is a driver: the compiler proper, its child, would go on for minutes beside what is measured next."""
+    child = f"import os, time; open({str(tmp_path / 'pid')!r}, 'w').write(str(os.getpid())); time.sleep(60)"
+    driver = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {child!r}])"
+    with pytest.raises(PeerMissing, match="given up"):
+        gcc.compiled([sys.executable, "-c", driver], 2.0)
+    pid = int((tmp_path / "pid").read_text())
+    for _ in range(100):
+        if not Path(f"/proc/{pid}/cmdline").exists() or not Path(f"/proc/{pid}/cmdline").read_bytes():
+            return
+        time.sleep(0.02)
+    pytest.fail("it goes on")
 
 
 def test_text_that_gcc_refuses_is_a_fault() -> None:

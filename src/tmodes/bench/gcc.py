@@ -3,11 +3,15 @@
 from __future__ import annotations
 
 import ctypes
+import os
 import shutil
+import signal
 import subprocess
+import sys
 import tempfile
 import time
 from collections.abc import Sequence
+from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
@@ -19,7 +23,7 @@ from tmodes.bench.ours import SAMPLES, Ours, found_in, repeated
 from tmodes.compile.c_text import c_text
 from tmodes.compile.unroll import unrolled
 
-__all__ = ["FLAGS", "PATIENCE", "build", "contender"]
+__all__ = ["FLAGS", "PATIENCE", "build", "compiled", "contender"]
 
 FLAGS: dict[str, tuple[str, ...]] = {"gcc -O3": ("-O3",), "gcc -O3 -march=native": ("-O3", "-march=native")}
 """Names of ways to compile, and what the compiler is given."""
@@ -58,14 +62,28 @@ def build(text: str, flags: Sequence[str], patience: float = PATIENCE) -> tuple[
         source.write_text(text, encoding="utf-8")
         command = [gcc, "-std=gnu11", *flags, "-fPIC", "-shared", str(source), "-o", str(binary), "-lm"]
         began = time.perf_counter()
-        try:
-            done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=patience)
-        except subprocess.TimeoutExpired as late:
-            raise PeerMissing(f"given up: it compiles longer than {patience:g} s") from late
-        if done.returncode:
-            raise RuntimeError(f"gcc {' '.join(flags)} refused the C text:\n{done.stderr[:2000]}")
+        code, complaint = compiled(command, patience)
+        if code:
+            raise RuntimeError(f"gcc {' '.join(flags)} refused the C text:\n{complaint[:2000]}")
         seconds = time.perf_counter() - began
         return ctypes.CDLL(str(binary)), seconds
+
+
+def compiled(command: Sequence[str], patience: float) -> tuple[int, str]:
+    """Exit status of a compiler and what it complains of; given up, the programs that it started end with it.
+
+    Raises :class:`PeerMissing` where it takes longer than ``patience`` [s].
+    """
+    with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, start_new_session=True) as process:
+        try:
+            _, complaint = process.communicate(timeout=patience)
+        except BaseException as late:
+            with suppress(ProcessLookupError):
+                process.kill() if sys.platform == "win32" else os.killpg(process.pid, signal.SIGKILL)
+            if isinstance(late, subprocess.TimeoutExpired):
+                raise PeerMissing(f"given up: it compiles longer than {patience:g} s") from late
+            raise
+    return process.returncode, complaint
 
 
 def contender(ours: Ours, name: str, patience: float = PATIENCE) -> Contender:
