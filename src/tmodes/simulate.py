@@ -9,8 +9,6 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
-import numpy as np
-
 from tmodes.analysis.modes import Spectrum, all_modes, closed_loop_spectrum
 from tmodes.analysis.settling import settling
 from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict
@@ -105,8 +103,7 @@ def _spectra(pair: NominalRealPair) -> dict[str, Spectrum]:
 def _with_method(pair: NominalRealPair, spectra: Mapping[str, Spectrum]) -> tuple[NominalRealPair, str]:
     """The pair with an integrator chosen for both, and why it was."""
     settings = pair.real.integration
-    highest = max(float(np.abs(spectrum.eigenvalues).max(initial=0.0)) for spectrum in spectra.values())
-    method, why = chosen_method(settings, highest)
+    method, why = chosen_method(settings, max(spectrum.highest for spectrum in spectra.values()))
     chosen = {"integration": settings.chosen(method)}
     return NominalRealPair(pair.nominal.model_copy(update=chosen), pair.real.model_copy(update=chosen)), why
 

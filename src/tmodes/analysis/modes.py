@@ -147,6 +147,11 @@ class Spectrum:
     homes: tuple[str, ...]
 
     @property
+    def highest(self) -> float:
+        """The largest absolute value of all [1/s]; 0 where nothing moves."""
+        return float(np.abs(self.eigenvalues).max(initial=0.0))
+
+    @property
     def ringing(self) -> NDArray[np.complex128]:
         """The eigenvalues whose motion rings, both of each pair."""
         return self.eigenvalues[np.abs(self.eigenvalues.imag) > _STILL * np.abs(self.eigenvalues)]

@@ -37,7 +37,7 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
     keeps its own step stable, but an explicit one may take too many: raises :class:`SimulationError` with the number.
     """
     eigenvalues = spectrum.eigenvalues
-    highest = float(np.abs(eigenvalues).max(initial=0.0))
+    highest = spectrum.highest
     coordinate = spectrum.homes[int(np.argmax(np.abs(eigenvalues)))] if highest else "none"
     if settings.method is Method.MIDPOINT:
         return StepVerdict(highest, settings.step * highest, True)
@@ -62,8 +62,7 @@ def chosen_settings(settings: Integration, spectrum: Callable[[], Spectrum]) -> 
     """The settings with a method, chosen by the eigenvalues at the start where none is named, and its tolerances."""
     if settings.method is not Method.AUTO:
         return settings.chosen(settings.method)
-    highest = float(np.abs(spectrum().eigenvalues).max(initial=0.0))
-    return settings.chosen(chosen_method(settings, highest)[0])
+    return settings.chosen(chosen_method(settings, spectrum().highest)[0])
 
 
 def step_times_eigenvalue(verdict: StepVerdict, statistics: dict[str, Any]) -> float | None:

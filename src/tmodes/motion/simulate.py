@@ -159,8 +159,7 @@ def closed_loop_spectrum(regime: ArmRegime) -> Spectrum:
 def _with_method(regime: ArmRegime, pair: ArmPair, spectrum: Spectrum) -> tuple[ArmRegime, ArmPair, str]:
     """The same with an integrator chosen, and why it was."""
     settings = regime.arm.integration
-    highest = float(np.abs(spectrum.eigenvalues).max(initial=0.0))
-    method, why = chosen_method(settings, highest)
+    method, why = chosen_method(settings, spectrum.highest)
 
     def by(arm: Arm) -> Arm:
         return arm.model_copy(update={"integration": arm.integration.chosen(method)})
