@@ -1,0 +1,80 @@
+"""A page's data as one block of bytes: a JSON head, and the arrays that it names; ``web/src/pack.ts`` reads it.
+
+``TMPK``, length of the head (uint32, little-endian), the head (UTF-8), zeros up to a multiple of 8, then the arrays,
+each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` tells type, shape and place.
+"""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import json
+import struct
+from collections.abc import Mapping
+from dataclasses import dataclass, field
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+__all__ = ["Coarse", "embedded", "pack"]
+
+_KINDS = {"float64": "f8", "float32": "f4", "int32": "i4", "uint8": "u1", "int16": "i2"}
+
+
+@dataclass(frozen=True, eq=False)
+class Coarse:
+    """An array that is kept in whole numbers of two bytes: to 1/65000 of its range, which a picture never shows."""
+
+    values: NDArray[Any]
+
+
+@dataclass
+class _Arrays:
+    told: list[dict[str, Any]] = field(default_factory=list)
+    parts: list[bytes] = field(default_factory=list)
+    size: int = 0
+
+    def add(self, values: NDArray[Any], **more: float) -> dict[str, int]:
+        values = np.ascontiguousarray(values)
+        content = values.astype(values.dtype.newbyteorder("<"), copy=False).tobytes()
+        self.told.append({"dtype": _KINDS[values.dtype.name], "shape": values.shape, "offset": self.size, **more})
+        self.parts.append(content + bytes(-len(content) % 8))
+        self.size += len(self.parts[-1])
+        return {"$array": len(self.told) - 1}
+
+
+def pack(page: Mapping[str, Any]) -> bytes:
+    """Plain data with NumPy arrays (float64, float32, int32, uint8) and :class:`Coarse` ones anywhere in it.
+
+    Raises ValueError for a number outside of arrays that is not finite, and KeyError for an array of another type.
+    """
+    arrays = _Arrays()
+    head = json.dumps({"page": _plain(page, arrays), "arrays": arrays.told}, allow_nan=False, separators=(",", ":"))
+    text = head.encode()
+    start = b"TMPK" + struct.pack("<I", len(text)) + text
+    return b"".join([start, bytes(-len(start) % 8), *arrays.parts])
+
+
+def embedded(packed: bytes) -> str:
+    """A pack as text that a page can hold: compressed, base64; the same pack gives the same text."""
+    return base64.b64encode(gzip.compress(packed, 9, mtime=0)).decode()
+
+
+def _plain(value: Any, arrays: _Arrays) -> Any:
+    match value:
+        case Coarse():
+            return _coarse(value.values, arrays)
+        case np.ndarray():
+            return arrays.add(value)
+        case Mapping():
+            return {str(key): _plain(item, arrays) for key, item in value.items()}
+        case list() | tuple():
+            return [_plain(item, arrays) for item in value]
+    return value
+
+
+def _coarse(values: NDArray[Any], arrays: _Arrays) -> dict[str, int]:
+    low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 0.0)
+    middle, scale = (low + high) / 2, (high - low) / 65000 or 1.0
+    return arrays.add(np.round((values - middle) / scale).astype(np.int16), scale=scale, start=middle)

@@ -1,0 +1,216 @@
+// What a page is given, and what its parts promise each other. tmodes/report/ (Python) writes it, the parts read it.
+// Units are SI unless a field says its own. Arrays are row-major; shapes in brackets: m display frames, L links,
+// S stations along each link (0 root .. 1 tip), n samples.
+
+import type { Numbers } from "./pack";
+
+/** All of a page: one run (a report), or several side by side (compared). */
+export interface Page {
+  format: 1;
+  title: string;
+  subtitle: string;
+  runs: Run[];
+  /** The robot's own equations; null where a run cannot be made again in the page. Belongs to runs[0]. */
+  live: LiveBundle | null;
+}
+
+export interface Run {
+  name: string;
+  status: string;
+  success: boolean;
+  message: string;
+  warnings: string[];
+  duration: number;
+  /** The numbers that matter, most important first. */
+  facts: Fact[];
+  charts: Chart[];
+  scene: Scene;
+  line: LinePanel | null;
+  modes: Mode[];
+  /** The data sheet of this very run as YAML, ready to be saved. */
+  sheet: string;
+}
+
+/** One headline number. */
+export interface Fact {
+  /** Stable name, such as `deviation.max`; what the live model computes again has the same. */
+  id: string;
+  name: string;
+  value: number | null;
+  unit: string;
+  /** When, where, of what. */
+  note: string;
+}
+
+/** A quantity of the result: column `index` of the flattened trailing dimensions of the result's variable. */
+export interface Source {
+  variable: string;
+  index: number;
+  factor: number;
+}
+
+export type Role = "real" | "reference" | "rigid" | "stationary" | "oscillatory" | "limit" | "other";
+
+export interface Curve {
+  label: string;
+  role: Role;
+  /** Values at the chart's abscissa [count], in the chart's unit. */
+  values: Numbers;
+  /** From which series of the result it is, so that the live model can draw it anew; null where it cannot. */
+  source: Source | null;
+  shown: boolean;
+}
+
+export interface Chart {
+  /** Stable name, such as `tip_deviation`. */
+  id: string;
+  title: string;
+  group: "tip" | "contact" | "deformations" | "motors" | "energy" | "spectrum";
+  unit: string;
+  /** What is along: time [s] (linked with the clock) or frequency [Hz]. */
+  abscissa: "time" | "frequency";
+  at: Numbers;
+  curves: Curve[];
+  /** Whether a logarithmic ordinate serves, and whether it is the first choice. */
+  log: "no" | "offered" | "first";
+}
+
+/** The robot over time, at m display frames. */
+export interface Scene {
+  times: Numbers; // [m] s
+  links: SceneLink[];
+  /** Elastic lines in the world [m, L, S, 3] m. */
+  line: Numbers;
+  /** The same without any elasticity, and of the reference; null where there is none. */
+  rigid: Numbers | null;
+  reference: Numbers | null;
+  /** Rotation of each link's root as quaternions x, y, z, w [m, L, 4]. */
+  roots: Numbers;
+  /** What may colour the links: at least one; values [m, L, S], 0 on links that do not bend. */
+  colours: { id: string; label: string; unit: string; values: Numbers }[];
+  tip: Numbers; // [m, 3]
+  tipReference: Numbers | null; // [m, 3]
+  contact: SceneContact | null;
+  joints: SceneJoint[];
+  meshes: SceneMesh[];
+}
+
+export interface SceneLink {
+  name: string;
+  bends: boolean;
+  /** Length of the unbent link [m]. */
+  length: number;
+  /** Half-widths of its section at the stations along y and z of the section [S, 2] m, round or a box; null: unknown. */
+  section: { shape: "round" | "box"; sizes: Numbers } | null;
+}
+
+/** A joint at the root of a link; its axis in the axes of that root. */
+export interface SceneJoint {
+  name: string;
+  link: number;
+  kind: "revolute" | "prismatic" | "fixed";
+  axis: [number, number, number];
+  /** An elastic gear turns here. */
+  elastic: boolean;
+}
+
+export interface SceneContact {
+  /** Force by the tip on the surface [m, 3] N. */
+  force: Numbers;
+  /** Where it acts [m, 3]. */
+  at: Numbers;
+  surface:
+    | { kind: "plane"; position: [number, number, number]; normal: [number, number, number] }
+    | { kind: "ball"; center: [number, number, number]; radius: number; inside: boolean }
+    | { kind: "cylinder"; center: [number, number, number]; axis: [number, number, number]; radius: number; inside: boolean };
+}
+
+/** A surface of a link, in the axes of its root; `vertices` [k, 3] m, `faces` [f, 3]. */
+export interface SceneMesh {
+  link: number;
+  colour: string;
+  vertices: Numbers;
+  faces: Numbers;
+}
+
+/** A mode of small vibration about the rest: displacements of the lines for one unit of it, complex. */
+export interface Mode {
+  /** `controlled`, `locked` or `free`. */
+  case: string;
+  frequency: number; // Hz
+  damping: number; // share of the critical one
+  livesIn: string;
+  /** Rest lines [L, S, 3] m, and real and imaginary part of the displacements [L, S, 3], largest of size 1. */
+  rest: Numbers;
+  real: Numbers;
+  imaginary: Numbers;
+}
+
+/** The elastic line along each bending link at the scene's frames. */
+export interface LinePanel {
+  links: string[];
+  /** Places along each link [links, S] m. */
+  places: Numbers;
+  /** For example `deflection`, m, [m, links, S, planes]. */
+  quantities: { id: string; label: string; unit: string; planes: string[]; values: Numbers }[];
+}
+
+/** What can be changed in the page; the order is that of the values given to `Live.run`. */
+export interface Slider {
+  /** Key of the data sheet, such as `payload.mass`, or `real:gear.stiffness` for the factor of the real robot. */
+  path: string;
+  label: string;
+  symbol: string;
+  unit: string;
+  group: string;
+  value: number;
+  min: number;
+  max: number;
+  log: boolean;
+}
+
+/** The live model as it is shipped: known to src/live/ and tmodes/live/ alone, but for these. */
+export interface LiveBundle {
+  kind: "robot" | "arm";
+  sliders: Slider[];
+  [more: string]: unknown;
+}
+
+/** What the live model gives: the same names as the result's variables, at the run's own samples. */
+export interface LiveRun {
+  status: string;
+  message: string;
+  /** Wall time of the simulation [s]. */
+  seconds: number;
+  times: Float64Array;
+  /** By the result's variable names, [n, ...]. */
+  series: Record<string, { data: Float64Array; shape: number[] }>;
+  /** New arrays for the scene's fields, at its own display times; links, joints and meshes stay. */
+  scene: Pick<Scene, "times" | "line" | "rigid" | "reference" | "roots" | "tip" | "tipReference"> & {
+    colours: Scene["colours"];
+    contact: Pick<SceneContact, "force" | "at"> | null;
+  };
+  line: LinePanel | null;
+  /** Headline numbers by the ids of the facts; those that cannot be computed are absent. */
+  facts: Record<string, { value: number | null; note: string }>;
+}
+
+/** `openLive(bundle)` of src/live/live.ts gives it; all work is done in a worker where there is one. */
+export interface Live {
+  sliders: Slider[];
+  /** Simulate with these values; a newer call ends an older one, whose promise is then rejected with `Superseded`. */
+  run(values: number[], progress?: (share: number) => void): Promise<LiveRun>;
+  /** The data sheet as YAML with these values. */
+  sheet(values: number[]): string;
+  close(): void;
+}
+
+/** `mountScene(element, page, clock)` of src/scene/scene.ts gives it. */
+export interface SceneView {
+  /** Show other arrays for a run (of the live model); null: those of the page. The page's own stay as a ghost. */
+  replace(run: number, scene: LiveRun["scene"] | null): void;
+  /** Show a mode instead of the motion; null: the motion. `amplitude`: largest displacement, share of the robot's size. */
+  showMode(mode: Mode | null, amplitude: number): void;
+  resize(): void;
+  dispose(): void;
+}

@@ -1,0 +1,57 @@
+// A page's data: one block of bytes with a JSON head and the arrays it names, as tmodes/report/pack.py writes it.
+
+/** An array of numbers with its shape, row-major; `data` is in the units that the field says. */
+export interface Numbers {
+  readonly data: Float64Array | Float32Array | Int32Array | Uint8Array;
+  readonly shape: readonly number[];
+}
+
+interface Told {
+  dtype: "f8" | "f4" | "i4" | "u1" | "i2";
+  shape: number[];
+  offset: number;
+  /** Only of whole numbers of two bytes: value = scale * number + start. */
+  scale?: number;
+  start?: number;
+}
+
+const MAGIC = "TMPK";
+
+/** The object that a pack holds; raises an error for bytes that are no pack. */
+export function unpack(bytes: Uint8Array): unknown {
+  if (new TextDecoder().decode(bytes.subarray(0, 4)) !== MAGIC) throw new Error("these bytes are no data of tmodes");
+  const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
+  const length = view.getUint32(4, true);
+  const head = JSON.parse(new TextDecoder().decode(bytes.subarray(8, 8 + length))) as { page: unknown; arrays: Told[] };
+  const base = 8 * Math.ceil((8 + length) / 8);
+  const arrays = head.arrays.map((told) => read(bytes, base, told));
+  return filled(head.page, arrays);
+}
+
+function read(bytes: Uint8Array, base: number, told: Told): Numbers {
+  const count = told.shape.reduce((product, size) => product * size, 1);
+  const width = Number(told.dtype[1]);
+  const part = bytes.slice(base + told.offset, base + told.offset + count * width).buffer;
+  if (told.dtype === "f8") return { data: new Float64Array(part), shape: told.shape };
+  if (told.dtype === "f4") return { data: new Float32Array(part), shape: told.shape };
+  if (told.dtype === "i4") return { data: new Int32Array(part), shape: told.shape };
+  if (told.dtype === "u1") return { data: new Uint8Array(part), shape: told.shape };
+  const scale = told.scale ?? 1;
+  const start = told.start ?? 0;
+  return { data: Float32Array.from(new Int16Array(part), (whole) => start + scale * whole), shape: told.shape };
+}
+
+function filled(value: unknown, arrays: Numbers[]): unknown {
+  if (Array.isArray(value)) return value.map((item) => filled(item, arrays));
+  if (value === null || typeof value !== "object") return value;
+  const entries = Object.entries(value);
+  if (entries.length === 1 && entries[0][0] === "$array") return arrays[entries[0][1] as number];
+  return Object.fromEntries(entries.map(([key, item]) => [key, filled(item, arrays)]));
+}
+
+/** The bytes of a compressed pack that stands in the page as base64 text. */
+export async function inflated(base64: string): Promise<Uint8Array> {
+  const packed = Uint8Array.from(atob(base64.trim()), (letter) => letter.charCodeAt(0));
+  const stream = new Blob([packed]).stream().pipeThrough(new DecompressionStream("gzip"));
+  return new Uint8Array(await new Response(stream).arrayBuffer());
+}
