@@ -1,10 +1,11 @@
-"""The pages' programs: built from the sources that are here, with the licenses of what they hold, and nothing from outside."""
+"""The pages' programs: built from these very sources, with the licenses of what they hold, nothing from outside."""
 
 from __future__ import annotations
 
 import re
 
 import pytest
+
 from web import BUILT, built_from, digest
 
 PROGRAMS = ("viewer.js", "studio.js", "model.js")
