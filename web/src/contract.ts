@@ -86,6 +86,7 @@ export interface Chart {
 /** The robot over time, at m display frames. */
 export interface Scene {
   times: Numbers; // [m] s
+  /** Of an arm those of the result's `link`; after them, perhaps, links without length that only carry meshes. */
   links: SceneLink[];
   /** Elastic lines in the world [m, L, S, 3] m. */
   line: Numbers;
@@ -108,8 +109,11 @@ export interface SceneLink {
   bends: boolean;
   /** Length of the unbent link [m]. */
   length: number;
-  /** Half-widths of its section at the stations along y and z of the section [S, 2] m, round or a box; null: unknown. */
-  section: { shape: "round" | "box"; sizes: Numbers } | null;
+  /**
+   * Half-widths of its section at the stations along y and z of the section [S, 2] m, round or a box; null: unknown.
+   * `guessed`: the sheet tells only its stiffness and mass, so it is drawn as a solid bar of metal that has both.
+   */
+  section: { shape: "round" | "box"; sizes: Numbers; guessed: boolean } | null;
 }
 
 /** A joint at the root of a link; its axis in the axes of that root. */
@@ -133,7 +137,7 @@ export interface SceneContact {
     | { kind: "cylinder"; center: [number, number, number]; axis: [number, number, number]; radius: number; inside: boolean };
 }
 
-/** A surface of a link, in the axes of its root; `vertices` [k, 3] m, `faces` [f, 3]. */
+/** A surface of a link, in the axes of its root (link -1: of the base, in the world); `vertices` [k, 3] m, `faces` [f, 3]. */
 export interface SceneMesh {
   link: number;
   colour: string;
