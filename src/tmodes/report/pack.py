@@ -1,7 +1,8 @@
 """A page's data as one block of bytes: a JSON head, and the arrays that it names; ``web/src/pack.ts`` reads it.
 
 ``TMPK``, length of the head (uint32, little-endian), the head (UTF-8), zeros up to a multiple of 8, then the arrays,
-each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` tells type, shape and place.
+each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` tells type, shape and place;
+``{"$sum": [a, b]}`` is the sum of two.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Coarse", "embedded", "pack"]
+__all__ = ["Coarse", "Sum", "embedded", "pack"]
 
 _KINDS = {"float64": "f8", "float32": "f4", "int32": "i4", "uint8": "u1", "int16": "i2"}
 
@@ -29,23 +30,38 @@ class Coarse:
     values: NDArray[Any]
 
 
+@dataclass(frozen=True, eq=False)
+class Sum:
+    """An array as the sum of two of its shape, such as a place and what it is displaced by, which keeps its digits."""
+
+    large: NDArray[Any] | Coarse
+    small: NDArray[Any] | Coarse
+
+
 @dataclass
 class _Arrays:
     told: list[dict[str, Any]] = field(default_factory=list)
     parts: list[bytes] = field(default_factory=list)
     size: int = 0
+    coarse: dict[int, dict[str, int]] = field(default_factory=dict)
+    """Where each :class:`Coarse` array is: one that stands in a page several times is kept once."""
+    known: dict[tuple[Any, ...], dict[str, int]] = field(default_factory=dict)
+    """Where the arrays of a type, shape and content are: what is equal, such as the times of all charts, is kept once."""
 
     def add(self, values: NDArray[Any], **more: float) -> dict[str, int]:
         values = np.ascontiguousarray(values)
         content = values.astype(values.dtype.newbyteorder("<"), copy=False).tobytes()
-        self.told.append({"dtype": _KINDS[values.dtype.name], "shape": values.shape, "offset": self.size, **more})
-        self.parts.append(content + bytes(-len(content) % 8))
-        self.size += len(self.parts[-1])
-        return {"$array": len(self.told) - 1}
+        own = (_KINDS[values.dtype.name], values.shape, content, *more.values())
+        if own not in self.known:
+            self.known[own] = {"$array": len(self.told)}
+            self.told.append({"dtype": own[0], "shape": values.shape, "offset": self.size, **more})
+            self.parts.append(content + bytes(-len(content) % 8))
+            self.size += len(self.parts[-1])
+        return self.known[own]
 
 
 def pack(page: Mapping[str, Any]) -> bytes:
-    """Plain data with NumPy arrays (float64, float32, int32, uint8) and :class:`Coarse` ones anywhere in it.
+    """Plain data with NumPy arrays (float64, float32, int32, uint8), :class:`Coarse` ones and sums anywhere in it.
 
     Raises ValueError for a number outside of arrays that is not finite, and KeyError for an array of another type.
     """
@@ -64,7 +80,11 @@ def embedded(packed: bytes) -> str:
 def _plain(value: Any, arrays: _Arrays) -> Any:
     match value:
         case Coarse():
-            return _coarse(value.values, arrays)
+            if id(value) not in arrays.coarse:
+                arrays.coarse[id(value)] = _coarse(value.values, arrays)
+            return arrays.coarse[id(value)]
+        case Sum():
+            return {"$sum": [_plain(value.large, arrays), _plain(value.small, arrays)]}
         case np.ndarray():
             return arrays.add(value)
         case Mapping():
