@@ -26,7 +26,8 @@ TRIPLE = "wasm32-unknown-unknown"
 class Part:
     """Code of one module of IR: ``key`` tells all of it, ``write`` gives it, ``symbols`` are the functions in it.
 
-    ``exported``: whether these are to be seen outside. ``simd``: whether it works on vectors.
+    ``exported``: whether these are to be seen outside. ``simd``: whether it works on vectors. ``level``: how far it is
+    optimised, 0 for straight lines in which each value is computed once.
     """
 
     key: str
@@ -34,6 +35,7 @@ class Part:
     symbols: tuple[str, ...]
     exported: bool = True
     simd: bool = False
+    level: int = 0
 
 
 @cache
@@ -44,7 +46,7 @@ def _machine(level: int, *, simd: bool) -> Any:
     return llvm.Target.from_triple(TRIPLE).create_target_machine(features=features, opt=level, reloc="static")
 
 
-def wasm_module(name: str, parts: Sequence[Part], *, simd: bool | None = None, level: int = 2) -> bytes:
+def wasm_module(name: str, parts: Sequence[Part], *, simd: bool | None = None, level: int = 1) -> bytes:
     """One WebAssembly module of all parts, from the cache or made and kept.
 
     ``simd``: whether it may use vectors of two doubles; None: where a part works on vectors. Exports the functions
@@ -70,21 +72,49 @@ def _object(
     """Object file, what it exports, and bytes of stack that it needs."""
     machine = _machine(level, simd=simd)
     try:
-        whole = _parsed(parts[0], machine)
+        whole = _optimised(parts[0], machine)
         for part in parts[1:]:
-            whole.link_in(_parsed(part, machine))
+            whole.link_in(_optimised(part, machine))
         whole.verify()
     except RuntimeError as problem:
         raise CompileError(f"{name}: LLVM refuses the code: {problem}") from problem
     for function in whole.functions:
         if not function.is_declaration and function.name not in exports:
             function.linkage = llvm.Linkage.internal
-    builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=level))
-    passes = builder.getModulePassManager()
-    passes.run(whole, builder)
-    free(passes)
     return machine.emit_object(whole), exports, _stack(str(whole))
 
+
+def _optimised(part: Part, machine: Any) -> Any:
+    """The code of a part, as far optimised as it pays."""
+    module = part.write()
+    module.triple, module.data_layout = TRIPLE, str(machine.target_data)
+    parsed = llvm.parse_assembly(_with_extremes(str(module)))
+    builder = llvm.create_pass_builder(machine, llvm.create_pipeline_tuning_options(speed_level=part.level))
+    passes = builder.getModulePassManager()
+    passes.run(parsed, builder)
+    free(passes)
+    return parsed
+
+
+def _with_extremes(code: str) -> str:
+    """The smaller and the larger of two numbers as code: WebAssembly has no word for those that pass over no number."""
+    for name, first in (("minnum", "olt"), ("maxnum", "ogt")):
+        told, own = f'@"llvm.{name}.f64"', f'@"{name}"'
+        if told in code:
+            code = re.sub(f"^declare double {re.escape(told)}.*$", "", code, flags=re.MULTILINE).replace(told, own)
+            code += _EXTREME.format(own, first)
+    return code
+
+
+_EXTREME = """
+define internal double {}(double %a, double %b) alwaysinline {{
+  %before = fcmp {} double %b, %a
+  %extreme = select i1 %before, double %b, double %a
+  %none = fcmp uno double %a, %a
+  %told = select i1 %none, double %b, double %extreme
+  ret double %told
+}}
+"""
 
 _LOCAL = re.compile(r" = alloca (?:\[(\d+) x )?(?:<(\d+) x )?(\w+)[^,\n]*(?:, i\d+ (\d+))?")
 """A variable on the stack: its type as an array, a vector or a number, and how many of them."""
@@ -100,9 +130,3 @@ def _stack(code: str) -> int:
     for *counts, kind, many in _LOCAL.findall(code):
         total += _EACH + _BYTES[kind] * math.prod(int(count or 1) for count in (*counts, many))
     return total
-
-
-def _parsed(part: Part, machine: Any) -> Any:
-    module = part.write()
-    module.triple, module.data_layout = TRIPLE, str(machine.target_data)
-    return llvm.parse_assembly(str(module))

@@ -8,15 +8,17 @@ sections ``linking`` and ``reloc``: the tool conventions' Linking document.
 from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Sequence
-from dataclasses import dataclass
 
 from tmodes.errors import CompileError
 
-__all__ = ["Imports", "finished", "imported"]
+__all__ = ["GIVEN", "finished"]
 
 _CUSTOM, _IMPORT, _MEMORY, _GLOBAL, _EXPORT, _CODE, _DATA, _DATA_COUNT = 0, 2, 5, 6, 7, 10, 11, 12
 _ORDER = (1, _IMPORT, 3, 4, _MEMORY, _GLOBAL, _EXPORT, 8, 9, _DATA_COUNT, _CODE, _DATA)
 """Sections in the order in which they must stand."""
+
+GIVEN = ("tmodes_far_sin", "tmodes_far_cos", "tmodes_pow")
+"""Functions that the engine gives: sine and cosine of very large angles, and powers."""
 
 _HEAD = b"\0asm\1\0\0\0"
 _ADDRESSES, _FINAL = (3, 4), (0, 6, 7)
@@ -60,26 +62,20 @@ class _Reader:
         return self.place < len(self.content)
 
 
-@dataclass(frozen=True)
-class Imports:
-    """Functions that a module asks of its surroundings, and the section that tells them."""
-
-    names: tuple[str, ...]
-    section: bytes
-
-
-def imported(section: bytes) -> Imports:
-    """The functions of an import section; memory and stack pointer, which the module then has itself, are left out.
+def _imports(section: bytes) -> bytes:
+    """The section with its functions alone; memory and stack pointer, which the module then has itself, are left out.
 
     Raises :class:`CompileError` for what else is asked for.
     """
-    reader, names, kept = _Reader(section), [], b""
+    reader, count, kept = _Reader(section), 0, b""
     for _ in range(reader.number()):
         begin = reader.place
         _, name, kind = reader.text(), reader.text(), reader.byte()
         if kind == 0:
             reader.number()
-            names.append(name)
+            count += 1
+            if name not in GIVEN:
+                raise CompileError(f"WebAssembly: the code calls `{name}`; expected one of {', '.join(GIVEN)}")
             kept += section[begin : reader.place]
         elif (kind, name) == (2, "__linear_memory"):
             _skip_limits(reader)
@@ -87,7 +83,7 @@ def imported(section: bytes) -> Imports:
             reader.take(2)
         else:
             raise CompileError(f"WebAssembly: the code asks for `{name}`, which no page gives it")
-    return Imports(tuple(names), _unsigned(len(names)) + kept)
+    return _unsigned(count) + kept
 
 
 def _skip_limits(reader: _Reader) -> None:
@@ -110,7 +106,7 @@ def finished(obj: bytes, exports: Sequence[str], stack: int) -> bytes:
     stack = -(-stack // _ALIGNED) * _ALIGNED
     end = _move(sections, code, stack, places)
     told = {
-        _IMPORT: imported(sections[_IMPORT]).section,
+        _IMPORT: _imports(sections[_IMPORT]),
         _CODE: bytes(code),
         _MEMORY: b"\1\0" + _unsigned(-(-end // PAGE)),
         _GLOBAL: b"\2\x7f\1\x41" + _signed(stack) + b"\x0b\x7f\0\x41" + _signed(end) + b"\x0b",

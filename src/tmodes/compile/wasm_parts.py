@@ -22,7 +22,7 @@ def sample_part(key: str, make: Callable[[], Mapping[str, Any]], inputs: Mapping
 def program_loop(symbol: str, key: str, make: Callable[[], Any], guarded: int, method: str) -> Part:
     """An explicit loop around one right-hand side, as of :func:`tmodes.compile.loops.time_loops`."""
     write = partial(program_loop_module, make, guarded, method, symbol)
-    return Part(f"loop {method} {guarded} {key}", write, (symbol,))
+    return Part(f"loop {method} {guarded} {key}", write, (symbol,), level=1)
 
 
 def schedule_loop(symbol: str, schedule: Any, guarded: int, method: str, **more: Any) -> list[Part]:
@@ -30,7 +30,7 @@ def schedule_loop(symbol: str, schedule: Any, guarded: int, method: str, **more:
     arithmetic = loop_arithmetic(method)
     write = partial(schedule_loop_module, schedule, guarded, method, symbol, **more)
     simd = arithmetic == "lanes"
-    loop = Part(f"loop {method} {guarded} {more} {schedule.key}", write, (symbol,), simd=simd)
+    loop = Part(f"loop {method} {guarded} {more} {schedule.key}", write, (symbol,), simd=simd, level=1)
     slopes = _kernels(schedule, "derivative") if method == ROSENBROCK else []
     return [loop, *_called(schedule, arithmetic), *slopes]
 

@@ -30,6 +30,7 @@ class Follow(StrEnum):
 
     SHEET = "sheet"  # those that the sheet says
     WANTED = "wanted"  # every position: the reference run, in which all motors are where they should be
+    HELD = "held"  # none: all stand where they are at first, and so does the base
 
 
 @dataclass(frozen=True, eq=False)
@@ -87,7 +88,7 @@ def planned(arm: Arm, follow: Follow = Follow.SHEET) -> Planned:
     chain = replace(chain, nodes=nodes)
     names = [point.name for point in chain.points]
     loads = tuple(_loads(arm, names, signals))
-    base = tuple(_base(arm, signals))
+    base = () if follow is Follow.HELD else tuple(_base(arm, signals))
     touch = _touch(arm, chain, names)
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
     rows = merged.coefficients.reshape(len(merged.coefficients), -1)
@@ -117,7 +118,7 @@ def _drive(
     winding, numbers = _winding(joint.motor)
     command = sheet.command if sheet else Command.PRESCRIBED
     exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command is Command.POSITION)
-    if sheet is None:
+    if sheet is None or follow is Follow.HELD:
         held = Constant(type="constant", value=initial_value(arm, joint.name))
         return DrivePlan(joint.name, signals.add(held, "initial"), None, winding, (0.0, 0.0, *numbers))
     signal = signals.add(sheet.signal, f"drives.{index}.signal")

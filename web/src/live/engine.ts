@@ -46,13 +46,11 @@ export class EngineError extends Error {
 const FORMAT = 1;
 const PAGE = 65536;
 
-/** What the module asks of its surroundings: what seldom happens, and what WebAssembly itself has no word for. */
+/** What the module asks of its surroundings: what WebAssembly itself has no word for. */
 const GIVEN = {
   tmodes_far_sin: Math.sin,
   tmodes_far_cos: Math.cos,
   tmodes_pow: Math.pow,
-  fmin: (a: number, b: number) => (a !== a ? b : b !== b ? a : Math.min(a, b)),
-  fmax: (a: number, b: number) => (a !== a ? b : b !== b ? a : Math.max(a, b)),
 };
 
 /** An array that a function writes: `given`: reads as well; `range`: which part of it, known after the call. */
@@ -183,7 +181,7 @@ function filled(label: string, size: number, given: Float64Array | undefined, co
   if (given.length === count * size) return given;
   expect(label, given.length, size);
   const rows = new Float64Array(count * size);
-  for (let k = 0; k < count; k++) rows.set(given, k * size);
+  copied(given, 0, 0, rows, size, 0, size, count);
   return rows;
 }
 
@@ -195,7 +193,7 @@ function packedRows(sizes: Record<string, number>, sides: Samples[], count: numb
     let start = s * width;
     for (const [label, size] of Object.entries(sizes)) {
       const rows = filled(label, size, side[label], count);
-      for (let k = 0; k < count; k++) packed.set(rows.subarray(k * size, (k + 1) * size), k * sides.length * width + start);
+      copied(rows, size, 0, packed, sides.length * width, start, size, count);
       start += size;
     }
   });
@@ -209,9 +207,21 @@ function parted(sizes: Record<string, number>, out: Float64Array, count: number,
   let start = 0;
   for (const [label, size] of Object.entries(sizes)) {
     const part = new Float64Array(count * size);
-    for (let k = 0; k < count; k++) part.set(out.subarray(k * width + start, k * width + start + size), k * size);
+    copied(out, width, start, part, size, 0, size, count);
     parts[label] = part;
     start += size;
   }
   return parts;
+}
+
+/** Copy `size` numbers of each of `count` rows; of both sides: how far rows are apart, and where in a row to begin. */
+function copied(
+  from: Float64Array, fromRow: number, fromStart: number,
+  into: Float64Array, intoRow: number, intoStart: number, size: number, count: number,
+): void {
+  for (let k = 0; k < count; k++) {
+    const source = k * fromRow + fromStart;
+    const target = k * intoRow + intoStart;
+    for (let j = 0; j < size; j++) into[target + j] = from[source + j];
+  }
 }
