@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
@@ -35,13 +35,17 @@ class Follow(StrEnum):
 
 @dataclass(frozen=True, eq=False)
 class Planned:
-    """A chain in a run, its plan, and its signals; ``undriven`` joints are held at their first value."""
+    """A chain in a run, its plan, and its signals; ``undriven`` joints are held at their first value.
+
+    ``signals``: all on common knots; ``each``: what the sheet says of them, one by one.
+    """
 
     chain: Chain
     plan: LoopPlan
     schedule: Schedule
     signals: MergedSchedule
     undriven: tuple[str, ...]
+    each: tuple[Any, ...] = ()
 
 
 @dataclass(eq=False)
@@ -50,8 +54,10 @@ class _Signals:
 
     until: float
     schedules: list[Schedule]
+    told: list[Any] = field(default_factory=list)
 
     def add(self, signal: Any, path: str) -> int:
+        self.told.append(signal)
         try:
             self.schedules.append(signal.schedule(self.until))
         except InputError as error:
@@ -87,7 +93,7 @@ def planned(arm: Arm, follow: Follow = Follow.SHEET) -> Planned:
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
     rows = merged.coefficients.reshape(len(merged.coefficients), -1)
     plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base)
-    return Planned(chain, plan, Schedule(merged.knots, rows), merged, tuple(undriven))
+    return Planned(chain, plan, Schedule(merged.knots, rows), merged, tuple(undriven), tuple(signals.told))
 
 
 def _nothing(until: float) -> MergedSchedule:
