@@ -20,7 +20,7 @@ from tmodes.report.scene_sections import section_of
 if TYPE_CHECKING:
     from tmodes.arm_result import ArmResult
 
-__all__ = ["arm_line_panel", "arm_scene", "lines_at", "real_arm_of"]
+__all__ = ["arm_line_panel", "arm_scene", "drawn_links", "lines_at", "real_arm_of"]
 
 Array = NDArray[np.float64]
 
@@ -43,7 +43,7 @@ def real_arm_of(result: ArmResult) -> Arm:
 def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
     """The scene at the samples ``frames``."""
     data, arm = result.data, real_arm_of(result)
-    model, drawn = ArmModel(arm.chain()), _drawn_links(data)
+    model, drawn = ArmModel(arm.chain()), drawn_links(data)
     names = [*drawn, *carriers(data, model.chain, drawn)]
     data = data.isel(time=frames, s=stations_shown(data.sizes["s"], len(frames), len(names)))
     stand, stations = _base(model, data), data["s"].values
@@ -99,7 +99,8 @@ def lines_at(
     return (np.stack(position, axis=1), np.stack(rotation, axis=1)) if names else (empty, empty[..., None])
 
 
-def _drawn_links(data: Any) -> list[str]:
+def drawn_links(data: Any) -> list[str]:
+    """The links that a result tells lines of."""
     return [str(name) for name in data["link"].values] if "link" in data.dims else []
 
 

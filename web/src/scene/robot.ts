@@ -63,9 +63,9 @@ export class RobotView {
       this.add(new Mesh(sweep.geometry, link.bends || look.painted === "all" ? painted : plain));
       return sweep;
     });
-    body.meshes.forEach((mesh) => this.surface(mesh, body.links));
+    body.meshes.filter(({ link }) => link < motion.links).forEach((mesh) => this.surface(mesh, body.links));
     if (look.opacity < 1) return;
-    body.joints.forEach((joint) => this.housing(joint, body.links[joint.link], meshed.has(joint.link)));
+    body.joints.filter(({ link }) => link < motion.links).forEach((joint) => this.housing(joint, body.links[joint.link], meshed.has(joint.link)));
     body.links.slice(0, motion.links).forEach((link, k) => this.holder(link, k, motion, meshed));
     const ball = new SphereGeometry((meshed.size > 0 ? 0.5 : 1.5) * widths.usual, 24, 16);
     this.payload = this.add(new Mesh(this.kept(ball), this.material(look.payload, false)));
