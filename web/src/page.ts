@@ -27,7 +27,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const stage = make("div", { class: "scene" });
   const facts = make("div", { class: "facts-panel" });
   const sliders = make("div", { class: "sliders-panel" });
-  const side = make("div", { class: "side" }, sliders, facts);
+  const side = make("div", { class: "side", role: "region", tabindex: "0", "aria-label": "Numbers and settings" }, sliders, facts);
   const transport = make("div", { class: "transport", role: "group", "aria-label": "Time" });
   const charts = make("section", { class: "charts", "aria-label": "Charts" });
   const line = section("Elastic line", page.runs[0].line !== null);

@@ -12,9 +12,9 @@ import numpy as np
 from tmodes.report.arm_facts import arm_facts
 from tmodes.report.charts import charts_of
 from tmodes.report.facts import Fact
+from tmodes.report.mode_shapes import modes_of
 from tmodes.report.robot_facts import robot_facts
 from tmodes.report.scene import line_of, scene_of
-from tmodes.report.mode_shapes import modes_of
 from tmodes.report.thin import scene_frames
 
 if TYPE_CHECKING:
