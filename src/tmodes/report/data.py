@@ -10,6 +10,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmodes.arm_result import ArmResult
+from tmodes.errors import TmodesError
+from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.report.arm_facts import arm_facts
 from tmodes.report.charts import charts_of
 from tmodes.report.facts import Fact
@@ -21,22 +23,34 @@ from tmodes.report.thin import scene_frames
 if TYPE_CHECKING:
     from tmodes.result import Result, RunRecord
 
-__all__ = ["facts_of", "page_data", "sheet_of"]
+__all__ = ["facts_of", "live_page", "page_data", "sheet_of"]
 
 
 def page_data(
-    results: Sequence[Result | ArmResult], names: Sequence[str] | None = None, live: dict[str, Any] | None = None
+    results: Sequence[Result | ArmResult],
+    names: Sequence[str] | None = None,
+    live: dict[str, Any] | None = None,
+    not_live: str = "",
 ) -> dict[str, Any]:
     """The data of a page about one result, or several side by side.
 
     ``names`` tell the runs apart, None takes those of the robots; ``live`` is the bundle of the first run's equations,
-    from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate.
+    from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live`` says why, where it could be expected to.
     """
     names = names or [_name(result) for result in results]
     charts = charts_of(results)
     runs = [_run(*one) for one in zip(results, names, charts, strict=True)]
     subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
-    return {"format": 1, "title": ", ".join(names), "subtitle": subtitle, "runs": runs, "live": live}
+    return {"format": 1, "title": ", ".join(names), "subtitle": subtitle, "runs": runs, "live": live, "notLive": not_live}
+
+
+def live_page(result: Result | ArmResult) -> dict[str, Any]:
+    """The data of a page about one result, with its equations where the page can run them again."""
+    reason = why_not_live(result)
+    try:
+        return page_data([result], live=None if reason else live_bundle(result), not_live=reason)
+    except TmodesError as error:
+        return page_data([result], not_live=str(error))
 
 
 def _name(result: RunRecord) -> str:
@@ -76,7 +90,6 @@ def facts_of(result: Result | ArmResult) -> list[Fact]:
 
 def sheet_of(result: Result | ArmResult) -> str:
     """The data sheet of this very run as YAML; empty where it is no longer one that this version knows."""
-    from tmodes.errors import TmodesError
     from tmodes.io.arm_write import arm_to_yaml
     from tmodes.io.write import robot_to_yaml
 
