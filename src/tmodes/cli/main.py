@@ -24,6 +24,7 @@ from tmodes.cli.run import run
 from tmodes.cli.schema import schema
 from tmodes.cli.show import show
 from tmodes.cli.static import static
+from tmodes.cli.studio import studio
 from tmodes.errors import InputError, TmodesError
 
 __all__ = ["app", "main"]
@@ -45,7 +46,7 @@ app = typer.Typer(
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
     (batch, "batch"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
-    (bench, "bench"), (cache, "cache"), (show, "show"),
+    (bench, "bench"), (cache, "cache"), (show, "show"), (studio, "studio"),
 ):  # fmt: skip
     app.command(name)(command)
 
