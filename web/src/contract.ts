@@ -47,6 +47,8 @@ export interface Source {
   variable: string;
   index: number;
   factor: number;
+  /** Taken off before the factor: what is drawn is a difference of two series. */
+  less?: { variable: string; index: number };
 }
 
 export type Role = "real" | "reference" | "rigid" | "stationary" | "oscillatory" | "limit" | "other";
@@ -70,6 +72,12 @@ export interface Chart {
   /** What is along: time [s] (linked with the clock) or frequency [Hz]. */
   abscissa: "time" | "frequency";
   at: Numbers;
+  /** Samples of the run; where `at` has fewer, the extremes of every curve are kept. */
+  samples: number;
+  /** Of a spectrum: first and last time [s] of the samples that it is of; its curves' sources tell these. */
+  span: [number, number] | null;
+  /** Places along the abscissa with a name, such as the robot's own frequencies. */
+  marks: { at: number; label: string }[];
   curves: Curve[];
   /** Whether a logarithmic ordinate serves, and whether it is the first choice. */
   log: "no" | "offered" | "first";
@@ -78,6 +86,7 @@ export interface Chart {
 /** The robot over time, at m display frames. */
 export interface Scene {
   times: Numbers; // [m] s
+  /** Of an arm those of the result's `link`; after them, perhaps, links without length that only carry meshes. */
   links: SceneLink[];
   /** Elastic lines in the world [m, L, S, 3] m. */
   line: Numbers;
@@ -100,8 +109,11 @@ export interface SceneLink {
   bends: boolean;
   /** Length of the unbent link [m]. */
   length: number;
-  /** Half-widths of its section at the stations along y and z of the section [S, 2] m, round or a box; null: unknown. */
-  section: { shape: "round" | "box"; sizes: Numbers } | null;
+  /**
+   * Half-widths of its section at the stations along y and z of the section [S, 2] m, round or a box; null: unknown.
+   * `guessed`: the sheet tells only its stiffness and mass, so it is drawn as a solid bar of metal that has both.
+   */
+  section: { shape: "round" | "box"; sizes: Numbers; guessed: boolean } | null;
 }
 
 /** A joint at the root of a link; its axis in the axes of that root. */
@@ -125,7 +137,7 @@ export interface SceneContact {
     | { kind: "cylinder"; center: [number, number, number]; axis: [number, number, number]; radius: number; inside: boolean };
 }
 
-/** A surface of a link, in the axes of its root; `vertices` [k, 3] m, `faces` [f, 3]. */
+/** A surface of a link, in the axes of its root (link -1: of the base, in the world); `vertices` [k, 3] m, `faces` [f, 3]. */
 export interface SceneMesh {
   link: number;
   colour: string;

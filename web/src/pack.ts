@@ -46,7 +46,12 @@ function filled(value: unknown, arrays: Numbers[]): unknown {
   if (value === null || typeof value !== "object") return value;
   const entries = Object.entries(value);
   if (entries.length === 1 && entries[0][0] === "$array") return arrays[entries[0][1] as number];
+  if (entries.length === 1 && entries[0][0] === "$sum") return sum(filled(entries[0][1], arrays) as Numbers[]);
   return Object.fromEntries(entries.map(([key, item]) => [key, filled(item, arrays)]));
+}
+
+function sum([large, small]: Numbers[]): Numbers {
+  return { data: Float32Array.from(large.data, (value, k) => value + small.data[k]), shape: large.shape };
 }
 
 /** The bytes of a compressed pack that stands in the page as base64 text. */

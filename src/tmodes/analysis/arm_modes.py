@@ -55,7 +55,7 @@ class ArmMode:
     ``damped_frequency_Hz``: as it rings, None when it does not; ``damping_ratio``: -Re/|lambda|, 1 when over-damped;
     ``element``: where most of its elastic energy is, and the ``share`` of it; ``shares`` of all elements; ``stable`` is
     False where it grows, by the factor e in ``growth_time_s``, else None. ``shape`` (nq,): of the undamped mode, its
-    largest entry 1.
+    largest entry 1. ``motion`` (nq,): complex, as the damped arm moves.
     """
 
     frequency_Hz: float
@@ -67,6 +67,7 @@ class ArmMode:
     stable: bool
     growth_time_s: float | None
     shape: Array
+    motion: Complex | None = None
 
 
 def arm_modes(
@@ -94,15 +95,16 @@ def arm_modes(
     block = np.ix_(moving, moving)
     mass, damping, stiffness = mass[block], damping[block], stiffness[block]
     squares, shapes = _undamped(mass, stiffness)
-    eigenvalues = _eigenvalues(mass, damping, stiffness, shapes)
-    whole = np.zeros((rest.model.nq, len(squares)), dtype=shapes.dtype)
-    whole[moving] = shapes
+    eigenvalues, motions = _eigenvalues(mass, damping, stiffness, shapes)
+    whole, moved = (np.zeros((rest.model.nq, len(squares)), dtype=part.dtype) for part in (shapes, motions))
+    whole[moving], moved[moving] = shapes, motions
     zero = NOTHING * len(mass) * float(np.abs(squares).max())
     stored = {name: spring.energy(whole) for name, spring in springs.items()}
     modes = [
         _mode(float(square), eigenvalues[k], whole[:, k], {name: float(part[k]) for name, part in stored.items()}, zero)
         for k, square in enumerate(squares)
     ]
+    modes = [replace(mode, motion=moved[:, k]) for k, mode in enumerate(modes)]
     return [_controlled(mode, eigenvalues[k]) for k, mode in enumerate(modes)] if chosen else modes
 
 
@@ -112,12 +114,16 @@ def _single(size: int, k: int, value: float) -> Spring:
     return Spring(row, value * row)
 
 
-def _eigenvalues(mass: Array, damping: Array, stiffness: Array, shapes: Array) -> Complex:
-    """Of each mode [1/s]; where only some were found, by the motions that they span."""
+def _eigenvalues(mass: Array, damping: Array, stiffness: Array, shapes: Array) -> tuple[Complex, Complex]:
+    """Of each mode [1/s], and its damped motion; where only some were found, by the motions that they span."""
+    spanned = shapes
     if len(shapes) > shapes.shape[1]:
         mass, damping, stiffness = (shapes.T @ matrix @ shapes for matrix in (mass, damping, stiffness))
         shapes = np.eye(len(mass))
-    return _partners(mass, shapes, *damped_motions(mass, damping, stiffness))
+    values, damped = damped_motions(mass, damping, stiffness)
+    chosen = _partners(mass, shapes, values, damped)
+    motions = damped[:, chosen]
+    return values[chosen], motions if spanned is shapes else spanned @ motions
 
 
 def _controlled(mode: ArmMode, value: complex) -> ArmMode:
@@ -185,8 +191,8 @@ def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
     return values, shapes[:, ::-1] * np.sqrt(values)
 
 
-def _partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> Complex:
-    """For each undamped mode the eigenvalue of the damped motion most like it, each taken once, ringing ones first."""
+def _partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> NDArray[np.intp]:
+    """For each undamped mode the index of the damped motion most like it, each taken once, ringing ones first."""
     from scipy.optimize import linear_sum_assignment
 
     root = np.linalg.cholesky(mass).T
@@ -197,7 +203,7 @@ def _partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> C
     worth = np.abs(ours.T @ theirs) ** 2 + 10.0 * rings - slow
     worth[:, ~(rings | still)] = -100.0
     _, chosen = linear_sum_assignment(-worth)
-    return values[chosen]
+    return chosen
 
 
 def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float) -> ArmMode:

@@ -103,5 +103,6 @@ def _servo(motor: Motor | None, position_gain: float, velocity_gain: float) -> S
 
 def _plain(mode: ArmMode, rest: Equilibrium) -> dict[str, Any]:
     told = asdict(mode)
+    del told["motion"]
     told["shape"] = dict(zip(rest.model.coordinates, mode.shape.tolist(), strict=True))
     return told

@@ -25,6 +25,7 @@ __all__ = [
     "all_modes",
     "closed_loop_spectrum",
     "damped_motions",
+    "shaped_modes",
     "vibration_modes",
 ]
 
@@ -81,11 +82,21 @@ def vibration_modes(
     robot: Robot, state: MotorState, *, contact: bool = False, theta: float | None = None
 ) -> list[VibrationMode]:
     """Modes by rising frequency; ``theta`` [rad] is the motor's angle, the start of the reference if not given."""
+    return [mode for mode, _ in shaped_modes(robot, state, contact=contact, theta=theta)[1]]
+
+
+def shaped_modes(
+    robot: Robot, state: MotorState, *, contact: bool = False, theta: float | None = None
+) -> tuple[NDArray[np.float64], list[tuple[VibrationMode, NDArray[np.complex128]]]]:
+    """The rest phi (6,) [rad], and about it the modes of :func:`vibration_modes`, each with its motion (6,).
+
+    The motion is complex, as the damped arm moves: where its parts do not swing in phase, the angles tell it.
+    """
     mechanism, parameters = robot.split(Drive.VOLTAGE, contact=contact)
     phi = Model(mechanism).rest(robot.reference.start if theta is None else theta, parameters)[:6]
     mass, damping, stiffness = _matrices(robot, mechanism, parameters, phi, state)
     if not len(mass):
-        return []
+        return phi, []
     eigen = np.linalg.eig(np.linalg.solve(mass, stiffness))
     squares, undamped_shapes = np.real(eigen.eigenvalues), eigen.eigenvectors
     order = np.argsort(squares)
@@ -95,12 +106,13 @@ def vibration_modes(
     shapes_now = undamped_shapes[:, order]
     match = _partners(shapes_now, shapes, eigenvalues)
     turning = _rigid_turn(columns, shapes_now) if state is MotorState.FREE else None
-    return [
+    modes = [
         VibrationMode(0.0, 0.0, 0.0, "whole arm, turning freely", 1.0)
         if k == turning
         else _mode(robot, undamped[k], eigenvalues[match[k]], columns @ shapes_now[:, k])
         for k in range(len(undamped))
     ]
+    return phi, [(mode, columns @ shapes[:, match[k]]) for k, mode in enumerate(modes)]
 
 
 def _rigid_turn(columns: NDArray[np.float64], shapes: NDArray[Any]) -> int:

@@ -1,7 +1,8 @@
 """A page's data as one block of bytes: a JSON head, and the arrays that it names; ``web/src/pack.ts`` reads it.
 
 ``TMPK``, length of the head (uint32, little-endian), the head (UTF-8), zeros up to a multiple of 8, then the arrays,
-each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` tells type, shape and place.
+each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` tells type, shape and place;
+``{"$sum": [a, b]}`` is the sum of two.
 """
 
 from __future__ import annotations
@@ -17,7 +18,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Coarse", "embedded", "pack"]
+__all__ = ["Coarse", "Sum", "embedded", "pack"]
 
 _KINDS = {"float64": "f8", "float32": "f4", "int32": "i4", "uint8": "u1", "int16": "i2"}
 
@@ -29,11 +30,21 @@ class Coarse:
     values: NDArray[Any]
 
 
+@dataclass(frozen=True, eq=False)
+class Sum:
+    """An array as the sum of two of its shape, such as a place and what it is displaced by, which keeps its digits."""
+
+    large: NDArray[Any] | Coarse
+    small: NDArray[Any] | Coarse
+
+
 @dataclass
 class _Arrays:
     told: list[dict[str, Any]] = field(default_factory=list)
     parts: list[bytes] = field(default_factory=list)
     size: int = 0
+    coarse: dict[int, dict[str, int]] = field(default_factory=dict)
+    """Where each :class:`Coarse` array is: one that stands in a page several times is kept once."""
 
     def add(self, values: NDArray[Any], **more: float) -> dict[str, int]:
         values = np.ascontiguousarray(values)
@@ -45,7 +56,7 @@ class _Arrays:
 
 
 def pack(page: Mapping[str, Any]) -> bytes:
-    """Plain data with NumPy arrays (float64, float32, int32, uint8) and :class:`Coarse` ones anywhere in it.
+    """Plain data with NumPy arrays (float64, float32, int32, uint8), :class:`Coarse` ones and sums anywhere in it.
 
     Raises ValueError for a number outside of arrays that is not finite, and KeyError for an array of another type.
     """
@@ -64,7 +75,11 @@ def embedded(packed: bytes) -> str:
 def _plain(value: Any, arrays: _Arrays) -> Any:
     match value:
         case Coarse():
-            return _coarse(value.values, arrays)
+            if id(value) not in arrays.coarse:
+                arrays.coarse[id(value)] = _coarse(value.values, arrays)
+            return arrays.coarse[id(value)]
+        case Sum():
+            return {"$sum": [_plain(value.large, arrays), _plain(value.small, arrays)]}
         case np.ndarray():
             return arrays.add(value)
         case Mapping():

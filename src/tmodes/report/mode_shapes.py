@@ -1,0 +1,101 @@
+"""The modes of a result as motions of its lines in space: ``Mode`` of ``web/src/contract.ts``."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Iterator
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.arm_modes import ArmMode
+from tmodes.analysis.modes import MotorState, VibrationMode, shaped_modes
+from tmodes.arm_result import ArmResult
+from tmodes.errors import SimulationError
+from tmodes.report.scene_arm import lines_at, real_arm_of
+from tmodes.report.scene_robot import line_at, real_robot
+from tmodes.result import Result
+
+__all__ = ["modes_of"]
+
+Array = NDArray[np.float64]
+Lines = Callable[[Array], Array]
+"""Coordinates (n, nq) to the lines of all links (n, L, S, 3) [m]."""
+
+Shaped = tuple[ArmMode | VibrationMode, NDArray[np.complex128]]
+
+_CASES = (MotorState.CONTROLLED, MotorState.LOCKED, MotorState.FREE)
+
+_MOST = 8
+"""Modes that are shown of each case, the lowest."""
+
+_STATIONS = 21
+
+_STEP = 1e-5
+"""Change of the largest coordinate [rad] by which a line's motion is found: central differences, good to 1e-9."""
+
+
+def modes_of(result: Result | ArmResult) -> list[dict[str, Any]]:
+    """The lowest modes of the real robot about its rest, of each state of its motors; none where it has no rest.
+
+    Frequencies [Hz] and damping are those of ``result.frequencies``; motions without vibration are left out.
+    Displacements (L, S, 3) are complex, the largest of size 1.
+    """
+    try:
+        return _of_arm(result) if isinstance(result, ArmResult) else _of_robot(result)
+    except SimulationError:
+        return []
+
+
+def _of_robot(result: Result) -> list[dict[str, Any]]:
+    robot, stations, found = real_robot(result), np.linspace(0, 1, _STATIONS), []
+    for state in _CASES:
+        phi, modes = shaped_modes(robot, state)
+        found += list(_told(str(state), modes, phi, lambda q: line_at(robot, q, stations)))
+    return found
+
+
+def _of_arm(result: ArmResult) -> list[dict[str, Any]]:
+    from tmodes.analysis.arm_modes import arm_modes
+    from tmodes.analysis.arm_modes_sheet import servos_of
+    from tmodes.analysis.equilibrium_arm import arm_rest
+
+    arm = real_arm_of(result)
+    rest = arm_rest(arm, contact=arm.contact is not None)
+    names = [str(name) for name in result.data["link"].values] if "link" in result.data.dims else []
+    servos, stations, found = servos_of(arm, rest.model), np.linspace(0, 1, _STATIONS), []
+    for state in _CASES[0 if servos else 1 :]:
+        modes = [(mode, mode.motion) for mode in arm_modes(rest, state, servos) if mode.motion is not None]
+        found += list(_told(str(state), modes, rest.q, lambda q: lines_at(rest.model, names, q, stations)[0]))
+    return found
+
+
+def _told(case: str, modes: Iterable[Shaped], rest: Array, lines: Lines) -> Iterator[dict[str, Any]]:
+    """The lowest of ``modes`` that vibrate, as the page takes them."""
+    vibrating = [(mode, motion) for mode, motion in modes if mode.frequency_Hz > 0]
+    for mode, motion in vibrating[:_MOST]:
+        moved = _displacement(lines, rest, motion)
+        yield {
+            "case": case,
+            "frequency": mode.frequency_Hz,
+            "damping": mode.damping_ratio,
+            "livesIn": mode.element,
+            "rest": lines(rest[None])[0].astype(np.float32),
+            "real": moved.real.astype(np.float32),
+            "imaginary": moved.imag.astype(np.float32),
+        }
+
+
+def _displacement(lines: Lines, rest: Array, motion: NDArray[np.complex128]) -> NDArray[np.complex128]:
+    """Displacement of the lines (L, S, 3) for a unit of the motion (nq,), the largest of size 1 and phase 0."""
+    size = np.abs(motion).max()
+    parts = np.stack([motion.real, motion.imag]) / size
+    ends = lines(np.concatenate([rest + _STEP * parts, rest - _STEP * parts]))
+    real, imaginary = (ends[:2] - ends[2:]) / (2 * _STEP)
+    moved = real + 1j * imaginary
+    lengths = np.linalg.norm(moved, axis=-1)
+    largest = np.unravel_index(int(lengths.argmax()), lengths.shape) if lengths.size else ()
+    if not lengths.size or lengths[largest] == 0:
+        return moved
+    lead = moved[largest][np.abs(moved[largest]).argmax()]
+    return moved / lengths[largest] * (np.abs(lead) / lead)
