@@ -106,6 +106,8 @@ export interface Scene {
 
 export interface SceneLink {
   name: string;
+  /** The link on which it stands; -1: the base. */
+  parent: number;
   bends: boolean;
   /** Length of the unbent link [m]. */
   length: number;

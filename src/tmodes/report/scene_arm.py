@@ -43,6 +43,7 @@ def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
     """The scene at the samples ``frames``."""
     data = result.data
     names = [str(name) for name in data["link"].values] if "link" in data.dims else []
+    parents = [str(name) for name in data["link_parent"].values] if names else []
     data = data.isel(time=frames, s=stations_shown(data.sizes["s"], len(frames), len(names)))
     arm = real_arm_of(result)
     model, stations = ArmModel(arm.chain()), data["s"].values
@@ -55,7 +56,10 @@ def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
         wanted = data["tip_reference"].transpose("time", "axis").values
     return {
         "times": data["time"].values,
-        "links": [_link(arm, model, name, stations) for name in names],
+        "links": [
+            _link(arm, model, name, stations) | {"parent": names.index(parent) if parent in names else -1}
+            for name, parent in zip(names, parents, strict=True)
+        ],
         "line": displaced(line, rigid, base),
         "rigid": base,
         "reference": None if planned is None else displaced(planned, rigid, base),

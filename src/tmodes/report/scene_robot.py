@@ -98,7 +98,9 @@ def _link(robot: Robot, mode: int, stations: int) -> dict[str, Any]:
     told = robot.link.modes[mode]
     bends = f"mode{mode + 1}" not in robot.rigid_elements()
     section = solid_bar(told.bending_stiffness, told.bending_stiffness, told.mass_per_length, stations)
-    return {"name": f"Mode {mode + 1}", "bends": bends, "length": told.length, "section": section}
+    return {
+        "name": f"Mode {mode + 1}", "parent": mode - 1, "bends": bends, "length": told.length, "section": section
+    }  # fmt: skip
 
 
 def _joint(robot: Robot) -> dict[str, Any]:

@@ -1,0 +1,159 @@
+// Where one looks from: presets that fit all that moves into the picture, turning by mouse, touch and keys.
+import { Box3, MathUtils, PerspectiveCamera, Spherical, Vector3 } from "three";
+import { OrbitControls } from "three/examples/jsm/controls/OrbitControls.js";
+
+export const VIEWS = ["iso", "front", "side", "top", "tip"] as const;
+export type View = (typeof VIEWS)[number];
+
+const DIRECTIONS: Record<View, [number, number, number]> = {
+  iso: [0.62, -1, 0.55], front: [1, 0, 0.08], side: [0, -1, 0.08], top: [0, -1e-3, 1], tip: [0.62, -1, 0.4],
+}; // prettier-ignore
+
+const GLIDE = 0.35; // s
+
+export class Cameras {
+  view: View = "iso";
+  private readonly controls: OrbitControls;
+  private readonly start = new Vector3();
+  private readonly end = new Vector3();
+  private readonly targetStart = new Vector3();
+  private readonly targetEnd = new Vector3();
+  private readonly offset = new Vector3();
+  private readonly spherical = new Spherical();
+  private began = 0;
+  private gliding = 0;
+
+  constructor(
+    private readonly camera: PerspectiveCamera,
+    private readonly canvas: HTMLCanvasElement,
+    private readonly box: Box3,
+    private readonly reach: number,
+    private readonly changed: () => void,
+  ) {
+    this.controls = new OrbitControls(camera, canvas);
+    this.controls.minDistance = 0.05 * reach;
+    this.controls.maxDistance = 40 * reach;
+    this.controls.enableZoom = false; // a page scrolls on: the wheel zooms once the picture has been clicked
+    this.controls.addEventListener("change", changed);
+    canvas.addEventListener("keydown", this.key);
+    canvas.addEventListener("focus", this.zoomable);
+    canvas.addEventListener("blur", this.zoomable);
+  }
+
+  /** Look from a preset; `tip` is where the tip is, `glide`: on the way there, as long as that is no trouble. */
+  show(view: View, tip: Float32Array, glide: boolean): void {
+    this.view = view;
+    const direction = this.offset.set(...DIRECTIONS[view]).normalize();
+    const near = view === "tip";
+    if (near) this.targetEnd.fromArray(tip);
+    else this.box.getCenter(this.targetEnd);
+    const distance = near ? 0.55 * this.reach : this.fitting(direction, this.targetEnd);
+    this.end.copy(this.targetEnd).addScaledVector(direction, distance);
+    cancelAnimationFrame(this.gliding);
+    if (!glide) return this.place(1);
+    this.start.copy(this.camera.position);
+    this.targetStart.copy(this.controls.target);
+    this.began = performance.now();
+    this.step(this.began);
+  }
+
+  /** Look from where another one looks. */
+  take(other: Cameras): void {
+    this.view = other.view;
+    this.camera.position.copy(other.camera.position);
+    this.controls.target.copy(other.controls.target);
+    this.controls.update();
+  }
+
+  /** Keep looking at the tip where that is the view. */
+  follow(tip: Float32Array): void {
+    if (this.view !== "tip") return;
+    this.offset.copy(this.camera.position).sub(this.controls.target);
+    this.controls.target.fromArray(tip);
+    this.camera.position.copy(this.controls.target).add(this.offset);
+    this.camera.lookAt(this.controls.target);
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.gliding);
+    this.controls.dispose();
+    this.canvas.removeEventListener("keydown", this.key);
+    this.canvas.removeEventListener("focus", this.zoomable);
+    this.canvas.removeEventListener("blur", this.zoomable);
+  }
+
+  private readonly zoomable = (event: Event) => {
+    this.controls.enableZoom = event.type === "focus";
+  };
+
+  private readonly key = (event: KeyboardEvent) => {
+    if (event.ctrlKey || event.metaKey || event.altKey) return;
+    const turn = MathUtils.degToRad(5);
+    const moves: Record<string, [number, number]> = {
+      ArrowLeft: [-1, 0], ArrowRight: [1, 0], ArrowUp: [0, -1], ArrowDown: [0, 1],
+    }; // prettier-ignore
+    const move = moves[event.key];
+    if (move && event.shiftKey) this.pan(0.04 * move[0], -0.04 * move[1]);
+    else if (move) this.turn(turn * move[0], turn * move[1], 1);
+    else if (event.key === "+" || event.key === "=") this.turn(0, 0, 1 / 1.15);
+    else if (event.key === "-") this.turn(0, 0, 1.15);
+    else return;
+    event.preventDefault();
+    event.stopPropagation();
+  };
+
+  private turn(around: number, down: number, scale: number): void {
+    const { camera, controls, offset, spherical } = this;
+    offset.copy(camera.position).sub(controls.target);
+    // Spherical counts from y up; here z is up.
+    spherical.setFromCartesianCoords(offset.y, offset.z, offset.x);
+    spherical.theta += around;
+    spherical.phi = MathUtils.clamp(spherical.phi + down, 1e-3, Math.PI - 1e-3);
+    spherical.radius = MathUtils.clamp(spherical.radius * scale, controls.minDistance, controls.maxDistance);
+    offset.setFromSpherical(spherical);
+    camera.position.set(offset.z, offset.x, offset.y).add(controls.target);
+    controls.update();
+    this.changed();
+  }
+
+  private pan(right: number, up: number): void {
+    const { camera, controls, offset } = this;
+    const far = camera.position.distanceTo(controls.target);
+    for (const [column, share] of [[0, right], [1, up]]) {
+      offset.setFromMatrixColumn(camera.matrix, column).multiplyScalar(share * far);
+      camera.position.add(offset);
+      controls.target.add(offset);
+    }
+    controls.update();
+    this.changed();
+  }
+
+  /** The least distance from which the whole box is in the picture. */
+  private fitting(direction: Vector3, target: Vector3): number {
+    const { camera, box } = this;
+    const tall = Math.tan(MathUtils.degToRad(camera.fov / 2));
+    const right = new Vector3().crossVectors(camera.up, direction).normalize();
+    const up = new Vector3().crossVectors(direction, right);
+    const corner = new Vector3();
+    let distance = 0.3 * this.reach;
+    for (let k = 0; k < 8; k++) {
+      corner.set(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z).sub(target);
+      const ahead = corner.dot(direction);
+      distance = Math.max(distance, Math.abs(corner.dot(right)) / (tall * camera.aspect) + ahead, Math.abs(corner.dot(up)) / tall + ahead);
+    }
+    return 1.18 * distance;
+  }
+
+  private readonly step = (now: number) => {
+    const share = Math.min(1, Math.max(0, (now - this.began) / 1000 / GLIDE));
+    this.place(share * share * (3 - 2 * share));
+    if (share < 1) this.gliding = requestAnimationFrame(this.step);
+  };
+
+  private place(share: number): void {
+    this.camera.position.lerpVectors(share < 1 ? this.start : this.end, this.end, share);
+    this.controls.target.lerpVectors(share < 1 ? this.targetStart : this.targetEnd, this.targetEnd, share);
+    this.controls.update();
+    this.changed();
+  }
+}

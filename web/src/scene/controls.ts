@@ -1,0 +1,96 @@
+// The scene's controls above the picture: what colours the links, how much deformation is enlarged, where one looks from.
+import { VIEWS, type View } from "./cameras";
+import { LARGEST_FACTOR, TOGGLES, type Settings } from "./settings";
+
+const VIEW_NAMES: Record<View, string> = { iso: "Oblique", front: "Front", side: "Side", top: "Top", tip: "Tip (follows)" };
+
+const SLIDER_STEPS = 100;
+
+export interface Wishes {
+  changed(): void;
+  look(view: View): void;
+  quality(): void;
+}
+
+/** A new element of a tag with properties and children; text stays text. */
+export function make<Tag extends keyof HTMLElementTagNameMap>(
+  tag: Tag, properties: Partial<HTMLElementTagNameMap[Tag]> = {}, ...children: (Node | string)[]
+): HTMLElementTagNameMap[Tag] {
+  const element = document.createElement(tag);
+  Object.assign(element, properties);
+  element.append(...children);
+  return element;
+} // prettier-ignore
+
+/** `colours`: ids and labels of what may colour the links; `toggles`: which things may be shown or not. */
+export function makeControls(
+  settings: Settings, colours: [string, string][], toggles: (keyof Settings)[], enlarges: boolean, wishes: Wishes,
+): HTMLElement {
+  const bar = make("div", { className: "scene-bar", role: "toolbar", ariaLabel: "The robot in space" });
+  const colour = chooser(colours, settings.colour, (id) => {
+    settings.colour = id;
+    wishes.changed();
+  });
+  bar.append(make("label", {}, "Colour", colour));
+  if (enlarges) bar.append(factorSlider(settings, wishes));
+  const view = chooser(VIEWS.map((id) => [id, VIEW_NAMES[id]]), "iso", (id) => wishes.look(id as View));
+  bar.append(make("label", {}, "View", view));
+  const reset = make("button", { type: "button" }, "Reset view");
+  reset.addEventListener("click", () => wishes.look(view.value as View));
+  bar.append(reset, more(settings, toggles, wishes));
+  return bar;
+} // prettier-ignore
+
+function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
+  const slider = make("input", { type: "range", min: "0", max: String(SLIDER_STEPS), step: "1", value: "0" });
+  const told = make("output", {}, "×1");
+  slider.dataset.scene = "factor";
+  slider.addEventListener("input", () => {
+    settings.factor = rounded(LARGEST_FACTOR ** (Number(slider.value) / SLIDER_STEPS));
+    told.textContent = slider.ariaValueText = `×${settings.factor}`;
+    wishes.changed();
+  });
+  slider.title = "How many times the deformation is enlarged; double click: to scale";
+  slider.addEventListener("dblclick", () => {
+    slider.value = "0";
+    slider.dispatchEvent(new Event("input"));
+  });
+  return make("label", {}, "Deformation", slider, told);
+}
+
+function rounded(factor: number): number {
+  return factor < 10 ? Math.round(10 * factor) / 10 : Math.round(factor);
+}
+
+function more(settings: Settings, toggles: (keyof Settings)[], wishes: Wishes): HTMLElement {
+  const panel = make("div", { className: "scene-more" });
+  for (const [key, label] of TOGGLES) {
+    if (!toggles.includes(key)) continue;
+    const box = make("input", { type: "checkbox", checked: settings[key] });
+    box.dataset.scene = key;
+    box.addEventListener("change", () => {
+      settings[key] = box.checked;
+      wishes.changed();
+    });
+    panel.append(make("label", {}, box, label));
+  }
+  const quality = chooser([["auto", "automatic"], ["low", "low"], ["high", "high"]], settings.quality, (id) => {
+    settings.quality = id as Settings["quality"];
+    wishes.quality();
+  });
+  panel.append(make("label", {}, "Quality", quality));
+  const details = make("details", {}, make("summary", {}, "Show"), panel);
+  details.addEventListener("keydown", (event) => {
+    if (event.key !== "Escape") return;
+    details.open = false;
+    details.querySelector("summary")?.focus();
+  });
+  return details;
+}
+
+function chooser(options: [string, string][], chosen: string, changed: (id: string) => void): HTMLSelectElement {
+  const select = make("select", {}, ...options.map(([value, label]) => make("option", { value, textContent: label })));
+  select.value = chosen;
+  select.addEventListener("change", () => changed(select.value));
+  return select;
+}

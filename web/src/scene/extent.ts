@@ -1,0 +1,53 @@
+// How large a scene is: the box about all that moves in all runs, and the sizes that follow from it.
+import { Box3, Vector3 } from "three";
+import type { Page } from "../contract";
+import type { Widths } from "./robot";
+import { round125 } from "./units";
+
+export interface Extent extends Widths {
+  /** About all lines and tips over all times [m]. */
+  box: Box3;
+  /** Length of the longest robot from root to tip, at least a thousandth of a meter. */
+  reach: number;
+  /** Side of a square of the floor. */
+  cell: number;
+}
+
+export function extentOf(page: Page): Extent {
+  const box = new Box3();
+  const point = new Vector3();
+  let reach = 1e-3;
+  let widest = 0;
+  for (const { scene } of page.runs) {
+    for (const array of [scene.line, scene.tip]) {
+      for (let k = 0; k + 2 < array.data.length; k += 3) box.expandByPoint(point.fromArray(array.data, k));
+    }
+    reach = Math.max(reach, length(scene.line.data, scene.line.shape));
+    for (const link of scene.links) link.section?.sizes.data.forEach((size) => (widest = Math.max(widest, size)));
+  }
+  if (box.isEmpty()) box.expandByPoint(point.set(0, 0, 0));
+  const span = Math.max(reach, box.getSize(point).length() / 2);
+  const usual = Math.min(Math.max(widest, 0.012 * reach), 0.025 * reach);
+  const floor = floorBelow(box, page, reach);
+  for (const { scene } of page.runs) if (scene.line.data.length) box.expandByPoint(point.fromArray(scene.line.data).setZ(floor));
+  return { box, reach, cell: round125(span / 5), usual, least: 0.006 * reach, floor };
+}
+
+/** Length along all links in the first frame. */
+function length(line: ArrayLike<number>, [, links, stations]: readonly number[]): number {
+  let sum = 0;
+  for (let link = 0; link < links; link++)
+    for (let s = 1; s < stations; s++) {
+      const k = 3 * (link * stations + s);
+      sum += Math.hypot(line[k] - line[k - 3], line[k + 1] - line[k - 2], line[k + 2] - line[k - 1]);
+    }
+  return sum;
+}
+
+/** The floor is at z = 0 where the robot stands on or above it, else a round height below all that moves. */
+function floorBelow(box: Box3, page: Page, reach: number): number {
+  const root = page.runs[0]?.scene.line.data[2] ?? 0;
+  if (box.min.z >= -1e-3 * reach && root > 0.02 * reach && root < reach) return 0;
+  const step = round125(0.1 * reach);
+  return Math.floor((Math.min(box.min.z, root) - 0.12 * reach) / step) * step;
+}

@@ -1,0 +1,157 @@
+// What is drawn about a robot: the ways of the tips, the force at a contact and the surface that is touched.
+import {
+  BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, DoubleSide, Group, Line, LineBasicMaterial,
+  LineDashedMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Vector3,
+} from "three"; // prettier-ignore
+import type { SceneContact } from "../contract";
+
+const UP = new Vector3(0, 1, 0);
+
+/** The way of a tip: full until now, dashed and faint from now on. */
+export class Trace {
+  readonly group = new Group();
+  private readonly past = new BufferGeometry();
+  private readonly rest = new BufferGeometry();
+  private readonly materials: [LineBasicMaterial, LineDashedMaterial];
+
+  constructor(private path: Float32Array, color: string, dash: number) {
+    this.materials = [
+      new LineBasicMaterial({ color }),
+      new LineDashedMaterial({ color, transparent: true, opacity: 0.55, dashSize: dash, gapSize: dash }),
+    ];
+    const lines = [new Line(this.past, this.materials[0]), new Line(this.rest, this.materials[1])];
+    lines.forEach((line) => (line.frustumCulled = false));
+    this.group.add(...lines);
+    this.lay(path);
+  }
+
+  /** Another way, of the same or of another number of points. */
+  lay(path: Float32Array): void {
+    this.path = path;
+    const position = new BufferAttribute(path, 3);
+    const along = new Float32Array(path.length / 3);
+    for (let k = 1; k < along.length; k++)
+      along[k] = along[k - 1] + Math.hypot(path[3 * k] - path[3 * k - 3], path[3 * k + 1] - path[3 * k - 2], path[3 * k + 2] - path[3 * k - 1]);
+    this.past.setAttribute("position", position);
+    this.rest.setAttribute("position", position);
+    this.rest.setAttribute("lineDistance", new BufferAttribute(along, 1));
+  }
+
+  /** The frame up to which it is past. */
+  seek(frame: number): void {
+    this.past.setDrawRange(0, frame + 1);
+    this.rest.setDrawRange(frame, this.path.length / 3 - frame);
+  }
+
+  dispose(): void {
+    [this.past, this.rest, ...this.materials].forEach((thing) => thing.dispose());
+    this.group.removeFromParent();
+  }
+}
+
+/** An arrow from where a force acts, as long as the force is large. */
+export class Arrow {
+  readonly group = new Group();
+  private readonly shaft: Mesh;
+  private readonly head: Mesh;
+  private readonly parts: (BufferGeometry | MeshBasicMaterial)[];
+  private readonly way = new Vector3();
+  private readonly turn = new Quaternion();
+
+  /** `wide`: radius of its shaft [m]; `scale`: length of a newton [m]. */
+  constructor(color: string, private readonly wide: number, readonly scale: number) {
+    const material = new MeshBasicMaterial({ color });
+    const shaft = new CylinderGeometry(wide, wide, 1, 12).translate(0, 0.5, 0);
+    const head = new ConeGeometry(2.6 * wide, 6 * wide, 16).translate(0, -3 * wide, 0);
+    [this.shaft, this.head] = [new Mesh(shaft, material), new Mesh(head, material)];
+    this.parts = [material, shaft, head];
+    this.group.add(this.shaft, this.head);
+  }
+
+  point(force: Float32Array, at: Float32Array): void {
+    const size = this.way.fromArray(force).length();
+    const length = size * this.scale;
+    this.group.visible = length > 0.5 * this.wide;
+    if (!this.group.visible) return;
+    this.group.position.fromArray(at);
+    this.group.quaternion.copy(this.turn.setFromUnitVectors(UP, this.way.divideScalar(size)));
+    this.shaft.scale.set(1, Math.max(length - 5 * this.wide, 1e-6), 1);
+    this.head.position.y = length;
+  }
+
+  dispose(): void {
+    this.parts.forEach((part) => part.dispose());
+    this.group.removeFromParent();
+  }
+}
+
+/** The part of the surface about the places of contact [k, 3], `margin` m larger than they need. */
+export function surfaceMesh(surface: SceneContact["surface"], at: ArrayLike<number>, margin: number, color: string): Mesh {
+  const material = new MeshLambertMaterial({ color, transparent: true, opacity: 0.28, side: DoubleSide, depthWrite: false });
+  return new Mesh(patch(surface, at, margin), material);
+}
+
+type Place = (u: number, v: number) => Vector3;
+
+function patch(surface: SceneContact["surface"], at: ArrayLike<number>, margin: number): BufferGeometry {
+  const points: Vector3[] = [];
+  for (let k = 0; k + 2 < at.length; k += 3) points.push(new Vector3(at[k], at[k + 1], at[k + 2]));
+  const [place, coordinates, more] = chart(surface, points, margin);
+  const found = points.map(coordinates);
+  const [u, v] = [0, 1].map((c) => {
+    const values = found.map((pair) => pair[c]);
+    return [values.reduce((a, b) => Math.min(a, b), Infinity) - more[c], values.reduce((a, b) => Math.max(a, b), -Infinity) + more[c]];
+  });
+  return grid(place, u, v);
+}
+
+/** A map of the surface: place of two coordinates, coordinates of a place, and the margin in them. */
+function chart(surface: SceneContact["surface"], points: Vector3[], margin: number): [Place, (p: Vector3) => [number, number], [number, number]] {
+  if (surface.kind === "plane") {
+    const origin = new Vector3(...surface.position);
+    const [x, y] = across(new Vector3(...surface.normal).normalize());
+    const place: Place = (u, v) => origin.clone().addScaledVector(x, u).addScaledVector(y, v);
+    return [place, (p) => [p.clone().sub(origin).dot(x), p.clone().sub(origin).dot(y)], [3 * margin, 3 * margin]];
+  }
+  const center = new Vector3(...surface.center);
+  const axis = surface.kind === "cylinder" ? new Vector3(...surface.axis).normalize() : new Vector3(0, 0, 1);
+  const mean = points.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(Math.max(points.length, 1)).sub(center);
+  const ahead = mean.addScaledVector(axis, -mean.dot(axis));
+  if (ahead.length() < 1e-6 * surface.radius) ahead.copy(across(axis)[0]);
+  ahead.normalize();
+  const aside = new Vector3().crossVectors(axis, ahead);
+  const { radius } = surface;
+  const ball = surface.kind === "ball";
+  const place: Place = (u, v) => {
+    const flat = ball ? radius * Math.cos(v) : radius;
+    const p = center.clone().addScaledVector(ahead, flat * Math.cos(u)).addScaledVector(aside, flat * Math.sin(u));
+    return p.addScaledVector(axis, ball ? radius * Math.sin(v) : v);
+  };
+  const coordinates = (p: Vector3): [number, number] => {
+    const d = p.clone().sub(center);
+    const up = d.dot(axis);
+    return [Math.atan2(d.dot(aside), d.dot(ahead)), ball ? Math.asin(Math.max(-1, Math.min(1, up / (d.length() || 1)))) : up];
+  };
+  return [place, coordinates, [margin / radius, ball ? margin / radius : margin]];
+}
+
+function across(normal: Vector3): [Vector3, Vector3] {
+  const x = new Vector3().crossVectors(Math.abs(normal.z) < 0.9 ? new Vector3(0, 0, 1) : UP, normal).normalize();
+  return [x, new Vector3().crossVectors(normal, x)];
+}
+
+function grid(place: Place, u: number[], v: number[], count = 24): BufferGeometry {
+  const positions: number[] = [];
+  const faces: number[] = [];
+  for (let i = 0; i <= count; i++)
+    for (let j = 0; j <= count; j++) {
+      positions.push(...place(u[0] + ((u[1] - u[0]) * i) / count, v[0] + ((v[1] - v[0]) * j) / count).toArray());
+      const a = i * (count + 1) + j;
+      if (i < count && j < count) faces.push(a, a + 1, a + count + 1, a + 1, a + count + 2, a + count + 1);
+    }
+  const geometry = new BufferGeometry();
+  geometry.setAttribute("position", new BufferAttribute(Float32Array.from(positions), 3));
+  geometry.setIndex(faces);
+  geometry.computeVertexNormals();
+  return geometry;
+}

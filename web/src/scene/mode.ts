@@ -1,0 +1,64 @@
+// A mode that swings about the robot's rest.
+import { Group } from "three";
+import type { Mode, Scene } from "../contract";
+import { Motion } from "./motion";
+import { RobotView } from "./robot";
+import type { Shared } from "./run";
+
+/** Seconds of a swing on the screen, whatever the frequency. */
+export const SWING = 1.6;
+
+export class ModeView {
+  readonly group = new Group();
+  private readonly motion: Motion;
+  private readonly robot: RobotView;
+  private readonly rest: RobotView;
+  private readonly size: number;
+
+  /** `amplitude`: the largest displacement as a share of the robot's reach. */
+  constructor(private readonly mode: Mode, scene: Scene, amplitude: number, shared: Shared) {
+    const [links, stations] = mode.rest.shape;
+    const once = { data: mode.rest.data, shape: [1, links, stations, 3] };
+    const roots = { data: scene.roots.data.slice(0, 4 * links), shape: [1, links, 4] };
+    const end = mode.rest.data.slice(3 * (links * stations - 1), 3 * links * stations);
+    this.motion = new Motion({
+      times: { data: Float64Array.of(0), shape: [1] }, line: once, rigid: once, reference: null, roots,
+      tip: { data: end, shape: [1, 3] }, tipReference: null, colours: [], contact: null,
+    }); // prettier-ignore
+    this.motion.seek(0, 1, null);
+    this.size = amplitude * shared.extent.reach;
+    const { colours, extent, fine } = shared;
+    const look = { link: colours.link, joint: colours.joint, gear: colours.gear, base: colours.base, payload: colours.payload, opacity: 1, painted: true, fine };
+    const still = { links: scene.links, joints: scene.joints, meshes: [] };
+    const bent = { ...still, links: scene.links.map((link) => ({ ...link, bends: true })) }; // all of them are coloured
+    this.robot = new RobotView(bent, this.motion, look, extent);
+    this.rest = new RobotView(still, this.motion, { ...look, link: colours.rigid, opacity: 0.35, painted: false }, { ...extent, usual: 0.8 * extent.usual });
+    this.group.add(this.robot.group, this.rest.group);
+    this.rest.update(this.motion, this.motion.line, 0, 1);
+  }
+
+  /** At a phase [rad]: the displacement is the real part of (real + i imaginary) e^(i phase). */
+  swing(phase: number): void {
+    const { mode, motion, size } = this;
+    const cosine = size * Math.cos(phase);
+    const sine = size * Math.sin(phase);
+    const { line, values } = motion;
+    for (let k = 0; k < values.length; k++) {
+      let away = 0;
+      for (let c = 3 * k; c < 3 * k + 3; c++) {
+        const moved = cosine * mode.real.data[c] - sine * mode.imaginary.data[c];
+        line[c] = mode.rest.data[c] + moved;
+        away += moved * moved;
+      }
+      values[k] = Math.sqrt(away) / size;
+    }
+    for (let c = 0; c < 3; c++) motion.tip[c] = line[line.length - 3 + c];
+    this.robot.update(motion, line, 0, 1);
+  }
+
+  dispose(): void {
+    this.robot.dispose();
+    this.rest.dispose();
+    this.group.removeFromParent();
+  }
+}

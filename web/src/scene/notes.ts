@@ -1,0 +1,70 @@
+// What is written over the picture: the legend, the colour scale with its unit, the enlargement, the grid.
+import { make } from "./controls";
+import { gradient } from "./palette";
+import { digits, readable } from "./units";
+
+const TICKS = 5;
+
+export interface Entry {
+  colour: string;
+  label: string;
+}
+
+export class Notes {
+  private readonly legend = note("scene-legend");
+  private readonly scale = note("scene-scale");
+  private readonly factor = note("scene-factor");
+  private readonly grid = note("scene-grid");
+  private readonly live = make("span");
+  private shown = "";
+
+  constructor(place: HTMLElement) {
+    place.append(this.legend, this.scale, this.factor, this.grid);
+  }
+
+  /** The entries of the legend, and a line whose words change with time. */
+  list(entries: Entry[], changing: boolean): void {
+    this.legend.replaceChildren(...entries.map(({ colour, label }) => make("span", {}, swatch(colour), label)));
+    if (changing) this.legend.append(this.live);
+    this.legend.hidden = entries.length === 0 && !changing;
+  }
+
+  /** The line of the legend that changes with time. */
+  tell(words: string): void {
+    if (words === this.shown) return;
+    this.shown = words;
+    this.live.textContent = words;
+  }
+
+  /** The colours' range, in the quantity's unit; null: nothing is coloured by a quantity. */
+  range(told: { label: string; unit: string; low: number; high: number } | null): void {
+    this.scale.hidden = told === null;
+    if (told === null) return;
+    const unit = readable(told.unit, told.high);
+    const ticks = Array.from({ length: TICKS }, (_, k) => told.high + ((told.low - told.high) * k) / (TICKS - 1));
+    const bar = swatch(gradient());
+    const name = unit.name.replaceAll(" ", "\u00a0");
+    const title = make("b", {}, name ? `${told.label} [${name}]` : told.label);
+    this.scale.replaceChildren(title, make("ol", {}, ...ticks.map((tick) => make("li", {}, digits(unit.factor * tick)))), bar);
+  }
+
+  enlarged(words: string): void {
+    this.factor.hidden = words === "";
+    this.factor.textContent = words;
+  }
+
+  floor(words: string): void {
+    this.grid.hidden = words === "";
+    this.grid.textContent = words;
+  }
+}
+
+function note(kind: string): HTMLElement {
+  return make("div", { className: `scene-note ${kind}`, hidden: true });
+}
+
+function swatch(background: string): HTMLElement {
+  const found = make("i", { ariaHidden: "true" });
+  found.style.background = background;
+  return found;
+}

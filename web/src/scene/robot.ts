@@ -1,0 +1,181 @@
+// One robot in space: links swept along their lines, housings of its joints, its base, the payload at its tip.
+import {
+  BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, Group, Material, Mesh, MeshLambertMaterial,
+  MeshStandardMaterial, Quaternion, SphereGeometry, Vector3,
+} from "three"; // prettier-ignore
+import type { Scene, SceneJoint, SceneLink, SceneMesh } from "../contract";
+import type { Motion } from "./motion";
+import { Sweep, type SectionSizes } from "./sweep";
+
+/** What a robot is made of, whatever moves it. */
+export type Body = Pick<Scene, "links" | "joints" | "meshes">;
+
+export interface Look {
+  /** Of links that are not coloured by a quantity. */
+  link: string;
+  joint: string;
+  gear: string;
+  base: string;
+  payload: string;
+  /** Below 1: a ghost, links alone. */
+  opacity: number;
+  /** Whether a quantity colours the links that bend. */
+  painted: boolean;
+  fine: boolean;
+}
+
+/** Sizes that all robots of a scene share [m]: the half-width of links that tell none, and the least that is drawn. */
+export interface Widths {
+  usual: number;
+  least: number;
+  floor: number;
+}
+
+const UP = new Vector3(0, 1, 0);
+
+export class RobotView {
+  readonly group = new Group();
+  private readonly sweeps: (Sweep | null)[];
+  private readonly placed: { object: Mesh; link: number; turn: Quaternion | null }[] = [];
+  private readonly rods: { object: Mesh; link: number; parent: number; place: number }[] = [];
+  private readonly pedestals: { object: Mesh; link: number }[] = [];
+  private readonly payload: Mesh | null = null;
+  private readonly trash: (BufferGeometry | Material)[] = [];
+  private readonly from = new Vector3();
+  private readonly to = new Vector3();
+  private readonly quaternion = new Quaternion();
+
+  constructor(body: Body, motion: Motion, private readonly look: Look, private readonly widths: Widths) {
+    const plain = this.material(look.link, false);
+    const painted = look.painted ? this.material("#ffffff", true) : plain;
+    const meshed = new Set(body.meshes.map((mesh) => mesh.link));
+    this.sweeps = body.links.map((link, k) => {
+      if (k >= motion.links || (!link.bends && meshed.has(k))) return null;
+      const sweep = new Sweep(motion.stations, sizes(link, motion.stations, widths), look.fine ? 24 : 10);
+      this.add(new Mesh(sweep.geometry, link.bends ? painted : plain));
+      return sweep;
+    });
+    if (look.opacity < 1) return;
+    body.joints.forEach((joint) => this.housing(joint, body.links[joint.link], meshed.has(joint.link)));
+    body.meshes.forEach((mesh) => this.surface(mesh, body.links));
+    body.links.slice(0, motion.links).forEach((link, k) => this.holder(link, k, motion, meshed));
+    this.payload = this.add(new Mesh(this.kept(new SphereGeometry(1.5 * widths.usual, 24, 16)), this.material(look.payload, false)));
+  }
+
+  /** Take the pose of a motion; values from `low` to `high` colour the links where they are coloured. */
+  update(motion: Motion, line: Float32Array, low: number, high: number): void {
+    const { stations, roots, values } = motion;
+    const size = 3 * stations;
+    this.sweeps.forEach((sweep, k) => {
+      sweep?.shape(line, k * size, roots, 4 * k);
+      if (this.look.painted) sweep?.paint(values, k * stations, low, high);
+    });
+    for (const { object, link, turn } of this.placed) {
+      if (link < 0) continue;
+      object.position.fromArray(line, link * size);
+      object.quaternion.fromArray(roots, 4 * link);
+      if (turn) object.quaternion.multiply(turn);
+    }
+    for (const rod of this.rods) this.between(rod.object, line, rod.place, rod.link * size);
+    for (const { object, link } of this.pedestals) this.stand(object, line, link * size);
+    this.payload?.position.copy(this.from.fromArray(motion.tip));
+  }
+
+  dispose(): void {
+    this.sweeps.forEach((sweep) => sweep?.dispose());
+    this.trash.forEach((thing) => thing.dispose());
+    this.group.removeFromParent();
+  }
+
+  private material(color: string, vertexColors: boolean): Material {
+    const { opacity, fine } = this.look;
+    const ghost = { transparent: opacity < 1, opacity, depthWrite: opacity >= 1 };
+    const told = { color, vertexColors, ...ghost };
+    return this.kept(fine ? new MeshStandardMaterial({ ...told, roughness: 0.5, metalness: 0.1 }) : new MeshLambertMaterial(told));
+  }
+
+  private kept<Thing extends BufferGeometry | Material>(thing: Thing): Thing {
+    this.trash.push(thing);
+    return thing;
+  }
+
+  private add(object: Mesh): Mesh {
+    object.frustumCulled = false; // its vertices move, its bounds would have to follow
+    object.castShadow = object.receiveShadow = this.look.opacity >= 1;
+    this.group.add(object);
+    return object;
+  }
+
+  private housing(joint: SceneJoint, link: SceneLink | undefined, meshed: boolean): void {
+    if (link === undefined || meshed || joint.kind === "fixed") return;
+    const wide = 1.9 * this.widths.usual;
+    const shape = joint.kind === "revolute" ? new CylinderGeometry(wide, wide, 2.6 * wide, this.look.fine ? 32 : 14) : new BoxGeometry(2 * wide, 2.6 * wide, 2 * wide);
+    const object = this.add(new Mesh(this.kept(shape), this.material(joint.elastic ? this.look.gear : this.look.joint, false)));
+    const axis = new Vector3(...joint.axis).normalize();
+    this.placed.push({ object, link: joint.link, turn: new Quaternion().setFromUnitVectors(UP, axis) });
+  }
+
+  private surface(mesh: SceneMesh, links: SceneLink[]): void {
+    if (links[mesh.link]?.bends) return; // it would not bend: the link is swept instead
+    const geometry = this.kept(new BufferGeometry());
+    geometry.setAttribute("position", new BufferAttribute(Float32Array.from(mesh.vertices.data), 3));
+    geometry.setIndex(new BufferAttribute(Uint32Array.from(mesh.faces.data), 1));
+    geometry.computeVertexNormals();
+    const object = this.add(new Mesh(geometry, this.material(mesh.colour, false)));
+    this.placed.push({ object, link: mesh.link, turn: null });
+  }
+
+  /** What holds the root of a link: its parent's end, else a rod from the nearest place of the parent, or a pedestal. */
+  private holder(link: SceneLink, index: number, motion: Motion, meshed: Set<number>): void {
+    const { arrays, stations } = motion;
+    const root = 3 * stations * index;
+    if (link.parent < 0) {
+      if (meshed.has(-1)) return;
+      const shape = new CylinderGeometry(2.2 * this.widths.usual, 3.6 * this.widths.usual, 1, 32);
+      this.pedestals.push({ object: this.add(new Mesh(this.kept(shape), this.material(this.look.base, false))), link: index });
+      return;
+    }
+    let place = 0;
+    let least = Infinity;
+    for (let s = 0; s < stations; s++) {
+      const there = 3 * (stations * link.parent + s);
+      const away = Math.hypot(...[0, 1, 2].map((c) => arrays.line.data[there + c] - arrays.line.data[root + c]));
+      if (away < least) [place, least] = [there, away];
+    }
+    if (least < 0.5 * this.widths.usual || (meshed.has(index) && meshed.has(link.parent))) return;
+    const shape = new CylinderGeometry(0.8 * this.widths.usual, 0.8 * this.widths.usual, 1, 16);
+    const object = this.add(new Mesh(this.kept(shape), this.material(this.look.link, false)));
+    this.rods.push({ object, link: index, parent: link.parent, place });
+  }
+
+  /** A rod of length 1 along its y from one place of the lines to another. */
+  private between(object: Mesh, line: Float32Array, start: number, end: number): void {
+    this.from.fromArray(line, start);
+    this.to.fromArray(line, end).sub(this.from);
+    const length = this.to.length();
+    object.position.copy(this.from).addScaledVector(this.to, 0.5);
+    object.scale.set(1, Math.max(length, 1e-9), 1);
+    if (length > 0) object.quaternion.copy(this.quaternion.setFromUnitVectors(UP, this.to.divideScalar(length)));
+  }
+
+  private stand(object: Mesh, line: Float32Array, root: number): void {
+    const height = Math.max(line[root + 2] - this.widths.floor, 1e-4);
+    object.position.set(line[root], line[root + 1], this.widths.floor + height / 2);
+    object.scale.set(1, height, 1);
+    object.rotation.set(Math.PI / 2, 0, 0);
+  }
+}
+
+/** The half-widths of a link at `count` stations, none thinner than what is drawn. */
+function sizes(link: SceneLink, count: number, widths: Widths): SectionSizes {
+  const found = new Float32Array(2 * count).fill(widths.usual);
+  if (link.section === null) return { shape: "round", sizes: found };
+  const told = link.section.sizes;
+  const last = told.shape[0] - 1;
+  for (let s = 0; s < count; s++)
+    for (let c = 0; c < 2; c++) {
+      const row = Math.round((s / Math.max(count - 1, 1)) * last);
+      found[2 * s + c] = Math.max(told.data[2 * row + c], widths.least);
+    }
+  return { shape: link.section.shape, sizes: found };
+}

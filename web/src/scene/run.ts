@@ -1,0 +1,191 @@
+// One run in space: its robot, the ghosts of its reference, its rigid plan and of itself before a change, tips, contact.
+import { Group, type Material, type Mesh } from "three";
+import type { Run } from "../contract";
+import type { Extent } from "./extent";
+import { Arrow, surfaceMesh, Trace } from "./marks";
+import { Motion, type Arrays } from "./motion";
+import { RUNS, type Palette } from "./palette";
+import { RobotView, type Body, type Look } from "./robot";
+import type { Settings } from "./settings";
+import { round125 } from "./units";
+
+export interface Range {
+  low: number;
+  high: number;
+}
+
+/** What all runs of a scene share. */
+export interface Shared {
+  extent: Extent;
+  colours: Palette;
+  fine: boolean;
+  /** Length of a newton [m]. */
+  scale: number;
+}
+
+export class RunView {
+  readonly group = new Group();
+  motion: Motion;
+  private before: Motion | null = null;
+  private robot!: RobotView;
+  private ghosts: { view: RobotView; of: "reference" | "rigid" | "before" }[] = [];
+  private traces: { trace: Trace; reference: boolean }[] = [];
+  private arrow: Arrow | null = null;
+  private surface: Mesh | null = null;
+  private built = "";
+  private traced = "";
+
+  /** `alone`: there is no other run, so that the robot needs no colour of its own. */
+  constructor(readonly run: Run, private readonly index: number, private readonly alone: boolean, private readonly shared: Shared) {
+    this.motion = new Motion(run.scene);
+  }
+
+  /** The colour by which this run is told from the others. */
+  get colour(): string {
+    return this.alone ? this.shared.colours.real : RUNS[this.index % RUNS.length];
+  }
+
+  get changed(): boolean {
+    return this.before !== null;
+  }
+
+  /** Other arrays, which the page's own then stand beside as a ghost; null: the page's own. */
+  replace(arrays: Arrays | null): void {
+    const { scene } = this.run;
+    const shapes = this.motion.arrays.line.shape;
+    const next = new Motion(arrays ?? scene);
+    if (String(next.arrays.line.shape.slice(1)) !== String(shapes.slice(1)) || (arrays !== null) !== this.changed) this.built = "";
+    this.before = arrays === null ? null : (this.before ?? new Motion(scene));
+    this.motion = next;
+    this.traced = "";
+  }
+
+  update(time: number, settings: Settings, range: Range): void {
+    const { motion } = this;
+    this.build(settings);
+    const values = motion.arrays.colours.find(({ id }) => id === settings.colour)?.values ?? null;
+    motion.seek(time, settings.factor, values);
+    this.robot.update(motion, motion.line, range.low, range.high);
+    this.before?.seek(time, settings.factor, null);
+    for (const { view, of } of this.ghosts) {
+      const line = of === "before" ? this.before?.line : motion[of];
+      view.group.visible = of === "before" ? line !== undefined : settings[of] && line !== null;
+      if (view.group.visible && line) view.update(of === "before" && this.before ? this.before : motion, line, 0, 1);
+    }
+    this.draw(settings);
+  }
+
+  /** All values of a quantity on links that bend, for its range. */
+  values(id: string, take: (value: number) => void): void {
+    const { arrays, links, stations } = this.motion;
+    const told = arrays.colours.find((one) => one.id === id)?.values.data;
+    const bending = this.run.scene.links.map((link) => link.bends || id === "displacement");
+    if (told === undefined) return;
+    for (let k = 0; k < told.length; k++) if (bending[Math.floor(k / stations) % links]) take(told[k]);
+  }
+
+  dispose(): void {
+    this.clear();
+    this.group.removeFromParent();
+  }
+
+  /** Make what is shown, where the choice of what it is made of has changed. */
+  private build(settings: Settings): void {
+    const painted = settings.colour !== "run";
+    const wanted = `${painted}`;
+    if (wanted === this.built) return;
+    this.clear();
+    this.built = wanted;
+    const { scene } = this.run;
+    const { extent, colours, fine } = this.shared;
+    const own = painted ? colours.link : this.colour;
+    const joint = this.alone ? colours.joint : this.colour;
+    const look: Look = { link: own, joint, gear: this.alone ? colours.gear : joint, base: colours.base, payload: joint, opacity: 1, painted, fine };
+    this.robot = this.added(scene, this.motion, look, 1);
+    const ghosts = { reference: colours.reference, rigid: colours.rigid, before: colours.before };
+    for (const of of ["reference", "rigid", "before"] as const) {
+      if (of === "before" ? !this.before : !scene[of]) continue;
+      const faint: Look = { ...look, link: ghosts[of], opacity: 0.42, painted: false };
+      this.ghosts.push({ view: this.added(scene, of === "before" && this.before ? this.before : this.motion, faint, 0.85), of });
+    }
+    if (scene.contact) {
+      this.arrow = new Arrow(colours.force, 0.006 * extent.reach, this.shared.scale);
+      this.surface = surfaceMesh(scene.contact.surface, scene.contact.at.data, 0.12 * extent.reach, colours.surface);
+      this.group.add(this.arrow.group, this.surface);
+    }
+  }
+
+  private added(body: Body, motion: Motion, look: Look, share: number): RobotView {
+    const { extent } = this.shared;
+    const widths = { usual: share * extent.usual, least: share * extent.least, floor: extent.floor };
+    const view = new RobotView(share < 1 ? thinner(body, share) : body, motion, look, widths);
+    this.group.add(view.group);
+    return view;
+  }
+
+  private draw(settings: Settings): void {
+    this.trace(settings);
+    for (const { trace, reference } of this.traces) {
+      trace.group.visible = settings.traces && (!reference || this.motion.arrays.tipReference !== null);
+      trace.seek(this.motion.frame);
+    }
+    if (this.surface) this.surface.visible = settings.surface;
+    if (!this.arrow) return;
+    this.arrow.point(this.motion.force, this.motion.at);
+    this.arrow.group.visible &&= settings.force && this.motion.arrays.contact !== null;
+  }
+
+  private trace(settings: Settings): void {
+    const wanted = `${settings.factor}`;
+    if (wanted === this.traced) return;
+    const first = this.traces.length === 0;
+    this.traced = wanted;
+    for (const reference of [false, true]) {
+      const path = this.motion.path(reference, settings.factor);
+      const known = this.traces.find((one) => one.reference === reference);
+      if (path === null) continue;
+      if (known) known.trace.lay(path);
+      else if (first) {
+        const colour = reference ? this.shared.colours.reference : this.colour;
+        const trace = new Trace(path, colour, 0.012 * this.shared.extent.reach);
+        this.traces.push({ trace, reference });
+        this.group.add(trace.group);
+      }
+    }
+  }
+
+  private clear(): void {
+    this.robot?.dispose();
+    this.ghosts.forEach(({ view }) => view.dispose());
+    this.traces.forEach(({ trace }) => trace.dispose());
+    this.arrow?.dispose();
+    if (this.surface) {
+      this.surface.geometry.dispose();
+      (this.surface.material as Material).dispose();
+      this.surface.removeFromParent();
+    }
+    this.ghosts = [];
+    this.traces = [];
+    this.traced = this.built = "";
+  }
+}
+
+/** Ghosts lie inside of what they are ghosts of, as long as they are in the same place. */
+function thinner(body: Body, share: number): Body {
+  const links = body.links.map((link) => {
+    if (link.section === null) return link;
+    const { data, shape } = link.section.sizes;
+    return { ...link, section: { ...link.section, sizes: { data: Float32Array.from(data, (size) => share * size), shape } } };
+  });
+  return { ...body, links, meshes: [] };
+}
+
+/** The length of a newton with which the largest force of all runs is about a third of the robot's reach. */
+export function forceScale(runs: Run[], reach: number): number {
+  let largest = 0;
+  for (const { scene } of runs) {
+    const force = scene.contact?.force.data ?? [];
+    for (let k = 0; k + 2 < force.length; k += 3) largest = Math.max(largest, Math.hypot(force[k], force[k + 1], force[k + 2]));
+  }
+  return largest > 0 ? round125((0.35 * reach) / largest) : 0;
+}

@@ -1,0 +1,148 @@
+// The robot in space: `mountScene` puts it into an element of the page, where it follows the page's clock.
+import type { Clock } from "../clock";
+import type { LiveRun, Mode, Page, SceneView } from "../contract";
+import { make, makeControls } from "./controls";
+import { extentOf } from "./extent";
+import { Notes } from "./notes";
+import type { Settings } from "./settings";
+import { suitable } from "./stage";
+import { useStyle } from "./style";
+import { World } from "./world";
+
+const NO_WEBGL =
+  "This browser draws nothing in 3D (WebGL is missing or switched off), so the robot is not shown here. " +
+  "All curves and numbers of the page are complete without it.";
+
+export function mountScene(element: HTMLElement, page: Page, clock: Clock): SceneView {
+  useStyle();
+  const frame = make("div", { className: "scene" });
+  const view = make("div", { className: "scene-view" });
+  element.append(frame);
+  const best = page.runs.length > 0 ? suitable() : null;
+  if (best === null) {
+    frame.append(view);
+    view.append(make("p", { className: "scene-message", role: "note" }, NO_WEBGL));
+    return { replace: () => {}, showMode: () => {}, resize: () => {}, dispose: () => frame.remove() };
+  }
+  return new Mounted(frame, view, page, clock, best);
+}
+
+class Mounted implements SceneView {
+  private readonly settings: Settings;
+  private readonly notes: Notes;
+  private readonly replaced: (LiveRun["scene"] | null)[];
+  private readonly ends: (() => void)[] = [];
+  private readonly dark = window.matchMedia("(prefers-color-scheme: dark)");
+  private readonly still = window.matchMedia("(prefers-reduced-motion: reduce)");
+  private readonly extent;
+  private world: World;
+  private mode: { mode: Mode; amplitude: number } | null = null;
+  private asked = 0;
+
+  constructor(
+    private readonly frame: HTMLElement,
+    private readonly view: HTMLElement,
+    private readonly page: Page,
+    private readonly clock: Clock,
+    private readonly best: "low" | "high",
+  ) {
+    const { runs } = page;
+    const many = runs.length > 1;
+    this.settings = {
+      colour: many ? "run" : (runs[0].scene.colours[0]?.id ?? "run"),
+      factor: 1, reference: !many, rigid: false, traces: true, force: true, surface: true, floor: true, apart: false, quality: "auto",
+    }; // prettier-ignore
+    this.replaced = runs.map(() => null);
+    this.extent = extentOf(page);
+    this.notes = new Notes(view);
+    frame.append(this.controls(), view);
+    this.world = this.made();
+    this.ends.push(clock.subscribe(this.ask));
+    const sizes = new ResizeObserver(() => this.resize());
+    sizes.observe(view);
+    this.dark.addEventListener("change", this.remake);
+    this.ends.push(() => sizes.disconnect(), () => this.dark.removeEventListener("change", this.remake));
+    this.resize();
+    this.refresh();
+    this.world.look("iso", false);
+  }
+
+  replace(run: number, scene: LiveRun["scene"] | null): void {
+    this.replaced[run] = scene;
+    this.world.replace(run, scene);
+    this.refresh();
+  }
+
+  showMode(mode: Mode | null, amplitude: number): void {
+    this.mode = mode === null ? null : { mode, amplitude };
+    this.world.showMode(mode, amplitude);
+    this.refresh();
+  }
+
+  resize(): void {
+    this.world.resize(this.view.clientWidth, this.view.clientHeight);
+    this.ask();
+  }
+
+  dispose(): void {
+    cancelAnimationFrame(this.asked);
+    this.ends.forEach((end) => end());
+    this.world.dispose();
+    this.frame.remove();
+  }
+
+  private controls(): HTMLElement {
+    const { runs } = this.page;
+    const quantities = new Map(runs.flatMap(({ scene }) => scene.colours.map(({ id, label }) => [id, label] as const)));
+    const colours: [string, string][] = [...quantities, ["run", runs.length > 1 ? "each robot its own" : "none"]];
+    const any = (has: (scene: Page["runs"][0]["scene"]) => unknown) => runs.some(({ scene }) => has(scene));
+    const there: [keyof Settings, boolean][] = [
+      ["reference", any((scene) => scene.reference)], ["rigid", any((scene) => scene.rigid)], ["traces", true],
+      ["force", any((scene) => scene.contact)], ["surface", any((scene) => scene.contact)], ["floor", true],
+      ["apart", runs.length > 1],
+    ]; // prettier-ignore
+    const toggles = there.filter(([, is]) => is).map(([key]) => key);
+    return makeControls(this.settings, colours, toggles, any((scene) => scene.rigid), {
+      changed: () => this.refresh(),
+      look: (view) => this.world.look(view, !this.still.matches),
+      quality: this.remake,
+    });
+  }
+
+  private made(): World {
+    const { quality } = this.settings;
+    const world = new World(this.page, this.extent, quality === "auto" ? this.best : quality, this.dark.matches, this.settings, this.ask);
+    this.view.prepend(world.canvas);
+    return world;
+  }
+
+  /** All anew, in other colours or another quality, looked at from the same place. */
+  private readonly remake = () => {
+    const old = this.world;
+    this.world = this.made();
+    this.world.takeView(old);
+    old.dispose();
+    this.replaced.forEach((scene, run) => scene && this.world.replace(run, scene));
+    if (this.mode) this.world.showMode(this.mode.mode, this.mode.amplitude);
+    this.resize();
+    this.refresh();
+  };
+
+  private refresh(): void {
+    this.world.refresh();
+    this.world.tell(this.notes);
+    this.ask();
+  }
+
+  /** Ask for a picture: one for all that has changed until then. */
+  private readonly ask = () => {
+    if (this.asked === 0) this.asked = requestAnimationFrame(this.draw);
+  };
+
+  private readonly draw = (now: number) => {
+    this.asked = 0;
+    this.world.draw(this.clock.time, this.still.matches ? 0 : now / 1000);
+    this.notes.tell(this.world.words());
+    if (this.mode && !this.still.matches) this.ask();
+  };
+}

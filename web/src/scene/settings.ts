@@ -1,0 +1,29 @@
+// What a viewer may choose.
+
+export interface Settings {
+  /** Id of the quantity that colours the links that bend; `run`: each robot its own colour. */
+  colour: string;
+  /** Displacements from the rigid arm are shown this many times as large. */
+  factor: number;
+  reference: boolean;
+  rigid: boolean;
+  traces: boolean;
+  force: boolean;
+  surface: boolean;
+  floor: boolean;
+  /** Several robots beside each other instead of one in the other. */
+  apart: boolean;
+  quality: "auto" | "low" | "high";
+}
+
+export const LARGEST_FACTOR = 200;
+
+export const TOGGLES: [keyof Settings & ("reference" | "rigid" | "traces" | "force" | "surface" | "floor" | "apart"), string][] = [
+  ["reference", "Reference (ghost)"],
+  ["rigid", "Rigid plan (ghost)"],
+  ["traces", "Ways of the tips"],
+  ["force", "Contact force"],
+  ["surface", "Surface"],
+  ["floor", "Floor"],
+  ["apart", "Side by side"],
+];
