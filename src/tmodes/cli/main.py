@@ -25,6 +25,7 @@ from tmodes.cli.schema import schema
 from tmodes.cli.show import show
 from tmodes.cli.static import static
 from tmodes.cli.studio import studio
+from tmodes.cli.view import view
 from tmodes.errors import InputError, TmodesError
 
 __all__ = ["app", "main"]
@@ -46,7 +47,7 @@ app = typer.Typer(
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
     (batch, "batch"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
-    (bench, "bench"), (cache, "cache"), (show, "show"), (studio, "studio"),
+    (bench, "bench"), (cache, "cache"), (show, "show"), (studio, "studio"), (view, "view"),
 ):  # fmt: skip
     app.command(name)(command)
 
