@@ -35,12 +35,16 @@ def page_data(
     names = names or [_name(result) for result in results]
     charts = charts_of(results)
     runs = [_run(*one) for one in zip(results, names, charts, strict=True)]
-    subtitle = str(results[0].data.attrs["title"]) if len(results) == 1 else f"{len(results)} runs side by side"
+    subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
     return {"format": 1, "title": ", ".join(names), "subtitle": subtitle, "runs": runs, "live": live}
 
 
 def _name(result: RunRecord) -> str:
     return str(json.loads(result.data.attrs["robot"]).get("name") or "robot")
+
+
+def _title(result: RunRecord) -> str:
+    return str(json.loads(result.data.attrs["robot"]).get("title") or "")
 
 
 def _run(result: RunRecord, name: str, charts: list[dict[str, Any]]) -> dict[str, Any]:

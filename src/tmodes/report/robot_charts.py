@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import Any
 
 from tmodes.report.common_charts import contact_parts, energy_charts, tip_charts
-from tmodes.report.drafts import Draft, Line, line_of
+from tmodes.report.drafts import Draft, Line, line_of, values_at
 from tmodes.report.numbers import PLACES
 from tmodes.report.spectra import robot_spectra
 
@@ -56,7 +56,7 @@ def _motor(data: Any) -> Iterator[Draft]:
     time = data["time"].values
     yield Draft("voltage", "Motor voltage", "motors", "V", time, _beside_reference(data, "voltage", "u"))
     yield Draft("current", "Motor current", "motors", "A", time, _beside_reference(data, "current", "i"))
-    yield Draft("motor_torque", "Motor torque", "motors", "N m", time, (_torque(data),))
+    yield from _torque(data)
     yield Draft("gear_torque", "Gear torque", "motors", "N m", time, _beside_reference(data, "gear_torque", "ς"))
     yield from _motor_angle(data)
 
@@ -68,11 +68,13 @@ def _beside_reference(data: Any, name: str, label: str) -> tuple[Line, ...]:
     return tuple(lines)
 
 
-def _torque(data: Any) -> Line:
-    """What the current makes, C_M i."""
-    constant = float(json.loads(data.attrs["parameters"])["motor.torque_constant"])
-    current = line_of(data, ("current", 0), "CM i", "real")
-    return Line("CM i", "real", constant * current.values, current.place, None, constant)
+def _torque(data: Any) -> Iterator[Draft]:
+    """What the current makes, C_M i, where the constant is known."""
+    constant = json.loads(data.attrs["parameters"]).get("motor.torque_constant")
+    if isinstance(constant, float):
+        current = values_at(data, ("current", 0))
+        line = Line("CM i", "real", constant * current, ("current", 0), None, constant)
+        yield Draft("motor_torque", "Motor torque", "motors", "N m", data["time"].values, (line,))
 
 
 def _motor_angle(data: Any) -> Iterator[Draft]:

@@ -23,6 +23,7 @@ export interface ChartView {
 
 const DECADES = { spectrum: 5, other: 6 };
 const HEIGHT = 190;
+const ROUNDING = 1e-9;
 
 export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const { chart } = set;
@@ -38,6 +39,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   let stale = true;
   let drawn = ""; // what the plot is made for
   let scheme = 0;
+  let largest = 0;
 
   const place = make("div", { class: "plot-area", role: "img" });
   const readout = make("span", { class: "readout" });
@@ -69,6 +71,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     const shown = entries.filter((entry) => legend.shows(entry));
     const lines = shown.map((entry) => ({ ...legend.look(entry), width: entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3, ghost: entry.ghost }));
     const data = aligned(shown, log);
+    largest = Math.max(0, ...shown.map((entry) => Math.max(...extremes(entry).map(Math.abs))));
     const kind = JSON.stringify([lines, log, place.clientWidth, scheme]);
     if (plot && kind === drawn) plot.setData(data as unknown as uPlot.AlignedData);
     else renew(data, lines);
@@ -111,8 +114,13 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   function tell(): void {
     moveCursor();
     const at = hover ?? (timed ? clock.time : null);
-    readout.textContent = at === null ? "" : timed ? `${at.toFixed(3)} s` : told(at, "Hz");
-    legend.tell((entry) => (at === null ? null : valueAt(entry, at)));
+    readout.textContent = hover === null ? "" : timed ? `at ${hover.toFixed(3)} s` : `at ${told(hover, "Hz")}`;
+    legend.tell((entry) => (at === null ? null : calmed(valueAt(entry, at))));
+  }
+
+  /** What is rounding beside the largest value is zero. */
+  function calmed(value: number | null): number | null {
+    return value !== null && Math.abs(value) < ROUNDING * largest && !log ? 0 : value;
   }
 
   function summary(shown: Entry[]): string {

@@ -1,6 +1,5 @@
 // The legend of a chart: what is told apart by colour and by dash, switched by buttons, with the values at the cursor.
 
-import type { Role } from "../contract";
 import { make, swatch } from "../dom";
 import { plain } from "../format";
 import { lookOf, WORDS, type Look } from "./look";
@@ -43,7 +42,7 @@ export function makeLegend(entries: Entry[], changed: () => void): Legend {
     element.append(row);
   });
   function toggle(first: Entry, kind: string, k: number): HTMLElement {
-    const words = k === 0 ? first.runName : k === 2 ? (byColour === 2 && kinds[1].length === 1 ? roleWords(first) : WORDS[first.role]) : first.label;
+    const words = k === 0 ? first.runName : k === 2 && dashed > 1 ? WORDS[first.role] : first.label;
     const drawn = k === byColour ? look(first) : { property: "--quiet", dash: k === 2 ? look(first).dash : [] };
     const sample = swatch(`var(${drawn.property})`, k === byColour && byColour < 2 && dashed > 1 ? [] : drawn.dash);
     const value = make("span", { class: "value" });
@@ -71,9 +70,4 @@ export function makeLegend(entries: Entry[], changed: () => void): Legend {
       }
     },
   };
-}
-
-function roleWords(entry: Entry): string {
-  const plainRoles: Role[] = ["real", "other"];
-  return plainRoles.includes(entry.role) && entry.label.length > 1 ? entry.label : WORDS[entry.role];
 }
