@@ -28,11 +28,10 @@ export class ModeView {
     this.motion.seek(0, 1, null);
     this.size = amplitude * shared.extent.reach;
     const { colours, extent, fine } = shared;
-    const look = { link: colours.link, joint: colours.joint, gear: colours.gear, base: colours.base, payload: colours.payload, opacity: 1, painted: true, fine };
+    const look = { link: colours.link, joint: colours.joint, gear: colours.gear, base: colours.base, payload: colours.payload, opacity: 1, painted: "all", fine } as const;
     const still = { links: scene.links, joints: scene.joints, meshes: [] };
-    const bent = { ...still, links: scene.links.map((link) => ({ ...link, bends: true })) }; // all of them are coloured
-    this.robot = new RobotView(bent, this.motion, look, extent);
-    this.rest = new RobotView(still, this.motion, { ...look, link: colours.rigid, opacity: 0.35, painted: false }, { ...extent, usual: 0.8 * extent.usual });
+    this.robot = new RobotView(still, this.motion, look, extent);
+    this.rest = new RobotView(still, this.motion, { ...look, link: colours.rigid, opacity: 0.35, painted: "none" }, { ...extent, usual: 0.8 * extent.usual });
     this.group.add(this.robot.group, this.rest.group);
     this.rest.update(this.motion, this.motion.line, 0, 1);
   }

@@ -19,8 +19,8 @@ export interface Look {
   payload: string;
   /** Below 1: a ghost, links alone. */
   opacity: number;
-  /** Whether a quantity colours the links that bend. */
-  painted: boolean;
+  /** Which links a quantity colours. */
+  painted: "none" | "bending" | "all";
   fine: boolean;
 }
 
@@ -47,12 +47,12 @@ export class RobotView {
 
   constructor(body: Body, motion: Motion, private readonly look: Look, private readonly widths: Widths) {
     const plain = this.material(look.link, false);
-    const painted = look.painted ? this.material("#ffffff", true) : plain;
+    const painted = look.painted === "none" ? plain : this.material("#ffffff", true);
     const meshed = new Set(body.meshes.map((mesh) => mesh.link));
     this.sweeps = body.links.map((link, k) => {
       if (k >= motion.links || (!link.bends && meshed.has(k))) return null;
       const sweep = new Sweep(motion.stations, sizes(link, motion.stations, widths), look.fine ? 24 : 10);
-      this.add(new Mesh(sweep.geometry, link.bends ? painted : plain));
+      this.add(new Mesh(sweep.geometry, link.bends || look.painted === "all" ? painted : plain));
       return sweep;
     });
     if (look.opacity < 1) return;
@@ -68,7 +68,7 @@ export class RobotView {
     const size = 3 * stations;
     this.sweeps.forEach((sweep, k) => {
       sweep?.shape(line, k * size, roots, 4 * k);
-      if (this.look.painted) sweep?.paint(values, k * stations, low, high);
+      if (this.look.painted !== "none") sweep?.paint(values, k * stations, low, high);
     });
     for (const { object, link, turn } of this.placed) {
       if (link < 0) continue;
@@ -108,8 +108,8 @@ export class RobotView {
 
   private housing(joint: SceneJoint, link: SceneLink | undefined, meshed: boolean): void {
     if (link === undefined || meshed || joint.kind === "fixed") return;
-    const wide = 1.9 * this.widths.usual;
-    const shape = joint.kind === "revolute" ? new CylinderGeometry(wide, wide, 2.6 * wide, this.look.fine ? 32 : 14) : new BoxGeometry(2 * wide, 2.6 * wide, 2 * wide);
+    const wide = 1.5 * this.widths.usual;
+    const shape = joint.kind === "revolute" ? new CylinderGeometry(wide, wide, 2.2 * wide, this.look.fine ? 32 : 14) : new BoxGeometry(2 * wide, 2.2 * wide, 2 * wide);
     const object = this.add(new Mesh(this.kept(shape), this.material(joint.elastic ? this.look.gear : this.look.joint, false)));
     const axis = new Vector3(...joint.axis).normalize();
     this.placed.push({ object, link: joint.link, turn: new Quaternion().setFromUnitVectors(UP, axis) });
@@ -131,7 +131,7 @@ export class RobotView {
     const root = 3 * stations * index;
     if (link.parent < 0) {
       if (meshed.has(-1)) return;
-      const shape = new CylinderGeometry(2.2 * this.widths.usual, 3.6 * this.widths.usual, 1, 32);
+      const shape = new CylinderGeometry(1.8 * this.widths.usual, 3 * this.widths.usual, 1, 32);
       this.pedestals.push({ object: this.add(new Mesh(this.kept(shape), this.material(this.look.base, false))), link: index });
       return;
     }
