@@ -75,6 +75,19 @@ def test_the_rigid_robot_lies_along_its_motor() -> None:
     assert np.abs(plain(scene_of(result)["rigid"])[:, -1, -1] - tip).max() < 1e-6
 
 
+def test_the_reference_is_enlarged_about_its_own_rigid_arm() -> None:
+    result = robot_result()
+    told = result.data.isel(time=scene_frames(result))
+    theta = told["q_reference"].sel(coordinate="theta").values
+    tip = 0.9 * np.stack([np.cos(theta), np.sin(theta), 0 * theta], axis=-1)
+    assert np.abs(plain(scene_of(result)["referenceRigid"])[:, -1, -1] - tip).max() < 1e-6
+    scene = scene_of(arm_result())
+    bent = plain(scene["reference"]) - plain(scene["referenceRigid"])
+    gear = arm_result().data["deformation_reference"].isel(time=scene_frames(arm_result())).values[:, 0]
+    assert np.abs(bent[:, 0, 0]).max() < 1e-6
+    assert np.abs(bent[:, 0, -1]).max() > 0.1 * np.abs(gear).max()
+
+
 def test_a_base_that_moves_carries_the_ghosts_too() -> None:
     result = arm_result()
     scene = scene_of(result)
@@ -185,7 +198,8 @@ def test_what_stands_on_what() -> None:
 
 def test_a_solid_bar_is_found_again_by_its_stiffness_and_mass() -> None:
     young, density, radius, sides = 210e9, 7850.0, 0.009, (0.02, 0.005)
-    round_bar = solid_bar(*[young * np.pi * radius**4 / 4] * 2, density * np.pi * radius**2, 3)
+    stiffness = young * np.pi * radius**4 / 4
+    round_bar = solid_bar(stiffness, stiffness, density * np.pi * radius**2, 3)
     assert round_bar is not None
     assert round_bar["sizes"] == pytest.approx(np.full((3, 2), radius), rel=0.02)
     (wide, high), area = sides, 4 * sides[0] * sides[1]
