@@ -35,7 +35,8 @@ def page_data(
     """The data of a page about one result, or several side by side.
 
     ``names`` tell the runs apart, None takes those of the robots; ``live`` is the bundle of the first run's equations,
-    from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live`` says why, where it could be expected to.
+    from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live`` says why, where
+    it could be expected to.
     """
     names = names or [_name(result) for result in results]
     charts = charts_of(results)
