@@ -13,6 +13,8 @@ const GLIDE = 0.35; // s
 
 export class Cameras {
   view: View = "iso";
+  /** What presets fit into the picture. */
+  readonly box = new Box3();
   private readonly controls: OrbitControls;
   private readonly start = new Vector3();
   private readonly end = new Vector3();
@@ -26,7 +28,6 @@ export class Cameras {
   constructor(
     private readonly camera: PerspectiveCamera,
     private readonly canvas: HTMLCanvasElement,
-    private readonly box: Box3,
     private readonly reach: number,
     private readonly changed: () => void,
   ) {

@@ -27,13 +27,13 @@ export function makeControls(
   settings: Settings, colours: [string, string][], toggles: (keyof Settings)[], enlarges: boolean, wishes: Wishes,
 ): HTMLElement {
   const bar = make("div", { className: "scene-bar", role: "toolbar", ariaLabel: "The robot in space" });
-  const colour = chooser(colours, settings.colour, (id) => {
+  const colour = chooser("Colour", colours, settings.colour, (id) => {
     settings.colour = id;
     wishes.changed();
   });
   bar.append(make("label", {}, "Colour", colour));
   if (enlarges) bar.append(factorSlider(settings, wishes));
-  const view = chooser(VIEWS.map((id) => [id, VIEW_NAMES[id]]), "iso", (id) => wishes.look(id as View));
+  const view = chooser("View", VIEWS.map((id) => [id, VIEW_NAMES[id]]), "iso", (id) => wishes.look(id as View));
   bar.append(make("label", {}, "View", view));
   const reset = make("button", { type: "button" }, "Reset view");
   reset.addEventListener("click", () => wishes.look(view.value as View));
@@ -42,7 +42,7 @@ export function makeControls(
 } // prettier-ignore
 
 function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
-  const slider = make("input", { type: "range", min: "0", max: String(SLIDER_STEPS), step: "1", value: "0" });
+  const slider = make("input", { type: "range", min: "0", max: String(SLIDER_STEPS), step: "1", value: "0", ariaLabel: "Deformation" });
   const told = make("output", {}, "×1");
   slider.dataset.scene = "factor";
   slider.addEventListener("input", () => {
@@ -50,7 +50,7 @@ function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
     told.textContent = slider.ariaValueText = `×${settings.factor}`;
     wishes.changed();
   });
-  slider.title = "How many times the deformation is enlarged; double click: to scale";
+  slider.title = "How many times displacements from the rigid arm are enlarged; double click: to scale";
   slider.addEventListener("dblclick", () => {
     slider.value = "0";
     slider.dispatchEvent(new Event("input"));
@@ -71,10 +71,11 @@ function more(settings: Settings, toggles: (keyof Settings)[], wishes: Wishes): 
     box.addEventListener("change", () => {
       settings[key] = box.checked;
       wishes.changed();
+      if (key === "apart") wishes.look("iso");
     });
     panel.append(make("label", {}, box, label));
   }
-  const quality = chooser([["auto", "automatic"], ["low", "low"], ["high", "high"]], settings.quality, (id) => {
+  const quality = chooser("Quality", [["auto", "automatic"], ["low", "low"], ["high", "high"]], settings.quality, (id) => {
     settings.quality = id as Settings["quality"];
     wishes.quality();
   });
@@ -88,8 +89,8 @@ function more(settings: Settings, toggles: (keyof Settings)[], wishes: Wishes): 
   return details;
 }
 
-function chooser(options: [string, string][], chosen: string, changed: (id: string) => void): HTMLSelectElement {
-  const select = make("select", {}, ...options.map(([value, label]) => make("option", { value, textContent: label })));
+function chooser(ariaLabel: string, options: [string, string][], chosen: string, changed: (id: string) => void): HTMLSelectElement {
+  const select = make("select", { ariaLabel }, ...options.map(([value, label]) => make("option", { value, textContent: label })));
   select.value = chosen;
   select.addEventListener("change", () => changed(select.value));
   return select;

@@ -1,8 +1,11 @@
 // What is drawn about a robot: the ways of the tips, the force at a contact and the surface that is touched.
 import {
-  BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, DoubleSide, Group, Line, LineBasicMaterial,
-  LineDashedMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Vector3,
+  BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, DoubleSide, Group, Line, LineDashedMaterial, Mesh,
+  MeshBasicMaterial, MeshLambertMaterial, Quaternion, Vector3,
 } from "three"; // prettier-ignore
+import { Line2 } from "three/examples/jsm/lines/Line2.js";
+import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
+import { LineMaterial } from "three/examples/jsm/lines/LineMaterial.js";
 import type { SceneContact } from "../contract";
 
 const UP = new Vector3(0, 1, 0);
@@ -10,41 +13,39 @@ const UP = new Vector3(0, 1, 0);
 /** The way of a tip: full until now, dashed and faint from now on. */
 export class Trace {
   readonly group = new Group();
-  private readonly past = new BufferGeometry();
-  private readonly rest = new BufferGeometry();
-  private readonly materials: [LineBasicMaterial, LineDashedMaterial];
+  private readonly past: Line2;
+  private readonly rest: Line<BufferGeometry, LineDashedMaterial>;
+  private length = 0;
 
-  constructor(private path: Float32Array, color: string, dash: number) {
-    this.materials = [
-      new LineBasicMaterial({ color }),
-      new LineDashedMaterial({ color, transparent: true, opacity: 0.55, dashSize: dash, gapSize: dash }),
-    ];
-    const lines = [new Line(this.past, this.materials[0]), new Line(this.rest, this.materials[1])];
-    lines.forEach((line) => (line.frustumCulled = false));
-    this.group.add(...lines);
+  constructor(path: Float32Array, color: string, dash: number) {
+    this.past = new Line2(new LineGeometry(), new LineMaterial({ color, linewidth: 2.5 }));
+    const faint = new LineDashedMaterial({ color, transparent: true, opacity: 0.7, dashSize: dash, gapSize: dash });
+    this.rest = new Line(new BufferGeometry(), faint);
+    this.past.frustumCulled = this.rest.frustumCulled = false;
+    this.group.add(this.past, this.rest);
     this.lay(path);
   }
 
   /** Another way, of the same or of another number of points. */
   lay(path: Float32Array): void {
-    this.path = path;
-    const position = new BufferAttribute(path, 3);
-    const along = new Float32Array(path.length / 3);
+    this.length = path.length / 3;
+    const along = new Float32Array(this.length);
     for (let k = 1; k < along.length; k++)
       along[k] = along[k - 1] + Math.hypot(path[3 * k] - path[3 * k - 3], path[3 * k + 1] - path[3 * k - 2], path[3 * k + 2] - path[3 * k - 1]);
-    this.past.setAttribute("position", position);
-    this.rest.setAttribute("position", position);
-    this.rest.setAttribute("lineDistance", new BufferAttribute(along, 1));
+    this.rest.geometry.setAttribute("position", new BufferAttribute(path, 3));
+    this.rest.geometry.setAttribute("lineDistance", new BufferAttribute(along, 1));
+    this.past.visible = this.length > 1;
+    if (this.past.visible) this.past.geometry.setPositions(path);
   }
 
   /** The frame up to which it is past. */
   seek(frame: number): void {
-    this.past.setDrawRange(0, frame + 1);
-    this.rest.setDrawRange(frame, this.path.length / 3 - frame);
+    this.past.geometry.instanceCount = Math.min(frame, this.length - 1);
+    this.rest.geometry.setDrawRange(frame, this.length - frame);
   }
 
   dispose(): void {
-    [this.past, this.rest, ...this.materials].forEach((thing) => thing.dispose());
+    [this.past.geometry, this.past.material, this.rest.geometry, this.rest.material].forEach((thing) => thing.dispose());
     this.group.removeFromParent();
   }
 }

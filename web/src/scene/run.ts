@@ -26,6 +26,8 @@ export interface Shared {
 export class RunView {
   readonly group = new Group();
   motion: Motion;
+  /** Whether its surface is shown where surfaces are: another run may show the same. */
+  showsSurface = true;
   private before: Motion | null = null;
   private robot!: RobotView;
   private ghosts: { view: RobotView; of: "reference" | "rigid" | "before" }[] = [];
@@ -43,6 +45,10 @@ export class RunView {
   /** The colour by which this run is told from the others. */
   get colour(): string {
     return this.alone ? this.shared.colours.real : RUNS[this.index % RUNS.length];
+  }
+
+  get referenceColour(): string {
+    return this.alone ? this.shared.colours.reference : this.shared.colours.rigid;
   }
 
   get changed(): boolean {
@@ -79,7 +85,7 @@ export class RunView {
   values(id: string, take: (value: number) => void): void {
     const { arrays, links, stations } = this.motion;
     const told = arrays.colours.find((one) => one.id === id)?.values.data;
-    const bending = this.run.scene.links.map((link) => link.bends || id === "displacement");
+    const bending = this.run.scene.links.map((link) => link.bends || paints(id) === "all");
     if (told === undefined) return;
     for (let k = 0; k < told.length; k++) if (bending[Math.floor(k / stations) % links]) take(told[k]);
   }
@@ -91,21 +97,20 @@ export class RunView {
 
   /** Make what is shown, where the choice of what it is made of has changed. */
   private build(settings: Settings): void {
-    const painted = settings.colour !== "run";
-    const wanted = `${painted}`;
-    if (wanted === this.built) return;
+    const painted = paints(settings.colour);
+    if (painted === this.built) return;
     this.clear();
-    this.built = wanted;
+    this.built = painted;
     const { scene } = this.run;
     const { extent, colours, fine } = this.shared;
-    const own = painted ? colours.link : this.colour;
+    const own = painted === "none" ? this.colour : colours.link;
     const joint = this.alone ? colours.joint : this.colour;
     const look: Look = { link: own, joint, gear: this.alone ? colours.gear : joint, base: colours.base, payload: joint, opacity: 1, painted, fine };
     this.robot = this.added(scene, this.motion, look, 1);
-    const ghosts = { reference: colours.reference, rigid: colours.rigid, before: colours.before };
+    const ghosts = { reference: this.referenceColour, rigid: colours.rigid, before: colours.before };
     for (const of of ["reference", "rigid", "before"] as const) {
       if (of === "before" ? !this.before : !scene[of]) continue;
-      const faint: Look = { ...look, link: ghosts[of], opacity: 0.42, painted: false };
+      const faint: Look = { ...look, link: ghosts[of], opacity: 0.42, painted: "none" };
       this.ghosts.push({ view: this.added(scene, of === "before" && this.before ? this.before : this.motion, faint, 0.85), of });
     }
     if (scene.contact) {
@@ -129,7 +134,7 @@ export class RunView {
       trace.group.visible = settings.traces && (!reference || this.motion.arrays.tipReference !== null);
       trace.seek(this.motion.frame);
     }
-    if (this.surface) this.surface.visible = settings.surface;
+    if (this.surface) this.surface.visible = settings.surface && this.showsSurface;
     if (!this.arrow) return;
     this.arrow.point(this.motion.force, this.motion.at);
     this.arrow.group.visible &&= settings.force && this.motion.arrays.contact !== null;
@@ -146,7 +151,7 @@ export class RunView {
       if (path === null) continue;
       if (known) known.trace.lay(path);
       else if (first) {
-        const colour = reference ? this.shared.colours.reference : this.colour;
+        const colour = reference ? this.referenceColour : this.colour;
         const trace = new Trace(path, colour, 0.012 * this.shared.extent.reach);
         this.traces.push({ trace, reference });
         this.group.add(trace.group);
@@ -170,6 +175,11 @@ export class RunView {
   }
 }
 
+/** Displacement is one of all links, other quantities are of those that bend. */
+function paints(colour: string): Look["painted"] {
+  return colour === "run" ? "none" : colour === "displacement" ? "all" : "bending";
+}
+
 /** Ghosts lie inside of what they are ghosts of, as long as they are in the same place. */
 function thinner(body: Body, share: number): Body {
   const links = body.links.map((link) => {
@@ -177,7 +187,7 @@ function thinner(body: Body, share: number): Body {
     const { data, shape } = link.section.sizes;
     return { ...link, section: { ...link.section, sizes: { data: Float32Array.from(data, (size) => share * size), shape } } };
   });
-  return { ...body, links, meshes: [] };
+  return { ...body, links };
 }
 
 /** The length of a newton with which the largest force of all runs is about a third of the robot's reach. */

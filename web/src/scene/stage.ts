@@ -46,7 +46,7 @@ export class Stage {
     const grid = new GridHelper(size, Math.round(size / extent.cell), colours.gridStrong, colours.grid);
     grid.rotation.x = Math.PI / 2;
     grid.position.z = extent.floor;
-    this.floor.add(grid, new HemisphereLight(colours.sky, colours.ground, 1.9), light, light.target);
+    this.floor.add(grid, new HemisphereLight(colours.sky, colours.ground, 1.6), light, light.target);
     const middle = extent.box.getCenter(light.target.position);
     light.position.set(middle.x - 0.6 * extent.reach, middle.y - 1.1 * extent.reach, middle.z + 2.2 * extent.reach);
     if (this.quality === "high") this.shadows(size);

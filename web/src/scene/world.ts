@@ -1,4 +1,5 @@
 // All that stands in one scene: the runs, or a mode of the first; what colours mean; and what the notes over it say.
+import { Vector3 } from "three";
 import type { LiveRun, Mode, Page } from "../contract";
 import { Cameras, type View } from "./cameras";
 import type { Extent } from "./extent";
@@ -27,7 +28,7 @@ export class World {
     this.shared = { extent, colours: this.colours, fine: quality === "high", scale: forceScale(page.runs, extent.reach) };
     this.runs = page.runs.map((run, k) => new RunView(run, k, page.runs.length === 1, this.shared));
     this.runs.forEach(({ group }) => this.stage.scene.add(group));
-    this.cameras = new Cameras(this.stage.camera, this.canvas, extent.box, extent.reach, ask);
+    this.cameras = new Cameras(this.stage.camera, this.canvas, extent.reach, ask);
     this.canvas.tabIndex = 0;
     this.canvas.setAttribute("role", "img");
     const keys = "Arrow keys turn the view, with Shift they move it, + and - zoom.";
@@ -65,8 +66,14 @@ export class World {
     let [low, high] = [Infinity, -Infinity];
     runs.forEach((run) => run.values(settings.colour, (value) => ([low, high] = [Math.min(low, value), Math.max(high, value)])));
     this.range = low <= high ? { low, high } : { low: 0, high: 0 };
-    const wide = 0.6 * this.extent.reach;
-    runs.forEach(({ group }, k) => group.position.set(0, settings.apart ? (k - (runs.length - 1) / 2) * wide : 0, 0));
+    const { box, reach } = this.extent;
+    const wide = settings.apart ? Math.max(0.4 * reach, box.max.y - box.min.y + 0.15 * reach) : 0;
+    const surfaces = runs.map(({ run }) => JSON.stringify(run.scene.contact?.surface));
+    runs.forEach((run, k) => {
+      run.group.position.set(0, (k - (runs.length - 1) / 2) * wide, 0);
+      run.showsSurface = settings.apart || surfaces.indexOf(surfaces[k]) === k;
+    });
+    this.cameras.box.copy(box).expandByVector(new Vector3(0, ((runs.length - 1) / 2) * wide, 0));
     this.stage.floorShown = settings.floor;
   }
 
@@ -90,7 +97,7 @@ export class World {
     notes.list(shown ? this.modeEntries(shown) : this.entries(), !shown && this.forceShown());
     if (shown) notes.range({ label: "Displacement, share of the largest", unit: "", low: 0, high: 1 });
     else notes.range(told ? { label: told.label, unit: told.unit, ...this.range } : null);
-    notes.enlarged(settings.factor === 1 || shown ? "" : `Deformation × ${settings.factor}`);
+    notes.enlarged(settings.factor === 1 || shown ? "" : `Displacement × ${settings.factor}`);
     const height = extent.floor === 0 ? "" : `, at z = ${digits(extent.floor)} m`;
     notes.floor(settings.floor ? `Grid ${digits(extent.cell)} m${height}${this.thick()}` : "");
   }
@@ -121,8 +128,8 @@ export class World {
     if (!alone) entries.push(...runs.map((run) => ({ colour: run.colour, label: run.run.name })));
     else if (settings.traces) entries.push({ colour: colours.real, label: "Way of the tip" });
     const has = (key: "reference" | "rigid") => settings[key] && runs.some(({ run }) => run.scene[key]);
-    if (has("reference")) entries.push({ colour: colours.reference, label: "Reference" });
-    else if (settings.traces && runs.some(({ run }) => run.scene.tipReference)) entries.push({ colour: colours.reference, label: "Way of the reference" });
+    if (has("reference")) entries.push({ colour: runs[0].referenceColour, label: "Reference" });
+    else if (settings.traces && runs.some(({ run }) => run.scene.tipReference)) entries.push({ colour: runs[0].referenceColour, label: "Way of the reference" });
     if (has("rigid")) entries.push({ colour: colours.rigid, label: "Without any elasticity" });
     if (runs.some(({ changed }) => changed)) entries.push({ colour: colours.before, label: "The run as it was" });
     return entries;
