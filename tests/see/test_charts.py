@@ -47,9 +47,8 @@ def test_units_are_those_of_the_figures(charts: dict[str, dict[str, Any]]) -> No
     assert charts["gear_torque"]["unit"] == "N·m"
     for chart in charts.values():
         name = chart["unit"]
-        prefix = (
-            PREFIX.get(name[0], 1.0) if len(name) > 1 and name[1:] in {"m", "rad", "N", "N·m", "J", "V", "A"} else 1
-        )
+        known = name[1:] in {"m", "rad", "N", "N·m", "J", "V", "A"}
+        prefix = PREFIX.get(name[0], 1.0) if known else 1
         assert {curve["source"]["factor"] for curve in chart["curves"]} == {prefix}
 
 

@@ -35,18 +35,21 @@ def page_data(
     """The data of a page about one result, or several side by side.
 
     ``names`` tell the runs apart, None takes those of the robots; ``live`` is the bundle of the first run's equations,
-    from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live`` says why, where it could be expected to.
+    from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live`` says why, where
+    it could be expected to.
     """
     names = names or [_name(result) for result in results]
     charts = charts_of(results)
     runs = [_run(*one) for one in zip(results, names, charts, strict=True)]
     subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
-    return {"format": 1, "title": ", ".join(names), "subtitle": subtitle, "runs": runs, "live": live, "notLive": not_live}
+    told = {"title": ", ".join(names), "subtitle": subtitle, "live": live, "notLive": not_live}
+    return {"format": 1, "runs": runs, **told}
 
 
 def live_page(result: Result | ArmResult) -> dict[str, Any]:
     """The data of a page about one result, with its equations where the page can run them again."""
-    reason = why_not_live(result)
+    told = "real" in result.statistics
+    reason = why_not_live(result) if told else "its record does not tell how it was made"
     try:
         return page_data([result], live=None if reason else live_bundle(result), not_live=reason)
     except TmodesError as error:
