@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Callable, Iterator
+from collections.abc import Callable, Iterator, Sequence
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -17,6 +17,7 @@ from tmodes.runs import RunFolder
 from tmodes.trajectory import sample_times
 
 if TYPE_CHECKING:
+    from tmodes.io.urdf_shapes import LinkShape
     from tmodes.plot.save import Drawing
 
 __all__ = ["ArmRunFolder", "movable_joints", "ready_to_run", "result_bytes"]
@@ -27,15 +28,15 @@ _EXAMPLE = "{{joint: {name}, command: {command}, signal: {{type: quintic, start:
 
 
 class ArmRunFolder(RunFolder):
-    """The folder of an arm's run: ``result.nc``, ``report.html``, ``figures/``.
+    """The folder of an arm's run: ``result.nc``, ``report.html``, ``figures/``; ``shapes`` are how its links look.
 
     Raises :class:`tmodes.errors.InputError` for an arm that nothing moves, or a result too large for memory, before
     anything is made; and on entry as :class:`tmodes.runs.RunFolder`.
     """
 
-    def __init__(self, path: Path, arm: Arm, overwrite: bool = False) -> None:
+    def __init__(self, path: Path, arm: Arm, overwrite: bool = False, shapes: Sequence[LinkShape] = ()) -> None:
         super().__init__(path, ready_to_run(arm), overwrite)
-        self._size = result_bytes(self.robot)
+        self._size, self._shapes = result_bytes(self.robot), shapes
 
     def _sheet(self) -> str:
         from tmodes.io.arm_check import arm_data
@@ -50,9 +51,10 @@ class ArmRunFolder(RunFolder):
 
     def _computed(self, progress: Progress) -> ArmResult:
         from tmodes.motion.simulate import simulate_arm
+        from tmodes.report.meshes import with_shapes
 
         run = simulate_arm(self.robot, progress=progress, journals=self._journal)
-        return assemble_arm(run, self.robot, progress=progress)
+        return with_shapes(assemble_arm(run, self.robot, progress=progress), self._shapes)
 
     def _drawn(self, result: Any) -> dict[str, Drawing]:
         from tmodes.plot.arm_figures import arm_drawings

@@ -5,7 +5,6 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.arm import Arm
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import arm_numbers, robot_numbers, whole, whole_moves
 from tmodes.live.sliders import MOST

@@ -334,7 +334,7 @@ def real_robot() -> dict[str, Any]:
     sheet: dict[str, Any] = json.loads(json.dumps(ROBOT))
     for path, factor in sheet.pop("real").items():
         *way, last = path.split(".")
-        place = sheet
+        place: Any = sheet
         for key in way:
             place = place[int(key)] if isinstance(place, list) else place[key]
         place[last] *= factor

@@ -185,7 +185,8 @@ def test_what_stands_on_what() -> None:
 
 def test_a_solid_bar_is_found_again_by_its_stiffness_and_mass() -> None:
     young, density, radius, sides = 210e9, 7850.0, 0.009, (0.02, 0.005)
-    round_bar = solid_bar(*[young * np.pi * radius**4 / 4] * 2, density * np.pi * radius**2, 3)
+    stiffness = young * np.pi * radius**4 / 4
+    round_bar = solid_bar(stiffness, stiffness, density * np.pi * radius**2, 3)
     assert round_bar is not None
     assert round_bar["sizes"] == pytest.approx(np.full((3, 2), radius), rel=0.02)
     (wide, high), area = sides, 4 * sides[0] * sides[1]

@@ -91,10 +91,11 @@ def pages(program: str, tmp_path_factory: pytest.TempPathFactory) -> Callable[[s
         if not path.exists():
             data = embedded(pack({"runs": made[name]()}))
             path.write_text(
-                f'<!doctype html><html lang=en><meta charset=utf-8><meta name="color-scheme" content="light dark">'
+                '<!doctype html><html lang=en><meta charset=utf-8><meta name="color-scheme" content="light dark">'
                 f"<title>{name}</title>"
                 f'<meta http-equiv="Content-Security-Policy" content="{POLICY.format(digest)}">'
-                '<style>body { margin: 0; background: light-dark(#fff, #111) } #place { height: 320px }</style><div id="place"></div>'
+                "<style>body { margin: 0; background: light-dark(#fff, #111) } #place { height: 320px }</style>"
+                '<div id="place"></div>'
                 f'<script type="text/plain" id="tmodes-data">{data}</script><script>{program}</script>',
                 encoding="utf-8",
             )

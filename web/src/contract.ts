@@ -12,6 +12,8 @@ export interface Page {
   runs: Run[];
   /** The robot's own equations; null where a run cannot be made again in the page. Belongs to runs[0]. */
   live: LiveBundle | null;
+  /** Why there is no live model, as a sentence; empty where there is one, or none is wanted. */
+  notLive: string;
 }
 
 export interface Run {

@@ -4,10 +4,12 @@ import { makeClock, type Clock } from "./clock";
 import { mountCharts } from "./charts/charts";
 import type { LiveRun, Page, SceneView } from "./contract";
 import { make } from "./dom";
+import { openLive } from "./live/live";
 import { mountFacts } from "./panels/facts";
 import { mountLine } from "./panels/line";
 import { mountModes } from "./panels/modes";
-import { mountSave } from "./panels/save";
+import { fileName, mountSave } from "./panels/save";
+import { mountSliders } from "./panels/sliders";
 import { mountTransport } from "./panels/transport";
 import { mountScene } from "./scene/scene";
 
@@ -25,8 +27,8 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const duration = Math.max(...page.runs.map((run) => run.duration));
   const clock = makeClock(duration);
   const stage = make("div", { class: "scene" });
-  const facts = make("div", { class: "facts-panel" });
-  const sliders = make("div", { class: "sliders-panel" });
+  const facts = make("div", { class: "facts-panel", role: "region", tabindex: "0", "aria-label": "Numbers that matter" });
+  const sliders = make("div", { class: "sliders-panel", role: "region", tabindex: "0", "aria-label": "Settings" });
   const side = make("div", { class: "side" }, sliders, facts);
   const transport = make("div", { class: "transport", role: "group", "aria-label": "Time" });
   const charts = make("section", { class: "charts", "aria-label": "Charts" });
@@ -44,17 +46,22 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   if (page.runs[0].modes.length) parts.push(mountModes(modes.body, page, scene, clock));
   mountSave(files, page);
 
+  function show(live: LiveRun | null): void {
+    clock.setDuration(Math.max(live ? live.times[live.times.length - 1] : 0, duration));
+    scene.replace(0, live ? live.scene : null);
+    chartsView.show(live);
+    lineView?.show(live);
+    factsView.show(live);
+  }
+
+  if (page.live) parts.push(mountSliders(sliders, page.live, { open: openLive, show, fileName: `${fileName(page.runs[0].name)}_changed` }));
+  else if (page.notLive) sliders.append(make("p", { class: "note", text: `Nothing can be changed in this page: ${page.notLive}.` }));
+
   return {
     clock,
     side: sliders,
     scene,
-    show(live) {
-      clock.setDuration(Math.max(live ? live.times[live.times.length - 1] : 0, duration));
-      scene.replace(0, live ? live.scene : null);
-      chartsView.show(live);
-      lineView?.show(live);
-      factsView.show(live);
-    },
+    show,
     dispose() {
       clock.pause();
       [...parts, chartsView, ...(lineView ? [lineView] : [])].forEach((part) => part.dispose());

@@ -96,7 +96,8 @@ def arm_modes(
     mass, damping, stiffness = mass[block], damping[block], stiffness[block]
     squares, shapes = _undamped(mass, stiffness)
     eigenvalues, motions = _eigenvalues(mass, damping, stiffness, shapes)
-    whole, moved = (np.zeros((rest.model.nq, len(squares)), dtype=part.dtype) for part in (shapes, motions))
+    whole = np.zeros((rest.model.nq, len(squares)), dtype=shapes.dtype)
+    moved = np.zeros(whole.shape, dtype=complex)
     whole[moving], moved[moving] = shapes, motions
     zero = NOTHING * len(mass) * float(np.abs(squares).max())
     stored = {name: spring.energy(whole) for name, spring in springs.items()}

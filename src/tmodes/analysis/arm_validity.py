@@ -18,7 +18,8 @@ from tmodes.elements.material import find_material
 from tmodes.equations.arm.beam_tables import beam_tables, section_edges
 
 __all__ = [
-    "MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "rest_warnings", "run_warnings", "yield_strength",
+    "MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "rest_warnings", "run_warnings",
+    "yield_strength",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from pathlib import Path
-from typing import TYPE_CHECKING, Annotated, Any
+from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
@@ -67,19 +67,36 @@ def run(
     ending = {"stop": stop, "stop_at_limits": stop_at_limits}
     changes = integration_changes(integrator, rtol, atol, duration, check_error, **ending)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
-    folder = _folder(out or Path("results") / _folder_name(sheet.name), sheet, overwrite)
+    folder = _folder(
+        out or Path("results") / _folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths)
+    )
     result = _computed(folder, sheet, figures)
     _tell(result, folder, as_json)
     if not result.success:
         raise typer.Exit(130 if result.status == "interrupted" else 3)
 
 
-def _folder(path: Path, sheet: Robot | Arm, overwrite: bool) -> RunFolder:
+class _Looks(NamedTuple):
+    """Where the looks of an arm's links are told: the robot as it was named, and where its files may lie."""
+
+    robot: str
+    roots: list[Path] | None
+    trust_paths: bool
+
+
+def _folder(path: Path, sheet: Robot | Arm, overwrite: bool, looks: _Looks) -> RunFolder:
     from tmodes.arm import Arm
     from tmodes.arm_runs import ArmRunFolder
+    from tmodes.cli.output import notice
+    from tmodes.report.meshes import read_shapes
     from tmodes.runs import RunFolder
 
-    return ArmRunFolder(path, sheet, overwrite) if isinstance(sheet, Arm) else RunFolder(path, sheet, overwrite)
+    if not isinstance(sheet, Arm):
+        return RunFolder(path, sheet, overwrite)
+    shapes, doubts = read_shapes(looks.robot, looks.roots or (), looks.trust_paths)
+    for doubt in doubts:
+        notice(f"notice: {doubt}")
+    return ArmRunFolder(path, sheet, overwrite, shapes)
 
 
 def _computed(folder: RunFolder, sheet: Robot | Arm, figures: bool) -> Any:

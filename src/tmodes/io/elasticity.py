@@ -13,6 +13,7 @@ from __future__ import annotations
 import copy
 import os
 from collections.abc import Callable, Iterable, Sequence
+from dataclasses import replace
 from pathlib import Path
 from typing import Any
 
@@ -70,7 +71,7 @@ def lay_over(robot: UrdfRobot, data: dict[str, Any], positions: Positions, sourc
     overlay.the_rest(data)
     if overlay.errors:
         raise InputErrors(overlay.errors)
-    return UrdfRobot(overlay.sheet, overlay.positions, robot.bodies, robot.meshes)
+    return replace(robot, data=overlay.sheet, positions=overlay.positions)
 
 
 def _weighs(group: Any) -> bool:

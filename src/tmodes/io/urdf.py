@@ -32,12 +32,18 @@ TOP = {"link", "joint", "material", "gazebo", "transmission", "sensor", "ros2_co
 
 @dataclass(frozen=True, eq=False)
 class UrdfRobot:
-    """What a URDF says: ``data`` and ``positions`` of an arm's sheet, bodies and files of geometry by link."""
+    """What a URDF says: ``data`` and ``positions`` of an arm's sheet, bodies and files of geometry by link.
+
+    ``links``: their elements by names in the sheet; ``root``: that of the file; ``folders``: where its files may lie.
+    """
 
     data: dict[str, Any]
     positions: Positions
     bodies: dict[str, dict[str, Any]]
     meshes: dict[str, list[Path]]
+    links: dict[str, Element]
+    root: Element
+    folders: Folders
 
 
 @dataclass
@@ -89,7 +95,8 @@ def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) 
     bodies = {names[link]: body for link, body in reading.bodies.items()}
     files = {names[link]: paths for link, paths in meshes.items() if paths}
     data, positions = sheet_of(robot, tree, joints, reading.links, bodies)
-    return UrdfRobot(data, positions, bodies, files)
+    elements = {names[link]: element for link, element in reading.links.items()}
+    return UrdfRobot(data, positions, bodies, files, elements, robot, folders)
 
 
 def _check_root(robot: Element) -> None:

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.plot.arm_figures import ARM_FIGURES, arm_left_out
 from tmodes.report.arm_numbers import deformations_table, joints_table, links_table
-from tmodes.report.data import facts_of, page_data
+from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
 from tmodes.report.markup import Markup, tag
 from tmodes.report.numbers import error_table, frequency_tables
@@ -40,7 +40,7 @@ def arm_page(result: ArmResult, figures: Mapping[str, Drawing]) -> str:
         _header(result, arm),
         status(result),
         warnings(result),
-        application(page_data([result])),
+        application(live_page(result)),
         _numbers(result),
         figures_section(figures, ARM_FIGURES, arm_left_out(result)),
         section("robot", *_sheet(arm)),

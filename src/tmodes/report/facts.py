@@ -93,5 +93,9 @@ def energy_facts(known: dict[str, Any]) -> Iterator[Fact]:
     """How well the energies add up: the worst residual of their balance over what was moved."""
     share = known["worst_residual_over_moved"]
     name, worst = "Energy balance", written(known["worst_residual_J"], "J")
-    note = f"worst residual, {worst}, over {written(known['moved_J'], 'J')} moved" if share is not None else "nothing moved"
+    note = (
+        f"worst residual, {worst}, over {written(known['moved_J'], 'J')} moved"
+        if share is not None
+        else "nothing moved"
+    )
     yield Fact("energy.residual", name, share, "-", note)

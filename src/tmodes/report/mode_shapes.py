@@ -12,7 +12,8 @@ from tmodes.analysis.arm_modes import ArmMode
 from tmodes.analysis.modes import MotorState, VibrationMode, shaped_modes
 from tmodes.arm_result import ArmResult
 from tmodes.errors import SimulationError
-from tmodes.report.scene_arm import lines_at, real_arm_of
+from tmodes.report.scene_arm import drawn_links, lines_at, real_arm_of
+from tmodes.report.scene_meshes import carriers
 from tmodes.report.scene_robot import line_at, real_robot
 from tmodes.result import Result
 
@@ -62,7 +63,8 @@ def _of_arm(result: ArmResult) -> list[dict[str, Any]]:
 
     arm = real_arm_of(result)
     rest = arm_rest(arm, contact=arm.contact is not None)
-    names = [str(name) for name in result.data["link"].values] if "link" in result.data.dims else []
+    drawn = drawn_links(result.data)
+    names = [*drawn, *carriers(result.data, rest.model.chain, drawn)]
     servos, stations, found = servos_of(arm, rest.model), np.linspace(0, 1, _STATIONS), []
     for state in _CASES[0 if servos else 1 :]:
         modes = [(mode, mode.motion) for mode in arm_modes(rest, state, servos) if mode.motion is not None]

@@ -46,7 +46,7 @@ class _Arrays:
     coarse: dict[int, dict[str, int]] = field(default_factory=dict)
     """Where each :class:`Coarse` array is: one that stands in a page several times is kept once."""
     known: dict[tuple[Any, ...], dict[str, int]] = field(default_factory=dict)
-    """Where the arrays of a type, shape and content are: what is equal, such as the times of all charts, is kept once."""
+    """Where each content is: what is equal, such as the times of all charts, is kept once."""
 
     def add(self, values: NDArray[Any], **more: float) -> dict[str, int]:
         values = np.ascontiguousarray(values)

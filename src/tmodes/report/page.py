@@ -7,7 +7,7 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmodes.plot.figures import FIGURES, left_out
-from tmodes.report.data import facts_of, page_data
+from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
 from tmodes.report.markup import Markup, tag
 from tmodes.report.numbers import deformation_table, error_table, frequency_tables
@@ -34,7 +34,7 @@ def page(result: Result, figures: Mapping[str, Drawing]) -> str:
         _header(result, sheet, name),
         status(result),
         warnings(result),
-        application(page_data([result])),
+        application(live_page(result)),
         _numbers(result),
         figures_section(figures, FIGURES, left_out(result)),
         section("robot", data_sheet(sheet, json.loads(result.data.attrs["parameters"]))),

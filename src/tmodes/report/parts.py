@@ -18,7 +18,8 @@ if TYPE_CHECKING:
 __all__ = ["SECTIONS", "document", "figures_section", "rows_of", "section", "status", "title_of", "warnings"]
 
 SECTIONS = {
-    "viewer": "View", "numbers": "Numbers", "figures": "Figures for print", "robot": "Robot", "provenance": "Provenance",
+    "viewer": "View", "numbers": "Numbers", "figures": "Figures for print", "robot": "Robot",
+    "provenance": "Provenance",
 }  # fmt: skip
 
 _STYLES = ("page.css", "app.css")
@@ -87,7 +88,9 @@ def figures_section(
     """The figures of a table, numbered, folded until they are wanted, and why others are left out."""
     shown = [_figure(number, table[name], drawing) for number, (name, drawing) in enumerate(figures.items(), 1)]
     words = f"Show {len(shown)} figures as they stand in print"
-    return section("figures", tag("details", tag("summary", words), *shown) if shown else None, _left_out(table, left_out))
+    return section(
+        "figures", tag("details", tag("summary", words), *shown) if shown else None, _left_out(table, left_out)
+    )
 
 
 def _figure(number: int, entry: FigureEntry, drawing: Drawing) -> Markup:

@@ -25,12 +25,17 @@ def written(value: float, unit: str, digits: int = 4) -> str:
     if not math.isfinite(value):
         return f"{value:g}\u00a0{name}".rstrip()
     if not name or unit in _PLAIN or size == 0.0:
-        text = power_of_ten(value) if 0.0 < size < 1e-3 else f"{value:.{digits}g}"
+        text = power_of_ten(value) if 0.0 < size < 1e-3 else _rounded(value, digits)
         return f"{text}\u00a0{name}".rstrip("\u00a0")
     for least, factor, prefix in _PREFIXES:
         if size >= least and (factor >= 1.0 or unit.split("/", maxsplit=1)[0] not in NEVER_LARGE):
-            return f"{value * factor:.{digits}g}\u00a0{prefix}{name}"
+            return f"{_rounded(value * factor, digits)}\u00a0{prefix}{name}"
     return f"{power_of_ten(value)}\u00a0{name}"
+
+
+def _rounded(value: float, digits: int) -> str:
+    """To so many digits that tell, never with an exponent: ``12340``."""
+    return f"{float(f'{value:.{digits}g}'):.12g}"
 
 
 def power_of_ten(value: float) -> str:

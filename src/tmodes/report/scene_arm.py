@@ -14,12 +14,13 @@ from tmodes.arm.contact import Ball, Plane, Wall
 from tmodes.arm_model import ArmModel
 from tmodes.chain import JointKind, RigidLink
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
+from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
 from tmodes.report.scene_sections import section_of
 
 if TYPE_CHECKING:
     from tmodes.arm_result import ArmResult
 
-__all__ = ["arm_line_panel", "arm_scene", "lines_at", "real_arm_of"]
+__all__ = ["arm_line_panel", "arm_scene", "drawn_links", "lines_at", "real_arm_of"]
 
 Array = NDArray[np.float64]
 
@@ -41,15 +42,15 @@ def real_arm_of(result: ArmResult) -> Arm:
 
 def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
     """The scene at the samples ``frames``."""
-    data = result.data
-    names = [str(name) for name in data["link"].values] if "link" in data.dims else []
-    parents = [str(name) for name in data["link_parent"].values] if names else []
+    data, arm = result.data, real_arm_of(result)
+    model, drawn = ArmModel(arm.chain()), drawn_links(data)
+    names = [*drawn, *carriers(data, model.chain, drawn)]
     data = data.isel(time=frames, s=stations_shown(data.sizes["s"], len(frames), len(names)))
-    arm = real_arm_of(result)
-    model, stations = ArmModel(arm.chain()), data["s"].values
-    stand = _base(model, data)
-    line, rigid = (data[name].transpose(*_DRAWN).values for name in ("line", "line_rigid"))
-    rotation = lines_at(model, names, _coordinates(data, "q"), np.zeros(1), stand)[1][:, :, 0]
+    stand, stations = _base(model, data), data["s"].values
+    there, turned = lines_at(model, names, _coordinates(data, "q"), stations, stand)
+    line, rigid = (_with_carriers(data, name, there, drawn) for name in ("line", "line_rigid"))
+    parents = [nearest_drawn(model.chain, name, drawn) for name in names]
+    _move_carriers(rigid, line, parents, len(drawn))
     base, planned, wanted = kept(rigid), None, None
     if "q_reference" in data:
         planned = lines_at(model, names, _coordinates(data, "q_reference"), stations, stand)[0]
@@ -57,19 +58,18 @@ def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
     return {
         "times": data["time"].values,
         "links": [
-            _link(arm, model, name, stations) | {"parent": names.index(parent) if parent in names else -1}
-            for name, parent in zip(names, parents, strict=True)
+            _link(arm, model, name, stations) | {"parent": parent} for name, parent in zip(names, parents, strict=True)
         ],
         "line": displaced(line, rigid, base),
         "rigid": base,
         "reference": None if planned is None else displaced(planned, rigid, base),
-        "roots": quaternions(rotation),
+        "roots": quaternions(turned[:, :, 0]),
         "colours": _colours(data, names, line, rigid),
         "tip": data["tip"].transpose("time", "axis").values,
         "tipReference": wanted,
         "contact": _contact(data, arm),
         "joints": list(_joints(model, names)),
-        "meshes": [],
+        "meshes": meshes_in(result.data, model.chain, names),
     }
 
 
@@ -97,6 +97,25 @@ def lines_at(
     position, rotation = ([getattr(lines[name], part) for name in names] for part in ("position", "rotation"))
     empty = np.zeros((len(q), 0, len(stations), 3))
     return (np.stack(position, axis=1), np.stack(rotation, axis=1)) if names else (empty, empty[..., None])
+
+
+def drawn_links(data: Any) -> list[str]:
+    """The links that a result tells lines of."""
+    return [str(name) for name in data["link"].values] if "link" in data.dims else []
+
+
+def _with_carriers(data: Any, name: str, there: Array, drawn: list[str]) -> Array:
+    """The stored lines of the links that are drawn, and after them where the carriers of surfaces are."""
+    if not drawn:
+        return there
+    return np.concatenate([data[name].transpose(*_DRAWN).values, there[:, len(drawn) :]], axis=1)
+
+
+def _move_carriers(rigid: Array, line: Array, parents: list[int], drawn: int) -> None:
+    """Without elasticity the carriers of surfaces are where the ends of their parents then are."""
+    for index, parent in enumerate(parents):
+        if index >= drawn and parent >= 0:
+            rigid[:, index] -= line[:, parent, -1:] - rigid[:, parent, -1:]
 
 
 def _coordinates(data: Any, name: str) -> Array:

@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+from itertools import pairwise
+
 import numpy as np
 from numpy.typing import NDArray
 
@@ -36,7 +38,7 @@ def thinned(curves: NDArray[np.float64], most: int = MOST_POINTS) -> Indices:
     bins = min(max(_FEWEST_BINS, most // (2 * max(width, 1))), count)
     edges = np.linspace(0, count, bins + 1).astype(np.intp)
     chosen = [np.array([0, count - 1], dtype=np.intp)]
-    for start, end in zip(edges[:-1], edges[1:], strict=True):
+    for start, end in pairwise(edges):
         part = curves[start:end]
         chosen += [start + part.argmin(axis=0), start + part.argmax(axis=0)]
     return np.unique(np.concatenate(chosen))

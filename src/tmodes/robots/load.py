@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 from collections.abc import Iterator, Mapping, Sequence
+from contextlib import nullcontext
 from importlib import resources
 from importlib.resources.abc import Traversable
 from pathlib import Path
@@ -15,9 +16,10 @@ from tmodes.robots.packages import MODELS, installed_models
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm
+    from tmodes.io.urdf import UrdfRobot
     from tmodes.robot import Robot
 
-__all__ = ["load_sheet", "sheet_names", "sheet_text"]
+__all__ = ["load_sheet", "sheet_names", "sheet_text", "urdf_of"]
 
 Roots = Sequence[str | os.PathLike[str]]
 Sheet = tuple[dict[str, Any], dict[str, int]]
@@ -70,6 +72,29 @@ def load_sheet(
     if not os.path.lexists(name_or_path):
         raise unknown(shown_path(name_or_path), sheet_names())
     return _checked(*_read(Path(name_or_path), roots, trust_paths), shown_path(name_or_path), changes or {})
+
+
+def urdf_of(name_or_path: str | os.PathLike[str], *, roots: Roots = (), trust_paths: bool = False) -> UrdfRobot | None:
+    """The URDF (or xacro) on which the arm of this name or file stands; None for what stands on none.
+
+    Raises as :func:`load_sheet`.
+    """
+    from tmodes.io.elasticity import read_elasticity
+    from tmodes.io.mesh_paths import folders_of
+    from tmodes.io.urdf import urdf_robot
+    from tmodes.io.xacro import read_xacro
+    from tmodes.io.xml_file import read_xml
+    from tmodes.io.yaml_file import read_yaml
+
+    published, folders = _published().get(str(name_or_path)), (*roots, *installed_models())
+    with resources.as_file(published) if published else nullcontext(Path(name_or_path)) as path:
+        ending = path.suffix.lower()
+        if ending == ".xacro":
+            return read_xacro(path, folders, trust_paths)
+        if ending in FOREIGN:
+            root = read_xml(path)
+            return urdf_robot(root, folders_of(path, folders, trust_paths)) if root.tag == "robot" else None
+        return read_elasticity(path, folders, trust_paths) if "urdf" in read_yaml(path)[0] else None
 
 
 def _refuse_without_model(data: dict[str, Any], roots: Roots) -> None:

@@ -35,8 +35,6 @@ export function mountTransport(element: HTMLElement, clock: Clock): { dispose():
       " ": () => clock.toggle(),
       ArrowRight: () => clock.seek(clock.time + (event.shiftKey ? 10 : 1) * ARROW * clock.duration),
       ArrowLeft: () => clock.seek(clock.time - (event.shiftKey ? 10 : 1) * ARROW * clock.duration),
-      Home: () => clock.seek(0),
-      End: () => clock.seek(clock.duration),
     };
     const act = acts[event.key];
     if (!act) return;
@@ -62,5 +60,5 @@ function wanted(event: KeyboardEvent): boolean {
   if (!(place instanceof HTMLElement)) return false;
   if (place.isContentEditable || place.closest("input, select, textarea, canvas, [role=tablist]")) return true;
   if (event.key === " ") return place.closest("button, a, summary") !== null;
-  return (event.key === "Home" || event.key === "End") || place.closest(".scroll") !== null;
+  return place.closest(".scroll") !== null;
 }

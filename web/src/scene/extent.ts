@@ -47,7 +47,8 @@ function length(line: ArrayLike<number>, [, links, stations]: readonly number[])
 /** The floor is at z = 0 where the robot stands on or above it, else a round height below all that moves. */
 function floorBelow(box: Box3, page: Page, reach: number): number {
   const root = page.runs[0]?.scene.line.data[2] ?? 0;
-  if (box.min.z >= -1e-3 * reach && root > 0.02 * reach && root < reach) return 0;
+  const stands = box.max.z - box.min.z > 0.2 * reach && root < reach;
+  if (box.min.z >= -1e-3 * reach && stands) return 0;
   const step = round125(0.1 * reach);
   return Math.floor((Math.min(box.min.z, root) - 0.12 * reach) / step) * step;
 }

@@ -4,6 +4,7 @@ import type { Mode, Scene } from "../contract";
 import { Motion } from "./motion";
 import { RobotView } from "./robot";
 import type { Shared } from "./run";
+import { turnAlong } from "./turn";
 
 /** Seconds of a swing on the screen, whatever the frequency. */
 export const SWING = 1.6;
@@ -14,6 +15,7 @@ export class ModeView {
   private readonly robot: RobotView;
   private readonly rest: RobotView;
   private readonly size: number;
+  private readonly roots: Float32Array;
 
   /** `amplitude`: the largest displacement as a share of the robot's reach. */
   constructor(private readonly mode: Mode, scene: Scene, amplitude: number, shared: Shared) {
@@ -26,12 +28,12 @@ export class ModeView {
       tip: { data: end, shape: [1, 3] }, tipReference: null, colours: [], contact: null,
     }); // prettier-ignore
     this.motion.seek(0, 1, null);
+    this.roots = this.motion.roots.slice();
     this.size = amplitude * shared.extent.reach;
     const { colours, extent, fine } = shared;
     const look = { link: colours.link, joint: colours.joint, gear: colours.gear, base: colours.base, payload: colours.payload, opacity: 1, painted: "all", fine } as const;
-    const still = { links: scene.links, joints: scene.joints, meshes: [] };
-    this.robot = new RobotView(still, this.motion, look, extent);
-    this.rest = new RobotView(still, this.motion, { ...look, link: colours.rigid, opacity: 0.35, painted: "none" }, { ...extent, usual: 0.8 * extent.usual });
+    this.robot = new RobotView(scene, this.motion, look, extent);
+    this.rest = new RobotView(scene, this.motion, { ...look, link: colours.rigid, opacity: 0.35, painted: "none" }, { ...extent, usual: 0.8 * extent.usual });
     this.group.add(this.robot.group, this.rest.group);
     this.rest.update(this.motion, this.motion.line, 0, 1);
   }
@@ -52,6 +54,8 @@ export class ModeView {
       values[k] = Math.sqrt(away) / size;
     }
     for (let c = 0; c < 3; c++) motion.tip[c] = line[line.length - 3 + c];
+    motion.roots.set(this.roots);
+    turnAlong(motion.roots, mode.rest.data, line, motion.stations);
     this.robot.update(motion, line, 0, 1);
   }
 

@@ -1,6 +1,7 @@
 // One run at any time: its arrays between two display frames, with what is elastic shown enlarged. Nothing is allocated.
 import type { Scene, SceneContact } from "../contract";
 import type { Numbers } from "../pack";
+import { turnAlong } from "./turn";
 
 /** The arrays of a scene, those of the page or of the live model. */
 export type Arrays = Pick<Scene, "times" | "line" | "rigid" | "reference" | "roots" | "tip" | "tipReference" | "colours"> & {
@@ -25,11 +26,13 @@ export class Motion {
   frame = 0;
   share = 0;
   private readonly tipPlace: number;
+  private readonly once: Float32Array;
 
   constructor(readonly arrays: Arrays) {
     [this.frames, this.links, this.stations] = arrays.line.shape;
     const size = this.links * this.stations * 3;
     this.line = new Float32Array(size);
+    this.once = new Float32Array(size);
     this.rigid = arrays.rigid ? new Float32Array(size) : null;
     this.reference = arrays.reference ? new Float32Array(size) : null;
     this.roots = new Float32Array(this.links * 4);
@@ -114,10 +117,12 @@ export class Motion {
       this.at[c] += more;
       if (reference) this.tipReference[c] += (factor - 1) * (reference[tipPlace + c] - rigid[tipPlace + c]);
     }
+    this.once.set(line);
     for (let k = 0; k < line.length; k++) {
       line[k] = rigid[k] + factor * (line[k] - rigid[k]);
       if (reference) reference[k] = rigid[k] + factor * (reference[k] - rigid[k]);
     }
+    turnAlong(this.roots, this.once, line, this.stations);
   }
 
   /** Where in a frame the end of the link is that is nearest to the tip. */

@@ -3,8 +3,10 @@ import {
   BoxGeometry, BufferAttribute, BufferGeometry, CylinderGeometry, Group, Material, Mesh, MeshLambertMaterial,
   MeshStandardMaterial, Quaternion, SphereGeometry, Vector3,
 } from "three"; // prettier-ignore
+import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.js";
 import type { Scene, SceneJoint, SceneLink, SceneMesh } from "../contract";
 import type { Motion } from "./motion";
+import { SCALE, step } from "./palette";
 import { Sweep, type SectionSizes } from "./sweep";
 
 /** What a robot is made of, whatever moves it. */
@@ -31,12 +33,18 @@ export interface Widths {
   floor: number;
 }
 
+type Coloured = MeshStandardMaterial | MeshLambertMaterial;
+
 const UP = new Vector3(0, 1, 0);
+
+/** Edges of surfaces that are sharper than this stay edges [rad]. */
+const CREASE = 0.6;
 
 export class RobotView {
   readonly group = new Group();
   private readonly sweeps: (Sweep | null)[];
   private readonly placed: { object: Mesh; link: number; turn: Quaternion | null }[] = [];
+  private readonly tinted: { material: Coloured; link: number }[] = [];
   private readonly rods: { object: Mesh; link: number; parent: number; place: number }[] = [];
   private readonly pedestals: { object: Mesh; link: number }[] = [];
   private readonly payload: Mesh | null = null;
@@ -55,11 +63,12 @@ export class RobotView {
       this.add(new Mesh(sweep.geometry, link.bends || look.painted === "all" ? painted : plain));
       return sweep;
     });
+    body.meshes.filter(({ link }) => link < motion.links).forEach((mesh) => this.surface(mesh, body.links));
     if (look.opacity < 1) return;
-    body.joints.forEach((joint) => this.housing(joint, body.links[joint.link], meshed.has(joint.link)));
-    body.meshes.forEach((mesh) => this.surface(mesh, body.links));
+    body.joints.filter(({ link }) => link < motion.links).forEach((joint) => this.housing(joint, body.links[joint.link], meshed.has(joint.link)));
     body.links.slice(0, motion.links).forEach((link, k) => this.holder(link, k, motion, meshed));
-    this.payload = this.add(new Mesh(this.kept(new SphereGeometry(1.5 * widths.usual, 24, 16)), this.material(look.payload, false)));
+    const ball = new SphereGeometry((meshed.size > 0 ? 0.5 : 1.5) * widths.usual, 24, 16);
+    this.payload = this.add(new Mesh(this.kept(ball), this.material(look.payload, false)));
   }
 
   /** Take the pose of a motion; values from `low` to `high` colour the links where they are coloured. */
@@ -76,6 +85,10 @@ export class RobotView {
       object.quaternion.fromArray(roots, 4 * link);
       if (turn) object.quaternion.multiply(turn);
     }
+    for (const { material, link } of this.tinted) {
+      const found = step((values[(link + 1) * stations - 1] - low) / (high - low || 1));
+      material.color.setRGB(SCALE[found], SCALE[found + 1], SCALE[found + 2]);
+    }
     for (const rod of this.rods) this.between(rod.object, line, rod.place, rod.link * size);
     for (const { object, link } of this.pedestals) this.stand(object, line, link * size);
     this.payload?.position.copy(this.from.fromArray(motion.tip));
@@ -87,9 +100,10 @@ export class RobotView {
     this.group.removeFromParent();
   }
 
-  private material(color: string, vertexColors: boolean): Material {
+  private material(color: string, vertexColors: boolean): Coloured {
     const { opacity, fine } = this.look;
-    const ghost = { transparent: opacity < 1, opacity, depthWrite: opacity >= 1 };
+    const behind = { polygonOffset: opacity < 1, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
+    const ghost = { transparent: opacity < 1, opacity, depthWrite: opacity >= 1, ...behind };
     const told = { color, vertexColors, ...ghost };
     return this.kept(fine ? new MeshStandardMaterial({ ...told, roughness: 0.5, metalness: 0.1 }) : new MeshLambertMaterial(told));
   }
@@ -117,12 +131,13 @@ export class RobotView {
 
   private surface(mesh: SceneMesh, links: SceneLink[]): void {
     if (links[mesh.link]?.bends) return; // it would not bend: the link is swept instead
-    const geometry = this.kept(new BufferGeometry());
-    geometry.setAttribute("position", new BufferAttribute(Float32Array.from(mesh.vertices.data), 3));
-    geometry.setIndex(new BufferAttribute(Uint32Array.from(mesh.faces.data), 1));
-    geometry.computeVertexNormals();
-    const object = this.add(new Mesh(geometry, this.material(mesh.colour, false)));
-    this.placed.push({ object, link: mesh.link, turn: null });
+    const plain = new BufferGeometry();
+    plain.setAttribute("position", new BufferAttribute(Float32Array.from(mesh.vertices.data), 3));
+    plain.setIndex(new BufferAttribute(Uint32Array.from(mesh.faces.data), 1));
+    const geometry = this.kept(toCreasedNormals(plain, CREASE));
+    const material = this.material(this.look.opacity < 1 ? this.look.link : mesh.colour, false);
+    this.placed.push({ object: this.add(new Mesh(geometry, material)), link: mesh.link, turn: null });
+    if (this.look.painted === "all" && mesh.link >= 0) this.tinted.push({ material, link: mesh.link });
   }
 
   /** What holds the root of a link: its parent's end, else a rod from the nearest place of the parent, or a pedestal. */
@@ -130,7 +145,7 @@ export class RobotView {
     const { arrays, stations } = motion;
     const root = 3 * stations * index;
     if (link.parent < 0) {
-      if (meshed.has(-1)) return;
+      if (meshed.has(-1) || meshed.has(index)) return;
       const shape = new CylinderGeometry(1.8 * this.widths.usual, 3 * this.widths.usual, 1, 32);
       this.pedestals.push({ object: this.add(new Mesh(this.kept(shape), this.material(this.look.base, false))), link: index });
       return;

@@ -187,7 +187,7 @@ function thinner(body: Body, share: number): Body {
     const { data, shape } = link.section.sizes;
     return { ...link, section: { ...link.section, sizes: { data: Float32Array.from(data, (size) => share * size), shape } } };
   });
-  return { ...body, links, meshes: [] };
+  return { ...body, links };
 }
 
 /** The length of a newton with which the largest force of all runs is about a third of the robot's reach. */

@@ -1,0 +1,105 @@
+"""Read a mesh: STL, binary or ASCII, and the triangles of Wavefront OBJ. Everything is bounded, and checked before use.
+
+STL: https://www.fabbers.com/tech/STL_Format; OBJ: http://paulbourke.net/dataformats/obj (v and f lines, nothing else).
+"""
+
+from __future__ import annotations
+
+import os
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import InputError
+from tmodes.io.files import read_bytes
+from tmodes.io.words import shown_path
+
+__all__ = ["Triangles", "read_mesh"]
+
+MOST_BYTES = 32 * 1024 * 1024
+MOST_TRIANGLES = 500_000
+LARGEST = 1e6
+"""Size of a coordinate [m or mm] beyond which a file is damaged."""
+
+_HEAD = 84
+_RECORD = np.dtype([("normal", "<f4", 3), ("corners", "<f4", (3, 3)), ("attribute", "<u2")])
+
+
+class Triangles(NamedTuple):
+    """A surface: ``vertices`` (k, 3) in the file's unit, ``faces`` (f, 3) of their indices."""
+
+    vertices: NDArray[np.float64]
+    faces: NDArray[np.intp]
+
+
+def read_mesh(path: str | os.PathLike[str]) -> Triangles:
+    """The triangles of a file ``.stl`` or ``.obj``; equal corners are one vertex.
+
+    Raises :class:`tmodes.errors.InputError` for another format, and for a file that is damaged, empty or too large.
+    """
+    ending, which = Path(path).suffix.lower(), shown_path(path)
+    if ending not in {".stl", ".obj"}:
+        raise _fault(which, f"a file with the ending {ending or 'of none'}", "save the mesh as .stl or .obj")
+    content = read_bytes(path, MOST_BYTES)
+    try:
+        found = _obj(content, which) if ending == ".obj" else _stl(content, which)
+    except (ValueError, IndexError):
+        raise _fault(which, "numbers that cannot be read", "save the mesh once more") from None
+    return _checked(found, which)
+
+
+def _stl(content: bytes, which: str) -> Triangles:
+    """Binary where the count of triangles agrees with the length, else ASCII: some binary files begin with `solid`."""
+    count = int.from_bytes(content[80:_HEAD], "little") if len(content) >= _HEAD else -1
+    if len(content) == _HEAD + count * _RECORD.itemsize:
+        _bound(count, which)
+        corners = np.frombuffer(content, _RECORD, count, _HEAD)["corners"].astype(float).reshape(-1, 3)
+    elif content.lstrip()[:5].lower() == b"solid":
+        words = [line.split() for line in content.decode("latin-1").splitlines()]
+        told = [line[1:4] for line in words if line and line[0].lower() == "vertex"]
+        corners = np.array(told, dtype=float).reshape(-1, 3)
+    else:
+        raise _fault(which, "a length that its number of triangles does not have", "use a whole copy of the file")
+    if len(corners) % 3:
+        raise _fault(which, "a triangle without three corners", "use a whole copy of the file")
+    _bound(len(corners) // 3, which)
+    vertices, faces = np.unique(corners, axis=0, return_inverse=True)
+    return Triangles(vertices, faces.reshape(-1, 3))
+
+
+def _obj(content: bytes, which: str) -> Triangles:
+    """Faces of more than three corners become fans."""
+    vertices: list[list[float]] = []
+    faces: list[tuple[int, int, int]] = []
+    for line in content.decode("latin-1").splitlines():
+        words = line.split()
+        if words[:1] == ["v"]:
+            vertices.append([float(word) for word in words[1:4]])
+        elif words[:1] == ["f"]:
+            corners = [int(word.partition("/")[0]) for word in words[1:]]
+            ring = [corner - 1 if corner > 0 else len(vertices) + corner for corner in corners]
+            faces += [(ring[0], ring[k], ring[k + 1]) for k in range(1, len(ring) - 1)]
+            _bound(len(faces), which)
+    return Triangles(np.array(vertices, dtype=float).reshape(-1, 3), np.array(faces, dtype=np.intp).reshape(-1, 3))
+
+
+def _checked(found: Triangles, which: str) -> Triangles:
+    vertices, faces = found
+    if not len(faces):
+        raise _fault(which, "no triangle", "check that this is the file you mean")
+    if faces.min() < 0 or faces.max() >= len(vertices):
+        raise _fault(which, "a face of a vertex that is not there", "use a whole copy of the file")
+    if not (np.isfinite(vertices).all() and np.abs(vertices).max() < LARGEST):
+        raise _fault(which, f"a coordinate that is no number below {LARGEST:g}", "use a whole copy of the file")
+    return found
+
+
+def _bound(count: int, which: str) -> None:
+    if count > MOST_TRIANGLES:
+        raise _fault(which, f"{count} triangles", f"simplify it to at most {MOST_TRIANGLES}")
+
+
+def _fault(which: str, got: str, mend: str) -> InputError:
+    return InputError(which, got, "a mesh as STL or OBJ", mend)

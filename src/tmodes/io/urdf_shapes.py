@@ -1,0 +1,117 @@
+"""What the links of a URDF look like: boxes, cylinders, spheres and meshes, each placed in its link's frame."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.elements.axes import rpy_matrix
+from tmodes.errors import InputError
+from tmodes.io.mesh_file import Triangles, read_mesh
+from tmodes.io.primitives import box, cylinder, sphere
+from tmodes.io.urdf import UrdfRobot
+from tmodes.io.urdf_values import fault, number_at, only, origin_at, text_at, triple_at
+from tmodes.io.xml_file import Element
+
+__all__ = ["LinkShape", "link_shapes"]
+
+PLAIN = "#b4bec8"
+"""The colour of what has none."""
+
+READABLE = {".stl", ".obj"}
+MOST_SHAPES = 500
+
+
+class LinkShape(NamedTuple):
+    """A surface of a link in the link's frame [m], and its colour ``#rrggbb``."""
+
+    link: str
+    colour: str
+    surface: Triangles
+
+
+def link_shapes(robot: UrdfRobot) -> tuple[list[LinkShape], list[str]]:
+    """The surfaces of all links, and sentences about those that cannot be shown.
+
+    Of each link its visual shapes; where one is a file of another format than STL and OBJ, the collision shapes.
+    """
+    found: list[LinkShape] = []
+    doubts: list[str] = []
+    for name, element in robot.links.items():
+        visual, collision = element.all("visual"), element.all("collision")
+        colours = [_colour(shape, robot.root) for shape in visual]
+        chosen = visual if visual and all(map(_is_readable, visual)) else collision or visual
+        for index, shape in enumerate(chosen[: MOST_SHAPES - len(found)]):
+            colour = colours[min(index, len(colours) - 1)] if colours else PLAIN
+            try:
+                found.append(LinkShape(name, colour, _placed(shape, robot, f"link {name}: {shape.tag}")))
+            except InputError as error:
+                doubts.append(f"a shape of link {name} is not shown: {error}")
+    return found, doubts
+
+
+def _is_readable(shape: Element) -> bool:
+    files = [one.attributes.get("filename", "") for one in shape.within() if one.tag == "mesh"]
+    return all(Path(file).suffix.lower() in READABLE for file in files)
+
+
+def _placed(shape: Element, robot: UrdfRobot, which: str) -> Triangles:
+    geometry = only(shape, "geometry", which)
+    if geometry is None or len(geometry.children) != 1:
+        raise fault(shape, which, "no geometry, or several", "<geometry> with one shape", "give each shape its own")
+    surface = _surface(geometry.children[0], robot, which)
+    origin = origin_at(shape, which)
+    return Triangles(surface.vertices @ rpy_matrix(*origin["rpy"]).T + origin["position"], surface.faces)
+
+
+def _surface(element: Element, robot: UrdfRobot, which: str) -> Triangles:
+    match element.tag:
+        case "box":
+            return box(_sizes(element, which))
+        case "cylinder":
+            return cylinder(number_at(element, "radius", which), number_at(element, "length", which))
+        case "sphere":
+            return sphere(number_at(element, "radius", which))
+        case "mesh":
+            return _mesh(element, robot, which)
+    raise fault(element, which, f"<{element.tag[:40]}>", "box, cylinder, sphere or mesh", "use one of these shapes")
+
+
+def _mesh(element: Element, robot: UrdfRobot, which: str) -> Triangles:
+    name = text_at(element, "filename", which) if len(element.attributes.get("filename", "")) <= 100 else ""
+    path = robot.folders.find(name or element.attributes["filename"].strip(), which, element.place)
+    if path is None:
+        raise fault(element, which, "a file that is not there", "the path of a mesh", "check the path, or give --root")
+    scale = triple_at(element, "scale", which) if "scale" in element.attributes else [1.0, 1.0, 1.0]
+    surface = read_mesh(path)
+    return Triangles(surface.vertices * scale, surface.faces)
+
+
+def _sizes(element: Element, which: str) -> NDArray[np.float64]:
+    if "size" not in element.attributes:
+        raise fault(element, which, "<box> without the attribute `size`", 'size="x y z"', "add it")
+    return np.array(triple_at(element, "size", which))
+
+
+def _colour(shape: Element, root: Element) -> str:
+    """Of its material, told there or by name at the top of the file."""
+    material = shape.first("material")
+    if material is None:
+        return PLAIN
+    named = [one for one in root.all("material") if one.attributes.get("name") == material.attributes.get("name")]
+    for color in _colors([material, *named]):
+        words = color.attributes.get("rgba", "").split()
+        try:
+            red, green, blue = (round(255 * min(max(float(word), 0.0), 1.0)) for word in words[:3])
+        except ValueError:
+            continue
+        return f"#{red:02x}{green:02x}{blue:02x}"
+    return PLAIN
+
+
+def _colors(materials: list[Element]) -> Iterator[Element]:
+    return (color for material in materials if (color := material.first("color")) is not None)

@@ -1,0 +1,90 @@
+"""The surfaces of a robot's links, from its URDF into its result, and from there into a scene."""
+
+from __future__ import annotations
+
+import json
+import os
+from collections.abc import Sequence
+from typing import TYPE_CHECKING, Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.errors import TmodesError
+from tmodes.io.mesh_file import Triangles
+from tmodes.io.urdf_shapes import LinkShape, link_shapes
+from tmodes.report.mesh_thin import thinned
+from tmodes.robots.load import urdf_of
+
+if TYPE_CHECKING:
+    from tmodes.arm_result import ArmResult
+
+__all__ = ["Kept", "kept_meshes", "read_shapes", "with_shapes"]
+
+MOST_TRIANGLES = 40_000
+"""Triangles of a whole robot in a result: below a megabyte of its report."""
+
+
+class Kept(NamedTuple):
+    """A surface as a result keeps it: ``vertices`` (k, 3) [m] in the link's frame, ``faces`` (f, 3)."""
+
+    link: str
+    colour: str
+    vertices: NDArray[np.float32]
+    faces: NDArray[np.int32]
+
+
+def read_shapes(
+    robot: str | os.PathLike[str], roots: Sequence[str | os.PathLike[str]] = (), trust_paths: bool = False
+) -> tuple[list[LinkShape], list[str]]:
+    """The surfaces of a robot by name or file, and sentences about what is not shown; none of what is no URDF.
+
+    Nothing that is wrong with them is an error: a run needs no looks.
+    """
+    try:
+        found = urdf_of(robot, roots=roots, trust_paths=trust_paths)
+        return link_shapes(found) if found else ([], [])
+    except TmodesError as error:
+        return [], [f"the shapes of the links are not shown: {error}"]
+
+
+def with_shapes(result: ArmResult, shapes: Sequence[LinkShape]) -> ArmResult:
+    """The result with the surfaces of its links, simplified to 40,000 triangles in all.
+
+    Variables ``mesh_vertices`` (mesh_vertex, axis) [m], in the frame of their link, and ``mesh_faces`` (mesh_face,
+    corner); the attribute ``meshes`` tells link, colour and numbers of both of each surface.
+    """
+    share = MOST_TRIANGLES / max(sum(len(shape.surface.faces) for shape in shapes), MOST_TRIANGLES)
+    few = [(shape, thinned(shape.surface, max(int(share * len(shape.surface.faces)), 12))) for shape in shapes]
+    few = [(shape, surface) for shape, surface in few if len(surface.faces)]
+    if not few:
+        return result
+    data = result.data.assign(
+        mesh_vertices=(("mesh_vertex", "axis"), _joined([surface.vertices for _, surface in few], np.float32),
+                       {"units": "m", "long_name": "vertices of the links' surfaces, in the frame of each link"}),
+        mesh_faces=(("mesh_face", "corner"), _joined([surface.faces for _, surface in few], np.int32),
+                    {"units": "1", "long_name": "vertices of each triangle, counted within its surface"}),
+    )  # fmt: skip
+    data.attrs["meshes"] = json.dumps([_told(shape, surface) for shape, surface in few])
+    return type(result)(data, result.timing)
+
+
+def kept_meshes(data: Any) -> list[Kept]:
+    """The surfaces that a result's dataset keeps."""
+    found, vertex, face = [], 0, 0
+    for told in json.loads(data.attrs.get("meshes", "[]")):
+        vertices = data["mesh_vertices"].transpose("mesh_vertex", "axis").values[vertex : vertex + told["vertices"]]
+        faces = data["mesh_faces"].transpose("mesh_face", "corner").values[face : face + told["faces"]]
+        found.append(Kept(told["link"], told["colour"], vertices, faces))
+        vertex, face = vertex + told["vertices"], face + told["faces"]
+    return found
+
+
+def _joined(parts: list[Any], kind: Any) -> NDArray[Any]:
+    return np.concatenate(parts).astype(kind)
+
+
+def _told(shape: LinkShape, surface: Triangles) -> dict[str, Any]:
+    return {
+        "link": shape.link, "colour": shape.colour, "vertices": len(surface.vertices), "faces": len(surface.faces)
+    }  # fmt: skip
