@@ -8,6 +8,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.arm_line import LinkLine, LinkLines, elastic_line
 from tmodes.analysis.arm_split import deflections, elastic_names, split_motion
 from tmodes.analysis.arm_validity import run_warnings
+from tmodes.arm_model import ArmModel
 from tmodes.arm_result.series import Variables
 from tmodes.motion.run import ArmRun
 
@@ -25,7 +26,9 @@ def line_series(run: ArmRun, stations: Array, count: int) -> tuple[Variables, di
     motion = (run.model, run.q[part], run.v[part], run.a[part])
     wrenches, base = run_wrenches(run)[part], run.base[part]
     lines = elastic_line(*motion, stations=[*map(float, stations)], wrenches=wrenches, base=base)
-    straight = elastic_line(run.model, straight_shape(run)[part], stations=[*map(float, stations)], base=base)
+    straight = elastic_line(
+        run.model, straight_shape(run.model, run.q[part]), stations=[*map(float, stations)], base=base
+    )
     shown = [line for line in lines.links.values() if line.length > _POINT_LIKE]
     bending = lines.bending()
     stressed = [line for line in bending if line.stress is not None]
@@ -68,15 +71,15 @@ def run_wrenches(run: ArmRun) -> Array:
     return wrenches
 
 
-def straight_shape(run: ArmRun) -> Array:
-    """Coordinates (n, nq) of the arm without any elasticity, its motors where they are."""
-    q, names = run.q.copy(), run.coordinates
-    bent = deflections(run.model, run.q)
-    for k, name in enumerate(elastic_names(run.model)):
+def straight_shape(model: ArmModel, q: Array) -> Array:
+    """Coordinates (n, nq) of the arm at ``q`` without any elasticity, its motors where they are."""
+    straight, names = q.copy(), model.coordinates
+    bent = deflections(model, q)
+    for k, name in enumerate(elastic_names(model)):
         if name.endswith(".gear") and name not in names:
-            q[:, names.index(name.removesuffix(".gear"))] -= bent[:, k]
-    q[:, run.model.deformations] = 0.0
-    return q
+            straight[:, names.index(name.removesuffix(".gear"))] -= bent[:, k]
+    straight[:, model.deformations] = 0.0
+    return straight
 
 
 def _shapes(shown: list[LinkLine], straight: LinkLines) -> Variables:
