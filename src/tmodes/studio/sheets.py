@@ -81,12 +81,14 @@ def sheet_yaml(sheet: Robot | Arm) -> str:
 
 
 def told_sheet(sheet: Robot | Arm) -> dict[str, Any]:
-    """What the page gets of a right sheet: its data, units by path, and what looks implausible."""
+    """What the page gets of a right sheet: its data, units by path, sliders, and what looks implausible."""
     from tmodes.io.doubts import doubts_about
+    from tmodes.studio.sliders import told_sliders
 
     data = plain_sheet(sheet)
     kind = "arm" if isinstance(sheet, Arm) else "robot"
-    return {"kind": kind, "name": sheet.name, "sheet": data, "units": units_of(data), "warnings": doubts_about(sheet)}
+    told = {"units": units_of(data), "sliders": told_sliders(sheet, data), "warnings": doubts_about(sheet)}
+    return {"kind": kind, "name": sheet.name, "sheet": data, **told}
 
 
 def units_of(data: Any) -> dict[str, str]:

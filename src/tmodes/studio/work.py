@@ -105,10 +105,18 @@ def _page(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
     from tmodes.report.pack import pack
 
     page = page_data([result], [name])
+    page |= {"times": result.data["time"].values, "series": _series(result, page)}
     laps.take("page")
     content = pack(page)
     laps.take("pack")
     return content
+
+
+def _series(result: Result | ArmResult, page: Mapping[str, Any]) -> dict[str, Any]:
+    """The result's own series that the curves of a page are drawn of, so that later runs can be drawn upon them."""
+    sources = [curve["source"] for chart in page["runs"][0]["charts"] for curve in chart["curves"]]
+    names = {part["variable"] for source in sources if source for part in (source, source.get("less")) if part}
+    return {name: result.data[name].values.astype("f8") for name in sorted(names)}
 
 
 def _data(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
