@@ -2,11 +2,12 @@
 
 import type { LiveRun } from "../contract";
 import { firstState } from "./arm_rest";
-import { affine, armScene } from "./arm_scene";
+import { affine, armScene, largestDeflection } from "./arm_scene";
 import { doubles, type ArmBundle, type ArmRunTold } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";
 import { energyFacts, figures, meanOverTime, trackingFacts, type Facts } from "./facts";
+import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
 import { columns, difference, energyBalance, range, shaped, sizes, worst, type SeriesOf } from "./series";
 import * as signals from "./signals";
@@ -14,7 +15,7 @@ import * as signals from "./signals";
 type Name = "reference" | "real";
 
 /** One arm in motion, and what is observed of it. */
-interface Regime {
+export interface Regime {
   name: Name;
   told: ArmRunTold;
   blocks: Blocks;
@@ -31,14 +32,18 @@ interface Seen {
 
 const POINT = 24;
 
-/** The whole run; raises an error where it cannot start. */
-export async function runArm(engine: Engine, bundle: ArmBundle, values: readonly number[], watch: Watch): Promise<LiveRun> {
+/** The whole run; raises an error where it cannot start. `kept`: the reference run before. */
+export async function runArm(
+  engine: Engine, bundle: ArmBundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
+): Promise<LiveRun> {
   const began = performance.now();
   const names: Name[] = bundle.runs.reference ? ["reference", "real"] : ["real"];
   const regimes: Regime[] = [];
   for (const [k, name] of names.entries()) {
     const part: Watch = { ...watch, progress: (share) => watch.progress?.((k + share) / names.length) };
-    regimes.push(await moved(engine, bundle, values, name, part));
+    const blocks = numbersOf(bundle.map, values, name);
+    const make = () => moved(engine, bundle, values, name, blocks, part);
+    regimes.push(await (name === "reference" ? kept.of(blocks, make) : make()));
   }
   const real = regimes[regimes.length - 1];
   const seconds = (performance.now() - began) / 1000;
@@ -52,12 +57,21 @@ export async function runArm(engine: Engine, bundle: ArmBundle, values: readonly
     status: failed ? failed.run.status : "finished",
     message: failed ? `${failed === real ? "real arm" : "reference"}: ${failed.run.message}` : real.run.message,
     seconds, times, series, scene: armScene(engine, bundle, real.blocks.pose, series, times, frames), line: null,
-    facts: factsOf(bundle, times, series, moveEnd(real.schedule)),
+    facts: {
+      ...factsOf(bundle, times, series, moveEnd(real.schedule)),
+      ...deflectionFact(largestDeflection(engine, bundle, real.blocks.pose, own.model.q, count), times),
+    },
   };
 }
 
-async function moved(engine: Engine, bundle: ArmBundle, values: readonly number[], name: Name, watch: Watch): Promise<Regime> {
-  const blocks = numbersOf(bundle.map, values, name);
+function deflectionFact(worst: ReturnType<typeof largestDeflection>, times: Float64Array): Facts {
+  if (!worst) return {};
+  return { "deflection.max": { value: worst.value, note: `${worst.link}, at ${figures(times[worst.sample])} s` } };
+}
+
+async function moved(
+  engine: Engine, bundle: ArmBundle, values: readonly number[], name: Name, blocks: Blocks, watch: Watch,
+): Promise<Regime> {
   const { settings } = bundle;
   const told = bundle.runs[name]!;
   const each = range(0, told.signals).map((k) => signals.until(signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]), settings.duration));
