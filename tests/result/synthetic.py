@@ -329,6 +329,18 @@ def labels(time: Any) -> dict[str, Any]:
     }
 
 
+def real_robot() -> dict[str, Any]:
+    """The data sheet with the factors of the real robot multiplied in."""
+    sheet: dict[str, Any] = json.loads(json.dumps(ROBOT))
+    for path, factor in sheet.pop("real").items():
+        *way, last = path.split(".")
+        place: Any = sheet
+        for key in way:
+            place = place[int(key)] if isinstance(place, list) else place[key]
+        place[last] *= factor
+    return sheet
+
+
 def attributes(contact: bool) -> dict[str, Any]:
     """The attributes of a finished run."""
     parameters = {
@@ -361,6 +373,7 @@ def attributes(contact: bool) -> dict[str, Any]:
     return {
         "tmodes_format": 1,
         "robot": json.dumps(ROBOT | {"contact": contact}),
+        "robot_real": json.dumps(real_robot() | {"contact": contact}),
         "mechanism": f"consistent contact={'signed' if contact else 'none'} drive=controlled rigid=none degree=2",
         "reading": "consistent",
         "parameters": json.dumps(parameters),

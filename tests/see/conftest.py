@@ -3,11 +3,14 @@
 from __future__ import annotations
 
 import json
+from collections.abc import Iterator
 from pathlib import Path
+from typing import Any
 
 import pytest
 
 from result.synthetic import synthetic_result
+from see.looking import OPTIONS
 from tmodes.plot import drawings
 from tmodes.plot.save import Drawing
 from tmodes.report import write_report
@@ -73,3 +76,13 @@ def reports(
 def failed() -> Result:
     """A run that diverged after three samples, with every text nasty."""
     return failed_result()
+
+
+@pytest.fixture(scope="module")
+def browser(chromium: str) -> Iterator[Any]:
+    """A headless browser that draws in software; skipped where there is none."""
+    playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to look at the page")
+    with playwright.sync_playwright() as engine:
+        opened = engine.chromium.launch(executable_path=chromium, args=list(OPTIONS))
+        yield opened
+        opened.close()

@@ -12,6 +12,8 @@ export interface Page {
   runs: Run[];
   /** The robot's own equations; null where a run cannot be made again in the page. Belongs to runs[0]. */
   live: LiveBundle | null;
+  /** Why there is no live model, as a sentence; empty where there is one, or none is wanted. */
+  notLive: string;
 }
 
 export interface Run {
@@ -47,6 +49,8 @@ export interface Source {
   variable: string;
   index: number;
   factor: number;
+  /** Taken off before the factor: what is drawn is a difference of two series. */
+  less?: { variable: string; index: number };
 }
 
 export type Role = "real" | "reference" | "rigid" | "stationary" | "oscillatory" | "limit" | "other";
@@ -70,6 +74,12 @@ export interface Chart {
   /** What is along: time [s] (linked with the clock) or frequency [Hz]. */
   abscissa: "time" | "frequency";
   at: Numbers;
+  /** Samples of the run; where `at` has fewer, the extremes of every curve are kept. */
+  samples: number;
+  /** Of a spectrum: first and last time [s] of the samples that it is of; its curves' sources tell these. */
+  span: [number, number] | null;
+  /** Places along the abscissa with a name, such as the robot's own frequencies. */
+  marks: { at: number; label: string }[];
   curves: Curve[];
   /** Whether a logarithmic ordinate serves, and whether it is the first choice. */
   log: "no" | "offered" | "first";

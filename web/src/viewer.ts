@@ -1,12 +1,22 @@
 // The program of a page about results: unpacks its data and mounts the parts.
 import type { Page } from "./contract";
+import { make } from "./dom";
 import { inflated, unpack } from "./pack";
+import { mountPage } from "./page";
 
 async function main(): Promise<void> {
   const place = document.getElementById("tmodes-data");
-  if (place === null) return;
-  const page = unpack(await inflated(place.textContent ?? "")) as Page;
-  document.title = page.title;
+  const root = document.getElementById("tmodes-app");
+  if (place === null || root === null) return;
+  try {
+    const page = unpack(await inflated(place.textContent ?? "")) as Page;
+    mountPage(root, page);
+    document.documentElement.classList.add("running");
+  } catch (error) {
+    const told = error instanceof Error ? error.message : String(error);
+    root.replaceChildren(make("p", { class: "status warning", role: "alert", text: `The interactive part of this page could not start: ${told}. What follows is the whole report without it.` }));
+  }
 }
 
+addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
 void main();

@@ -17,7 +17,10 @@ from tmodes.chain import Beam, Segment
 from tmodes.elements.material import find_material
 from tmodes.equations.arm.beam_tables import beam_tables, section_edges
 
-__all__ = ["MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "rest_warnings", "run_warnings"]
+__all__ = [
+    "MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "rest_warnings", "run_warnings",
+    "yield_strength",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
@@ -119,7 +122,7 @@ def _functions(model: ArmModel, lines: LinkLines) -> Iterator[str]:
 
 
 def _yielding(arm: Arm, time: Array, line: LinkLine) -> Iterator[str]:
-    strength = _strength(arm, line.name)
+    strength = yield_strength(arm, line.name)
     if line.stress is None or strength is None:
         return
     worst = line.largest("mises_stress")
@@ -131,7 +134,7 @@ def _yielding(arm: Arm, time: Array, line: LinkLine) -> Iterator[str]:
     )  # fmt: skip
 
 
-def _strength(arm: Arm, name: str) -> float | None:
+def yield_strength(arm: Arm, name: str) -> float | None:
     """Least yield strength [Pa] of a link's materials, None where none is told. Segments of a link bear its name."""
     names = {link.name for link in arm.links}
     beam = arm.link(name if name in names else name.rpartition(".")[0]).beam if arm.links else None

@@ -13,8 +13,8 @@ from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
 __all__ = [
-    "arithmetic_of", "called", "kernels_of", "library", "native_functions", "row_function", "sample_functions",
-    "schedule_function",
+    "arithmetic_of", "called", "kernels_of", "library", "native_functions", "row_function",
+    "sample_functions", "sample_module", "schedule_function", "schedule_module",
 ]  # fmt: skip
 
 
@@ -74,22 +74,24 @@ def sample_functions(name: str, key: str, make: Callable[[], Mapping[str, Any]],
 
     ``inputs`` holds the number of inputs of each, parameters not counted.
     """
-
-    def write() -> Any:
-        from llvmlite import ir
-
-        from tmodes.compile.lower import lower
-        from tmodes.compile.program import straight_line
-        from tmodes.compile.sample_loop import write_sample_loop
-
-        module = ir.Module(name)
-        for label, function in make().items():
-            program = straight_line(function, invariant=inputs[label])
-            write_sample_loop(module, label, lower(module, program))
-        return module
-
     # Called for some thousand samples: ten times quicker to compile is worth more here than quicker to run.
+    write = partial(sample_module, name, make, inputs)
     return library(name, key, write, {label: count + 3 for label, count in inputs.items()}, level=0)
+
+
+def sample_module(name: str, make: Callable[[], Mapping[str, Any]], inputs: Mapping[str, int]) -> Any:
+    """The IR of :func:`sample_functions`."""
+    from llvmlite import ir
+
+    from tmodes.compile.lower import lower
+    from tmodes.compile.program import straight_line
+    from tmodes.compile.sample_loop import write_sample_loop
+
+    module = ir.Module(name)
+    for label, function in make().items():
+        program = straight_line(function, invariant=inputs[label])
+        write_sample_loop(module, label, lower(module, program))
+    return module
 
 
 def kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
@@ -138,21 +140,22 @@ def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
     ``arithmetic``: ``double``, ``lanes`` (four samples at once; ``wide8``: eight) or ``derivative`` (each with a
     direction).
     """
-
-    def write() -> Any:
-        from llvmlite import ir
-
-        from tmodes.compile.arithmetic import Lanes
-        from tmodes.compile.block import write_samples
-        from tmodes.compile.lane_rows import write_lane_samples
-
-        module, kind = ir.Module(name), arithmetic_of(arithmetic)
-        write = write_lane_samples if issubclass(kind, Lanes) else write_samples
-        write(module, schedule, kind(module), "run")
-        return module
-
-    imports = partial(called, schedule, arithmetic)
+    write, imports = partial(schedule_module, schedule, arithmetic, "run"), partial(called, schedule, arithmetic)
     return library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, imports, tidy=False)
+
+
+def schedule_module(schedule: Any, arithmetic: str, symbol: str) -> Any:
+    """The IR of the function of :func:`schedule_function`, called ``symbol``."""
+    from llvmlite import ir
+
+    from tmodes.compile.arithmetic import Lanes
+    from tmodes.compile.block import write_samples
+    from tmodes.compile.lane_rows import write_lane_samples
+
+    module, kind = ir.Module(symbol), arithmetic_of(arithmetic)
+    write = write_lane_samples if issubclass(kind, Lanes) else write_samples
+    write(module, schedule, kind(module), symbol)
+    return module
 
 
 def native_functions(name: str, write: Callable[[], Any], functions: dict[str, int]) -> Library:

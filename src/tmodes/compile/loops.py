@@ -11,8 +11,8 @@ from tmodes.compile.kernels import arithmetic_of, called, kernels_of, library
 from tmodes.compile.native import Library
 
 __all__ = [
-    "EXPLICIT", "EXTRAPOLATION", "IMPLICIT", "ROSENBROCK", "implicit_loops", "rosenbrock_loop", "schedule_loops",
-    "time_loops",
+    "EXPLICIT", "EXTRAPOLATION", "IMPLICIT", "ROSENBROCK", "implicit_loops", "loop_arithmetic", "program_loop_module",
+    "rosenbrock_loop", "schedule_loop_module", "schedule_loops", "time_loops",
 ]  # fmt: skip
 
 EXPLICIT = ("rk4", "dormand_prince", "dop853")
@@ -58,20 +58,23 @@ def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> An
     """
     from tmodes.compile.time_loop import ARGUMENTS
 
-    def write(method: str) -> Any:
-        from llvmlite import ir
-
-        from tmodes.compile.lower import lower
-        from tmodes.compile.program import straight_line
-
-        module = ir.Module(name)
-        _writer(method)(module, method, lower(module, straight_line(make(), invariant=3)), guarded)
-        return module
-
     def made(method: str) -> Library:
-        return library(f"{name} {method}", key, partial(write, method), {method: len(ARGUMENTS)}, level=3)
+        write = partial(program_loop_module, make, guarded, method, method)
+        return library(f"{name} {method}", key, write, {method: len(ARGUMENTS)}, level=3)
 
     return _Loops(EXPLICIT, made)
+
+
+def program_loop_module(make: Callable[[], Any], guarded: int, method: str, symbol: str) -> Any:
+    """The IR of an explicit loop, called ``symbol``, around one right-hand side."""
+    from llvmlite import ir
+
+    from tmodes.compile.lower import lower
+    from tmodes.compile.program import straight_line
+
+    module = ir.Module(symbol)
+    _writer(method)(module, symbol, lower(module, straight_line(make(), invariant=3)), guarded)
+    return module
 
 
 def schedule_loops(name: str, schedule: Any, guarded: int) -> Any:
@@ -99,25 +102,31 @@ def rosenbrock_loop(name: str, schedule: Any, guarded: int, pairs: int, columns:
 def _schedule_loop(name: str, schedule: Any, guarded: int, method: str, **more: Any) -> Library:
     from tmodes.compile.time_loop import ARGUMENTS
 
-    def write() -> Any:
-        from llvmlite import ir
-
-        from tmodes.compile.block import write_rate
-        from tmodes.compile.rows_rate import write_rows_rate
-
-        module = ir.Module(name)
-        if arithmetic == "double":
-            rate = write_rate(module, schedule, arithmetic_of(arithmetic)(module), "rate")
-        else:
-            rate = write_rows_rate(module, schedule, "rate")
-        needed = {"schedule": schedule} if method == ROSENBROCK else {}
-        _writer(method)(module, method, rate, guarded, **needed, **more)
-        return module
-
     def imports() -> dict[str, Library]:
         slopes = kernels_of(schedule, "derivative") if method == ROSENBROCK else {}
-        return called(schedule, arithmetic) | slopes
+        return called(schedule, loop_arithmetic(method)) | slopes
 
-    arithmetic = "lanes" if method == EXTRAPOLATION else "double"  # rows of a tableau side by side
-
+    write = partial(schedule_loop_module, schedule, guarded, method, method, **more)
     return library(f"{name} {method}", schedule.key, write, {method: len(ARGUMENTS)}, 1, imports)
+
+
+def loop_arithmetic(method: str) -> str:
+    """The numbers of a loop around a schedule: of extrapolation the rows of a tableau go side by side."""
+    return "lanes" if method == EXTRAPOLATION else "double"
+
+
+def schedule_loop_module(schedule: Any, guarded: int, method: str, symbol: str, **more: Any) -> Any:
+    """The IR of a loop, called ``symbol``, around a schedule; ``more``: pairs and columns, as the method needs them."""
+    from llvmlite import ir
+
+    from tmodes.compile.block import write_rate
+    from tmodes.compile.rows_rate import write_rows_rate
+
+    module, arithmetic = ir.Module(symbol), loop_arithmetic(method)
+    if arithmetic == "double":
+        rate = write_rate(module, schedule, arithmetic_of(arithmetic)(module), "rate")
+    else:
+        rate = write_rows_rate(module, schedule, "rate")
+    needed = {"schedule": schedule} if method == ROSENBROCK else {}
+    _writer(method)(module, symbol, rate, guarded, **needed, **more)
+    return module

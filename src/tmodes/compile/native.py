@@ -18,7 +18,7 @@ from llvmlite.binding.newpassmanagers import NewPassManager
 from tmodes.compile.trigonometry import FAR_COSINE, FAR_SINE
 from tmodes.errors import CompileError
 
-__all__ = ["POWER", "Library", "host", "processor", "to_object"]
+__all__ = ["POWER", "Library", "free", "host", "processor", "to_object"]
 
 POWER = "tmodes_pow"
 """Symbol bound to the C library's pow."""
@@ -70,7 +70,7 @@ def to_object(module: Any, level: int, *, tidy: bool = True) -> bytes:
     builder = llvm.create_pass_builder(machine, options)
     passes = builder.getModulePassManager()
     passes.run(parsed, builder)
-    _free(passes)
+    free(passes)
     with _emission, nullcontext() if tidy else _in_the_order_written():
         return machine.emit_object(parsed)
 
@@ -93,7 +93,7 @@ def _in_the_order_written() -> Iterator[None]:
         llvm.set_option("", "-enable-misched=1")
 
 
-def _free(passes: Any) -> None:
+def free(passes: Any) -> None:
     """Free a pass manager, some 50 kB: its own ``_dispose`` is hidden behind one of ObjectRef that does nothing."""
     hidden = getattr(NewPassManager, "_dispose", None)
     if hidden is not None and type(passes)._dispose is not hidden:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from enum import StrEnum
 from typing import TYPE_CHECKING, Any
 
@@ -30,17 +30,22 @@ class Follow(StrEnum):
 
     SHEET = "sheet"  # those that the sheet says
     WANTED = "wanted"  # every position: the reference run, in which all motors are where they should be
+    HELD = "held"  # none: all stand where they are at first, and so does the base
 
 
 @dataclass(frozen=True, eq=False)
 class Planned:
-    """A chain in a run, its plan, and its signals; ``undriven`` joints are held at their first value."""
+    """A chain in a run, its plan, and its signals; ``undriven`` joints are held at their first value.
+
+    ``signals``: all on common knots; ``each``: what the sheet says of them, one by one.
+    """
 
     chain: Chain
     plan: LoopPlan
     schedule: Schedule
     signals: MergedSchedule
     undriven: tuple[str, ...]
+    each: tuple[Any, ...] = ()
 
 
 @dataclass(eq=False)
@@ -49,8 +54,10 @@ class _Signals:
 
     until: float
     schedules: list[Schedule]
+    told: list[Any] = field(default_factory=list)
 
     def add(self, signal: Any, path: str) -> int:
+        self.told.append(signal)
         try:
             self.schedules.append(signal.schedule(self.until))
         except InputError as error:
@@ -81,12 +88,12 @@ def planned(arm: Arm, follow: Follow = Follow.SHEET) -> Planned:
     chain = replace(chain, nodes=nodes)
     names = [point.name for point in chain.points]
     loads = tuple(_loads(arm, names, signals))
-    base = tuple(_base(arm, signals))
+    base = () if follow is Follow.HELD else tuple(_base(arm, signals))
     touch = _touch(arm, chain, names)
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
     rows = merged.coefficients.reshape(len(merged.coefficients), -1)
     plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base)
-    return Planned(chain, plan, Schedule(merged.knots, rows), merged, tuple(undriven))
+    return Planned(chain, plan, Schedule(merged.knots, rows), merged, tuple(undriven), tuple(signals.told))
 
 
 def _nothing(until: float) -> MergedSchedule:
@@ -111,7 +118,7 @@ def _drive(
     winding, numbers = _winding(joint.motor)
     command = sheet.command if sheet else Command.PRESCRIBED
     exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command is Command.POSITION)
-    if sheet is None:
+    if sheet is None or follow is Follow.HELD:
         held = Constant(type="constant", value=initial_value(arm, joint.name))
         return DrivePlan(joint.name, signals.add(held, "initial"), None, winding, (0.0, 0.0, *numbers))
     signal = signals.add(sheet.signal, f"drives.{index}.signal")

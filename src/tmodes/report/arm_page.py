@@ -7,11 +7,14 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmodes.plot.arm_figures import ARM_FIGURES, arm_left_out
-from tmodes.report.arm_numbers import arm_cards, deformations_table, joints_table, links_table
+from tmodes.report.arm_numbers import deformations_table, joints_table, links_table
+from tmodes.report.data import facts_of, live_page
+from tmodes.report.facts import fact_list
 from tmodes.report.markup import Markup, tag
 from tmodes.report.numbers import error_table, frequency_tables
-from tmodes.report.parts import document, figures_section, rows_of, section, status, warnings
+from tmodes.report.parts import SECTIONS, document, figures_section, rows_of, section, status, title_of, warnings
 from tmodes.report.tables import table
+from tmodes.report.viewer import application, policy
 
 if TYPE_CHECKING:
     from tmodes.arm import Arm
@@ -31,11 +34,13 @@ def arm_page(result: ArmResult, figures: Mapping[str, Drawing]) -> str:
     """The whole page as one HTML document; ``figures`` by name, in the order of the page."""
     arm = result.arm
     return document(
-        result,
-        arm.name,
+        title_of(result, arm.name),
+        policy(),
+        SECTIONS,
         _header(result, arm),
         status(result),
         warnings(result),
+        application(live_page(result)),
         _numbers(result),
         figures_section(figures, ARM_FIGURES, arm_left_out(result)),
         section("robot", *_sheet(arm)),
@@ -52,7 +57,7 @@ def _header(result: ArmResult, arm: Arm) -> Markup:
     told = (
         f"{counts}, {_count(len(data['coordinate']), 'coordinate')}; {space}, {float(data['time'][-1]):g} s simulated"
     )
-    return tag("header", tag("h1", arm.name), tag("p", arm.title, class_="lead"), tag("p", told))
+    return tag("header", tag("h1", arm.name), tag("p", arm.title, class_="lead"), tag("p", told), class_="top")
 
 
 def _count(number: int, thing: str) -> str:
@@ -65,7 +70,7 @@ def _numbers(result: ArmResult) -> Markup:
     note = f"The lowest frequencies {where}: under control as in this run, with the motors held, and free to turn."
     return section(
         "numbers",
-        arm_cards(told),
+        tag("div", fact_list(facts_of(result)), class_="unprogrammed"),
         *_titled("Joints", joints_table(told["joints"])),
         *_titled("Links that bend", links_table(told["links"])),
         *_titled("Elastic coordinates", deformations_table(told["deformations"])),

@@ -45,14 +45,19 @@ class _Arrays:
     size: int = 0
     coarse: dict[int, dict[str, int]] = field(default_factory=dict)
     """Where each :class:`Coarse` array is: one that stands in a page several times is kept once."""
+    known: dict[tuple[Any, ...], dict[str, int]] = field(default_factory=dict)
+    """Where each content is: what is equal, such as the times of all charts, is kept once."""
 
     def add(self, values: NDArray[Any], **more: float) -> dict[str, int]:
         values = np.ascontiguousarray(values)
         content = values.astype(values.dtype.newbyteorder("<"), copy=False).tobytes()
-        self.told.append({"dtype": _KINDS[values.dtype.name], "shape": values.shape, "offset": self.size, **more})
-        self.parts.append(content + bytes(-len(content) % 8))
-        self.size += len(self.parts[-1])
-        return {"$array": len(self.told) - 1}
+        own = (_KINDS[values.dtype.name], values.shape, content, *more.values())
+        if own not in self.known:
+            self.known[own] = {"$array": len(self.told)}
+            self.told.append({"dtype": own[0], "shape": values.shape, "offset": self.size, **more})
+            self.parts.append(content + bytes(-len(content) % 8))
+            self.size += len(self.parts[-1])
+        return self.known[own]
 
 
 def pack(page: Mapping[str, Any]) -> bytes:

@@ -7,11 +7,14 @@ from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
 from tmodes.plot.figures import FIGURES, left_out
+from tmodes.report.data import facts_of, live_page
+from tmodes.report.facts import fact_list
 from tmodes.report.markup import Markup, tag
-from tmodes.report.numbers import cards, deformation_table, error_table, frequency_tables
-from tmodes.report.parts import document, figures_section, rows_of, section, status, warnings
+from tmodes.report.numbers import deformation_table, error_table, frequency_tables
+from tmodes.report.parts import SECTIONS, document, figures_section, rows_of, section, status, title_of, warnings
 from tmodes.report.sheet import data_sheet
 from tmodes.report.tables import table
+from tmodes.report.viewer import application, policy
 
 if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
@@ -25,11 +28,13 @@ def page(result: Result, figures: Mapping[str, Drawing]) -> str:
     sheet = json.loads(result.data.attrs["robot"])
     name = str(sheet.get("name") or "robot")
     return document(
-        result,
-        name,
+        title_of(result, name),
+        policy(),
+        SECTIONS,
         _header(result, sheet, name),
         status(result),
         warnings(result),
+        application(live_page(result)),
         _numbers(result),
         figures_section(figures, FIGURES, left_out(result)),
         section("robot", data_sheet(sheet, json.loads(result.data.attrs["parameters"]))),
@@ -41,7 +46,9 @@ def _header(result: Result, sheet: Mapping[str, Any], name: str) -> Markup:
     space = "in contact with the environment" if "contact_force" in result.data else "in free space"
     span = f"{float(result.data['time'][-1]):g} s simulated"
     told = f"Reading “{result.data.attrs['reading']}”, {space}, {span}"
-    return tag("header", tag("h1", name), tag("p", str(sheet.get("title", "")), class_="lead"), tag("p", told))
+    return tag(
+        "header", tag("h1", name), tag("p", str(sheet.get("title", "")), class_="lead"), tag("p", told), class_="top"
+    )
 
 
 def _numbers(result: Result) -> Markup:
@@ -50,7 +57,7 @@ def _numbers(result: Result) -> Markup:
     note += "held still, and with the motor free to turn."
     return section(
         "numbers",
-        cards(told),
+        tag("div", fact_list(facts_of(result)), class_="unprogrammed"),
         tag("h3", "Frequencies"),
         tag("p", note, class_="note"),
         frequency_tables(result.frequencies),

@@ -15,29 +15,37 @@ if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
     from tmodes.result import RunRecord
 
-__all__ = ["document", "figures_section", "rows_of", "section", "status", "warnings"]
+__all__ = ["SECTIONS", "document", "figures_section", "rows_of", "section", "status", "title_of", "warnings"]
 
-POLICY = "default-src 'none'; style-src 'unsafe-inline'; img-src data:; base-uri 'none'; form-action 'none'"
-"""The page may ask for nothing at all, and run nothing."""
+SECTIONS = {
+    "viewer": "View", "numbers": "Numbers", "figures": "Figures for print", "robot": "Robot",
+    "provenance": "Provenance",
+}  # fmt: skip
 
-SECTIONS = {"numbers": "Numbers", "figures": "Figures", "robot": "Robot", "provenance": "Provenance"}
+_STYLES = ("page.css", "app.css")
 
 
-def document(result: RunRecord, name: str, *content: str | None) -> str:
-    """The whole page as one HTML document."""
-    ended = "" if result.success else f"{result.status.upper()}: "
+def document(title: str, policy: str, sections: Mapping[str, str], *content: str | None) -> str:
+    """The whole page as one HTML document; ``sections``: ids and names of what the navigation leads to."""
+    styles = "".join(files("tmodes.report").joinpath(name).read_text(encoding="utf-8") for name in _STYLES)
     head = tag(
         "head",
         tag("meta", charset="utf-8"),
-        tag("meta", http_equiv="Content-Security-Policy", content=POLICY),
+        tag("meta", http_equiv="Content-Security-Policy", content=policy),
         tag("meta", name="viewport", content="width=device-width, initial-scale=1"),
         tag("meta", name="color-scheme", content="light dark"),
-        tag("title", f"{ended}{name} – tmodes"),
-        tag("style", Markup(files("tmodes.report").joinpath("page.css").read_text(encoding="utf-8"))),
+        tag("title", f"{title} – tmodes"),
+        tag("style", Markup(styles)),
     )
     main = tag("main", *content, id="main")
-    body = tag("body", tag("a", "Skip to the content", href="#main", class_="skip"), _navigation(), main)
+    skip = tag("a", "Skip to the content", href="#main", class_="skip")
+    body = tag("body", skip, _navigation(sections) if sections else None, main)
     return f"<!doctype html>\n{tag('html', head, body, lang='en')}\n"
+
+
+def title_of(result: RunRecord, name: str) -> str:
+    """The title of a run's page; a run that did not finish says so."""
+    return name if result.success else f"{result.status.upper()}: {name}"
 
 
 def section(name: str, *content: str | None) -> Markup:
@@ -47,8 +55,8 @@ def section(name: str, *content: str | None) -> Markup:
     )
 
 
-def _navigation() -> Markup:
-    links = (tag("li", tag("a", words, href=f"#{name}")) for name, words in SECTIONS.items())
+def _navigation(sections: Mapping[str, str]) -> Markup:
+    links = (tag("li", tag("a", words, href=f"#{name}")) for name, words in sections.items())
     return tag("nav", tag("ul", *links), aria_label="Sections")
 
 
@@ -77,9 +85,12 @@ def warnings(result: RunRecord) -> Markup | None:
 def figures_section(
     figures: Mapping[str, Drawing], table: Mapping[str, FigureEntry], left_out: Mapping[str, str]
 ) -> Markup:
-    """The figures of a table, numbered, and why others are left out."""
-    shown = (_figure(number, table[name], drawing) for number, (name, drawing) in enumerate(figures.items(), 1))
-    return section("figures", *shown, _left_out(table, left_out))
+    """The figures of a table, numbered, folded until they are wanted, and why others are left out."""
+    shown = [_figure(number, table[name], drawing) for number, (name, drawing) in enumerate(figures.items(), 1)]
+    words = f"Show {len(shown)} figures as they stand in print"
+    return section(
+        "figures", tag("details", tag("summary", words), *shown) if shown else None, _left_out(table, left_out)
+    )
 
 
 def _figure(number: int, entry: FigureEntry, drawing: Drawing) -> Markup:

@@ -1,0 +1,113 @@
+"""What a live report is shipped with: the robot's own equations, and all numbers that they need."""
+
+from __future__ import annotations
+
+import json
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmodes.arm import ArmPair
+from tmodes.integrate.settings import Integration, Method
+from tmodes.live.arm_bundle import arm_bundle, why_not_arm
+from tmodes.live.map import LiveMap, live_map
+from tmodes.live.template import sheet_template
+from tmodes.robot import NominalRealPair
+
+if TYPE_CHECKING:
+    from tmodes.arm_result import ArmResult
+    from tmodes.result import Result
+
+__all__ = ["FRAMES_PER_SECOND", "live_bundle", "why_not_live"]
+
+FRAMES_PER_SECOND = 60
+"""Frames of the picture in a second of motion, about."""
+
+_MOST_FRAMES = 3000
+_MOST_STATIONS = 21
+
+
+def why_not_live(result: Result | ArmResult) -> str:
+    """Why a page cannot make this run again, in words; empty where it can."""
+    if result.status != "finished":
+        return f"the run did not reach its end: {result.message}"
+    if "mean_step_s" not in result.statistics["real"]:
+        return "its controller is a Python function"
+    settings = _sheet(result).integration
+    if settings.stop or settings.energy_stop or getattr(settings, "stop_at_limits", False):
+        return "it ends by a condition, which is looked for natively"
+    if json.loads(result.data.attrs["robot_real"])["real"]:
+        return "its real robot has factors of its own"
+    return why_not_arm(_sheet(result)) if result.kind == "arm" else ""
+
+
+def live_bundle(result: Result | ArmResult) -> dict[str, Any] | None:
+    """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` says why."""
+    if why_not_live(result):
+        return None
+    pair, method = _sheet(result).pair(), _method(result)
+    if isinstance(pair, NominalRealPair):
+        return {**_common(result, pair, live_map(pair)), **_of_robot(pair, method)}
+    settings = pair.real.integration
+    stations = tuple(np.linspace(0.0, 1.0, min(settings.line_points, _MOST_STATIONS)).tolist())
+    own = arm_bundle(pair, stations, method.value, compared="tip_reference" in result.data)
+    return {**_common(result, pair, live_map(pair, stations)), **own, "stations": np.array(stations)}
+
+
+def _sheet(result: Any) -> Any:
+    return result.arm if result.kind == "arm" else result.robot
+
+
+def _method(result: Result | ArmResult) -> Method:
+    """The one that the run took; of several, one after the other, the last one."""
+    return Method(result.statistics["real"]["method"])
+
+
+def _common(result: Result | ArmResult, pair: NominalRealPair | ArmPair, live: LiveMap) -> dict[str, Any]:
+    settings = pair.real.integration
+    times = np.asarray(result.data["time"].values, dtype=float)
+    every = max(1, round(1 / (FRAMES_PER_SECOND * settings.output_step)), -(-len(times) // _MOST_FRAMES))
+    frames = np.unique(np.append(np.arange(0, len(times), every), len(times) - 1))
+    return {
+        "kind": result.kind,
+        "sliders": [slider.told() for slider in live.sliders],
+        "leftOut": [{"path": path, "reason": reason} for path, reason in live.left_out.items()],
+        "map": live.told(),
+        "settings": _settings(settings, _method(result)) | {"note": _note(result)},
+        "times": times,
+        "frames": frames.astype(np.int32),
+        "stations": np.linspace(0.0, 1.0, settings.line_points),
+        "sheet": sheet_template(pair.nominal, live),
+    }
+
+
+def _settings(given: Integration, method: Method) -> dict[str, Any]:
+    chosen = given.chosen(method)
+    return {
+        "method": method.value, "duration": chosen.duration, "step": chosen.step, "maxSteps": chosen.max_steps,
+        "relativeTolerance": chosen.relative_tolerance, "absoluteTolerance": chosen.absolute_tolerance,
+    }  # fmt: skip
+
+
+def _note(result: Result | ArmResult) -> str:
+    """What is different from the native run."""
+    parts = result.statistics["real"].get("parts")
+    if not parts:
+        return ""
+    taken = ", then ".join(part["method"] for part in parts.values())
+    return f"the run took {taken}; here all of it is by {_method(result).value}"
+
+
+def _of_robot(pair: NominalRealPair, method: Method) -> dict[str, Any]:
+    from tmodes.equations.coordinates import deformation_basis, free_deformations
+    from tmodes.live.wasm_robot import robot_module
+
+    module = robot_module(pair, [method.value])
+    return {
+        "module": np.frombuffer(module.wasm, dtype=np.uint8),
+        "layout": module.layout,
+        "contact": pair.real.contact,
+        "free": free_deformations(pair.real.rigid_elements()),
+        "basis": deformation_basis(),
+        "lengths": [mode.length for mode in pair.real.link.modes],
+    }

@@ -1,0 +1,186 @@
+"""The map of a live report: from what its sliders say to all numbers of both runs, fitted once and evaluated there.
+
+sliders -> knobs, as known and as they really are -> numbers of each run, by a Form each
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.arm import Arm, ArmPair
+from tmodes.errors import InputError, InputErrors
+from tmodes.live.forms import Form, Range, Unfit, fitted
+from tmodes.live.numbers import Blocks, arm_numbers, follow_of, robot_numbers, whole, whole_moves
+from tmodes.live.sheet_numbers import sheet_numbers
+from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
+from tmodes.mechanism import Drive
+from tmodes.robot import NominalRealPair, Robot
+
+__all__ = ["LiveMap", "live_map"]
+
+Array = NDArray[np.float64]
+
+_SEED = 20100
+_LONGEST_MOVE = 2.5
+"""How many times as long a move may become, and a little more."""
+
+_NO_EFFECT = "it changes nothing in this run"
+
+
+@dataclass(frozen=True, eq=False)
+class LiveMap:
+    """Sliders, their knobs, and the numbers of each run: ``reference`` and ``real``.
+
+    ``places``: of each run, where each block of its vector is. ``left_out``: paths that have no slider, with reasons.
+    """
+
+    sliders: tuple[Slider, ...]
+    knobs: tuple[Knob, ...]
+    forms: dict[str, Form]
+    places: dict[str, dict[str, Any]]
+    left_out: dict[str, str]
+
+    def knob_values(self, values: Sequence[float], run: str) -> dict[int, float]:
+        """Where the knobs of a run stand for values of the sliders; of a real robot with its factors."""
+        known = {k: knob.start for k, knob in enumerate(self.knobs)}
+        factors = {k: knob.factor for k, knob in enumerate(self.knobs)}
+        for slider, value in zip(self.sliders, values, strict=True):
+            (factors if slider.real else known)[slider.knob] = value
+        if run == "reference":
+            return known
+        return {k: _really(knob, known[k], factors[k]) for k, knob in enumerate(self.knobs)}
+
+    def numbers(self, values: Sequence[float], run: str) -> Blocks:
+        """The blocks of a run for values of the sliders."""
+        vector = self.forms[run].at(self.knob_values(values, run))
+        return {
+            name: vector[place["start"] : place["start"] + int(np.prod(place["shape"]))].reshape(place["shape"])
+            for name, place in self.places[run].items()
+        }
+
+    def changes(self, values: Sequence[float]) -> dict[str, float]:
+        """What ``--set`` is to change for these values: of sliders that moved, path and value."""
+        found: dict[str, float] = {}
+        for slider, value in zip(self.sliders, values, strict=True):
+            if value != slider.value:
+                found |= slider.changes(self.knobs[slider.knob], value)
+        return found
+
+    def told(self) -> dict[str, Any]:
+        """As plain data with arrays: what ``web/src/live/map.ts`` reads."""
+        return {
+            "knobs": [
+                {"start": knob.start, "together": knob.together, "factor": knob.factor} for knob in self.knobs
+            ],
+            "sliders": [{"knob": slider.knob, "real": slider.real} for slider in self.sliders],
+            "runs": {name: form.told() | {"places": self.places[name]} for name, form in self.forms.items()},
+        }  # fmt: skip
+
+
+def _really(knob: Knob, known: float, factor: float | None) -> float:
+    """Where a knob of the real robot stands; a proportion is told of what the real robot's sheet says."""
+    if factor is None or knob.factor is None:
+        return known
+    return known * (factor / knob.factor) if knob.together else known * factor
+
+
+def live_map(pair: NominalRealPair | ArmPair, stations: tuple[float, ...] = ()) -> LiveMap:
+    """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points.
+
+    ``stations``: places along each link of an arm of which its picture is made.
+    """
+    knobs = knobs_of(pair.nominal)
+    sliders = sliders_of(pair.nominal, knobs)
+    left_out: dict[str, str] = {}
+    used = sorted({slider.knob for slider in sliders})
+    while True:
+        runs = _Runs(pair, [knobs[k] for k in used], sliders, used, stations)
+        try:
+            forms = {name: runs.fitted(name) for name in runs.names}
+        except Unfit as error:
+            for place, why in error.reasons.items():
+                left_out |= {path: why for path, _ in knobs[used[place]].targets}
+            used = [k for place, k in enumerate(used) if place not in error.reasons]
+            sliders = [slider for slider in sliders if slider.knob in used]
+            continue
+        idle = _idle(sliders, used, forms)
+        left_out |= {slider.path: _NO_EFFECT for slider in sliders if slider in idle}
+        kept = [replace(slider, knob=used.index(slider.knob)) for slider in sliders if slider not in idle]
+        return LiveMap(tuple(kept), tuple(knobs[k] for k in used), forms, runs.places, left_out)
+
+
+def _idle(sliders: Sequence[Slider], used: list[int], forms: Mapping[str, Form]) -> list[Slider]:
+    """Sliders that change no number of any run."""
+    acting: dict[str, set[int]] = {}
+    for name, form in forms.items():
+        powers = [*form.products.values(), *(part for terms in form.sums.values() for _, part in terms)]
+        acting[name] = {k for part in powers for k, _ in part}
+    real = set().union(*(own for name, own in acting.items() if name != "reference"))
+    every = real | acting.get("reference", set())
+    return [slider for slider in sliders if used.index(slider.knob) not in (real if slider.real else every)]
+
+
+class _Runs:
+    """The runs of a pair as functions of knobs."""
+
+    def __init__(
+        self,
+        pair: NominalRealPair | ArmPair,
+        knobs: Sequence[Knob],
+        sliders: Sequence[Slider],
+        used: list[int],
+        stations: tuple[float, ...],
+    ) -> None:
+        self.pair, self.knobs, self.places = pair, knobs, {}
+        self.names = ("reference", "real")
+        self.factors = {used.index(slider.knob): slider for slider in sliders if slider.real}
+        self.stations = stations
+        self.really = {number.path: number.value for number in sheet_numbers(pair.real)}
+        self.until = 0.0 if isinstance(pair, NominalRealPair) else whole_moves(pair.nominal, _LONGEST_MOVE)
+
+    def fitted(self, name: str) -> Form:
+        """The form of a run's numbers."""
+        ranges = [self._range(k, known=name == "reference") for k in range(len(self.knobs))]
+        return fitted(lambda values: self._vector(name, values), ranges, np.random.default_rng(_SEED))
+
+    def _range(self, k: int, *, known: bool) -> Range:
+        knob, slider = self.knobs[k], self.factors.get(k)
+        if known or knob.factor is None:
+            return Range(knob.start, knob.low, knob.high)
+        factors = [slider.low, slider.high] if slider else [knob.factor, knob.factor]
+        ends = [_really(knob, end, factor) for end in (knob.low, knob.high) for factor in factors]
+        return Range(_really(knob, knob.start, knob.factor), min(ends), max(ends))
+
+    def _vector(self, name: str, values: Mapping[int, float]) -> Array:
+        sheet: Any = self.pair.nominal if name == "reference" else self.pair.real
+        try:
+            changes = self._changes(values, known=name == "reference")
+            blocks = self._blocks(name, sheet.with_({**changes, "real": {}}) if changes else sheet)
+        except (InputError, InputErrors) as error:
+            raise Unfit({len(self.knobs) - 1: f"the sheet refuses it: {error}"}) from error
+        vector, places = whole(blocks)
+        if self.places.setdefault(name, places) != places:
+            raise Unfit({len(self.knobs) - 1: "it changes how many pieces a signal has"})
+        return vector
+
+    def _changes(self, values: Mapping[int, float], *, known: bool) -> dict[str, float]:
+        """Paths and values of the sheet of a run; of a real one the proportion is of its own numbers."""
+        found: dict[str, float] = {}
+        for k, value in values.items():
+            knob = self.knobs[k]
+            if known or not knob.together:
+                found |= knob.changes(value)
+            else:
+                found |= {path: self.really[path] * value for path, _ in knob.targets}
+        return found
+
+    def _blocks(self, name: str, sheet: Robot | Arm) -> Blocks:
+        if isinstance(sheet, Robot):
+            return robot_numbers(sheet, Drive.PRESCRIBED if name == "reference" else Drive.CONTROLLED)
+        follow = follow_of(self.pair.nominal, name)  # pyright: ignore[reportArgumentType]
+        return arm_numbers(sheet, follow, self.until, self.stations if name == "real" else ())

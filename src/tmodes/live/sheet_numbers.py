@@ -1,0 +1,139 @@
+"""Every number of a data sheet of either kind that may be changed by itself: its path, value, unit and bounds."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from tmodes.arm import Arm
+from tmodes.elements.material import LIBRARY
+from tmodes.elements.quantity import LARGEST
+from tmodes.errors import InputError
+from tmodes.io.arm_check import arm_data
+from tmodes.io.arm_fields import ArmPlace, Step, named, place_of, quantities
+from tmodes.io.arm_paths import steps_of
+from tmodes.io.arm_units import at
+from tmodes.io.fields import places
+from tmodes.robot import Robot
+
+__all__ = ["SheetNumber", "real_entry", "sheet_numbers"]
+
+
+@dataclass(frozen=True)
+class SheetNumber:
+    """A number of a sheet: its path, the same with ``*`` for each item of a list (``kind``), and what it is of.
+
+    ``least`` and ``most`` are its bounds by the sheet's checks; ``above`` says that the least itself is refused.
+    """
+
+    path: str
+    kind: str
+    owner: str
+    value: float
+    unit: str
+    symbol: str
+    meaning: str
+    least: float
+    most: float
+
+
+def sheet_numbers(sheet: Robot | Arm) -> Iterator[SheetNumber]:
+    """All finite numbers of a sheet, in its order."""
+    yield from _of_arm(sheet) if isinstance(sheet, Arm) else _of_robot(sheet)
+
+
+def real_entry(sheet: Robot | Arm, path: str) -> tuple[str | None, float]:
+    """Path in ``real`` at which the factor on a number stands, or would stand, and the factor.
+
+    The path is None where several factors act on it, or one that acts on others as well.
+    """
+    if isinstance(sheet, Robot):
+        return path, sheet.real.get(path, 1.0)
+    data = arm_data(sheet)
+    steps = steps_of(path, data)
+    told = [(other, steps_of(other, data)) for other in sheet.real]
+    acting = [(other, own) for other, own in told if steps[: len(own)] == own]
+    if not acting:
+        return path, 1.0
+    (first, own), *others = acting
+    shared = bool(others) or (len(own) < len(steps) and len(at(data, *own)) > 1)
+    return None if shared else first, math.prod(sheet.real[other] for other, _ in acting)
+
+
+def _of_robot(robot: Robot) -> Iterator[SheetNumber]:
+    for path, place in places().items():
+        value = _at(robot, path.split("."))
+        if place.unit is None or not _finite(value):
+            continue
+        kind = ".".join("*" if step.isdecimal() else step for step in path.split("."))
+        bounds = _bounds(place.info.metadata if place.info else ())
+        yield SheetNumber(
+            path, kind, _owner(path), float(value), place.unit, place.extra["symbol"], place.meaning, *bounds
+        )
+
+
+def _owner(path: str) -> str:
+    """``mode 1`` of ``link.modes.0.length``; empty outside of lists."""
+    steps = path.split(".")
+    counted = [k for k, step in enumerate(steps) if step.isdecimal()]
+    return f"{steps[counted[0] - 1].removesuffix('s')} {int(steps[counted[0]]) + 1}" if counted else ""
+
+
+def _at(value: Any, steps: Sequence[str]) -> Any:
+    for step in steps:
+        value = value[int(step)] if isinstance(value, tuple) else getattr(value, step)
+    return value
+
+
+def _of_arm(arm: Arm) -> Iterator[SheetNumber]:
+    data = arm_data(arm)
+    for link in data.get("links", ()):
+        beam = link.get("beam") or {}
+        if isinstance(beam.get("material"), str):
+            beam["material"] = LIBRARY[beam["material"]].model_dump(mode="json", exclude_none=True)
+    for container, key, steps, place in quantities(data):
+        value = container[key]
+        if _finite(value) and place.unit is not None and steps[0] != "real":
+            yield _number(data, steps, place, float(value))
+
+
+def _number(data: Any, steps: tuple[Step, ...], place: ArmPlace, value: float) -> SheetNumber:
+    kind = ".".join("*" if isinstance(step, int) else step for step in steps)
+    own = ".".join(map(str, steps))
+    path = named(steps, data)
+    if not _leads_to(path, steps, data):
+        path = own
+    head = data[steps[0]][steps[1]] if len(steps) > 1 and isinstance(steps[1], int) else {}
+    owner = str(head.get("name") or head.get("joint") or "") if isinstance(head, dict) else ""
+    bounds = _bounds(place.info.metadata if place.info else ())
+    found = place_of(steps, data) or place
+    return SheetNumber(
+        path, kind, owner, value, found.unit or "-", str(place.extra.get("symbol", "")), place.meaning, *bounds
+    )
+
+
+def _leads_to(path: str, steps: Sequence[Step], data: Any) -> bool:
+    """Whether a path with names is understood, and means these steps."""
+    try:
+        return steps_of(path, data) == list(steps)
+    except InputError:
+        return False
+
+
+def _finite(value: Any) -> bool:
+    return isinstance(value, (int, float)) and not isinstance(value, bool) and math.isfinite(value)
+
+
+def _bounds(rules: Sequence[Any]) -> tuple[float, float]:
+    """Least and most by the rules of a field; an open bound is moved in by rounding."""
+    least, most = -LARGEST, LARGEST
+    for rule in rules:
+        if getattr(rule, "gt", None) is not None:
+            least = max(least, math.nextafter(float(rule.gt), math.inf))
+        if getattr(rule, "ge", None) is not None:
+            least = max(least, float(rule.ge))
+        if getattr(rule, "le", None) is not None:
+            most = min(most, float(rule.le))
+    return least, most

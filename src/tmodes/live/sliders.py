@@ -1,0 +1,185 @@
+"""Which numbers of a run a page may change: found among those of the data sheet, the most useful first."""
+
+from __future__ import annotations
+
+import re
+from collections.abc import Iterator, Sequence
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from tmodes.arm import Arm
+from tmodes.live.sheet_numbers import SheetNumber, real_entry, sheet_numbers
+from tmodes.robot import Robot
+
+__all__ = ["MOST", "Knob", "Slider", "knobs_of", "sliders_of"]
+
+MOST = 14
+"""Sliders of a page."""
+
+
+@dataclass(frozen=True)
+class Knob:
+    """What a run is changed by: one number of the sheet, or all of a kind in proportion (``together``).
+
+    ``targets``: path and value of each number; the knob itself stands at the value, or at 1 where it is a proportion.
+    ``reals``: where in ``real`` the factor on each stands, empty where one acts on other numbers as well; ``factor``:
+    that of the real robot on them, None where their factors differ.
+    """
+
+    kind: str
+    targets: tuple[tuple[str, float], ...]
+    start: float
+    low: float
+    high: float
+    log: bool
+    reals: tuple[str, ...]
+    factor: float | None
+
+    @property
+    def together(self) -> bool:
+        """Whether it moves several numbers in proportion."""
+        return len(self.targets) > 1
+
+    def changes(self, value: float) -> dict[str, float]:
+        """Path and value of each number where the knob stands at ``value``."""
+        return {path: base * value if self.together else value for path, base in self.targets}
+
+
+@dataclass(frozen=True)
+class Slider:
+    """A knob that a page shows, as it is known (``real`` False) or as the factor of the real robot on it."""
+
+    knob: int
+    real: bool
+    path: str
+    label: str
+    symbol: str
+    unit: str
+    group: str
+    value: float
+    low: float
+    high: float
+    log: bool
+
+    def changes(self, knob: Knob, value: float) -> dict[str, float]:
+        """What ``--set`` is to change, path and value, where the slider stands at ``value``."""
+        if self.real:
+            return {f"real.{path}": value for path in knob.reals}
+        return knob.changes(value)
+
+    def told(self) -> dict[str, Any]:
+        """As ``Slider`` of ``web/src/contract.ts``."""
+        return {
+            "path": self.path, "label": self.label, "symbol": self.symbol, "unit": self.unit, "group": self.group,
+            "value": self.value, "min": self.low, "max": self.high, "log": self.log,
+        }  # fmt: skip
+
+
+class _Rule(NamedTuple):
+    """A kind of number that is worth a slider: its path, its group, how far it goes, and whether the real one differs.
+
+    ``reach``: the largest value over the present one (the least is its inverse); ``room``: how far a number that
+    may be zero goes at least.
+    """
+
+    kind: str
+    group: str
+    reach: float = 4.0
+    real: bool = False
+    room: float = 0.0
+    log: bool = True
+
+
+_RULES = (
+    _Rule(r"payload\.mass|links\.\*\.bodies\.\*\.mass", "payload", 3.0, log=False),
+    _Rule(r"gear\.stiffness|joints\.\*\.gear\.stiffness(\.0)?(\.\*)?", "gear", real=True),
+    _Rule(r"link\.modes\.\*\.bending_stiffness", "links", real=True),
+    _Rule(r"links\.\*\.beam\.(section\.bending_stiffness(\.\*)?|material\.young)", "links", real=True),
+    _Rule(r"reference\.duration|drives\.\*\.signal\.duration", "move", 2.0),
+    _Rule(r"(controller|drives\.\*\.controller)\.position_gain", "controller"),
+    _Rule(r"(controller|drives\.\*\.controller)\.velocity_gain", "controller"),
+    _Rule(r"(environment|contact)\.stiffness", "environment"),
+    _Rule(r"(environment|contact)\.damping", "environment"),
+    _Rule(r"contact\.shape\.distance", "environment", 1.1, log=False),
+    _Rule(r"(environment|contact)\.friction", "environment", 3.0, log=False),
+    _Rule(r"environment\.preload", "environment", 3.0, room=20.0, log=False),
+    _Rule(r"gear\.damping|joints\.\*\.gear\.damping", "gear", real=True),
+    _Rule(r"link\.modes\.\*\.damping_time|links\.\*\.beam\.damping_time", "links"),
+    _Rule(r"motor\.(inertia|friction)|joints\.\*\.motor\.(inertia|friction\.viscous)", "motor"),
+    _Rule(r"joints\.\*\.friction\.viscous", "motor"),
+    _Rule(r"payload\.inertia", "payload", 3.0, log=False),
+)
+_ALONE = 2
+"""Numbers of a kind that have a slider each; more of them move together."""
+
+
+def knobs_of(sheet: Robot | Arm) -> list[Knob]:
+    """All that a page could change, the most useful first; a zero, where structure may hang on it, stays as it is."""
+    numbers = list(sheet_numbers(sheet))
+    found: list[Knob] = []
+    for rule in _RULES:
+        kinds: dict[str, list[SheetNumber]] = {}
+        for number in numbers:
+            if re.fullmatch(rule.kind, number.kind) and _useful(sheet, number, rule):
+                kinds.setdefault(number.kind, []).append(number)
+        for group in kinds.values():
+            found += _knobs(sheet, group, rule)
+    return found
+
+
+def _useful(sheet: Robot | Arm, number: SheetNumber, rule: _Rule) -> bool:
+    """A load of an arm is on the link with its tip; what is zero has no proportion."""
+    if isinstance(sheet, Arm) and number.kind == "links.*.bodies.*.mass":
+        tip = sheet.tip.link if sheet.tip else sheet.links[-1].name if sheet.links else ""
+        return number.owner == tip and number.value > 0
+    return number.value > 0 or (rule.room > 0 and number.least < 0)
+
+
+def _knobs(sheet: Robot | Arm, group: Sequence[SheetNumber], rule: _Rule) -> Iterator[Knob]:
+    if len(group) <= _ALONE:
+        for number in group:
+            low, high = _reach(number, rule)
+            yield _knob(sheet, [number], (number.value, low, high), _log(low, rule))
+        return
+    least = max(max(number.least / number.value, 1 / rule.reach) for number in group)
+    most = min(min(number.most / number.value, rule.reach) for number in group)
+    yield _knob(sheet, group, (1.0, least, most), _log(least, rule))
+
+
+def _knob(sheet: Robot | Arm, group: Sequence[SheetNumber], span: tuple[float, float, float], log: bool) -> Knob:
+    entries = [real_entry(sheet, number.path) for number in group]
+    reals, factors = [path for path, _ in entries if path], {factor for _, factor in entries}
+    common = factors.pop() if len(factors) == 1 else None
+    targets = tuple((number.path, number.value) for number in group)
+    return Knob(group[0].kind, targets, *span, log, tuple(reals) if len(reals) == len(group) else (), common)
+
+
+def _reach(number: SheetNumber, rule: _Rule) -> tuple[float, float]:
+    if rule.room:
+        far = max(rule.reach * abs(number.value), rule.room)
+        return (0.0, far) if number.value >= 0 else (-far, 0.0)  # of the other sign it buckles the arm
+    return max(number.value / rule.reach, number.least), min(number.value * rule.reach, number.most)
+
+
+def _log(low: float, rule: _Rule) -> bool:
+    return rule.log and low > 0
+
+
+def sliders_of(sheet: Robot | Arm, knobs: Sequence[Knob], most: int = MOST) -> list[Slider]:
+    """The sliders of these knobs, each as known and, where it makes sense, as the factor of the real robot."""
+    told = {number.path: number for number in sheet_numbers(sheet)}
+    found: list[Slider] = []
+    for index, knob in enumerate(knobs):
+        number = told[knob.targets[0][0]]
+        rule = next(rule for rule in _RULES if re.fullmatch(rule.kind, knob.kind))
+        words = re.split("[,;]", number.meaning)[0]
+        owner = "all" if knob.together else number.owner
+        label = f"{words}, {owner}" if owner else words
+        path, unit = (knob.kind, "-") if knob.together else (number.path, number.unit)
+        own = (path, label, number.symbol, unit, rule.group, knob.start, knob.low, knob.high, knob.log)
+        found.append(Slider(index, False, *own))
+        if rule.real and knob.factor and knob.reals:
+            low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)
+            real = (f"real:{path}", f"{label}: real over known", number.symbol, "-", rule.group, knob.factor, low, high)
+            found.append(Slider(index, True, *real, True))
+    return found[:most]

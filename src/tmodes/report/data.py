@@ -1,0 +1,102 @@
+"""A page's data from results: what ``web/src/contract.ts`` calls a Page, ready for :func:`tmodes.report.pack.pack`."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Sequence
+from dataclasses import asdict
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmodes.arm_result import ArmResult
+from tmodes.errors import TmodesError
+from tmodes.live.bundle import live_bundle, why_not_live
+from tmodes.report.arm_facts import arm_facts
+from tmodes.report.charts import charts_of
+from tmodes.report.facts import Fact
+from tmodes.report.mode_shapes import modes_of
+from tmodes.report.robot_facts import robot_facts
+from tmodes.report.scene import line_of, scene_of
+from tmodes.report.thin import scene_frames
+
+if TYPE_CHECKING:
+    from tmodes.result import Result, RunRecord
+
+__all__ = ["facts_of", "live_page", "page_data", "sheet_of"]
+
+
+def page_data(
+    results: Sequence[Result | ArmResult],
+    names: Sequence[str] | None = None,
+    live: dict[str, Any] | None = None,
+    not_live: str = "",
+) -> dict[str, Any]:
+    """The data of a page about one result, or several side by side.
+
+    ``names`` tell the runs apart, None takes those of the robots; ``live`` is the bundle of the first run's equations,
+    from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live`` says why, where
+    it could be expected to.
+    """
+    names = names or [_name(result) for result in results]
+    charts = charts_of(results)
+    runs = [_run(*one) for one in zip(results, names, charts, strict=True)]
+    subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
+    told = {"title": ", ".join(names), "subtitle": subtitle, "live": live, "notLive": not_live}
+    return {"format": 1, "runs": runs, **told}
+
+
+def live_page(result: Result | ArmResult) -> dict[str, Any]:
+    """The data of a page about one result, with its equations where the page can run them again."""
+    told = "real" in result.statistics
+    reason = why_not_live(result) if told else "its record does not tell how it was made"
+    try:
+        return page_data([result], live=None if reason else live_bundle(result), not_live=reason)
+    except TmodesError as error:
+        return page_data([result], not_live=str(error))
+
+
+def _name(result: RunRecord) -> str:
+    return str(json.loads(result.data.attrs["robot"]).get("name") or "robot")
+
+
+def _title(result: RunRecord) -> str:
+    return str(json.loads(result.data.attrs["robot"]).get("title") or "")
+
+
+def _run(result: Result | ArmResult, name: str, charts: list[dict[str, Any]]) -> dict[str, Any]:
+    data = result.data
+    times = np.asarray(data["time"].values, dtype=float)
+    frames = scene_frames(times, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
+    return {
+        "name": name,
+        "status": result.status,
+        "success": result.success,
+        "message": result.message,
+        "warnings": list(result.warnings),
+        "duration": float(times[-1]),
+        "facts": [asdict(fact) for fact in facts_of(result)],
+        "charts": charts,
+        "scene": scene_of(result, frames),
+        "line": line_of(result, frames),
+        "modes": modes_of(result),
+        "sheet": sheet_of(result),
+    }
+
+
+def facts_of(result: Result | ArmResult) -> list[Fact]:
+    """The numbers that matter, most important first."""
+    if isinstance(result, ArmResult):
+        return list(arm_facts(result, result.summary()))
+    return list(robot_facts(result.data, result.summary()))
+
+
+def sheet_of(result: Result | ArmResult) -> str:
+    """The data sheet of this very run as YAML; empty where it is no longer one that this version knows."""
+    from tmodes.io.arm_write import arm_to_yaml
+    from tmodes.io.write import robot_to_yaml
+
+    try:
+        return arm_to_yaml(result.arm) if isinstance(result, ArmResult) else robot_to_yaml(result.robot)
+    except TmodesError:
+        return ""

@@ -1,0 +1,113 @@
+"""Amplitude spectra: of the tip and of the deformations that swing most, where a run is evenly sampled."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Iterator, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.plot.arm_facts import after_move, deformation_unit
+from tmodes.plot.facts import move_duration, steady_part
+from tmodes.plot.frequency_marks import NO_PEAK
+from tmodes.plot.vibration import amplitude_spectrum
+from tmodes.report.drafts import Draft, Line, line_of
+
+__all__ = ["arm_spectra", "robot_spectra", "spectrum_draft"]
+
+LEAST_SAMPLES = 32
+"""A spectrum of fewer tells nothing."""
+
+_PADDING = 4
+_MOST_LINES = 3
+_NOTHING = 1e-6
+"""A series that swings less than this share of the others is left out."""
+
+_ROUNDING = 1e-12
+"""Swings below this [m, rad] are rounding."""
+
+_FLOOR = 1e-3
+"""The axis ends where all amplitudes stay below this share of the highest peak."""
+
+Array = NDArray[np.float64]
+
+
+def robot_spectra(data: Any) -> Iterator[Draft]:
+    """Of the part of the move in which the reference keeps its speed."""
+    time = data["time"].values
+    low, high = (share * move_duration(data) for share in steady_part(data))
+    slack = 1e-9 * move_duration(data)
+    yield from _spectra(data, (time >= low - slack) & (time <= high + slack), ["rad"] * data.sizes["deformation_kind"])
+
+
+def arm_spectra(data: Any) -> Iterator[Draft]:
+    """Of the time after the move, where the run goes on long enough, else of the whole run."""
+    units = []
+    if "deformation_kind" in data.dims:
+        units = [deformation_unit(data, str(name)) for name in data["deformation_kind"].values]
+    start = after_move(data, LEAST_SAMPLES)[0]["time"].values[0]
+    yield from _spectra(data, data["time"].values >= start, units)
+
+
+def _spectra(data: Any, inside: NDArray[np.bool_], units: Sequence[str]) -> Iterator[Draft]:
+    part = _even(data.isel(time=np.flatnonzero(inside)))
+    if part.sizes["time"] < LEAST_SAMPLES:
+        return
+    marks = _own_frequencies(data)
+    named = "less reference" if "tip_reference" in data else "place"
+    yield from spectrum_draft("spectrum_tip", f"Spectrum of the tip, {named}", "m", part, _tip(part), marks)
+    turning = [k for k, unit in enumerate(units) if unit == "rad"]
+    names = [str(part["deformation_kind"].values[k]) for k in turning]
+    lines = [line_of(part, ("deformation", k), name, "real") for k, name in zip(turning, names, strict=True)]
+    yield from spectrum_draft("spectrum_deformations", "Spectrum of the deformations", "rad", part, lines, marks)
+
+
+def _tip(part: Any) -> list[Line]:
+    if "tip_reference" not in part:
+        return [line_of(part, ("tip", k), axis, "real") for k, axis in enumerate("xyz")]
+    return [line_of(part, ("tip", k), f"Δ{axis}", "real", less=("tip_reference", k)) for k, axis in enumerate("xyz")]
+
+
+def spectrum_draft(
+    name: str, title: str, unit: str, part: Any, lines: Sequence[Line], marks: Sequence[tuple[float, str]]
+) -> Iterator[Draft]:
+    """The spectrum of the lines that swing most, of an evenly sampled part of a run; none where nothing swings."""
+    lines = _most(lines)
+    if not lines:
+        return
+    time = part["time"].values
+    spectra = [amplitude_spectrum(line.values, (time[-1] - time[0]) / (len(time) - 1), _PADDING) for line in lines]
+    frequency, peak = spectra[0][0], max(float(amplitude.max()) for _, amplitude in spectra)
+    seen = [frequency[amplitude > _FLOOR * peak] for _, amplitude in spectra]
+    shown = frequency <= 1.25 * max([1.0, *(float(part[-1]) for part in seen if len(part))])
+    drawn = tuple(replace(line, values=amplitude[shown]) for line, (_, amplitude) in zip(lines, spectra, strict=True))
+    inside = tuple(mark for mark in marks if mark[0] <= frequency[shown][-1])
+    span = (float(time[0]), float(time[-1]))
+    yield Draft(name, title, "spectrum", unit, frequency[shown], drawn, "first", "frequency", span, inside)
+
+
+def _most(lines: Sequence[Line]) -> list[Line]:
+    swings = [float(np.ptp(line.values)) for line in lines]
+    largest = max(swings, default=0.0)
+    if largest <= _ROUNDING:
+        return []
+    ranked = sorted(range(len(lines)), key=lambda k: -swings[k])[:_MOST_LINES]
+    return [lines[k] for k in sorted(ranked) if swings[k] > _NOTHING * largest]
+
+
+def _even(part: Any) -> Any:
+    """Without the last sample where that stands off the even ones."""
+    time = part["time"].values
+    odd = len(time) > 2 and abs((time[-1] - time[-2]) / (time[1] - time[0]) - 1) > 1e-6
+    return part.isel(time=slice(None, -1)) if odd else part
+
+
+def _own_frequencies(data: Any) -> list[tuple[float, str]]:
+    """The robot's own frequencies [Hz] that ring, under control where that is known, with the element they live in."""
+    modes = json.loads(data.attrs["frequencies"])
+    told = modes.get("controlled") or modes.get("locked") or []
+    ringing = [(mode["damped_frequency_Hz"], mode) for mode in told if mode["damping_ratio"] < NO_PEAK]
+    return sorted((float(f), str(mode["element"])) for f, mode in ringing if f)

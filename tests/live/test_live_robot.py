@@ -1,0 +1,151 @@
+"""The 2010 robot's run in the page equals the native one, unchanged and wherever its sliders stand."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tmodes.io.yaml_file import parse_yaml
+from tmodes.live.bundle import live_bundle, why_not_live
+from tmodes.live.map import LiveMap, live_map
+from tmodes.result import Result
+from tmodes.robot import Robot
+from tmodes.robots.load import load_sheet
+from tmodes.simulate import simulate
+
+from .node import live_in_node, worst_difference
+
+SETTINGS = 10
+EQUAL = 1e-9
+FINE = {"integration.relative_tolerance": 1e-12, "integration.absolute_tolerance": 1e-14}
+"""Tolerances at which the integration's own error is below what is compared: at larger ones rounding decides whether a
+step is taken or tried again, and either way is right within the tolerance."""
+
+OWN = 1e-7
+"""Bound of all series at the sheet's own tolerance of 1e-9 a step, also of accelerations and currents."""
+
+
+@pytest.fixture(scope="module")
+def seed() -> Robot:
+    sheet = load_sheet("filipovic2010")
+    assert isinstance(sheet, Robot)
+    return sheet
+
+
+@pytest.fixture(scope="module")
+def live(seed: Robot) -> LiveMap:
+    return live_map(seed.pair())
+
+
+def drawn(live: LiveMap, count: int) -> list[list[float]]:
+    """Random values of all sliders within their ranges."""
+    generator = np.random.default_rng(5)
+    settings = []
+    for _ in range(count):
+        shares = generator.uniform(size=len(live.sliders))
+        settings.append([
+            s.low * (s.high / s.low) ** share if s.log else s.low + (s.high - s.low) * share
+            for s, share in zip(live.sliders, shares.tolist(), strict=True)
+        ])  # fmt: skip
+    return settings
+
+
+def in_page(robot: Robot, live: LiveMap, folder: Path) -> list[dict[str, Any]]:
+    """The unchanged run, then those at random settings."""
+    bundle = live_bundle(simulate(robot))
+    assert bundle is not None
+    return live_in_node(bundle, [[slider.value for slider in live.sliders], *drawn(live, SETTINGS)], folder)
+
+
+@pytest.fixture(scope="module")
+def runs(seed: Robot, live: LiveMap, tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, Any]]:
+    return in_page(seed, live, tmp_path_factory.mktemp("live"))
+
+
+def scales(data: Any) -> dict[str, float]:
+    """Sizes of what is a small difference of large numbers: by these, and by nothing smaller, it is rounded."""
+    energy = data["energy"].values
+    moved = max(float(np.abs(energy - energy[0]).max()), float(np.abs(data["work"].values).max()))
+    bent = float(np.abs(data["deformation"].values).max())
+    return {"energy_balance": moved, "deformation_oscillatory": bent, "deformation_stationary": bent}
+
+
+def native_runs(robot: Robot, live: LiveMap) -> Iterator[Result]:
+    """By the method that the unchanged run took, as the page does."""
+    yield simulate(robot)
+    for values in drawn(live, SETTINGS):
+        yield simulate(robot.with_(live.changes(values) | {"integration.method": "dormand_prince"}))
+
+
+def test_page_equals_native_run_unchanged_and_at_ten_random_settings(
+    seed: Robot, live: LiveMap, tmp_path: Path
+) -> None:
+    """Every series along time, as `tmodes run --set PATH=VALUE` of each changed number gives it."""
+    fine = seed.with_(FINE)
+    for run, result in zip(in_page(fine, live, tmp_path), native_runs(fine, live), strict=True):
+        assert run["status"] == result.status == "finished"
+        told = {name for name, one in result.data.items() if "time" in one.dims and "s" not in one.dims}
+        assert set(run["series"]) == told
+        difference, name = worst_difference(run["series"], result.data, scales(result.data))
+        assert difference < EQUAL, name
+
+
+def test_page_equals_native_run_at_its_own_tolerance(seed: Robot, live: LiveMap, runs: list[dict[str, Any]]) -> None:
+    """Unchanged to 1e-9; elsewhere the tip's path to 1e-9, all else within what the tolerance lets pass."""
+    for k, (run, result) in enumerate(zip(runs, native_runs(seed, live), strict=True)):
+        difference, name = worst_difference(run["series"], result.data, scales(result.data))
+        assert difference < (OWN if k else EQUAL), name
+        tips = {name: run["series"][name] for name in ("tip", "tip_reference", "deviation", "q", "q_reference")}
+        assert worst_difference(tips, result.data, {})[0] < EQUAL
+
+
+def test_picture_is_that_of_the_result(seed: Robot, runs: list[dict[str, Any]]) -> None:
+    """The elastic line at the display frames, and its bending moment and deflection along each mode."""
+    data, bundle = simulate(seed).data, live_bundle(simulate(seed))
+    assert bundle is not None
+    at = data.isel(time=bundle["frames"])
+    line = at["line"].transpose("time", "mode", "s", "axis").values
+    assert np.abs(runs[0]["scene"]["line"] - line).max() < EQUAL * np.abs(line).max()
+    for quantity in runs[0]["line"]["quantities"]:
+        true = at[quantity["id"]].transpose("time", "mode", "s", "plane").values
+        assert np.abs(quantity["values"] - true).max() < EQUAL * np.abs(true).max(), quantity["id"]
+    assert np.abs(np.linalg.norm(runs[0]["scene"]["roots"], axis=-1) - 1).max() < 1e-14
+
+
+def test_headline_numbers_are_those_of_the_summary(seed: Robot, runs: list[dict[str, Any]]) -> None:
+    summary, facts = simulate(seed).summary(), runs[0]["facts"]
+    expected = {
+        "deviation.max": summary["deviation"]["max_m"],
+        "moment.max": abs(summary["largest_bending_moment"]["value_Nm"]),
+        "gear_torque.max": summary["gear_torque"]["max_Nm"],
+        "contact.mean": summary["contact_force_radial"]["mean_N"],
+    }
+    assert {name: facts[name]["value"] for name in expected} == pytest.approx(expected, rel=EQUAL)
+
+
+def test_saved_sheet_is_that_of_the_settings(seed: Robot, live: LiveMap, runs: list[dict[str, Any]]) -> None:
+    """The YAML of the page loads to the robot that the same changes give."""
+    for values, run in zip([[s.value for s in live.sliders], *drawn(live, SETTINGS)], runs, strict=True):
+        data, _ = parse_yaml(run["sheet"], "page")
+        assert Robot.from_data(data) == seed.with_(live.changes(values))
+
+
+def test_what_cannot_start_is_told(seed: Robot, live: LiveMap, tmp_path: Path) -> None:
+    """A payload that the link does not carry, as the native run tells it."""
+    bundle = live_bundle(simulate(seed))
+    assert bundle is not None
+    values = [1e3 if slider.path == "payload.mass" else slider.value for slider in live.sliders]
+    (run,) = live_in_node(bundle, [values], tmp_path)
+    assert "no static equilibrium" in run["error"]
+
+
+def test_runs_that_a_page_cannot_make_say_why(seed: Robot) -> None:
+    stopped = simulate(seed.with_({"integration.stop": ["theta.position > 0.3 rad"]}))
+    assert live_bundle(stopped) is None
+    assert "did not reach its end" in why_not_live(stopped)
+    free = simulate(seed.with_({"integration.stop": ["theta.position > 3 rad"]}))
+    assert "condition" in why_not_live(free)

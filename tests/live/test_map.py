@@ -1,0 +1,76 @@
+"""What a page computes from its sliders is what the data sheet gives for the same numbers."""
+
+from __future__ import annotations
+
+import numpy as np
+import pytest
+
+from tmodes.live.map import LiveMap, live_map
+from tmodes.live.numbers import arm_numbers, robot_numbers, whole, whole_moves
+from tmodes.live.sliders import MOST
+from tmodes.mechanism import Drive
+from tmodes.motion.plan import Follow
+from tmodes.robot import Robot
+from tmodes.robots.load import load_sheet
+
+SHEETS = ("filipovic2010", "spong1987", "quanser_2dsfl", "flexarm1990")
+REACH = 2.5
+
+
+def drawn(live: LiveMap, generator: np.random.Generator) -> list[float]:
+    return [float(generator.uniform(slider.low, slider.high)) for slider in live.sliders]
+
+
+@pytest.mark.parametrize("name", SHEETS)
+def test_numbers_are_those_of_the_changed_sheet(name: str) -> None:
+    """Parameters and signals of every run, at random values of all sliders."""
+    sheet = load_sheet(name)
+    live = live_map(sheet.pair())
+    generator = np.random.default_rng(3)
+    for _ in range(3):
+        values = drawn(live, generator)
+        pair = sheet.with_(live.changes(values)).pair()
+        for run in live.forms:
+            of = pair.nominal if run == "reference" else pair.real
+            if isinstance(of, Robot):
+                true = robot_numbers(of, Drive.PRESCRIBED if run == "reference" else Drive.CONTROLLED)
+            else:
+                until = whole_moves(sheet, REACH)
+                true = arm_numbers(of, Follow.SHEET if run == "real" else Follow.WANTED, until)
+            found = live.numbers(values, run)
+            assert list(found) == list(true)
+            size = np.abs(whole(true)[0]).max()
+            for block, numbers in true.items():
+                assert found[block] == pytest.approx(numbers, rel=1e-12, abs=1e-15 * size), (run, block)
+
+
+@pytest.mark.parametrize("name", SHEETS)
+def test_sliders_stay_within_the_checks_of_the_sheet(name: str) -> None:
+    """All at their least, and all at their largest value; a label, a unit and a group each."""
+    sheet = load_sheet(name)
+    live = live_map(sheet.pair())
+    assert 5 <= len(live.sliders) <= MOST
+    for ends in zip(*((slider.low, slider.high) for slider in live.sliders), strict=True):
+        sheet.with_(live.changes(list(ends))).pair()
+    for slider in live.sliders:
+        assert slider.low < slider.high
+        assert slider.low <= slider.value <= slider.high
+        assert slider.label
+        assert slider.unit
+        assert slider.group
+
+
+def test_sliders_of_the_seed_are_what_one_wants_to_change() -> None:
+    """Payload, gear and links as known and as they are, speed of the move, gains, environment."""
+    paths = {slider.path for slider in live_map(load_sheet("filipovic2010").pair()).sliders}
+    assert {"payload.mass", "gear.stiffness", "real:gear.stiffness", "link.modes.1.bending_stiffness",
+            "reference.duration", "controller.position_gain", "environment.stiffness"} <= paths  # fmt: skip
+
+
+def test_what_has_no_form_has_no_slider_and_says_so() -> None:
+    """With noise on the reference its pieces are merged with those of the move: no power of its duration."""
+    noisy = load_sheet("filipovic2010", {"reference.noise.deviation": 1e-4})
+    live = live_map(noisy.pair())
+    assert "reference.duration" in live.left_out
+    assert "reference.duration" not in {slider.path for slider in live.sliders}
+    assert "payload.mass" in {slider.path for slider in live.sliders}

@@ -1,0 +1,125 @@
+"""The data of the charts: each curve is the series that it tells to be, in the unit that it tells."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+import pytest
+
+from tmodes.plot.vibration import amplitude_spectrum
+from tmodes.report.charts import charts_of, drafts_of
+from tmodes.report.data import facts_of, page_data
+from tmodes.report.pack import Coarse, pack
+from tmodes.result import Result
+
+PREFIX = {"m": 1e3, "µ": 1e6, "n": 1e9, "k": 1e-3}
+
+
+@pytest.fixture(scope="module")
+def charts(good: Result) -> dict[str, dict[str, Any]]:
+    """The charts of the good run by name."""
+    return {chart["id"]: chart for chart in charts_of([good])[0]}
+
+
+def column(data: Any, place: dict[str, Any]) -> Any:
+    return data[place["variable"]].values.reshape(data.sizes["time"], -1)[:, place["index"]]
+
+
+def test_every_curve_over_time_is_its_source(good: Result, charts: dict[str, dict[str, Any]]) -> None:
+    compared = 0
+    for chart in charts.values():
+        for curve in chart["curves"]:
+            if chart["abscissa"] == "time" and curve["source"]:
+                source = curve["source"]
+                whole = column(good.data, source)
+                if "less" in source:
+                    whole = whole - column(good.data, source["less"])
+                scale = np.abs(whole).max() * source["factor"]
+                assert curve["values"] == pytest.approx(source["factor"] * whole, rel=1e-6, abs=1e-6 * scale)
+                compared += 1
+    assert compared > 45
+
+
+def test_units_are_those_of_the_figures(charts: dict[str, dict[str, Any]]) -> None:
+    assert charts["tip_deviation"]["unit"] == "mm"
+    assert charts["deformation_xi"]["unit"] == "mrad"
+    assert charts["gear_torque"]["unit"] == "N·m"
+    for chart in charts.values():
+        name = chart["unit"]
+        known = name[1:] in {"m", "rad", "N", "N·m", "J", "V", "A"}
+        prefix = PREFIX.get(name[0], 1.0) if known else 1
+        assert {curve["source"]["factor"] for curve in chart["curves"]} == {prefix}
+
+
+def test_what_stands_side_by_side_has_one_unit(good: Result) -> None:
+    small = Result(good.data.assign(deviation=good.data["deviation"] * 1e-4))
+    pairs = [{chart["id"]: chart for chart in charts}["tip_deviation"] for charts in charts_of([small, good])]
+    assert [chart["unit"] for chart in pairs] == ["mm", "mm"]
+    assert pairs[0]["curves"][0]["values"] == pytest.approx(1e-4 * pairs[1]["curves"][0]["values"], rel=1e-5)
+
+
+def test_deformations_have_their_parts_and_reference(charts: dict[str, dict[str, Any]]) -> None:
+    for name in ("th11q", "th11m", "th12d", "th12e", "xi"):
+        roles = {curve["role"]: curve["values"] for curve in charts[f"deformation_{name}"]["curves"]}
+        assert list(roles) == ["real", "reference", "stationary", "oscillatory"]
+        assert roles["stationary"] + roles["oscillatory"] == pytest.approx(roles["real"], abs=2e-5)
+
+
+def test_spectra_are_those_of_the_samples_that_they_tell(good: Result, charts: dict[str, dict[str, Any]]) -> None:
+    chart = charts["spectrum_deformations"]
+    start, end = chart["span"]
+    part = good.data.sel(time=slice(start - 1e-9, end + 1e-9))
+    for curve in chart["curves"]:
+        frequency, amplitude = amplitude_spectrum(column(part, curve["source"]), 1e-3, 4)
+        count = len(chart["at"])
+        assert chart["at"] == pytest.approx(frequency[:count])
+        assert curve["values"] == pytest.approx(curve["source"]["factor"] * amplitude[:count], rel=1e-5, abs=1e-12)
+    assert [round(mark["at"], 3) for mark in chart["marks"]] == [4.938, 7.315, 20.212]
+
+
+def test_long_runs_are_thinned_and_tell_it(good: Result) -> None:
+    long = good.data.isel(time=np.tile(np.arange(2001), 5)).assign_coords(time=np.arange(10005) * 1e-3)
+    chart = next(chart for chart in charts_of([Result(long)])[0] if chart["id"] == "deformation_xi")
+    kept = chart["curves"][0]["values"]
+    assert chart["samples"] == 10005
+    assert len(chart["at"]) < 7000
+    assert isinstance(kept, Coarse)
+    assert kept.values.max() == pytest.approx(1e3 * float(long["deformation"].values[:, 4].max()))
+
+
+def test_free_space_has_no_contact_chart(failed: Result) -> None:
+    assert {draft.group for draft in drafts_of(failed)} == {"tip", "deformations", "motors", "energy"}
+
+
+def test_facts_have_stable_names_units_and_values(good: Result) -> None:
+    facts = {fact.id: fact for fact in facts_of(good)}
+    told = good.summary()
+    assert facts["deviation.max"].value == told["deviation"]["max_m"]
+    assert facts["deviation.max"].unit == "m"
+    square = np.trapezoid(good.data["deviation"] ** 2, good.data["time"]) / 2.0
+    assert facts["deviation.rms"].value == pytest.approx(np.sqrt(square), rel=1e-9)
+    assert facts["settling"].value is None
+    assert told["settling"]["reason"] in facts["settling"].note
+    assert facts["vibration.residual"].note == "the run ends with the move"
+    assert facts["moment.max"].value == abs(told["largest_bending_moment"]["value_Nm"])
+
+
+def test_residual_vibration_is_about_the_mean_place(good: Result) -> None:
+    """A tip that swings by 1 mm along x after the move, 5 mm off its reference: the offset is no vibration."""
+    data = good.data.copy()
+    time = np.linspace(0.0, 4.0, data.sizes["time"])
+    swing = np.zeros((len(time), 3))
+    swing[:, 0] = 5e-3 + 1e-3 * np.sin(2 * np.pi * 5 * time)
+    data = data.assign(tip=data["tip_reference"] + swing).assign_coords(time=time)
+    found = {fact.id: fact for fact in facts_of(Result(data))}["vibration.residual"]
+    assert found.value == pytest.approx(1e-3, rel=1e-2)
+
+
+def test_the_data_of_a_page_can_be_packed(good: Result, failed: Result) -> None:
+    page = page_data([good, failed], ["a", "b"])
+    assert [run["name"] for run in page["runs"]] == ["a", "b"]
+    assert (page["title"], page["live"]) == ("a, b", None)
+    assert page["runs"][1]["status"] == "diverged"
+    assert page["runs"][0]["sheet"].startswith("format: 1")
+    assert 100_000 < len(pack(page)) < 1_500_000

@@ -1,0 +1,42 @@
+"""Numbers with units, written the same in Python and in the page."""
+
+from __future__ import annotations
+
+import json
+import shutil
+import subprocess
+from pathlib import Path
+
+import pytest
+
+from tmodes.report.quantity import written
+
+WEB = Path(__file__).resolve().parents[2] / "web"
+CASES = [
+    (4.0351e-3, "m", "4.035 mm"), (0.0, "N m", "0 N·m"), (3.2e8, "Pa", "320 MPa"), (5e4, "m", "50000 m"),
+    (4.938, "Hz", "4.938 Hz"), (1.7e-11, "-", "1.7 × 10⁻¹¹"), (-2.5e-12, "J", "-2.5 × 10⁻¹² J"),
+    (62.31, "%", "62.31 %"),
+    (2.02e-4, "m", "0.202 mm"), (1.5e5, "N", "150 kN"), (0.04447, "s", "44.47 ms"), (12.0, "ohm", "12 Ω"),
+]  # fmt: skip
+
+
+@pytest.mark.parametrize(("value", "unit", "text"), CASES)
+def test_written(value: float, unit: str, text: str) -> None:
+    assert written(value, unit).replace("\u00a0", " ") == text
+
+
+def test_the_page_writes_the_same() -> None:
+    node = shutil.which("node")
+    if node is None or not (WEB / "node_modules" / "esbuild").exists():
+        pytest.skip("needs Node and the packages of web/")
+    program = f"""
+      import {{ build }} from "esbuild";
+      const made = await build({{ entryPoints: ["src/format.ts"], format: "esm", write: false }});
+      const text = Buffer.from(made.outputFiles[0].text).toString("base64");
+      const {{ told }} = await import("data:text/javascript;base64," + text);
+      console.log(JSON.stringify({json.dumps([case[:2] for case in CASES])}.map(([value, unit]) => told(value, unit))));
+    """
+    ran = subprocess.run(
+        [node, "--input-type=module", "-e", program], cwd=WEB, capture_output=True, text=True, check=True
+    )
+    assert json.loads(ran.stdout) == [written(value, unit) for value, unit, _ in CASES]

@@ -1,0 +1,85 @@
+"""The report that is alive: a slider moved, and charts, numbers and sheet follow; the run as it was stays."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from see.looking import look
+from see.test_page import INK
+from tmodes.report.data import live_page
+from tmodes.report.viewer import viewer_document
+from tmodes.robots import load_robot
+from tmodes.simulate import simulate
+
+PAYLOAD = '[data-path="payload.mass"] input[type=number]'
+STATUS = ".sliders-panel [role=status]"
+WORST = "[data-fact='deviation.max'] strong"
+VALUE = "[data-chart=tip_deviation] .toggle .value"
+
+
+@pytest.fixture(scope="module")
+def robot() -> Any:
+    """The seed's robot, for a short time."""
+    return load_robot("filipovic2010").with_({"integration.duration": 0.3})
+
+
+@pytest.fixture(scope="module")
+def window(browser: Any, robot: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
+    """Its report, open."""
+    path = tmp_path_factory.mktemp("alive") / "report.html"
+    path.write_text(viewer_document(live_page(simulate(robot))), encoding="utf-8")
+    window = look(browser, path, (1280, 1000))
+    window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
+    return window
+
+
+def give(window: Any, text: str) -> None:
+    window.page.locator(PAYLOAD).fill(text)
+    window.page.wait_for_selector(f"{STATUS}:text('Simulated in')")
+
+
+def test_a_changed_payload_is_simulated_as_natively(window: Any, robot: Any) -> None:
+    before = window.page.evaluate(INK, "tip_deviation")
+    give(window, "0.9")
+    wanted = simulate(robot.with_({"payload.mass": 0.9})).summary()["deviation"]["max_m"]
+    told = window.page.locator(WORST).inner_text().replace("\u00a0", " ").split(" ")
+    assert told[1] == "mm"
+    assert float(told[0]) == pytest.approx(1e3 * wanted, rel=1e-3)
+    assert "was" in window.page.locator("[data-fact='deviation.max']").inner_text()
+    assert window.page.evaluate(INK, "tip_deviation") > before  # the run as it was, pale behind the new one
+
+
+def test_the_changed_sheet_can_be_saved(window: Any, tmp_path: Path) -> None:
+    give(window, "0.7")
+    with window.page.expect_download() as given:
+        window.page.locator(".sliders-panel").get_by_role("button", name="Save YAML").click()
+    path = tmp_path / given.value.suggested_filename
+    given.value.save_as(path)
+    assert load_robot(path).payload.mass == 0.7
+
+
+def test_the_way_back(window: Any) -> None:
+    give(window, "0.8")
+    window.page.get_by_role("button", name="reset all").click()
+    window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
+    assert window.page.locator(PAYLOAD).input_value() == "0.5"
+    assert "was" not in window.page.locator("[data-fact='deviation.max']").inner_text()
+
+
+def test_bounds_are_kept_and_nonsense_is_ignored(window: Any) -> None:
+    give(window, "1e9")
+    window.page.locator(PAYLOAD).blur()
+    most = float(window.page.locator(PAYLOAD).get_attribute("max"))
+    assert float(window.page.locator(PAYLOAD).input_value()) == pytest.approx(most, rel=1e-5)
+    window.page.locator(PAYLOAD).fill("")
+    window.page.locator(PAYLOAD).blur()
+    assert float(window.page.locator(PAYLOAD).input_value()) == pytest.approx(most, rel=1e-5)
+    window.page.get_by_role("button", name="reset all").click()
+
+
+def test_it_is_silent_and_asks_for_nothing(window: Any) -> None:
+    assert window.said == []
+    assert {url.split(":")[0] for url in window.asked} <= {"file", "blob"}

@@ -1,0 +1,178 @@
+// One chart: title, switches, curves, legend with values; drawn only when it is looked at.
+
+import type uPlot from "uplot";
+import type { Clock } from "../clock";
+import type { LiveRun } from "../contract";
+import { button, make, ownId, save } from "../dom";
+import { plain, told } from "../format";
+import { csvOf } from "./csv";
+import { makeLegend, type Legend } from "./legend";
+import { makePlot, type PlotLine } from "./plot";
+import { aligned, entriesOf, valueAt, type ChartSet, type Entry, type Values } from "./series";
+import type { Zoom } from "./zoom";
+
+export interface ChartView {
+  readonly element: HTMLElement;
+  readonly id: string;
+  /** Draw the live model's run, the page's own pale behind it; null: the page's own alone. */
+  show(live: LiveRun | null): void;
+  /** Draw anew: the colours have changed. */
+  recolour(): void;
+  dispose(): void;
+}
+
+const DECADES = { spectrum: 5, other: 6 };
+const HEIGHT = 190;
+const ROUNDING = 1e-9;
+
+export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
+  const { chart } = set;
+  const timed = chart.abscissa === "time";
+  const title = ownId("chart");
+  const unit = chart.unit === "–" ? "" : chart.unit;
+  let log = chart.log === "first";
+  let entries: Entry[] = entriesOf(set, null);
+  let plot: uPlot | null = null;
+  let cursor: HTMLElement | null = null;
+  let hover: number | null = null;
+  let seen = false;
+  let stale = true;
+  let drawn = ""; // what the plot is made for
+  let scheme = 0;
+  let largest = 0;
+
+  const place = make("div", { class: "plot-area", role: "img" });
+  const readout = make("span", { class: "readout" });
+  const logButton = button("log", () => setLog(!log), { class: "tool", "aria-pressed": String(log), title: "Logarithmic ordinate, of the size of the values", hidden: chart.log === "no" });
+  const resetButton = button("reset zoom", () => zoom.set(null), { class: "tool", hidden: true });
+  const tools = make("div", { class: "tools" }, resetButton, logButton, button("CSV", saveData, { class: "tool", title: "Save the data of this chart as CSV" }));
+  const heading = make("h4", { id: title, text: chart.title }, make("span", { class: "unit", text: unit ? ` [${unit}]` : "" }));
+  const thinned = Math.min(...set.runs.map((one) => one.chart.at.data.length / one.chart.samples));
+  const note = make("p", { class: "note", hidden: thinned >= 1,
+    text: `Drawn by ${chart.at.data.length.toLocaleString("en")} of ${chart.samples.toLocaleString("en")} samples; every extreme is kept.` });
+  const legend: Legend = makeLegend(entries, redraw);
+  const element = make("figure", { class: "chart", "aria-labelledby": title, "data-chart": chart.id },
+    make("figcaption", {}, heading, readout, tools), place, legend.element, timed ? note : null);
+
+  function setLog(on: boolean): void {
+    log = on;
+    logButton.setAttribute("aria-pressed", String(on));
+    redraw();
+  }
+
+  function redraw(): void {
+    stale = true;
+    if (seen) draw();
+  }
+
+  function draw(): void {
+    if (!stale || place.clientWidth === 0) return;
+    stale = false;
+    const shown = entries.filter((entry) => legend.shows(entry));
+    const lines = shown.map((entry) => ({ ...legend.look(entry), width: entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3, ghost: entry.ghost }));
+    const data = aligned(shown, log);
+    largest = Math.max(0, ...shown.map((entry) => Math.max(...extremes(entry).map(Math.abs))));
+    const kind = JSON.stringify([lines, log, place.clientWidth, scheme]);
+    if (plot && kind === drawn) plot.setData(data as unknown as uPlot.AlignedData);
+    else renew(data, lines);
+    drawn = kind;
+    place.setAttribute("aria-label", summary(shown));
+    if (timed) stretch(zoom.range);
+    tell();
+  }
+
+  function renew(data: [Values, ...(number | null)[][]], lines: PlotLine[]): void {
+    plot?.destroy();
+    plot = makePlot(place, data, lines, {
+      log, decades: chart.group === "spectrum" ? DECADES.spectrum : DECADES.other, height: HEIGHT, marks: chart.marks,
+      abscissa: timed ? "time [s]" : "frequency [Hz]",
+      zoomed: (range) => (timed ? zoom.set(range) : stretch(range)),
+      hovered: (at) => { hover = at; tell(); },
+      chosen: (at) => { if (timed) clock.seek(at); },
+    });
+    cursor = timed ? make("div", { class: "time-line" }) : null;
+    if (cursor) plot.over.append(cursor);
+  }
+
+  function stretch(range: [number, number] | null): void {
+    const axis = plot?.data[0];
+    resetButton.hidden = range === null;
+    if (!plot || !axis?.length) return;
+    const [min, max] = range ?? [axis[0], axis[axis.length - 1]];
+    if (max > min) plot.setScale("x", { min, max });
+    moveCursor();
+  }
+
+  function moveCursor(): void {
+    if (!plot || !cursor) return;
+    const left = plot.valToPos(clock.time, "x");
+    const inside = left >= -0.5 && left <= plot.over.clientWidth + 0.5;
+    cursor.style.display = inside ? "" : "none";
+    cursor.style.transform = `translateX(${left}px)`;
+  }
+
+  function tell(): void {
+    moveCursor();
+    const at = hover ?? (timed ? clock.time : null);
+    readout.textContent = hover === null ? "" : timed ? `at ${hover.toFixed(3)} s` : `at ${told(hover, "Hz")}`;
+    legend.tell((entry) => (at === null ? null : calmed(valueAt(entry, at))));
+  }
+
+  /** What is rounding beside the largest value is zero. */
+  function calmed(value: number | null): number | null {
+    return value !== null && Math.abs(value) < ROUNDING * largest && !log ? 0 : value;
+  }
+
+  function summary(shown: Entry[]): string {
+    const parts = shown.filter((entry) => !entry.ghost).map((entry) => {
+      const [low, high] = extremes(entry);
+      return `${entry.label} ${entry.role}, from ${plain(low)} to ${plain(high)} ${unit}`.trim();
+    });
+    return `${chart.title}: ${parts.join("; ") || "no curve is shown"}.`;
+  }
+
+  function saveData(): void {
+    save(csvOf(entries.filter((entry) => legend.shows(entry)), timed ? "time [s]" : "frequency [Hz]", unit), `${chart.id}.csv`, "text/csv");
+  }
+
+  const watch = new IntersectionObserver((found) => {
+    seen = found.some((one) => one.isIntersecting);
+    if (seen) draw();
+    if (seen) tell();
+  }, { rootMargin: "120px" });
+  const resized = new ResizeObserver(() => {
+    if (seen && place.clientWidth > 0) redraw();
+  });
+  watch.observe(element);
+  resized.observe(place);
+  const ends = [clock.subscribe(() => { if (seen && timed) tell(); }), zoom.subscribe(() => timed && stretch(zoom.range))];
+
+  return {
+    element,
+    id: chart.id,
+    show(run) {
+      entries = entriesOf(set, run);
+      legend.renew(entries);
+      redraw();
+    },
+    recolour() {
+      scheme += 1;
+      redraw();
+    },
+    dispose() {
+      watch.disconnect();
+      resized.disconnect();
+      ends.forEach((end) => end());
+      plot?.destroy();
+    },
+  };
+}
+
+function extremes(entry: Entry): [number, number] {
+  let [low, high] = [Infinity, -Infinity];
+  for (let k = 0; k < entry.y.length; k += 1) {
+    low = Math.min(low, entry.y[k]);
+    high = Math.max(high, entry.y[k]);
+  }
+  return [low, high];
+}

@@ -1,0 +1,52 @@
+// Colours and dashes of curves: colour-blind-safe, and told apart without colour too.
+
+import type { Role } from "../contract";
+
+/** Custom properties of app.css, in the order in which curves take them. */
+const COLOURS = ["--blue", "--red", "--green", "--violet", "--ochre", "--sky"];
+const OF_ROLE: Record<Role, string> = {
+  real: "--blue",
+  reference: "--red",
+  rigid: "--quiet",
+  stationary: "--green",
+  oscillatory: "--violet",
+  limit: "--quiet",
+  other: "--ochre",
+};
+const DASHES: Record<Role, number[]> = {
+  real: [],
+  reference: [6, 3],
+  rigid: [2, 3],
+  stationary: [9, 2, 2, 2],
+  oscillatory: [2, 2],
+  limit: [1, 3],
+  other: [10, 3],
+};
+const SERIES: number[][] = [[], [7, 2], [6, 2, 2, 2], [2, 2], [9, 2, 2, 2, 2, 2], [12, 4]];
+
+export const WORDS: Record<Role, string> = {
+  real: "real",
+  reference: "reference",
+  rigid: "rigid",
+  stationary: "stationary part",
+  oscillatory: "oscillatory part",
+  limit: "limit",
+  other: "other",
+};
+
+/** How a curve is drawn: `place` among what is told apart by colour, `several` whether that is more than the roles. */
+export interface Look {
+  property: string;
+  dash: number[];
+}
+
+export function lookOf(role: Role, place: number, several: boolean, roles: number): Look {
+  if (!several) return { property: OF_ROLE[role], dash: DASHES[role] };
+  const dash = roles > 1 ? DASHES[role] : SERIES[place % SERIES.length];
+  return { property: COLOURS[place % COLOURS.length], dash };
+}
+
+/** The colours as the page has them now, light or dark. */
+export function colour(property: string): string {
+  return getComputedStyle(document.documentElement).getPropertyValue(property).trim() || "#808080";
+}

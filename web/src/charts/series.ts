@@ -1,0 +1,121 @@
+// What a chart draws: the curves of all runs under one name, and their values on one common axis.
+
+import type { Chart, Curve, LiveRun, Page, Role } from "../contract";
+import { spectrumOf } from "./spectrum";
+
+export type Values = ArrayLike<number>;
+
+export interface Entry {
+  run: number;
+  runName: string;
+  label: string;
+  role: Role;
+  x: Values;
+  y: Values;
+  shown: boolean;
+  /** The page's own run behind that of the live model. */
+  ghost: boolean;
+}
+
+/** The charts of one name in all runs. */
+export interface ChartSet {
+  chart: Chart;
+  runs: { run: number; name: string; chart: Chart }[];
+}
+
+export function chartSets(page: Page): ChartSet[] {
+  const sets = new Map<string, ChartSet>();
+  page.runs.forEach((one, run) =>
+    one.charts.forEach((chart) => {
+      const known = sets.get(chart.id);
+      if (known) known.runs.push({ run, name: one.name, chart });
+      else sets.set(chart.id, { chart, runs: [{ run, name: one.name, chart }] });
+    }),
+  );
+  return [...sets.values()];
+}
+
+/** All curves to draw; `live` is the live model's run of the first run's robot. */
+export function entriesOf(set: ChartSet, live: LiveRun | null): Entry[] {
+  const own = set.runs.flatMap(({ run, name, chart }) =>
+    chart.curves.map((curve) => ({
+      run, runName: name, label: curve.label, role: curve.role, x: chart.at.data, y: curve.values.data,
+      shown: curve.shown, ghost: live !== null && run === 0,
+    })),
+  );
+  if (live === null) return own;
+  const first = set.runs.find(({ run }) => run === 0);
+  const fresh = (first?.chart.curves ?? []).flatMap((curve) => liveEntry(curve, first!.chart, first!.name, live));
+  return [...own, ...fresh];
+}
+
+function liveEntry(curve: Curve, chart: Chart, runName: string, live: LiveRun): Entry[] {
+  const values = liveValues(curve, live);
+  if (values === null) return [];
+  const { x, y } = chart.abscissa === "time" ? { x: live.times, y: values } : spectrumOf(live.times, values, chart);
+  return [{ run: 0, runName, label: curve.label, role: curve.role, x, y, shown: curve.shown, ghost: false }];
+}
+
+/** A curve's values from the series of the live model; null where it does not have them. */
+export function liveValues(curve: Curve, live: LiveRun): Float64Array | null {
+  const source = curve.source;
+  if (source === null) return null;
+  const column = columnOf(live, source.variable, source.index);
+  const less = source.less ? columnOf(live, source.less.variable, source.less.index) : null;
+  if (column === null || (source.less && less === null)) return null;
+  return column.map((value, k) => source.factor * (value - (less ? less[k] : 0)));
+}
+
+function columnOf(live: LiveRun, variable: string, index: number): Float64Array | null {
+  const series = live.series[variable];
+  if (series === undefined) return null;
+  const width = series.shape.slice(1).reduce((product, size) => product * size, 1);
+  if (index >= width) return null;
+  return Float64Array.from({ length: series.shape[0] }, (_, k) => series.data[k * width + index]);
+}
+
+/** One rising axis for all curves, with null where a curve has no value of its own. */
+export function aligned(entries: Entry[], magnitude: boolean): [Values, ...(number | null)[][]] {
+  const axes = [...new Set(entries.map((entry) => entry.x))];
+  const axis = axes.every((other) => same(other, axes[0])) ? axes[0] : union(axes);
+  return [axis, ...entries.map((entry) => onAxis(entry, axis, magnitude))];
+}
+
+function same(one: Values, other: Values): boolean {
+  if (one === other) return true;
+  if (one.length !== other.length) return false;
+  for (let k = 0; k < one.length; k += 1) if (Math.abs(one[k] - other[k]) > 1e-6 * Math.abs(other[k])) return false;
+  return true;
+}
+
+function union(axes: Values[]): number[] {
+  const all = axes.flatMap((axis) => Array.from(axis)).sort((one, other) => one - other);
+  return all.filter((value, k) => k === 0 || value > all[k - 1]);
+}
+
+function onAxis(entry: Entry, axis: Values, magnitude: boolean): (number | null)[] {
+  const shape = (value: number) => (!magnitude ? value : value === 0 ? null : Math.abs(value));
+  if (axis === entry.x || same(axis, entry.x)) return Array.from(entry.y, (value) => shape(value));
+  const found: (number | null)[] = new Array<number | null>(axis.length).fill(null);
+  for (let k = 0, place = 0; k < entry.x.length; k += 1) {
+    while (place < axis.length && axis[place] < entry.x[k]) place += 1;
+    if (place < axis.length) found[place] = shape(entry.y[k]);
+  }
+  return found;
+}
+
+/** A curve's value at a place, between two samples on the straight line; null outside. */
+export function valueAt(entry: Entry, place: number): number | null {
+  const { x, y } = entry;
+  const last = x.length - 1;
+  if (last < 0 || place < x[0] - 1e-9 || place > x[last] + 1e-6 * Math.abs(x[last]) + 1e-9) return null;
+  let low = 0;
+  let high = last;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (x[middle] <= place) low = middle;
+    else high = middle;
+  }
+  if (high === low || place >= x[high]) return y[high];
+  return y[low] + ((y[high] - y[low]) * (place - x[low])) / (x[high] - x[low]);
+}

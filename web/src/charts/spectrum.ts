@@ -1,0 +1,74 @@
+// The amplitude spectrum of a live run: as tmodes/plot/vibration.py makes it (line taken off, Hann window).
+
+import type { Chart } from "../contract";
+
+const FINER = 4; // the grid of frequencies, finer than the lines are sharp
+
+/** Frequencies [Hz] and amplitudes of evenly sampled values within the chart's span, up to the chart's last frequency. */
+export function spectrumOf(times: Float64Array, values: Float64Array, chart: Chart): { x: Float64Array; y: Float64Array } {
+  const [start, end] = chart.span ?? [times[0], times[times.length - 1]];
+  const slack = 1e-9 * Math.max(1, Math.abs(end));
+  const inside = Array.from(times.keys()).filter((k) => times[k] >= start - slack && times[k] <= end + slack);
+  const part = Float64Array.from(inside, (k) => values[k]);
+  const count = part.length;
+  if (count < 4) return { x: new Float64Array(), y: new Float64Array() };
+  const step = (times[inside[count - 1]] - times[inside[0]]) / (count - 1);
+  const total = windowed(part);
+  const size = 2 ** Math.ceil(Math.log2(FINER * count));
+  const real = new Float64Array(size);
+  const imaginary = new Float64Array(size);
+  real.set(part);
+  transform(real, imaginary);
+  const highest = chart.at.data[chart.at.data.length - 1];
+  const lines = Math.min(size / 2, Math.floor(highest * size * step) + 1);
+  return {
+    x: Float64Array.from({ length: lines }, (_, k) => k / (size * step)),
+    y: Float64Array.from({ length: lines }, (_, k) => (2 * Math.hypot(real[k], imaginary[k])) / total),
+  };
+}
+
+/** Takes the straight line of least squares off and applies the window, in place; returns the window's sum. */
+function windowed(values: Float64Array): number {
+  const count = values.length;
+  const middle = (count - 1) / 2;
+  const mean = values.reduce((sum, value) => sum + value, 0) / count;
+  const spread = (count * (count * count - 1)) / 12;
+  const slope = values.reduce((sum, value, k) => sum + (k - middle) * value, 0) / spread;
+  let total = 0;
+  for (let k = 0; k < count; k += 1) {
+    const weight = 0.5 - 0.5 * Math.cos((2 * Math.PI * k) / count);
+    values[k] = weight * (values[k] - mean - slope * (k - middle));
+    total += weight;
+  }
+  return total;
+}
+
+/** Fast Fourier transform in place, of 2^n values (Cooley and Tukey, 1965). */
+export function transform(real: Float64Array, imaginary: Float64Array): void {
+  const size = real.length;
+  for (let k = 1, mirrored = 0; k < size; k += 1) {
+    let bit = size >> 1;
+    for (; mirrored & bit; bit >>= 1) mirrored ^= bit;
+    mirrored ^= bit;
+    if (k < mirrored) {
+      [real[k], real[mirrored]] = [real[mirrored], real[k]];
+      [imaginary[k], imaginary[mirrored]] = [imaginary[mirrored], imaginary[k]];
+    }
+  }
+  for (let length = 2; length <= size; length *= 2) butterflies(real, imaginary, length);
+}
+
+function butterflies(real: Float64Array, imaginary: Float64Array, length: number): void {
+  const half = length / 2;
+  for (let k = 0; k < half; k += 1) {
+    const angle = (-2 * Math.PI * k) / length;
+    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
+    for (let one = k; one < real.length; one += length) {
+      const other = one + half;
+      const re = real[other] * cos - imaginary[other] * sin;
+      const im = real[other] * sin + imaginary[other] * cos;
+      [real[other], imaginary[other]] = [real[one] - re, imaginary[one] - im];
+      [real[one], imaginary[one]] = [real[one] + re, imaginary[one] + im];
+    }
+  }
+}

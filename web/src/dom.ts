@@ -1,0 +1,51 @@
+// Elements made in one line: text stays text, whatever it holds.
+
+type Attributes = Record<string, string | boolean | undefined>;
+
+/** One element with attributes (`text` is its text, `false` and undefined are left out) and children. */
+export function make<K extends keyof HTMLElementTagNameMap>(
+  name: K,
+  attributes: Attributes = {},
+  ...children: (Node | null)[]
+): HTMLElementTagNameMap[K] {
+  const element = document.createElement(name);
+  for (const [key, value] of Object.entries(attributes)) {
+    if (key === "text") element.textContent = String(value);
+    else if (value !== undefined && value !== false) element.setAttribute(key, value === true ? "" : value);
+  }
+  element.append(...children.filter((child) => child !== null));
+  return element;
+}
+
+export function button(text: string, act: () => void, attributes: Attributes = {}): HTMLButtonElement {
+  const element = make("button", { type: "button", text, ...attributes });
+  element.addEventListener("click", act);
+  return element;
+}
+
+/** A line as a curve is drawn, for a legend. */
+export function swatch(color: string, dash: number[], width = 2): SVGSVGElement {
+  const space = "http://www.w3.org/2000/svg";
+  const svg = document.createElementNS(space, "svg");
+  const line = document.createElementNS(space, "line");
+  const told = { x1: 0, y1: 5, x2: 26, y2: 5, "stroke-width": width, "stroke-dasharray": dash.join(" ") };
+  for (const [key, value] of Object.entries(told)) line.setAttribute(key, String(value));
+  line.style.stroke = color;
+  for (const [key, value] of Object.entries({ width: 26, height: 10, "aria-hidden": "true" })) svg.setAttribute(key, String(value));
+  svg.append(line);
+  return svg;
+}
+
+let told = 0;
+/** A name that no other element of the page has. */
+export function ownId(stem: string): string {
+  told += 1;
+  return `tm-${stem}-${told}`;
+}
+
+/** Give the user a file. */
+export function save(text: string, name: string, type: string): void {
+  const address = URL.createObjectURL(new Blob([text], { type }));
+  make("a", { href: address, download: name }).click();
+  setTimeout(() => URL.revokeObjectURL(address), 10_000);
+}

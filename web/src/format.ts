@@ -1,0 +1,57 @@
+// Numbers with units as a person reads them; tmodes/report/quantity.py writes the same.
+
+const PREFIXES: [number, number, string][] = [
+  [1e10, 1e-9, "G"],
+  [1e7, 1e-6, "M"],
+  [1e4, 1e-3, "k"],
+  [0.1, 1, ""],
+  [1e-4, 1e3, "m"],
+  [1e-7, 1e6, "µ"],
+  [1e-11, 1e9, "n"],
+];
+const NEVER_LARGE = ["m", "rad", "s"];
+const PLAIN = ["Hz", "%", "rad/s"];
+const SUPERSCRIPT = "⁰¹²³⁴⁵⁶⁷⁸⁹";
+
+/** `N*m` and `N m` as `N·m`; no unit is empty. */
+export function pretty(unit: string): string {
+  const written = unit.trim().replace(/[* ]/g, "·").replace("^2", "²").replace("^3", "³").replace("ohm", "Ω");
+  return ["-", "1", "–"].includes(written) ? "" : written;
+}
+
+/** To so many digits that tell, without zeros at the end. */
+export function digits(value: number, count = 4): string {
+  return value === 0 ? "0" : String(Number(value.toPrecision(count)));
+}
+
+export function powerOfTen(value: number): string {
+  if (value === 0) return "0";
+  const [number, power] = value.toExponential(1).split("e");
+  const raised = [...String(Number(power))].map((letter) => (letter === "-" ? "⁻" : SUPERSCRIPT[Number(letter)])).join("");
+  return `${number}\u00a0×\u00a010${raised}`;
+}
+
+/** The prefix in which a value of this size [SI] reads well: factor on the SI value, and name of the unit. */
+export function readable(unit: string, size: number): { factor: number; name: string } {
+  const name = pretty(unit);
+  if (!name || PLAIN.includes(unit) || !(size > 0)) return { factor: 1, name };
+  const never = NEVER_LARGE.includes(unit.split("/")[0]);
+  const found = PREFIXES.find(([least, factor]) => size >= least && (factor >= 1 || !never));
+  return found ? { factor: found[1], name: found[2] + name } : { factor: 1, name };
+}
+
+/** `4.041 mm`. */
+export function told(value: number | null, unit: string): string {
+  if (value === null || !Number.isFinite(value)) return "–";
+  const size = Math.abs(value);
+  const { factor, name } = readable(unit, size);
+  const tiny = size > 0 && (factor === 1 ? size < 1e-3 : size < 1e-11);
+  return `${tiny ? powerOfTen(value) : digits(value * factor)}\u00a0${name}`.trimEnd();
+}
+
+/** A number on an axis or in a legend, without a unit. */
+export function plain(value: number): string {
+  const size = Math.abs(value);
+  if (size !== 0 && (size < 1e-3 || size >= 1e6)) return powerOfTen(value);
+  return digits(value);
+}

@@ -1,0 +1,99 @@
+// What a live bundle holds, as tmodes/live/bundle.py writes it.
+
+import type { LiveBundle } from "../contract";
+import type { Numbers } from "../pack";
+import type { Layout } from "./engine";
+
+/** Numbers of a run as functions of its knobs, as tmodes/live/forms.py finds them. */
+export interface FormTold {
+  base: Numbers;
+  variables: { start: number; far: number }[];
+  /** Variables with their exponents, by kind. */
+  powers: [number, number][][];
+  /** Which number is a multiple, by which kind [.., 2]. */
+  products: Numbers;
+  /** To which number a term is added, of which kind [.., 2], with its coefficient. */
+  terms: Numbers;
+  coefficients: Numbers;
+  places: Record<string, { start: number; shape: number[] }>;
+}
+
+export interface MapTold {
+  knobs: { start: number; together: boolean; factor: number | null }[];
+  sliders: { knob: number; real: boolean }[];
+  runs: Record<string, FormTold>;
+}
+
+/** A place in the sheet that a slider fills; of numbers that move in proportion: what is multiplied. */
+export interface Place {
+  slider: number;
+  base: number | null;
+}
+
+export type SheetPart = string | { header: string } | { parts: (string | Place)[]; optional: number };
+
+/** What both kinds of bundles hold. */
+export interface Bundle extends LiveBundle {
+  leftOut: { path: string; reason: string }[];
+  map: MapTold;
+  module: Numbers;
+  layout: Layout;
+  settings: {
+    method: string;
+    duration: number;
+    step: number;
+    maxSteps: number;
+    relativeTolerance: number;
+    absoluteTolerance: number;
+    note: string;
+  };
+  times: Numbers;
+  frames: Numbers;
+  stations: Numbers;
+  sheet: SheetPart[];
+}
+
+/** Of the 2010 robot: `free` are the deformations that can move, `basis` [6, 5] takes them to coordinates. */
+export interface RobotBundle extends Bundle {
+  kind: "robot";
+  contact: boolean;
+  free: number[];
+  basis: Numbers;
+  lengths: number[];
+}
+
+/** The numbers as doubles. */
+export function doubles(told: Numbers): Float64Array {
+  return told.data instanceof Float64Array ? told.data : Float64Array.from(told.data);
+}
+
+/** y = matrix x + constant; `matrix` [rows, columns]. */
+export interface Affine {
+  matrix: Numbers;
+  constant: Numbers;
+}
+
+/** How one run of an arm starts: `told` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
+export interface ArmRunTold {
+  state: { q: [number, number]; v: [number, number]; currents: [number, number]; works: [number, number] };
+  start: Numbers;
+  told: number[];
+  exact: [number, number][];
+  signals: number;
+}
+
+/** Of an arm; `links` are those that are drawn: at which of the picture's points each begins, a rigid one's far end. */
+export interface ArmBundle extends Bundle {
+  kind: "arm";
+  runs: { reference?: ArmRunTold; real: ArmRunTold };
+  restSize: number;
+  atRest: boolean;
+  base: Numbers;
+  gravity: Numbers;
+  deflections: Affine;
+  deformations: string[];
+  straight: Affine;
+  links: { name: string; bends: boolean; point: number; end: Numbers }[];
+  contactPoint: number;
+  electric: boolean;
+}

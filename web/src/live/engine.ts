@@ -1,0 +1,227 @@
+// A robot's compiled equations in JavaScript: instantiates the module, and calls its functions over many samples.
+// tmodes/live/module.py makes module and layout; nothing here touches a page, so it runs in a worker and in Node alike.
+
+/** What tmodes/live/module.py tells of a module. */
+export interface Layout {
+  format: number;
+  kind: "robot" | "arm";
+  cells: string[];
+  options: string[];
+  arguments: string[];
+  statuses: Record<string, number>;
+  limits: { bound: number; most_events: number; event_time: number };
+  simd: boolean;
+  coordinates: string[];
+  loops: Record<string, LoopLayout>;
+  samples: Record<string, SampleLayout>;
+}
+
+/** A time loop: numbers of a state, of a row of signals, of parameters. */
+export interface LoopLayout {
+  export: string;
+  method: string;
+  size: number;
+  row: number;
+  parameters: number;
+}
+
+/** A function over samples; inputs and outputs in order with their numbers. `slopes`: along a direction as well. */
+export interface SampleLayout {
+  export: string;
+  kind: "program" | "schedule" | "slopes";
+  inputs: Record<string, number>;
+  outputs: Record<string, number>;
+  parameters: number;
+  workspace: number;
+}
+
+/** Arrays of samples by name, each row-major [count, size]; one row alone stands for all samples. */
+export type Samples = Record<string, Float64Array>;
+
+/** What goes wrong on purpose; the message tells which, what was got, what is expected. */
+export class EngineError extends Error {
+  override name = "EngineError";
+}
+
+const FORMAT = 1;
+const PAGE = 65536;
+
+/** What the module asks of its surroundings: what WebAssembly itself has no word for. */
+const GIVEN = {
+  tmodes_far_sin: Math.sin,
+  tmodes_far_cos: Math.cos,
+  tmodes_pow: Math.pow,
+};
+
+/** An array that a function writes: `given`: reads as well; `range`: which part of it, known after the call. */
+export interface Written {
+  into: Float64Array;
+  given?: boolean;
+  range?: () => [number, number];
+}
+
+type Compiled = (...values: (number | bigint)[]) => void;
+
+/** One module at work. A call is given copies and gives copies: nothing stays in its memory from call to call. */
+export class Engine {
+  private constructor(
+    readonly layout: Layout,
+    private readonly functions: Record<string, Compiled>,
+    private readonly memory: WebAssembly.Memory,
+    private readonly free: number,
+  ) {}
+
+  /** Compile and instantiate; raises an EngineError for another format, and where WebAssembly is refused. */
+  static async open(wasm: BufferSource, layout: Layout): Promise<Engine> {
+    if (layout.format !== FORMAT) throw new EngineError(`layout: got format ${layout.format}; expected ${FORMAT}`);
+    const { instance } = await instantiated(wasm, layout);
+    const { memory, heap_base: base, ...functions } = instance.exports;
+    const free = (base as WebAssembly.Global).value as number;
+    return new Engine(layout, functions as Record<string, Compiled>, memory as WebAssembly.Memory, free);
+  }
+
+  /** Outputs of a function at `count` samples, by name, each [count, size]. */
+  sample(name: string, parameters: Float64Array, inputs: Samples, count: number): Samples {
+    const told = known(this.layout.samples, name, "function");
+    expect(`${name}: parameters`, parameters.length, told.parameters);
+    const out = told.kind === "program" ? this.program(told, parameters, inputs, count) : this.schedule(told, parameters, [inputs], count);
+    return parted(told.outputs, out, count, 1);
+  }
+
+  /**
+   * The same with exact derivatives along `directions` of the inputs (zero where none is given): of a function that has
+   * them, whose layout's kind is `slopes`.
+   */
+  slopes(name: string, parameters: Float64Array, inputs: Samples, directions: Samples, count: number): { values: Samples; slopes: Samples } {
+    const told = known(this.layout.samples, name, "function");
+    if (told.kind !== "slopes") throw new EngineError(`${name}: got a function without derivatives; expected one with them`);
+    expect(`${name}: parameters`, parameters.length, told.parameters);
+    const zero = Object.fromEntries(Object.entries(told.inputs).map(([label, size]) => [label, new Float64Array(size)]));
+    const out = this.schedule(told, parameters, [inputs, { ...zero, ...directions }], count);
+    const size = total(told.outputs);
+    return { values: parted(told.outputs, out, count, 2), slopes: parted(told.outputs, out.subarray(size), count, 2) };
+  }
+
+  /** Call a function on arrays of doubles, whole numbers, and arrays that it writes. */
+  call(name: string, values: (Float64Array | number | Written)[]): void {
+    const arrays = values.map((value) => (typeof value === "number" ? null : value instanceof Float64Array ? value : value.into));
+    this.reserve(arrays.reduce((sum, array) => sum + (array?.byteLength ?? 0), this.free));
+    const whole = new Float64Array(this.memory.buffer);
+    let place = this.free;
+    const placed = values.map((value, k) => {
+      if (typeof value === "number") return BigInt(value);
+      const start = place;
+      if (value instanceof Float64Array || value.given) whole.set(arrays[k]!, start / 8);
+      place += arrays[k]!.byteLength;
+      return start;
+    });
+    this.functions[name](...placed);
+    values.forEach((value, k) => {
+      if (typeof value === "number" || value instanceof Float64Array) return;
+      const [from, to] = value.range?.() ?? [0, value.into.length];
+      const start = (placed[k] as number) / 8;
+      value.into.set(whole.subarray(start + from, start + to), from);
+    });
+  }
+
+  private program(told: SampleLayout, parameters: Float64Array, inputs: Samples, count: number): Float64Array {
+    const rows = Object.entries(told.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
+    const out = new Float64Array(count * total(told.outputs));
+    this.call(told.export, [count, parameters, ...rows, { into: out }]);
+    return out;
+  }
+
+  private schedule(told: SampleLayout, parameters: Float64Array, sides: Samples[], count: number): Float64Array {
+    const packed = packedRows(told.inputs, sides, count);
+    const out = new Float64Array(count * sides.length * total(told.outputs));
+    const workspace = new Float64Array(told.workspace);
+    this.call(told.export, [count, 0, parameters, workspace, packed, { into: out }]);
+    return out;
+  }
+
+  private reserve(end: number): void {
+    const missing = end - this.memory.buffer.byteLength;
+    if (missing <= 0) return;
+    try {
+      this.memory.grow(Math.ceil(missing / PAGE));
+    } catch {
+      throw new EngineError(`memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. Mend: ask for fewer samples`);
+    }
+  }
+}
+
+async function instantiated(wasm: BufferSource, layout: Layout): Promise<WebAssembly.WebAssemblyInstantiatedSource> {
+  try {
+    return await WebAssembly.instantiate(wasm, { env: GIVEN });
+  } catch (problem) {
+    const needed = layout.simd ? ", with vectors (SIMD)" : "";
+    throw new EngineError(`WebAssembly: got ${String(problem)}; expected a browser that allows it${needed}`);
+  }
+}
+
+/** The entry of a name; raises an EngineError that lists those there are. */
+export function known<T>(entries: Record<string, T>, name: string, what: string): T {
+  if (!Object.hasOwn(entries, name)) {
+    throw new EngineError(`${what}: got ${name}; expected one of ${Object.keys(entries).join(", ")}`);
+  }
+  return entries[name];
+}
+
+/** Raise an EngineError where an array is not as long as it must be. */
+export function expect(which: string, got: number, expected: number): void {
+  if (got !== expected) throw new EngineError(`${which}: got ${got} numbers; expected ${expected}`);
+}
+
+function total(sizes: Record<string, number>): number {
+  return Object.values(sizes).reduce((sum, size) => sum + size, 0);
+}
+
+function filled(label: string, size: number, given: Float64Array | undefined, count: number): Float64Array {
+  if (given === undefined) throw new EngineError(`${label}: got nothing; expected ${size} numbers for each sample`);
+  if (given.length === count * size) return given;
+  expect(label, given.length, size);
+  const rows = new Float64Array(count * size);
+  copied(given, 0, 0, rows, size, 0, size, count);
+  return rows;
+}
+
+/** Rows of all inputs one after the other; of several sides: the rows of a sample follow each other. */
+function packedRows(sizes: Record<string, number>, sides: Samples[], count: number): Float64Array {
+  const width = total(sizes);
+  const packed = new Float64Array(count * sides.length * width);
+  sides.forEach((side, s) => {
+    let start = s * width;
+    for (const [label, size] of Object.entries(sizes)) {
+      const rows = filled(label, size, side[label], count);
+      copied(rows, size, 0, packed, sides.length * width, start, size, count);
+      start += size;
+    }
+  });
+  return packed;
+}
+
+/** Parts of rows by name; `every`: how many rows each sample has, of which the first is taken. */
+function parted(sizes: Record<string, number>, out: Float64Array, count: number, every: number): Samples {
+  const width = every * total(sizes);
+  const parts: Samples = {};
+  let start = 0;
+  for (const [label, size] of Object.entries(sizes)) {
+    const part = new Float64Array(count * size);
+    copied(out, width, start, part, size, 0, size, count);
+    parts[label] = part;
+    start += size;
+  }
+  return parts;
+}
+
+/** Copy `size` numbers of each of `count` rows; of both sides: how far rows are apart, and where in a row to begin. */
+function copied(
+  from: Float64Array, fromRow: number, fromStart: number,
+  into: Float64Array, intoRow: number, intoStart: number, size: number, count: number,
+): void {
+  for (let k = 0; k < count; k++) {
+    const source = k * fromRow + fromStart;
+    const target = k * intoRow + intoStart;
+    for (let j = 0; j < size; j++) into[target + j] = from[source + j];
+  }
+}

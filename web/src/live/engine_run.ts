@@ -1,0 +1,219 @@
+// One run of a compiled time loop, in pieces, so that progress is told and a run can be given up: native_run.py's twin.
+
+import { Engine, EngineError, expect, known, type Written } from "./engine";
+
+/** As tmodes/integrate/settings.py names them. */
+export interface RunSettings {
+  duration: number; // s
+  relativeTolerance: number;
+  absoluteTolerance: number;
+  step: number; // s; of methods with a fixed step
+  maxSteps: number;
+}
+
+/** What a run is made of: loop `REGIME.METHOD`, numbers, signals as pieces of polynomials, first state, sample times. */
+export interface RunSpec {
+  loop: string;
+  parameters: Float64Array;
+  knots: Float64Array; // [pieces + 1] s, the last one the end of the run
+  rows: Float64Array; // [pieces, row]: start of the piece, coefficients
+  state: Float64Array;
+  times: Float64Array; // [n] s, the first one 0
+  settings: RunSettings;
+}
+
+/** How a run ended, as far as it came: n samples. */
+export interface RunResult {
+  /** finished, diverged, step_too_small, not_converged, chattering, stopped. */
+  status: string;
+  message: string;
+  times: Float64Array; // [n] s
+  states: Float64Array; // [n, size]
+  /** Sums of the sizes of the local errors [n, size]; zeros of methods that do not tell them. */
+  errors: Float64Array;
+  statistics: Record<string, number | string | null>;
+}
+
+const FIXED_STEP = ["rk4", "midpoint"];
+const FIRST_PIECE = 500;
+
+/** A run that goes on as far as it is asked to: the pieces in which it is done change no bit of it. */
+export class EngineRun {
+  private readonly method: string;
+  private readonly memory: Float64Array;
+  private readonly state: Float64Array;
+  private readonly slope: Float64Array;
+  private readonly states: Float64Array;
+  private readonly sums: Float64Array;
+  private readonly sumsAtSamples: Float64Array;
+
+  constructor(
+    private readonly engine: Engine,
+    private readonly spec: RunSpec,
+  ) {
+    const told = known(engine.layout.loops, spec.loop, "loop");
+    expect(`${spec.loop}: parameters`, spec.parameters.length, told.parameters);
+    expect(`${spec.loop}: state`, spec.state.length, told.size);
+    expect(`${spec.loop}: rows`, spec.rows.length, (spec.knots.length - 1) * told.row);
+    this.method = told.method;
+    this.memory = new Float64Array(engine.layout.cells.length);
+    this.state = spec.state.slice();
+    this.slope = new Float64Array(told.size);
+    this.sums = new Float64Array(told.size);
+    this.states = new Float64Array(spec.times.length * told.size);
+    this.sumsAtSamples = new Float64Array(spec.times.length * told.size);
+    this.states.set(spec.state);
+    this.put({ sample: 1, fresh: 1, old_error: 1e-4 });
+  }
+
+  /** Time that is reached [s]. */
+  get time(): number {
+    return this.cell("t");
+  }
+
+  /** Whether something is left to do. */
+  get running(): boolean {
+    return this.cell("status") === this.engine.layout.statuses.running && this.tried < this.spec.settings.maxSteps;
+  }
+
+  private get tried(): number {
+    return this.cell("steps") + this.cell("rejected");
+  }
+
+  private cell(name: string): number {
+    return this.memory[this.engine.layout.cells.indexOf(name)];
+  }
+
+  private put(values: Record<string, number>): void {
+    for (const [name, value] of Object.entries(values)) this.memory[this.engine.layout.cells.indexOf(name)] = value;
+  }
+
+  /** Do at most so many steps. */
+  advance(steps: number): void {
+    const { layout } = this.engine;
+    const { settings, knots, rows, times, parameters } = this.spec;
+    const most = Math.max(1, Math.min(steps, settings.maxSteps - this.tried));
+    const chosen: Record<string, number> = {
+      step: settings.step, rtol: settings.relativeTolerance, atol: settings.absoluteTolerance, chunk: most,
+      bound: layout.limits.bound, watch: 0, most_events: layout.limits.most_events, event_time: layout.limits.event_time,
+      looks: 0,
+    };
+    const before = this.cell("sample");
+    const fresh = (into: Float64Array): Written => ({
+      into, range: () => [before * this.state.length, this.cell("sample") * this.state.length],
+    });
+    const both = (into: Float64Array): Written => ({ into, given: true });
+    const given: Record<string, Float64Array | number | Written> = {
+      memory: both(this.memory), y: both(this.state), k1: both(this.slope), p: parameters, knots, rows, times,
+      out: fresh(this.states), options: Float64Array.from(layout.options, (name) => chosen[name]), errors: both(this.sums),
+      errors_out: fresh(this.sumsAtSamples), seen: new Float64Array(1), segments: knots.length - 1, samples: times.length,
+    };
+    this.engine.call(layout.loops[this.spec.loop].export, layout.arguments.map((name) => given[name]));
+  }
+
+  /** The run as far as it came. */
+  result(): RunResult {
+    const done = this.cell("sample");
+    const size = this.state.length;
+    const [status, message] = this.ending();
+    return {
+      status, message, times: this.spec.times.slice(0, done), states: this.states.slice(0, done * size),
+      errors: this.sumsAtSamples.slice(0, done * size), statistics: this.statistics(),
+    };
+  }
+
+  private statistics(): Record<string, number | string | null> {
+    const [steps, smallest, t] = [this.cell("steps"), this.cell("smallest"), this.time];
+    const mean = steps ? t / steps : null;
+    const told: Record<string, number | string | null> = {
+      steps, rejected: this.cell("rejected"), evaluations: this.cell("evaluations"), method: this.method,
+      mean_step_s: mean, smallest_step_s: smallest > 0 ? smallest : mean,
+    };
+    if (FIXED_STEP.includes(this.method)) told.step = this.cell("h");
+    if (this.cell("passes")) told.passes = this.cell("passes");
+    if (this.cell("events")) told.contact_changes = this.cell("events");
+    return told;
+  }
+
+  private ending(): [string, string] {
+    const { statuses, limits } = this.engine.layout;
+    const { settings } = this.spec;
+    const [status, t] = [this.cell("status"), `t = ${figures(this.time, 6)} s`];
+    if (status === statuses.finished) return ["finished", `reached the end, t = ${figures(settings.duration, 6)} s`];
+    if (status === statuses.running) {
+      return ["stopped", `stopped at ${t} of ${figures(settings.duration, 6)} s: integration.max_steps = ${settings.maxSteps} is used up`];
+    }
+    if (status === statuses.chattering) {
+      const often = `more than ${limits.most_events} times within ${limits.event_time} s`;
+      return ["chattering", `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`];
+    }
+    return this.lost(status, t);
+  }
+
+  /** Where the motion could not be followed: the coordinate of largest acceleration, and what is likely the cause. */
+  private lost(status: number, at: string): [string, string] {
+    const { statuses, coordinates, limits } = this.engine.layout;
+    const count = coordinates.length;
+    const sizes = Array.from(this.rates().subarray(count, 2 * count), (a) => (Number.isFinite(a) ? Math.abs(a) : Infinity));
+    const k = sizes.indexOf(Math.max(...sizes));
+    const followed = sizes[k] < limits.bound;
+    const kind = !followed ? "diverged" : status === statuses.not_converged ? "not_converged" : status === statuses.step_too_small ? "step_too_small" : "diverged";
+    const value = `its acceleration is ${figures(sizes[k], 3)} rad/s^2`;
+    const words = kind.replaceAll("_", " ");
+    return [kind, `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; its last step was of ${figures(this.cell("h"), 3)} s`];
+  }
+
+  private rates(): Float64Array {
+    const { loop, parameters, rows } = this.spec;
+    const { row } = this.engine.layout.loops[loop];
+    const segment = Math.min(this.cell("segment"), rows.length / row - 1);
+    const inputs = { time: Float64Array.of(this.time), state: this.state, row: rows.slice(segment * row, (segment + 1) * row), step: new Float64Array(1) };
+    return this.engine.sample(`${loop.slice(0, loop.lastIndexOf("."))}.rate`, parameters, inputs, 1).rate;
+  }
+}
+
+/** A run that was given up. */
+export class Cancelled extends EngineError {
+  override name = "Cancelled";
+}
+
+/** How a run is watched: `progress` hears the share of the time that is done, `cancelled` tells whether to give up. */
+export interface Watch {
+  progress?: (share: number) => void;
+  cancelled?: () => boolean;
+  /** Wall time between two looks at the above [s], in which nothing else of the page runs. */
+  piece?: number;
+}
+
+/** A whole run. A short one is done at once; a longer one lets others have their turn; raises Cancelled. */
+export async function integrate(engine: Engine, spec: RunSpec, watch: Watch = {}): Promise<RunResult> {
+  const run = new EngineRun(engine, spec);
+  const wanted = 1000 * (watch.piece ?? 0.05);
+  let piece = FIRST_PIECE;
+  let since = performance.now();
+  while (run.running) {
+    const began = performance.now();
+    run.advance(piece);
+    const now = performance.now();
+    piece = Math.max(1, Math.floor(piece * Math.min(4, wanted / Math.max(now - began, 1e-3))));
+    if (now - since < wanted) continue;
+    watch.progress?.(run.time / spec.settings.duration);
+    await new Promise((resolve) => setTimeout(resolve, 0));
+    if (watch.cancelled?.()) throw new Cancelled(`the run was given up at t = ${figures(run.time, 6)} s`);
+    since = performance.now();
+  }
+  return run.result();
+}
+
+/** Times of the samples [s]: every `outputStep`, and the end, which is a sample even where it is no multiple. */
+export function sampleTimes(duration: number, outputStep: number): Float64Array {
+  const count = Math.floor((duration / outputStep) * (1 + 1e-12));
+  const whole = duration - count * outputStep <= 1e-9 * outputStep;
+  const times = Float64Array.from({ length: count + (whole ? 1 : 2) }, (_, k) => k * outputStep);
+  times[times.length - 1] = duration;
+  return times;
+}
+
+function figures(value: number, digits: number): string {
+  return String(Number(value.toPrecision(digits)));
+}

@@ -1,0 +1,80 @@
+// Headline numbers of a run in the page, by the ids and words of tmodes/report/facts.py and robot_facts.py.
+
+import type { LiveRun } from "../contract";
+import { sizes, worst, type SeriesOf } from "./series";
+
+export type Facts = LiveRun["facts"];
+
+const BAND = 0.05;
+const FEWEST = 8;
+
+/** A number in so many figures. */
+export function figures(value: number, digits = 3): string {
+  return String(Number(value.toPrecision(digits)));
+}
+
+/** Mean over time; the last sample may follow a shorter step. */
+export function meanOverTime(times: Float64Array, values: Float64Array): number {
+  if (times.length < 2) return values[0];
+  let total = 0;
+  for (let k = 1; k < times.length; k += 1) total += ((values[k] + values[k - 1]) / 2) * (times[k] - times[k - 1]);
+  return total / (times[times.length - 1] - times[0]);
+}
+
+/** How far the tip is from its reference, how long it takes to settle, how it swings after the move. */
+export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: number | null): Facts {
+  const facts: Facts = {};
+  const deviation = series.deviation?.data;
+  if (deviation) {
+    const k = worst(deviation);
+    const end = deviation[deviation.length - 1];
+    facts["deviation.max"] = { value: deviation[k], note: `at ${figures(times[k])} s; ${figures(end)} m at the end of the run` };
+    facts["deviation.rms"] = { value: Math.sqrt(meanOverTime(times, deviation.map((x) => x * x))), note: "over the run" };
+    facts.settling = settling(times, deviation, moveEnd);
+  }
+  facts["vibration.residual"] = vibration(times, series, moveEnd);
+  return facts;
+}
+
+function settling(times: Float64Array, deviation: Float64Array, moveEnd: number | null): Facts[string] {
+  if (moveEnd === null) return { value: null, note: "not seen: what moves the robot changes up to the end of the run" };
+  const end = times[times.length - 1];
+  if (end <= moveEnd * (1 + 1e-9)) return { value: null, note: "not seen here: the run ends with the move" };
+  const limit = BAND * deviation[worst(deviation)];
+  let outside = -1;
+  for (let k = 0; k < times.length; k += 1) if (times[k] > moveEnd && deviation[k] > limit) outside = k;
+  if (outside === times.length - 1) return { value: null, note: "not seen: it swings to the end of the run" };
+  const note = `until the tip stays within ${figures(limit)} m, ${100 * BAND} % of its largest deviation`;
+  return { value: outside < 0 ? 0 : times[outside] - moveEnd, note };
+}
+
+function vibration(times: Float64Array, series: SeriesOf, moveEnd: number | null): Facts[string] {
+  if (moveEnd === null) return { value: null, note: "what moves the robot changes up to the end of the run" };
+  const first = times.findIndex((time) => time > moveEnd * (1 + 1e-9));
+  if (first < 0 || times.length - first < FEWEST) return { value: null, note: "the run ends with the move" };
+  const planned = series.tip_reference?.data;
+  const tip = series.tip.data.map((value, k) => value - (planned ? planned[k] : 0)).subarray(3 * first);
+  const mean = [0, 1, 2].map((axis) => tip.reduce((sum, value, k) => (k % 3 === axis ? sum + value : sum), 0) / (tip.length / 3));
+  const away = sizes(tip.map((value, k) => value - mean[k % 3]), 3);
+  return { value: away[worst(away)], note: `about its mean place, from ${figures(times[first])} s on` };
+}
+
+/** How well the energies add up: the worst residual of their balance over what was moved. */
+export function energyFacts(series: SeriesOf, count: number): Facts {
+  if (!series.energy || !series.energy_balance) return {};
+  const { energy, work } = series;
+  const kinds = energy.shape[1];
+  const moved = Math.max(
+    energy.data.reduce((most, value, k) => Math.max(most, Math.abs(value - energy.data[k % kinds])), 0),
+    work.data.reduce((most, value) => Math.max(most, Math.abs(value)), 0),
+  );
+  const residual = Math.abs(series.energy_balance.data[worst(series.energy_balance.data.subarray(0, count))]);
+  const note = moved ? `worst residual, ${figures(residual)} J, over ${figures(moved)} J moved` : "nothing moved";
+  return { "energy.residual": { value: moved ? residual / moved : null, note } };
+}
+
+/** The value of largest size of a series, and when. */
+export function largestFact(times: Float64Array, values: Float64Array, width = 1): Facts[string] {
+  const k = worst(values);
+  return { value: Math.abs(values[k]), note: `at ${figures(times[Math.floor(k / width)])} s` };
+}

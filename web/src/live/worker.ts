@@ -1,0 +1,46 @@
+// The worker of a live page: one bundle, one run at a time; a newer one ends an older one at its next look around.
+
+import { Cancelled } from "./engine_run";
+import { buffersIn, type Answered, type Asked } from "./messages";
+import { openRunner, type Runner } from "./runner";
+
+interface Scope {
+  onmessage: ((event: MessageEvent<Asked>) => void) | null;
+  postMessage(answer: Answered, transfer?: Transferable[]): void;
+}
+
+const scope = self as unknown as Scope;
+let runner: Runner | null = null;
+let latest = -1;
+let before: Promise<void> = Promise.resolve();
+
+scope.onmessage = ({ data }) => {
+  if (data.kind === "open") {
+    openRunner(data.bundle).then(
+      (opened) => {
+        runner = opened;
+        scope.postMessage({ kind: "ready" });
+      },
+      (problem) => scope.postMessage({ kind: "failed", message: String(problem) }),
+    );
+    return;
+  }
+  const { id, values } = data;
+  latest = id;
+  before = before.then(() => made(id, values));
+};
+
+async function made(id: number, values: number[]): Promise<void> {
+  const cancelled = () => id !== latest;
+  try {
+    if (!runner) throw new Error("the live model is not open");
+    // Several values of a dragged slider may wait: messages are read first, and all but the last are given up.
+    await new Promise((resolve) => setTimeout(resolve, 0));
+    if (cancelled()) throw new Cancelled("a newer run began");
+    const run = await runner.run(values, { cancelled, progress: (share) => scope.postMessage({ kind: "progress", id, share }) });
+    scope.postMessage({ kind: "done", id, run }, buffersIn(run));
+  } catch (problem) {
+    const message = problem instanceof Error ? problem.message : String(problem);
+    scope.postMessage({ kind: "error", id, cancelled: problem instanceof Cancelled, message });
+  }
+}

@@ -1,0 +1,76 @@
+// A page of results: robot and numbers, time bar, linked charts, elastic line and modes, mounted into one element.
+
+import { makeClock, type Clock } from "./clock";
+import { mountCharts } from "./charts/charts";
+import type { LiveRun, Page, SceneView } from "./contract";
+import { make } from "./dom";
+import { openLive } from "./live/live";
+import { mountFacts } from "./panels/facts";
+import { mountLine } from "./panels/line";
+import { mountModes } from "./panels/modes";
+import { fileName, mountSave } from "./panels/save";
+import { mountSliders } from "./panels/sliders";
+import { mountTransport } from "./panels/transport";
+import { mountScene } from "./scene/scene";
+
+export interface PageView {
+  readonly clock: Clock;
+  /** Beside the robot, under the numbers: room for sliders. */
+  readonly side: HTMLElement;
+  readonly scene: SceneView;
+  /** Draw another run of the first run's robot everywhere, the page's own as ghost; null: the page's own alone. */
+  show(live: LiveRun | null): void;
+  dispose(): void;
+}
+
+export function mountPage(root: HTMLElement, page: Page): PageView {
+  const duration = Math.max(...page.runs.map((run) => run.duration));
+  const clock = makeClock(duration);
+  const stage = make("div", { class: "scene" });
+  const facts = make("div", { class: "facts-panel", role: "region", tabindex: "0", "aria-label": "Numbers that matter" });
+  const sliders = make("div", { class: "sliders-panel", role: "region", tabindex: "0", "aria-label": "Settings" });
+  const side = make("div", { class: "side" }, sliders, facts);
+  const transport = make("div", { class: "transport", role: "group", "aria-label": "Time" });
+  const charts = make("section", { class: "charts", "aria-label": "Charts" });
+  const line = section("Elastic line", page.runs[0].line !== null);
+  const modes = section("Modes of vibration", page.runs[0].modes.length > 0);
+  const files = make("div", { class: "bar files" });
+  root.classList.add("app");
+  root.append(make("div", { class: "stage" }, stage, side), transport, charts, make("div", { class: "lower" }, line.element, modes.element), files);
+
+  const scene = mountScene(stage, page, clock);
+  const parts: { dispose(): void }[] = [scene, mountTransport(transport, clock)];
+  const factsView = mountFacts(facts, page);
+  const chartsView = mountCharts(charts, page, clock);
+  const lineView = page.runs[0].line ? mountLine(line.body, page, clock) : null;
+  if (page.runs[0].modes.length) parts.push(mountModes(modes.body, page, scene, clock));
+  mountSave(files, page);
+
+  function show(live: LiveRun | null): void {
+    clock.setDuration(Math.max(live ? live.times[live.times.length - 1] : 0, duration));
+    scene.replace(0, live ? live.scene : null);
+    chartsView.show(live);
+    lineView?.show(live);
+    factsView.show(live);
+  }
+
+  if (page.live) parts.push(mountSliders(sliders, page.live, { open: openLive, show, fileName: `${fileName(page.runs[0].name)}_changed` }));
+  else if (page.notLive) sliders.append(make("p", { class: "note", text: `Nothing can be changed in this page: ${page.notLive}.` }));
+
+  return {
+    clock,
+    side: sliders,
+    scene,
+    show,
+    dispose() {
+      clock.pause();
+      [...parts, chartsView, ...(lineView ? [lineView] : [])].forEach((part) => part.dispose());
+      root.replaceChildren();
+    },
+  };
+}
+
+function section(title: string, there: boolean): { element: HTMLElement; body: HTMLElement } {
+  const body = make("div", {});
+  return { element: make("section", { class: "panel", hidden: !there, "aria-label": title }, make("h3", { text: title }), body), body };
+}

@@ -1,0 +1,147 @@
+// The elastic line at the page's time: deflection, slope, moment and shear along the links, root to tip.
+
+import uPlot from "uplot";
+import type { Clock } from "../clock";
+import { colour, lookOf } from "../charts/look";
+import type { LinePanel, LiveRun, Page } from "../contract";
+import { make, swatch } from "../dom";
+import { digits, plain, readable } from "../format";
+import type { Numbers } from "../pack";
+
+export interface LineView {
+  /** The live model's lines of the first run; null: the page's own. */
+  show(live: LiveRun | null): void;
+  dispose(): void;
+}
+
+const HEIGHT = 150;
+const FONT = "12px system-ui, sans-serif";
+
+interface Picture {
+  plot: uPlot;
+  quantity: LinePanel["quantities"][number];
+  factor: number;
+}
+
+export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineView {
+  let panel = page.runs[0].line;
+  let times: ArrayLike<number> = page.runs[0].scene.times.data;
+  let pictures: Picture[] = [];
+  const grid = make("div", { class: "line-grid" });
+  const heading = make("p", { class: "note" });
+  element.append(heading, grid);
+
+  function build(): void {
+    pictures.forEach(({ plot }) => plot.destroy());
+    grid.replaceChildren();
+    pictures = panel === null ? [] : panel.quantities.map((quantity) => picture(grid, panel!, quantity));
+    show();
+  }
+
+  function show(): void {
+    if (panel === null) return;
+    const frame = nearest(times, clock.time);
+    heading.textContent = `${panel.links.join(", ")}: along the links from root to tip, at ${digits(times[frame], 4)} s. The scales are those of the whole run.`;
+    const axis = along(panel);
+    for (const { plot, quantity, factor } of pictures) {
+      const columns = quantity.planes.map((_, k) => row(panel!, quantity.values, frame, k, quantity.planes.length, factor));
+      plot.setData([axis, ...columns] as uPlot.AlignedData, false);
+    }
+  }
+
+  const dark = matchMedia("(prefers-color-scheme: dark)");
+  const redraw = () => pictures.forEach(({ plot }) => plot.redraw());
+  dark.addEventListener("change", redraw);
+  const resized = new ResizeObserver(() => pictures.forEach(({ plot }) => {
+    const width = plot.root.parentElement?.clientWidth ?? 0;
+    if (width > 0 && width !== plot.width) plot.setSize({ width, height: HEIGHT });
+  }));
+  resized.observe(grid);
+  const end = clock.subscribe(show);
+  build();
+  return {
+    show(live) {
+      panel = live ? live.line : page.runs[0].line;
+      times = live ? live.scene.times.data : page.runs[0].scene.times.data;
+      build();
+    },
+    dispose() {
+      end();
+      resized.disconnect();
+      dark.removeEventListener("change", redraw);
+      pictures.forEach(({ plot }) => plot.destroy());
+      element.replaceChildren();
+    },
+  };
+}
+
+/** Places of all stations along the chain of bending links; a link begins where the one before ended. */
+function along(panel: LinePanel): number[] {
+  const stations = panel.places.shape[1];
+  const found: number[] = [];
+  let start = 0;
+  for (let link = 0; link < panel.links.length; link += 1) {
+    for (let k = 0; k < stations; k += 1) found.push(start + panel.places.data[link * stations + k] + (k === 0 ? 1e-9 : 0));
+    start = found[found.length - 1];
+  }
+  return found;
+}
+
+/** One plane of a quantity at a frame, over all links; values [m, links, S, planes]. */
+function row(panel: LinePanel, values: Numbers, frame: number, plane: number, planes: number, factor: number): number[] {
+  const count = panel.links.length * panel.places.shape[1];
+  const start = frame * count * planes;
+  return Array.from({ length: count }, (_, k) => factor * values.data[start + k * planes + plane]);
+}
+
+function nearest(times: ArrayLike<number>, time: number): number {
+  let low = 0;
+  let high = times.length - 1;
+  while (high - low > 1) {
+    const middle = (low + high) >> 1;
+    if (times[middle] <= time) low = middle;
+    else high = middle;
+  }
+  return Math.abs(times[high] - time) < Math.abs(times[low] - time) ? high : low;
+}
+
+function picture(grid: HTMLElement, panel: LinePanel, quantity: LinePanel["quantities"][number]): Picture {
+  let [low, high] = [0, 0];
+  for (const value of quantity.values.data) [low, high] = [Math.min(low, value), Math.max(high, value)];
+  const unit = readable(quantity.unit, Math.max(-low, high));
+  const looks = quantity.planes.map((_, k) => lookOf("real", k, true, 1));
+  const place = make("div", { class: "plot-area", role: "img", "aria-label": `${quantity.label} along the links, between ${plain(low * unit.factor)} and ${plain(high * unit.factor)} ${unit.name}` });
+  const legend = make("div", { class: "legend" }, ...quantity.planes.map((name, k) => make("span", { class: "key" }, swatch(`var(${looks[k].property})`, looks[k].dash), make("span", { text: name }))));
+  const title = make("h4", { text: quantity.label }, make("span", { class: "unit", text: ` [${unit.name || "–"}]` }));
+  grid.append(make("figure", { class: "chart" }, make("figcaption", {}, title, legend), place));
+  const room = 0.06 * (high - low) || 1;
+  const lines = { stroke: () => colour("--grid"), width: 1 };
+  const axis = { stroke: () => colour("--quiet"), font: FONT, grid: lines, ticks: { ...lines, size: 4 } };
+  const axisPlaces = along(panel);
+  const joints = panel.links.slice(1).map((_, k) => axisPlaces[(k + 1) * panel.places.shape[1]]);
+  const plot = new uPlot({
+    width: Math.max(place.clientWidth, 120), height: HEIGHT, legend: { show: false }, padding: [8, 14, 0, 0], cursor: { show: false },
+    scales: { x: { time: false }, y: { range: [(low - room) * unit.factor, (high + room) * unit.factor] } },
+    axes: [{ ...axis, label: "along the links [m]", labelSize: 18, labelFont: FONT, size: 30, values: (_, marks) => marks.map(plain) },
+      { ...axis, size: (_, marks) => 16 + 7 * Math.max(2, ...(marks ?? []).map((mark) => mark.length)), values: (_, marks) => marks.map(plain) }],
+    series: [{}, ...looks.map((look) => ({ stroke: () => colour(look.property), dash: look.dash, width: 1.6, points: { show: false } }))],
+    hooks: { draw: [(drawn) => separators(drawn, joints)] },
+  }, [axisPlaces, ...looks.map(() => axisPlaces.map(() => 0))] as uPlot.AlignedData, place);
+  return { plot, quantity, factor: unit.factor };
+}
+
+/** Thin lines where one link ends and the next begins. */
+function separators(plot: uPlot, places: number[]): void {
+  const { ctx, bbox } = plot;
+  ctx.save();
+  ctx.strokeStyle = colour("--quiet");
+  ctx.setLineDash([3, 3]);
+  for (const place of places) {
+    const x = plot.valToPos(place, "x", true);
+    ctx.beginPath();
+    ctx.moveTo(x, bbox.top);
+    ctx.lineTo(x, bbox.top + bbox.height);
+    ctx.stroke();
+  }
+  ctx.restore();
+}

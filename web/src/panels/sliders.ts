@@ -1,0 +1,120 @@
+// What if: the robot's own numbers changed in the page, the run made anew, everything follows.
+
+import type { Live, LiveBundle, LiveRun } from "../contract";
+import { button, make, save } from "../dom";
+import { told } from "../format";
+import { makeSlider, type SliderRow } from "./slider";
+
+export interface SlidersOptions {
+  /** Starts the live model; `openLive` of live/live.ts. */
+  open(bundle: LiveBundle): Promise<Live>;
+  /** Shows another run everywhere; null: the page's own. */
+  show(live: LiveRun | null): void;
+  /** Of the file with a changed data sheet, without its ending. */
+  fileName: string;
+}
+
+const PATIENCE = 300; // ms after which a bar shows how far a run is
+
+export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: SlidersOptions): { dispose(): void } {
+  const status = make("p", { class: "note", role: "status", "aria-live": "polite", text: "starts …" });
+  const bar = make("progress", { max: "1", value: "0", hidden: true, "aria-label": "Progress of the simulation" });
+  const reset = button("reset all", () => put(null), { disabled: true });
+  const keep = button("Save YAML", () => live && save(live.sheet(values()), `${options.fileName}.yaml`, "application/yaml"), { disabled: true });
+  const rows = bundle.sliders.map((slider) => makeSlider(slider, changed));
+  let live: Live | null = null;
+  let closed = false;
+  let asked = 0;
+  let scheduled = 0;
+  let patience = 0;
+
+  const values = () => rows.map((row) => row.value);
+  const unchanged = () => rows.every((row) => row.value === row.slider.value);
+
+  function changed(): void {
+    reset.disabled = unchanged();
+    if (!scheduled) scheduled = requestAnimationFrame(simulate);
+  }
+
+  function put(wanted: number[] | null): void {
+    rows.forEach((row, k) => { row.value = wanted ? wanted[k] : row.slider.value; });
+    changed();
+  }
+
+  async function simulate(): Promise<void> {
+    scheduled = 0;
+    if (!live) return;
+    const own = (asked += 1);
+    if (unchanged()) {
+      ended();
+      options.show(null);
+      status.textContent = "The run as it was.";
+      void live.run(values()).catch(() => undefined); // ends what may still be running
+      return;
+    }
+    if (!patience) patience = window.setTimeout(() => { bar.hidden = false; }, PATIENCE);
+    try {
+      const run = await live.run(values(), (share) => { if (own === asked) bar.value = share; });
+      if (own !== asked || closed) return;
+      options.show(run);
+      const how = run.status === "finished" ? "Simulated" : `${run.status}: ${run.message}; simulated`;
+      status.textContent = `${how} in ${told(run.seconds, "s")}; the run as it was is pale.`;
+      status.classList.toggle("warned", run.status !== "finished");
+      ended();
+    } catch (error) {
+      if (own !== asked || closed || (error instanceof Error && error.name === "Superseded")) return;
+      ended();
+      status.textContent = `This could not be simulated: ${error instanceof Error ? error.message : String(error)}`;
+      status.classList.add("warned");
+    }
+  }
+
+  function ended(): void {
+    clearTimeout(patience);
+    patience = 0;
+    bar.hidden = true;
+    bar.value = 0;
+  }
+
+  element.append(make("div", { class: "bar" }, make("h3", { text: "What if" }), reset, keep), status, bar, ...grouped(rows), ...notes(bundle));
+  void options.open(bundle).then(
+    (opened) => {
+      if (closed) return opened.close();
+      live = opened;
+      keep.disabled = false;
+      status.textContent = "Move a slider: the robot is simulated anew, here in the page.";
+      if (!unchanged()) changed();
+    },
+    (error: unknown) => {
+      status.textContent = `Nothing can be changed here, the robot's equations could not be started: ${error instanceof Error ? error.message : String(error)}`;
+      rows.forEach((row) => row.element.remove());
+      reset.remove();
+    },
+  );
+  return {
+    dispose() {
+      closed = true;
+      cancelAnimationFrame(scheduled);
+      ended();
+      live?.close();
+      element.replaceChildren();
+    },
+  };
+}
+
+function grouped(rows: SliderRow[]): HTMLElement[] {
+  const groups = [...new Set(rows.map((row) => row.slider.group))];
+  return groups.map((group) => make("fieldset", {}, make("legend", { text: group }),
+    ...rows.filter((row) => row.slider.group === group).map((row) => row.element)));
+}
+
+/** What the live model does otherwise than the run did, and what it leaves out. */
+function notes(bundle: LiveBundle): HTMLElement[] {
+  const settings = bundle.settings as { note?: unknown } | undefined;
+  const left = Array.isArray(bundle.leftOut) ? (bundle.leftOut as { path?: unknown; reason?: unknown }[]) : [];
+  const words = [
+    ...(typeof settings?.note === "string" && settings.note ? [settings.note] : []),
+    ...(left.length ? [`Not offered: ${left.map(({ path, reason }) => `${String(path)} (${String(reason)})`).join("; ")}.`] : []),
+  ];
+  return words.map((text) => make("p", { class: "note", text }));
+}

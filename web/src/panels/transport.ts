@@ -1,0 +1,64 @@
+// The time bar: play and pause, scrub, speed, the time shown; space and arrow keys wherever nothing else wants them.
+
+import type { Clock } from "../clock";
+import { button, make, ownId } from "../dom";
+import { digits } from "../format";
+
+const SPEEDS = [0.05, 0.1, 0.2, 0.5, 1, 2];
+const STEPS = 1000;
+const ARROW = 1 / 200;
+
+export function mountTransport(element: HTMLElement, clock: Clock): { dispose(): void } {
+  const play = button("", () => clock.toggle(), { class: "play" });
+  const scrub = make("input", { type: "range", min: "0", max: String(STEPS), step: "1", "aria-label": "Time", class: "scrub" });
+  const shown = make("output", { class: "time", "aria-live": "off" });
+  const speedName = ownId("speed");
+  const speed = make("select", { id: speedName }, ...SPEEDS.map((value) => make("option", { value: String(value), text: `${value}×`, selected: value === clock.speed })));
+  scrub.addEventListener("input", () => clock.seek((Number(scrub.value) / STEPS) * clock.duration));
+  speed.addEventListener("change", () => { clock.speed = Number(speed.value); });
+  const places = Math.max(3, Math.ceil(-Math.log10(clock.duration || 1)) + 3);
+  const tell = () => {
+    const share = clock.duration > 0 ? clock.time / clock.duration : 0;
+    if (document.activeElement !== scrub || Number(scrub.value) !== Math.round(share * STEPS)) scrub.value = String(Math.round(share * STEPS));
+    scrub.setAttribute("aria-valuetext", `${clock.time.toFixed(places)} s`);
+    shown.textContent = `${clock.time.toFixed(places)} s of ${digits(clock.duration)} s`;
+    const words = clock.playing ? "Pause" : "Play";
+    if (play.getAttribute("aria-label") !== words) {
+      play.setAttribute("aria-label", words);
+      play.title = `${words} (space)`;
+      play.textContent = clock.playing ? "❚❚" : "▶";
+    }
+  };
+  const keys = (event: KeyboardEvent) => {
+    if (event.defaultPrevented || event.ctrlKey || event.metaKey || event.altKey || wanted(event)) return;
+    const acts: Record<string, () => void> = {
+      " ": () => clock.toggle(),
+      ArrowRight: () => clock.seek(clock.time + (event.shiftKey ? 10 : 1) * ARROW * clock.duration),
+      ArrowLeft: () => clock.seek(clock.time - (event.shiftKey ? 10 : 1) * ARROW * clock.duration),
+    };
+    const act = acts[event.key];
+    if (!act) return;
+    event.preventDefault();
+    act();
+  };
+  document.addEventListener("keydown", keys);
+  element.append(play, scrub, shown, make("label", { for: speedName, text: "speed" }), speed);
+  const end = clock.subscribe(tell);
+  tell();
+  return {
+    dispose() {
+      end();
+      document.removeEventListener("keydown", keys);
+      element.replaceChildren();
+    },
+  };
+}
+
+/** Whether what has the focus takes this key itself. */
+function wanted(event: KeyboardEvent): boolean {
+  const place = event.target;
+  if (!(place instanceof HTMLElement)) return false;
+  if (place.isContentEditable || place.closest("input, select, textarea, canvas, [role=tablist]")) return true;
+  if (event.key === " ") return place.closest("button, a, summary") !== null;
+  return place.closest(".scroll") !== null;
+}
