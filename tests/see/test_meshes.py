@@ -12,6 +12,7 @@ import pytest
 from see.scenes import arm_result
 from see.test_scene import plain
 from tmodes.arm_result import ArmResult
+from tmodes.arm_runs import ArmRunFolder
 from tmodes.errors import InputError
 from tmodes.io.mesh_file import Triangles, read_mesh
 from tmodes.io.primitives import box, cylinder, sphere
@@ -199,3 +200,10 @@ def test_a_link_without_length_is_there_for_its_mesh() -> None:
     for part in ("line", "rigid", "reference"):
         assert np.abs(plain(scene[part])[:, 1, 0] - plain(whole[part])[:, 1, 0]).max() < 1e-5, part
     assert modes_of(result)[0]["rest"].shape == (2, 21, 3)
+
+
+def test_a_run_keeps_how_its_links_look(tmp_path: Path) -> None:
+    arm = arm_result().arm.with_({"integration.duration": 0.02})
+    with ArmRunFolder(tmp_path / "run", arm, shapes=[LinkShape("hand", "#102030", sphere(0.05))]) as folder:
+        folder.simulate(lambda stage, share: None)
+    assert [mesh.link for mesh in kept_meshes(ArmResult.load(folder.result_file).data)] == ["hand"]
