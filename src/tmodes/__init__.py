@@ -16,6 +16,7 @@ if TYPE_CHECKING:
     from tmodes.mechanism import Drive, Mechanism, Parameters, Reading
     from tmodes.model import Model
     from tmodes.motion.simulate import simulate_arm
+    from tmodes.notebook import show
     from tmodes.result import Result
     from tmodes.robot import NominalRealPair, Robot
     from tmodes.robots import load_robot
@@ -45,6 +46,7 @@ __all__ = [
     "load_robot",
     "load_sheet",
     "run",
+    "show",
     "simulate_arm",
     "simulate_batch",
     "tracking_error",
@@ -67,6 +69,7 @@ _HOMES = {
     "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",
     "load_robot": "tmodes.robots.load_robot",
     "load_sheet": "tmodes.robots.load.load_sheet",
+    "show": "tmodes.notebook.show",
     "simulate_arm": "tmodes.motion.simulate.simulate_arm",
     "simulate_batch": "tmodes.vary.simulate.simulate_batch",
     "tracking_error": "tmodes.sensitivity.functional.tracking_error",

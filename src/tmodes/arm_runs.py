@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from tmodes.io.urdf_shapes import LinkShape
     from tmodes.plot.save import Drawing
 
-__all__ = ["ArmRunFolder", "ready_to_run", "result_bytes"]
+__all__ = ["ArmRunFolder", "movable_joints", "ready_to_run", "result_bytes"]
 
 Progress = Callable[[str, float], None]
 
@@ -87,7 +87,7 @@ def ready_to_run(arm: Arm) -> Arm:
     """
     if arm.drives:
         return arm
-    movable = list(_movable(arm.chain()))
+    movable = list(movable_joints(arm.chain()))
     if not movable or arm.base_motion or any(load.signal for load in arm.loads):
         return arm
     if not (arm.initial.coordinates or arm.initial.rates):
@@ -102,7 +102,7 @@ def ready_to_run(arm: Arm) -> Arm:
     return arm.with_({"drives": [_free(name, has_motor) for name, has_motor in movable]})
 
 
-def _movable(chain: Chain) -> Iterator[tuple[str, bool]]:
+def movable_joints(chain: Chain) -> Iterator[tuple[str, bool]]:
     """Joints that a drive could move, and whether they have a motor."""
     for node in chain.nodes:
         joint = node.joint

@@ -18,6 +18,7 @@ from tmodes.io.words import shown
 if TYPE_CHECKING:
     from xarray import Dataset
 
+    from tmodes.notebook import Shown
     from tmodes.robot import Robot
 
 __all__ = ["RESULT_FORMAT", "STATUSES", "Result", "RunRecord", "kind_of", "read_record"]
@@ -126,6 +127,12 @@ class RunRecord:
             got, expected = repr(data.attrs["status"]), f"one of {STATUSES}"
             raise file_error(f"{path}, status", got, expected, "run the robot again")
         return cls(data)
+
+    def show(self, height: int = 760) -> Shown:
+        """The viewer of this run for a notebook: the robot in 3D, linked charts, numbers; ``height`` in pixels."""
+        from tmodes.notebook import show
+
+        return show(self, height=height)
 
     def _repr_html_(self) -> str:
         return self.data._repr_html_()

@@ -193,7 +193,7 @@ def test_enlarged_deformation_changes_the_picture_and_says_so(robot: Window) -> 
     robot.enlarge(70)
     assert differing(first, robot.picture()) > 300
     factor = round(200**0.7)
-    assert robot.page.locator(".scene-factor").text_content() == f"Displacement × {factor}"
+    assert robot.page.locator(".scene-factor").text_content() == f"Deformation × {factor}"
     robot.enlarge(0)
     assert differing(first, robot.picture()) == 0
 

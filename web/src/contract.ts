@@ -95,6 +95,8 @@ export interface Scene {
   /** The same without any elasticity, and of the reference; null where there is none. */
   rigid: Numbers | null;
   reference: Numbers | null;
+  /** The reference without any elasticity, about which its deformation is enlarged; null or none: `rigid` serves. */
+  referenceRigid?: Numbers | null;
   /** Rotation of each link's root as quaternions x, y, z, w [m, L, 4]. */
   roots: Numbers;
   /** What may colour the links: at least one; values [m, L, S], 0 on links that do not bend. */
@@ -202,7 +204,7 @@ export interface LiveRun {
   /** By the result's variable names, [n, ...]. */
   series: Record<string, { data: Float64Array; shape: number[] }>;
   /** New arrays for the scene's fields, at its own display times; links, joints and meshes stay. */
-  scene: Pick<Scene, "times" | "line" | "rigid" | "reference" | "roots" | "tip" | "tipReference"> & {
+  scene: Pick<Scene, "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference"> & {
     colours: Scene["colours"];
     contact: Pick<SceneContact, "force" | "at"> | null;
   };

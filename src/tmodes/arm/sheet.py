@@ -10,7 +10,7 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import Annotated, Any, Literal, Self
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
@@ -21,6 +21,9 @@ from tmodes.elements.frames import Origin, Vector, list_of_numbers
 from tmodes.elements.joint import JointSheet
 from tmodes.elements.quantity import LARGEST, DataSheet, Misfit, not_negative, refuse
 from tmodes.integrate.settings import ArmIntegration
+
+if TYPE_CHECKING:
+    from tmodes.notebook import Shown
 
 __all__ = ["ARM_FORMAT", "MOST_JOINTS", "Arm", "ArmPair"]
 
@@ -129,6 +132,15 @@ class Arm(DataSheet):
         from tmodes.io.arm_check import changed_arm
 
         return changed_arm(self, changes)
+
+    def show(self, height: int = 760) -> Shown:
+        """The viewer of this arm at rest with its modes, for a notebook; ``height`` in pixels.
+
+        Raises :class:`tmodes.errors.SimulationError` where it has no rest.
+        """
+        from tmodes.notebook import show
+
+        return show(self, height=height)
 
     def link(self, name: str) -> LinkSheet:
         """The link with this name; one that the sheet does not describe is rigid and has no mass."""

@@ -8,10 +8,11 @@ from numpy.typing import NDArray
 from tmodes.analysis.arm_line import LinkLine, LinkLines, elastic_line
 from tmodes.analysis.arm_split import deflections, elastic_names, split_motion
 from tmodes.analysis.arm_validity import run_warnings
+from tmodes.arm_model import ArmModel
 from tmodes.arm_result.series import Variables
 from tmodes.motion.run import ArmRun
 
-__all__ = ["line_series", "load_series", "run_wrenches", "straight_shape"]
+__all__ = ["line_series", "load_series", "run_wrenches", "straight_shape", "without_elasticity"]
 
 Array = NDArray[np.float64]
 
@@ -69,14 +70,19 @@ def run_wrenches(run: ArmRun) -> Array:
 
 
 def straight_shape(run: ArmRun) -> Array:
-    """Coordinates (n, nq) of the arm without any elasticity, its motors where they are."""
-    q, names = run.q.copy(), run.coordinates
-    bent = deflections(run.model, run.q)
-    for k, name in enumerate(elastic_names(run.model)):
+    """Coordinates (n, nq) of a run's arm without any elasticity, its motors where they are."""
+    return without_elasticity(run.model, run.q)
+
+
+def without_elasticity(model: ArmModel, q: Array) -> Array:
+    """Coordinates (n, nq) of the arm at ``q`` without any elasticity, its motors where they are."""
+    straight, names = q.copy(), model.coordinates
+    bent = deflections(model, q)
+    for k, name in enumerate(elastic_names(model)):
         if name.endswith(".gear") and name not in names:
-            q[:, names.index(name.removesuffix(".gear"))] -= bent[:, k]
-    q[:, run.model.deformations] = 0.0
-    return q
+            straight[:, names.index(name.removesuffix(".gear"))] -= bent[:, k]
+    straight[:, model.deformations] = 0.0
+    return straight
 
 
 def _shapes(shown: list[LinkLine], straight: LinkLines) -> Variables:

@@ -21,9 +21,9 @@ def check(
     as_json: AsJson = False,
 ) -> None:
     """Check a data sheet: all wrong values in one go, then what looks implausible (a wrong unit, say)."""
-    from tmodes.cli.arm_doubts import doubts_about
     from tmodes.cli.output import print_json
     from tmodes.errors import InputError, InputErrors
+    from tmodes.io.doubts import doubts_about
 
     try:
         sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)

@@ -22,7 +22,10 @@ from tmodes.cli.modes import modes
 from tmodes.cli.robots import robots
 from tmodes.cli.run import run
 from tmodes.cli.schema import schema
+from tmodes.cli.show import show
 from tmodes.cli.static import static
+from tmodes.cli.studio import studio
+from tmodes.cli.view import view
 from tmodes.errors import InputError, TmodesError
 
 __all__ = ["app", "main"]
@@ -44,7 +47,7 @@ app = typer.Typer(
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
     (batch, "batch"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
-    (bench, "bench"), (cache, "cache"),
+    (bench, "bench"), (cache, "cache"), (show, "show"), (studio, "studio"), (view, "view"),
 ):  # fmt: skip
     app.command(name)(command)
 

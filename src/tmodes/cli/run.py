@@ -100,11 +100,11 @@ def _folder(path: Path, sheet: Robot | Arm, overwrite: bool, looks: _Looks) -> R
 
 
 def _computed(folder: RunFolder, sheet: Robot | Arm, figures: bool) -> Any:
-    from tmodes.cli.arm_doubts import doubts_about
     from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice
     from tmodes.cli.progress import Stages
     from tmodes.errors import SimulationError
+    from tmodes.io.doubts import doubts_about
 
     with heard() as wish, folder, Stages(wish) as progress:
         if folder.continues:

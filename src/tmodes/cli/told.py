@@ -9,14 +9,26 @@ if TYPE_CHECKING:
     from tmodes.result import Result
     from tmodes.runs import RunFolder
 
-__all__ = ["told"]
+__all__ = ["told", "told_summary"]
 
 
 def told(result: Result | ArmResult, folder: RunFolder) -> None:
     """Print the summary of a run as a table, and the files to open."""
+    from tmodes.cli.integration_told import integration_lines
+
+    summary = told_summary(result)
+    if result.status == "finished":  # any other ending is told apart, where errors are
+        print(f"end     {result.message}")
+    for line in integration_lines(result, summary):
+        print(line)
+    print(f"open    {folder.report_file}" if folder.report_file.exists() else "no report was written")
+    print(f"data    {folder.result_file}")
+
+
+def told_summary(result: Result | ArmResult) -> dict[str, Any]:
+    """Print the summary of a result as a table, and give it back."""
     from tmodes.arm_result import ArmResult
     from tmodes.cli.arm_told import arm_rows
-    from tmodes.cli.integration_told import integration_lines
     from tmodes.cli.output import print_table
 
     summary = result.summary()
@@ -25,12 +37,7 @@ def told(result: Result | ArmResult, folder: RunFolder) -> None:
     else:
         title, rows = f"{result.robot.name}: {result.status} ({result.data.attrs['reading']} reading)", _rows(summary)
     print_table(title, ["quantity", "value", "error", "where"], list(rows))
-    if result.status == "finished":  # any other ending is told apart, where errors are
-        print(f"end     {result.message}")
-    for line in integration_lines(result, summary):
-        print(line)
-    print(f"open    {folder.report_file}" if folder.report_file.exists() else "no report was written")
-    print(f"data    {folder.result_file}")
+    return summary
 
 
 def _rows(summary: dict[str, Any]) -> Any:

@@ -9,6 +9,7 @@ import numpy as np
 
 from tmodes.arm import ArmPair
 from tmodes.integrate.settings import Integration, Method
+from tmodes.live.arm_bundle import arm_bundle, why_not_arm
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.template import sheet_template
 from tmodes.robot import NominalRealPair
@@ -23,6 +24,7 @@ FRAMES_PER_SECOND = 60
 """Frames of the picture in a second of motion, about."""
 
 _MOST_FRAMES = 3000
+_MOST_STATIONS = 21
 
 
 def why_not_live(result: Result | ArmResult) -> str:
@@ -36,22 +38,20 @@ def why_not_live(result: Result | ArmResult) -> str:
         return "it ends by a condition, which is looked for natively"
     if json.loads(result.data.attrs["robot_real"])["real"]:
         return "its real robot has factors of its own"
-    return _why_not_arm(result) if result.kind == "arm" else ""
-
-
-def _why_not_arm(result: Any) -> str:
-    if result.arm.base_motion is not None:
-        return "its base moves"
-    return "live reports of arms are not made yet"
+    return why_not_arm(_sheet(result)) if result.kind == "arm" else ""
 
 
 def live_bundle(result: Result | ArmResult) -> dict[str, Any] | None:
     """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` says why."""
     if why_not_live(result):
         return None
-    pair = _sheet(result).pair()
-    live = live_map(pair)
-    return {**_common(result, pair, live), **_of_robot(pair, _method(result))}
+    pair, method = _sheet(result).pair(), _method(result)
+    if isinstance(pair, NominalRealPair):
+        return {**_common(result, pair, live_map(pair)), **_of_robot(pair, method)}
+    settings = pair.real.integration
+    stations = tuple(np.linspace(0.0, 1.0, min(settings.line_points, _MOST_STATIONS)).tolist())
+    own = arm_bundle(pair, stations, method.value, compared="tip_reference" in result.data)
+    return {**_common(result, pair, live_map(pair, stations)), **own, "stations": np.array(stations)}
 
 
 def _sheet(result: Any) -> Any:

@@ -15,11 +15,10 @@ from numpy.typing import NDArray
 from tmodes.arm import Arm, ArmPair
 from tmodes.errors import InputError, InputErrors
 from tmodes.live.forms import Form, Range, Unfit, fitted
-from tmodes.live.numbers import Blocks, arm_numbers, robot_numbers, whole, whole_moves
-from tmodes.live.sheet_numbers import real_factor
+from tmodes.live.numbers import Blocks, arm_numbers, follow_of, robot_numbers, whole, whole_moves
+from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
 from tmodes.mechanism import Drive
-from tmodes.motion.plan import Follow
 from tmodes.robot import NominalRealPair, Robot
 
 __all__ = ["LiveMap", "live_map"]
@@ -35,7 +34,7 @@ _NO_EFFECT = "it changes nothing in this run"
 
 @dataclass(frozen=True, eq=False)
 class LiveMap:
-    """Sliders, their knobs, and the numbers of each run: ``reference``, ``real``, and of an arm ``rest``.
+    """Sliders, their knobs, and the numbers of each run: ``reference`` and ``real``.
 
     ``places``: of each run, where each block of its vector is. ``left_out``: paths that have no slider, with reasons.
     """
@@ -90,14 +89,17 @@ def _really(knob: Knob, known: float, factor: float | None) -> float:
     return known * (factor / knob.factor) if knob.together else known * factor
 
 
-def live_map(pair: NominalRealPair | ArmPair) -> LiveMap:
-    """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points."""
+def live_map(pair: NominalRealPair | ArmPair, stations: tuple[float, ...] = ()) -> LiveMap:
+    """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points.
+
+    ``stations``: places along each link of an arm of which its picture is made.
+    """
     knobs = knobs_of(pair.nominal)
     sliders = sliders_of(pair.nominal, knobs)
     left_out: dict[str, str] = {}
     used = sorted({slider.knob for slider in sliders})
     while True:
-        runs = _Runs(pair, [knobs[k] for k in used], sliders, used)
+        runs = _Runs(pair, [knobs[k] for k in used], sliders, used, stations)
         try:
             forms = {name: runs.fitted(name) for name in runs.names}
         except Unfit as error:
@@ -127,11 +129,18 @@ class _Runs:
     """The runs of a pair as functions of knobs."""
 
     def __init__(
-        self, pair: NominalRealPair | ArmPair, knobs: Sequence[Knob], sliders: Sequence[Slider], used: list[int]
+        self,
+        pair: NominalRealPair | ArmPair,
+        knobs: Sequence[Knob],
+        sliders: Sequence[Slider],
+        used: list[int],
+        stations: tuple[float, ...],
     ) -> None:
         self.pair, self.knobs, self.places = pair, knobs, {}
-        self.names = ("reference", "real") if isinstance(pair, NominalRealPair) else ("reference", "real", "rest")
+        self.names = ("reference", "real")
         self.factors = {used.index(slider.knob): slider for slider in sliders if slider.real}
+        self.stations = stations
+        self.really = {number.path: number.value for number in sheet_numbers(pair.real)}
         self.until = 0.0 if isinstance(pair, NominalRealPair) else whole_moves(pair.nominal, _LONGEST_MOVE)
 
     def fitted(self, name: str) -> Form:
@@ -164,15 +173,14 @@ class _Runs:
         found: dict[str, float] = {}
         for k, value in values.items():
             knob = self.knobs[k]
-            own = knob.changes(value)
-            factors = {} if known or not knob.together else self._factors(knob)
-            found |= {path: number * factors.get(path, 1.0) for path, number in own.items()}
+            if known or not knob.together:
+                found |= knob.changes(value)
+            else:
+                found |= {path: self.really[path] * value for path, _ in knob.targets}
         return found
-
-    def _factors(self, knob: Knob) -> dict[str, float]:
-        return {path: real_factor(self.pair.nominal, path) for path, _ in knob.targets}
 
     def _blocks(self, name: str, sheet: Robot | Arm) -> Blocks:
         if isinstance(sheet, Robot):
             return robot_numbers(sheet, Drive.PRESCRIBED if name == "reference" else Drive.CONTROLLED)
-        return arm_numbers(sheet, Follow.SHEET if name == "real" else Follow.WANTED, self.until)
+        follow = follow_of(self.pair.nominal, name)  # pyright: ignore[reportArgumentType]
+        return arm_numbers(sheet, follow, self.until, self.stations if name == "real" else ())

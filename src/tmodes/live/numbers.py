@@ -8,13 +8,18 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.arm import Arm
+from tmodes.arm.parts import Command
+from tmodes.arm_model import ArmModel
+from tmodes.arm_passes import ArmPasses
+from tmodes.equations.arm.closed_loop import ClosedLoop
+from tmodes.equations.arm.parts import Parts
+from tmodes.live.wasm_arm import stationed
 from tmodes.mechanism import Drive
-from tmodes.motion.loop import LoopModel
 from tmodes.motion.plan import Follow, planned
 from tmodes.reference.signals import Quintic, Trapezoid
 from tmodes.robot import Robot
 
-__all__ = ["Blocks", "arm_numbers", "robot_numbers", "whole", "whole_moves"]
+__all__ = ["Blocks", "arm_numbers", "follow_of", "robot_numbers", "whole", "whole_moves"]
 
 Array = NDArray[np.float64]
 
@@ -22,7 +27,10 @@ Blocks = dict[str, Array]
 
 
 def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
-    """``parameters``; ``knots`` (k + 1,) and ``coefficients`` (k, degree + 1) of the wanted angle; ``start`` [rad]."""
+    """``parameters``; ``knots`` (k + 1,) and ``coefficients`` (k, degree + 1) of the wanted angle; ``start`` [rad].
+
+    ``end`` [s]: of the move.
+    """
     wanted = robot.wanted(drive)
     return {
         "parameters": np.array([value for _, value in robot.numbers()]),
@@ -33,17 +41,43 @@ def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
     }
 
 
-def arm_numbers(arm: Arm, follow: Follow, until: float) -> Blocks:
-    """``parameters``; ``knots.k`` and ``coefficients.k`` of each signal of the plan.
+def follow_of(nominal: Arm, run: str) -> Follow:
+    """How the drives of a run follow their signals; the reference's as :func:`tmodes.motion.simulate.simulate_arm`."""
+    commanded = any(drive.command is Command.POSITION for drive in nominal.drives)
+    return Follow.WANTED if run == "reference" and commanded else Follow.SHEET
 
-    ``until`` [s]: moves with a duration of their own are told so far, beyond the end of the run, to be whole.
+
+def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
+    """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
+
+    ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
+    ``until`` [s], beyond the end of the run, to be whole. ``pose``: of the passes to these ``stations``, where asked.
     """
-    plan = planned(arm, follow)
-    found = {"parameters": LoopModel(plan.plan).numbers.vector}
+    plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
+    loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()
+    found = {
+        "parameters": loop.parts.numbers.vector,
+        "rest": ClosedLoop(rest.plan).parts.numbers.vector,
+        "rest_row": rest.schedule.rows_at(np.zeros(1))[0],
+        "chain": ArmModel(chain).passes.parameters,
+        "rotors": _rotors(loop, ArmModel(plan.chain)),
+    }
+    if stations:
+        found["pose"] = ArmPasses(Parts(stationed(chain, stations))).parameters
     for k, signal in enumerate(plan.each):
         schedule = signal.schedule(until if isinstance(signal, (Quintic, Trapezoid)) else arm.integration.duration)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}
     return found
+
+
+def _rotors(loop: ClosedLoop, model: ArmModel) -> Array:
+    """Inertia of the rotors along each coordinate, those that follow their signals among them."""
+    rotors = model.rotor_inertias.copy()
+    for driver in loop.drivers:
+        motor = driver.part.node.joint.motor
+        if driver.part.given >= 0 and motor:
+            rotors[driver.part.angle] += motor.inertia
+    return rotors
 
 
 def whole_moves(arm: Arm, reach: float) -> float:

@@ -14,10 +14,11 @@ from tmodes.errors import InputError
 from tmodes.io.arm_check import arm_data
 from tmodes.io.arm_fields import ArmPlace, Step, named, place_of, quantities
 from tmodes.io.arm_paths import steps_of
+from tmodes.io.arm_units import at
 from tmodes.io.fields import places
 from tmodes.robot import Robot
 
-__all__ = ["SheetNumber", "real_factor", "sheet_numbers"]
+__all__ = ["SheetNumber", "real_entry", "sheet_numbers"]
 
 
 @dataclass(frozen=True)
@@ -43,14 +44,22 @@ def sheet_numbers(sheet: Robot | Arm) -> Iterator[SheetNumber]:
     yield from _of_arm(sheet) if isinstance(sheet, Arm) else _of_robot(sheet)
 
 
-def real_factor(sheet: Robot | Arm, path: str) -> float:
-    """The factor of the real robot on a number: the product of those on it and on the list that holds it."""
+def real_entry(sheet: Robot | Arm, path: str) -> tuple[str | None, float]:
+    """Path in ``real`` at which the factor on a number stands, or would stand, and the factor.
+
+    The path is None where several factors act on it, or one that acts on others as well.
+    """
     if isinstance(sheet, Robot):
-        return sheet.real.get(path, 1.0)
+        return path, sheet.real.get(path, 1.0)
     data = arm_data(sheet)
     steps = steps_of(path, data)
-    told = ((steps_of(other, data), factor) for other, factor in sheet.real.items())
-    return math.prod(factor for other, factor in told if steps[: len(other)] == other)
+    told = [(other, steps_of(other, data)) for other in sheet.real]
+    acting = [(other, own) for other, own in told if steps[: len(own)] == own]
+    if not acting:
+        return path, 1.0
+    (first, own), *others = acting
+    shared = bool(others) or (len(own) < len(steps) and len(at(data, *own)) > 1)
+    return None if shared else first, math.prod(sheet.real[other] for other, _ in acting)
 
 
 def _of_robot(robot: Robot) -> Iterator[SheetNumber]:

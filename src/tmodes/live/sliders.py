@@ -8,7 +8,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from tmodes.arm import Arm
-from tmodes.live.sheet_numbers import SheetNumber, real_factor, sheet_numbers
+from tmodes.live.sheet_numbers import SheetNumber, real_entry, sheet_numbers
 from tmodes.robot import Robot
 
 __all__ = ["MOST", "Knob", "Slider", "knobs_of", "sliders_of"]
@@ -22,7 +22,8 @@ class Knob:
     """What a run is changed by: one number of the sheet, or all of a kind in proportion (``together``).
 
     ``targets``: path and value of each number; the knob itself stands at the value, or at 1 where it is a proportion.
-    ``factor``: that of the real robot on them, None where their factors differ.
+    ``reals``: where in ``real`` the factor on each stands, empty where one acts on other numbers as well; ``factor``:
+    that of the real robot on them, None where their factors differ.
     """
 
     kind: str
@@ -31,6 +32,7 @@ class Knob:
     low: float
     high: float
     log: bool
+    reals: tuple[str, ...]
     factor: float | None
 
     @property
@@ -62,7 +64,7 @@ class Slider:
     def changes(self, knob: Knob, value: float) -> dict[str, float]:
         """What ``--set`` is to change, path and value, where the slider stands at ``value``."""
         if self.real:
-            return {f"real.{path}": value for path, _ in knob.targets}
+            return {f"real.{path}": value for path in knob.reals}
         return knob.changes(value)
 
     def told(self) -> dict[str, Any]:
@@ -137,15 +139,19 @@ def _knobs(sheet: Robot | Arm, group: Sequence[SheetNumber], rule: _Rule) -> Ite
     if len(group) <= _ALONE:
         for number in group:
             low, high = _reach(number, rule)
-            factor = real_factor(sheet, number.path)
-            yield Knob(number.kind, ((number.path, number.value),), number.value, low, high, _log(low, rule), factor)
+            yield _knob(sheet, [number], (number.value, low, high), _log(low, rule))
         return
-    factors = {real_factor(sheet, number.path) for number in group}
-    targets = tuple((number.path, number.value) for number in group)
-    common = next(iter(factors)) if len(factors) == 1 else None
     least = max(max(number.least / number.value, 1 / rule.reach) for number in group)
     most = min(min(number.most / number.value, rule.reach) for number in group)
-    yield Knob(group[0].kind, targets, 1.0, least, most, _log(least, rule), common)
+    yield _knob(sheet, group, (1.0, least, most), _log(least, rule))
+
+
+def _knob(sheet: Robot | Arm, group: Sequence[SheetNumber], span: tuple[float, float, float], log: bool) -> Knob:
+    entries = [real_entry(sheet, number.path) for number in group]
+    reals, factors = [path for path, _ in entries if path], {factor for _, factor in entries}
+    common = factors.pop() if len(factors) == 1 else None
+    targets = tuple((number.path, number.value) for number in group)
+    return Knob(group[0].kind, targets, *span, log, tuple(reals) if len(reals) == len(group) else (), common)
 
 
 def _reach(number: SheetNumber, rule: _Rule) -> tuple[float, float]:
@@ -166,13 +172,13 @@ def sliders_of(sheet: Robot | Arm, knobs: Sequence[Knob], most: int = MOST) -> l
     for index, knob in enumerate(knobs):
         number = told[knob.targets[0][0]]
         rule = next(rule for rule in _RULES if re.fullmatch(rule.kind, knob.kind))
-        words = number.meaning.partition(",")[0]
+        words = re.split("[,;]", number.meaning)[0]
         owner = "all" if knob.together else number.owner
         label = f"{words}, {owner}" if owner else words
         path, unit = (knob.kind, "-") if knob.together else (number.path, number.unit)
         own = (path, label, number.symbol, unit, rule.group, knob.start, knob.low, knob.high, knob.log)
         found.append(Slider(index, False, *own))
-        if rule.real and knob.factor:
+        if rule.real and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)
             real = (f"real:{path}", f"{label}: real over known", number.symbol, "-", rule.group, knob.factor, low, high)
             found.append(Slider(index, True, *real, True))

@@ -12,6 +12,7 @@ from tmodes.analysis.arm_line import elastic_line
 from tmodes.arm import Arm
 from tmodes.arm.contact import Ball, Plane, Wall
 from tmodes.arm_model import ArmModel
+from tmodes.arm_result.lines import without_elasticity
 from tmodes.chain import JointKind, RigidLink
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
 from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
@@ -51,9 +52,11 @@ def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
     line, rigid = (_with_carriers(data, name, there, drawn) for name in ("line", "line_rigid"))
     parents = [nearest_drawn(model.chain, name, drawn) for name in names]
     _move_carriers(rigid, line, parents, len(drawn))
-    base, planned, wanted = kept(rigid), None, None
+    base, planned, wanted = kept(rigid), [None, None], None
     if "q_reference" in data:
-        planned = lines_at(model, names, _coordinates(data, "q_reference"), stations, stand)[0]
+        bent = _coordinates(data, "q_reference")
+        found = (lines_at(model, names, q, stations, stand)[0] for q in (bent, without_elasticity(model, bent)))
+        planned = [displaced(line, rigid, base) for line in found]
         wanted = data["tip_reference"].transpose("time", "axis").values
     return {
         "times": data["time"].values,
@@ -62,7 +65,8 @@ def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
         ],
         "line": displaced(line, rigid, base),
         "rigid": base,
-        "reference": None if planned is None else displaced(planned, rigid, base),
+        "reference": planned[0],
+        "referenceRigid": planned[1],
         "roots": quaternions(turned[:, :, 0]),
         "colours": _colours(data, names, line, rigid),
         "tip": data["tip"].transpose("time", "axis").values,

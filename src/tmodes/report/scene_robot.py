@@ -44,7 +44,9 @@ def robot_scene(result: Result, frames: NDArray[np.intp]) -> dict[str, Any]:
     q = data["q"].transpose("time", "coordinate").values
     line = data["line"].transpose("time", "mode", "s", "axis").values
     rigid = line_at(robot, q[:, 5:] * basis()[:, 0], stations)
-    reference = line_at(robot, data["q_reference"].transpose("time", "coordinate").values, stations)
+    wanted = data["q_reference"].transpose("time", "coordinate").values
+    reference = line_at(robot, wanted, stations)
+    planned = line_at(robot, wanted[:, 5:] * basis()[:, 0], stations)
     base = kept(rigid)
     return {
         "times": data["time"].values,
@@ -52,6 +54,7 @@ def robot_scene(result: Result, frames: NDArray[np.intp]) -> dict[str, Any]:
         "line": displaced(line, rigid, base),
         "rigid": base,
         "reference": displaced(reference, rigid, base),
+        "referenceRigid": displaced(planned, rigid, base),
         "roots": quaternions(_roots(q)),
         "colours": _colours(data, line, rigid),
         "tip": data["tip"].transpose("time", "axis").values,

@@ -66,3 +66,34 @@ export interface RobotBundle extends Bundle {
 export function doubles(told: Numbers): Float64Array {
   return told.data instanceof Float64Array ? told.data : Float64Array.from(told.data);
 }
+
+/** y = matrix x + constant; `matrix` [rows, columns]. */
+export interface Affine {
+  matrix: Numbers;
+  constant: Numbers;
+}
+
+/** How one run of an arm starts: `told` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
+export interface ArmRunTold {
+  state: { q: [number, number]; v: [number, number]; currents: [number, number]; works: [number, number] };
+  start: Numbers;
+  told: number[];
+  exact: [number, number][];
+  signals: number;
+}
+
+/** Of an arm; `links` are those that are drawn: at which of the picture's points each begins, a rigid one's far end. */
+export interface ArmBundle extends Bundle {
+  kind: "arm";
+  runs: { reference?: ArmRunTold; real: ArmRunTold };
+  restSize: number;
+  atRest: boolean;
+  base: Numbers;
+  gravity: Numbers;
+  deflections: Affine;
+  deformations: string[];
+  straight: Affine;
+  links: { name: string; bends: boolean; point: number; end: Numbers }[];
+  contactPoint: number;
+  electric: boolean;
+}

@@ -1,7 +1,8 @@
 // What makes runs from a bundle, in a worker or in the page itself.
 
 import type { LiveRun } from "../contract";
-import { type Bundle, type RobotBundle } from "./bundle";
+import { runArm } from "./arm_run";
+import type { ArmBundle, Bundle, RobotBundle } from "./bundle";
 import { Engine } from "./engine";
 import type { Watch } from "./engine_run";
 import { runRobot } from "./robot_run";
@@ -13,5 +14,6 @@ export interface Runner {
 /** The runner of a bundle; compiles its module. */
 export async function openRunner(bundle: Bundle): Promise<Runner> {
   const engine = await Engine.open(bundle.module.data as Uint8Array<ArrayBuffer>, bundle.layout);
+  if (bundle.kind === "arm") return { run: (values, watch) => runArm(engine, bundle as ArmBundle, values, watch) };
   return { run: (values, watch) => runRobot(engine, bundle as RobotBundle, values, watch) };
 }

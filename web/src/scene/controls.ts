@@ -35,7 +35,7 @@ export function makeControls(
   if (enlarges) bar.append(factorSlider(settings, wishes));
   const view = chooser("View", VIEWS.map((id) => [id, VIEW_NAMES[id]]), "iso", (id) => wishes.look(id as View));
   bar.append(make("label", {}, "View", view));
-  const reset = make("button", { type: "button" }, "Reset view");
+  const reset = make("button", { type: "button", ariaLabel: "Reset view" }, "Reset");
   reset.addEventListener("click", () => wishes.look(view.value as View));
   bar.append(reset, more(settings, toggles, wishes));
   return bar;
@@ -50,7 +50,7 @@ function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
     told.textContent = slider.ariaValueText = `×${settings.factor}`;
     wishes.changed();
   });
-  slider.title = "How many times displacements from the rigid arm are enlarged; double click: to scale";
+  slider.title = "How many times the displacement of each robot from itself without elasticity is enlarged; double click: to scale";
   slider.addEventListener("dblclick", () => {
     slider.value = "0";
     slider.dispatchEvent(new Event("input"));

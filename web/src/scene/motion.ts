@@ -4,7 +4,7 @@ import type { Numbers } from "../pack";
 import { turnAlong } from "./turn";
 
 /** The arrays of a scene, those of the page or of the live model. */
-export type Arrays = Pick<Scene, "times" | "line" | "rigid" | "reference" | "roots" | "tip" | "tipReference" | "colours"> & {
+export type Arrays = Pick<Scene, "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference" | "colours"> & {
   contact: Pick<SceneContact, "force" | "at"> | null;
 };
 
@@ -27,12 +27,14 @@ export class Motion {
   share = 0;
   private readonly tipPlace: number;
   private readonly once: Float32Array;
+  private readonly planned: Float32Array;
 
   constructor(readonly arrays: Arrays) {
     [this.frames, this.links, this.stations] = arrays.line.shape;
     const size = this.links * this.stations * 3;
     this.line = new Float32Array(size);
     this.once = new Float32Array(size);
+    this.planned = new Float32Array(size);
     this.rigid = arrays.rigid ? new Float32Array(size) : null;
     this.reference = arrays.reference ? new Float32Array(size) : null;
     this.roots = new Float32Array(this.links * 4);
@@ -55,7 +57,9 @@ export class Motion {
       this.mix(this.at, arrays.contact.at);
     }
     if (colour) this.mix(this.values, colour);
-    if (factor !== 1 && this.rigid) this.enlarge(factor, this.rigid);
+    if (factor === 1 || !this.rigid) return;
+    if (arrays.referenceRigid) this.mix(this.planned, arrays.referenceRigid);
+    this.enlarge(factor, this.rigid, arrays.referenceRigid ? this.planned : this.rigid);
   }
 
   /** The tip's path [m, 3] as it is shown, or the reference's; null where there is none. */
@@ -63,14 +67,15 @@ export class Motion {
     const { arrays, frames } = this;
     const tips = reference ? arrays.tipReference : arrays.tip;
     const lines = reference ? arrays.reference : arrays.line;
+    const rigid = (reference && arrays.referenceRigid) || arrays.rigid;
     if (tips === null) return null;
     const found = Float32Array.from(tips.data);
-    if (!arrays.rigid || !lines || this.links === 0) return found;
+    if (!rigid || !lines || this.links === 0) return found;
     const size = this.links * this.stations * 3;
     for (let k = 0; k < frames; k++)
       for (let c = 0; c < 3; c++) {
         const place = k * size + this.tipPlace + c;
-        found[3 * k + c] += (factor - 1) * (lines.data[place] - arrays.rigid.data[place]);
+        found[3 * k + c] += (factor - 1) * (lines.data[place] - rigid.data[place]);
       }
     return found;
   }
@@ -109,18 +114,18 @@ export class Motion {
     }
   }
 
-  private enlarge(factor: number, rigid: Float32Array): void {
+  private enlarge(factor: number, rigid: Float32Array, planned: Float32Array): void {
     const { line, reference, tipPlace } = this;
     for (let c = 0; c < 3 && this.links > 0; c++) {
       const more = (factor - 1) * (line[tipPlace + c] - rigid[tipPlace + c]);
       this.tip[c] += more;
       this.at[c] += more;
-      if (reference) this.tipReference[c] += (factor - 1) * (reference[tipPlace + c] - rigid[tipPlace + c]);
+      if (reference) this.tipReference[c] += (factor - 1) * (reference[tipPlace + c] - planned[tipPlace + c]);
     }
     this.once.set(line);
     for (let k = 0; k < line.length; k++) {
       line[k] = rigid[k] + factor * (line[k] - rigid[k]);
-      if (reference) reference[k] = rigid[k] + factor * (reference[k] - rigid[k]);
+      if (reference) reference[k] = planned[k] + factor * (reference[k] - planned[k]);
     }
     turnAlong(this.roots, this.once, line, this.stations);
   }

@@ -81,13 +81,17 @@ export class RunView {
     this.draw(settings);
   }
 
-  /** All values of a quantity on links that bend, for its range. */
-  values(id: string, take: (value: number) => void): void {
+  /** Widen a range by all values of a quantity on the links that it colours. */
+  widen(id: string, range: Range): void {
     const { arrays, links, stations } = this.motion;
     const told = arrays.colours.find((one) => one.id === id)?.values.data;
-    const bending = this.run.scene.links.map((link) => link.bends || paints(id) === "all");
+    const coloured = this.run.scene.links.map((link) => link.bends || paints(id) === "all");
     if (told === undefined) return;
-    for (let k = 0; k < told.length; k++) if (bending[Math.floor(k / stations) % links]) take(told[k]);
+    for (let k = 0; k < told.length; k++) {
+      if (!coloured[Math.floor(k / stations) % links]) continue;
+      if (told[k] < range.low) range.low = told[k];
+      if (told[k] > range.high) range.high = told[k];
+    }
   }
 
   dispose(): void {

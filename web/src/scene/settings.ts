@@ -21,7 +21,7 @@ export const LARGEST_FACTOR = 200;
 export const TOGGLES: [keyof Settings & ("reference" | "rigid" | "traces" | "force" | "surface" | "floor" | "apart"), string][] = [
   ["reference", "Reference (ghost)"],
   ["rigid", "Rigid plan (ghost)"],
-  ["traces", "Ways of the tips"],
+  ["traces", "Paths of the tips"],
   ["force", "Contact force"],
   ["surface", "Surface"],
   ["floor", "Floor"],

@@ -3,19 +3,19 @@
 const RULES = `
 .scene { --ink: #1d2329; --soft: #4d5863; --chip: rgba(255, 255, 255, 0.82); --line: #c6ccd3; --field: #ffffff;
   --sky: #f4f7fa; --earth: #e3e8ed; --strong: #005a8f;
-  display: flex; flex-direction: column; min-width: 0; min-height: 0; height: 100%; color: var(--ink);
+  container-type: inline-size; display: flex; flex-direction: column; min-width: 0; min-height: 0; height: 100%; color: var(--ink);
   font: 13px/1.35 system-ui, sans-serif; }
 @media (prefers-color-scheme: dark) { .scene { --ink: #e8ecf0; --soft: #b3bdc7; --chip: rgba(20, 25, 31, 0.8);
   --line: #46515c; --field: #1b2127; --sky: #1b222a; --earth: #12171d; --strong: #7cc4f2; } }
-.scene-bar { display: flex; flex-wrap: wrap; align-items: center; gap: 4px 14px; padding: 6px 8px; }
+.scene-bar { display: flex; flex-wrap: wrap; align-items: center; gap: 4px 12px; padding: 6px 8px; }
 .scene-bar label { display: inline-flex; align-items: center; gap: 6px; white-space: nowrap; }
 .scene-bar select, .scene-bar button, .scene-bar summary { font: inherit; color: inherit; background: var(--field);
   border: 1px solid var(--line); border-radius: 5px; padding: 3px 8px; min-height: 28px; cursor: pointer; }
-.scene-bar select { max-width: 15em; }
+.scene-bar select { max-width: 12.5em; text-overflow: ellipsis; }
 .scene-bar summary { list-style: none; display: inline-flex; align-items: center; }
 .scene-bar summary::after { content: " ▾"; white-space: pre; }
-.scene-bar input[type=range] { width: 120px; accent-color: var(--strong); }
-.scene-bar output { min-width: 3.6em; font-variant-numeric: tabular-nums; }
+.scene-bar input[type=range] { width: 104px; accent-color: var(--strong); }
+.scene-bar output { min-width: 2.6em; font-variant-numeric: tabular-nums; }
 .scene :focus-visible { outline: 2px solid var(--strong); outline-offset: 1px; }
 .scene details { position: relative; }
 .scene-more { position: absolute; z-index: 3; top: calc(100% + 4px); right: 0; display: grid; gap: 4px; padding: 8px 10px;
@@ -29,13 +29,23 @@ const RULES = `
 .scene-legend span { display: flex; align-items: center; gap: 6px; }
 .scene-legend i { flex: none; width: 16px; height: 8px; border-radius: 2px; }
 .scene-scale { top: 8px; right: 8px; display: grid; grid-template-columns: auto 12px; gap: 4px 6px; max-width: 40%; }
-.scene-scale b { grid-column: 1 / 3; font-weight: 600; text-align: right; max-width: 13em; }
+.scene-scale b { grid-column: 1 / 3; font-weight: 600; text-align: right; max-width: 15em; }
 .scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; flex-direction: column; justify-content: space-between;
   height: 110px; text-align: right; font-variant-numeric: tabular-nums; line-height: 1; }
 .scene-scale i { border-radius: 2px; }
 .scene-factor { bottom: 8px; right: 8px; font-weight: 600; }
 .scene-grid { bottom: 8px; left: 8px; color: var(--soft); }
 .scene-message { position: absolute; inset: 0; display: grid; place-content: center; padding: 2em; text-align: center; }
+@container (max-width: 520px) {
+  .scene-view { min-height: 300px; }
+  .scene-note { font-size: 11px; padding: 2px 5px; }
+  .scene-legend { max-width: 58%; }
+  .scene-legend i { width: 10px; }
+  .scene-scale b { max-width: 9em; }
+  .scene-scale ol { height: 64px; }
+  .scene-scale li:nth-child(even) { display: none; }
+  .scene-grid { max-width: 64%; }
+}
 @media print { .scene-bar { display: none; } }
 `;
 

@@ -63,9 +63,9 @@ export class World {
   /** Take over what has been chosen. */
   refresh(): void {
     const { settings, runs } = this;
-    let [low, high] = [Infinity, -Infinity];
-    runs.forEach((run) => run.values(settings.colour, (value) => ([low, high] = [Math.min(low, value), Math.max(high, value)])));
-    this.range = low <= high ? { low, high } : { low: 0, high: 0 };
+    const range = { low: Infinity, high: -Infinity };
+    runs.forEach((run) => run.widen(settings.colour, range));
+    this.range = range.low <= range.high ? range : { low: 0, high: 0 };
     const { box, reach } = this.extent;
     const wide = settings.apart ? Math.max(0.4 * reach, box.max.y - box.min.y + 0.15 * reach) : 0;
     const surfaces = runs.map(({ run }) => JSON.stringify(run.scene.contact?.surface));
@@ -97,7 +97,7 @@ export class World {
     notes.list(shown ? this.modeEntries(shown) : this.entries(), !shown && this.forceShown());
     if (shown) notes.range({ label: "Displacement, share of the largest", unit: "", low: 0, high: 1 });
     else notes.range(told ? { label: told.label, unit: told.unit, ...this.range } : null);
-    notes.enlarged(settings.factor === 1 || shown ? "" : `Displacement × ${settings.factor}`);
+    notes.enlarged(settings.factor === 1 || shown ? "" : `Deformation × ${settings.factor}`);
     const height = extent.floor === 0 ? "" : `, at z = ${digits(extent.floor)} m`;
     notes.floor(settings.floor ? `Grid ${digits(extent.cell)} m${height}${this.thick()}` : "");
   }
@@ -126,10 +126,10 @@ export class World {
     const alone = runs.length === 1;
     const entries: Entry[] = [];
     if (!alone) entries.push(...runs.map((run) => ({ colour: run.colour, label: run.run.name })));
-    else if (settings.traces) entries.push({ colour: colours.real, label: "Way of the tip" });
+    else if (settings.traces) entries.push({ colour: colours.real, label: "Path of the tip" });
     const has = (key: "reference" | "rigid") => settings[key] && runs.some(({ run }) => run.scene[key]);
     if (has("reference")) entries.push({ colour: runs[0].referenceColour, label: "Reference" });
-    else if (settings.traces && runs.some(({ run }) => run.scene.tipReference)) entries.push({ colour: runs[0].referenceColour, label: "Way of the reference" });
+    else if (settings.traces && runs.some(({ run }) => run.scene.tipReference)) entries.push({ colour: runs[0].referenceColour, label: "Path of the reference" });
     if (has("rigid")) entries.push({ colour: colours.rigid, label: "Without any elasticity" });
     if (runs.some(({ changed }) => changed)) entries.push({ colour: colours.before, label: "The run as it was" });
     return entries;

@@ -1,0 +1,97 @@
+"""The series of a result, one by one: what each is called, its unit, and its values over time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass
+from itertools import product
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+if TYPE_CHECKING:
+    from xarray import DataArray, Dataset
+
+__all__ = ["Series", "first_series", "series_of_result"]
+
+FIRST = (
+    "deviation", "tip", "deformation", "penetration", "contact_force_radial", "contact_force_normal", "voltage",
+    "current", "effort", "motor_torque", "gear_torque", "stress", "deflection", "bending_moment", "moment",
+    "energy_balance", "q",
+)  # fmt: skip
+"""What a reader asks first; a result may have any other, which ``--all`` shows."""
+
+MOST_EACH, MOST = 6, 28
+"""Series of one variable, and of all, that are shown unasked."""
+
+
+@dataclass(frozen=True, eq=False)
+class Series:
+    """One course over time: values [unit, SI], shape (n,)."""
+
+    variable: str
+    of: str
+    unit: str
+    values: NDArray[np.float64]
+
+    @property
+    def name(self) -> str:
+        """The variable and what it is of."""
+        return f"{self.variable} {self.of}".rstrip()
+
+
+def series_of_result(data: Dataset) -> Iterator[Series]:
+    """Every series; of what is known along a link the value of the largest size at each instant, with its sign."""
+    for name, variable in data.data_vars.items():
+        if variable.dims[:1] == ("time",) and variable.dtype.kind == "f":
+            yield from _parts(str(name), _farthest(variable), _coordinate_units(data))
+
+
+def first_series(data: Dataset) -> list[Series]:
+    """Those of the variables that a reader asks first, of each variable the ones with the widest range."""
+    found = list(series_of_result(data))
+    shown: list[Series] = []
+    for name in FIRST:
+        own = [one for one in found if one.variable == name]
+        widest = sorted(own, key=lambda one: -float(np.ptp(one.values)))[:MOST_EACH]
+        shown += [one for one in own if one in widest]
+    return shown[:MOST]
+
+
+def _farthest(variable: DataArray) -> DataArray:
+    if "s" not in variable.dims:
+        return variable
+    axis = variable.get_axis_num("s")
+    places = np.abs(variable.values).argmax(axis=axis)
+    values = np.take_along_axis(variable.values, np.expand_dims(places, axis), axis=axis).squeeze(axis)
+    return variable.isel(s=0, drop=True).copy(data=values)
+
+
+def _coordinate_units(data: Dataset) -> dict[str, str]:
+    """Unit of each coordinate of an arm; a gear's deflection has that of its joint."""
+    if "coordinate_unit" not in data.coords:
+        return {}
+    told = dict(zip(map(str, data["coordinate"].values), map(str, data["coordinate_unit"].values), strict=True))
+    return told | {f"{name}.gear": unit for name, unit in told.items()}
+
+
+def _own_unit(told: str, word: str, units: dict[str, str]) -> str:
+    """The unit of one column of ``(rad, m along prismatic joints, 1 of stretch)/s``; others are told as they are."""
+    inner, _, per = told.removeprefix("(").partition(")")
+    choices = inner.split(", ")
+    if len(choices) == 1:
+        return told
+    place = ("rad", "m", "1").index(units.get(word, "rad"))
+    return choices[min(place, len(choices) - 1)].partition(" along ")[0].partition(" of ")[0] + per
+
+
+def _parts(name: str, variable: DataArray, units: dict[str, str]) -> Iterator[Series]:
+    labels = [
+        list(map(str, variable[dim].values)) if dim in variable.coords else list(map(str, range(variable.sizes[dim])))
+        for dim in map(str, variable.dims[1:])
+    ]
+    values = np.asarray(variable.values, dtype=float).reshape(len(variable), -1)
+    unit = str(variable.attrs.get("units", ""))
+    for column, words in enumerate(product(*labels)):
+        yield Series(name, " ".join(words), _own_unit(unit, words[0] if words else "", units), values[:, column])

@@ -1,0 +1,67 @@
+"""``tmodes studio``: a page on this machine to change a robot and see it move at once."""
+
+from __future__ import annotations
+
+import sys
+from contextlib import suppress
+from importlib.util import find_spec
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+__all__ = ["studio"]
+
+
+def studio(
+    robot: Annotated[
+        str,
+        typer.Argument(metavar="[ROBOT|FILE]", help="What is shown first: a published robot, or a file of the folder."),
+    ] = "",
+    folder: Annotated[Path, typer.Option(help="Where studies are kept; nothing outside is read or written.")] = Path(),
+    port: Annotated[int, typer.Option(min=0, max=65535, help="0: any that is free.")] = 0,
+    host: Annotated[
+        str, typer.Option(help="Address to listen at; another than this machine's own opens it to others.")
+    ] = "127.0.0.1",
+    browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the page in the browser.")] = True,
+) -> None:
+    """A local web application: choose a robot, drag its numbers, see it move and ring, keep the study as YAML.
+
+    Only this machine can reach it, and only with the address that is printed. Ctrl-C stops it.
+    """
+    from tmodes.errors import InputError
+
+    for package in ("fastapi", "uvicorn"):
+        if find_spec(package) is None:
+            got, mend = f"no package {package}", "install it: pip install 'tmodes[studio]'"
+            raise InputError("tmodes studio", got, "the extra `studio`", mend)
+    from tmodes.studio.folder import WorkingFolder
+    from tmodes.studio.serve import serve
+
+    working, first = WorkingFolder(folder), _first(robot, folder)
+    serve(working, first, host=host, port=port, ready=lambda address: _ready(address, working.path, browser))
+    print("tmodes studio: stopped", file=sys.stderr)
+
+
+def _first(robot: str, folder: Path) -> str:
+    """What is shown first, checked: a published robot, or the name of a file of the working folder."""
+    from tmodes.errors import InputError
+    from tmodes.robots.load import load_sheet, sheet_names
+
+    if not robot or robot in sheet_names():
+        return robot
+    load_sheet(robot)
+    path = Path(robot).absolute()
+    if path.parent.resolve() != folder.resolve():
+        mend = f"add --folder {path.parent}"
+        raise InputError("FILE", repr(robot), "a file of the working folder", mend)
+    return f"./{path.name}"
+
+
+def _ready(address: str, folder: Path, browser: bool) -> None:
+    with suppress(OSError):  # who started it may have stopped to listen
+        print(f"open    {address}\nfolder  {folder}\nstop    Ctrl-C", flush=True)
+    if browser:
+        import webbrowser
+
+        webbrowser.open(address)

@@ -1,0 +1,101 @@
+"""``tmodes view``: stored results in the browser, one or several side by side."""
+
+from __future__ import annotations
+
+import os
+import tempfile
+from pathlib import Path
+from typing import Annotated
+
+import typer
+
+from tmodes.cli.options import AsJson
+from tmodes.errors import InputError
+
+__all__ = ["names_apart", "view"]
+
+MOST = 6
+"""Runs side by side: more colours cannot be told apart."""
+
+ResultsArgument = Annotated[
+    list[Path], typer.Argument(metavar="RESULT...", help="Files result.nc, or folders of runs; several are compared.")
+]
+
+
+def view(
+    results: ResultsArgument,
+    out: Annotated[Path | None, typer.Option(help="Write the page to this file; else to a temporary one.")] = None,
+    overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a page that is there.")] = False,
+    browser: Annotated[bool, typer.Option("--open/--no-open", help="Open the page in the browser.")] = True,
+    as_json: AsJson = False,
+) -> None:
+    """Look at stored results in the browser: the robot in 3D, linked charts, numbers; several runs side by side.
+
+    The page is one file that needs no network and can be sent to others. Robots move at the same time, their charts lie
+    over each other, their numbers stand beside each other.
+    """
+    from tmodes.cli.output import print_json
+    from tmodes.cli.results import stored_result
+    from tmodes.notebook import robot_name
+    from tmodes.report.data import page_data
+    from tmodes.report.viewer import viewer_document
+
+    _refuse_too_many(results)
+    _refuse_taken(out, overwrite)
+    stored = [stored_result(path) for path in results]
+    names = names_apart([robot_name(one) for one in stored], results)
+    page = _written(viewer_document(page_data(stored, names)), out, overwrite)
+    if browser:
+        import webbrowser
+
+        webbrowser.open(page.absolute().as_uri())
+    print_json({"page": str(page), "runs": names}) if as_json else print(f"open    {page}")
+
+
+def _refuse_too_many(results: list[Path]) -> None:
+    if len(results) > MOST:
+        raise InputError("RESULT", f"{len(results)} results", f"at most {MOST}", "compare fewer at a time")
+
+
+def _refuse_taken(out: Path | None, overwrite: bool) -> None:
+    if out is not None and os.path.lexists(out) and not overwrite:
+        from tmodes.io.atomic import file_error
+
+        raise file_error(out, "a file that exists", "a new name", "--overwrite replaces it, --out names another")
+
+
+def names_apart(names: list[str], paths: list[Path]) -> list[str]:
+    """Names that tell the runs apart: a robot's own; where several share it, with as much of the path as it takes."""
+    if len(set(names)) == len(names):
+        return names
+    files = [path.absolute() for path in paths]
+    parts = [(path.parent if path.name == "result.nc" else path.with_suffix("")).parts for path in files]
+    longest = max(map(len, parts))
+    for depth in range(1, longest + 1):
+        told = [f"{name} ({'/'.join(one[-depth:])})" for name, one in zip(names, parts, strict=True)]
+        if len(set(told)) == len(told):
+            return told
+    return [f"{name} ({number})" for number, name in enumerate(names, 1)]
+
+
+def _written(text: str, out: Path | None, overwrite: bool) -> Path:
+    from tmodes.io.atomic import atomic_write
+
+    if out is None:
+        out, overwrite = _temporary(), True
+    with atomic_write(out, overwrite=overwrite) as temporary:
+        temporary.write_text(text, encoding="utf-8", newline="\n")
+    return out
+
+
+def _temporary() -> Path:
+    """An empty file of its own, which stays."""
+    from tmodes.io.atomic import file_error
+
+    try:
+        handle, name = tempfile.mkstemp(prefix="tmodes-view-", suffix=".html")
+    except OSError as error:
+        got = str(error.strerror)
+        raise file_error("the temporary folder", got, "room for a page", "name a file with --out") from None
+    os.close(handle)
+    return Path(name)

@@ -1,0 +1,108 @@
+"""What the bundle of an arm holds beside what all bundles hold: its module, and how its numbers hang together."""
+
+from __future__ import annotations
+
+from types import SimpleNamespace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.arm_line import elastic_line
+from tmodes.analysis.arm_split import deflections, elastic_names
+from tmodes.arm import Arm, ArmPair
+from tmodes.arm_model import ArmModel
+from tmodes.arm_result.lines import straight_shape
+from tmodes.chain import Chain, RigidLink, Segment
+from tmodes.live.numbers import follow_of
+from tmodes.live.wasm_arm import ArmFunctions, arm_module
+from tmodes.motion.loop import LoopModel
+from tmodes.motion.plan import Follow, planned, starts_at_rest
+from tmodes.motion.regime import ArmRegime, arm_regime
+
+__all__ = ["arm_bundle", "why_not_arm"]
+
+Array = NDArray[np.float64]
+
+_POINT_LIKE = 1e-9
+"""A link shorter than this [m] is not drawn."""
+
+
+def why_not_arm(arm: Arm) -> str:
+    """Why a page cannot make runs of an arm, in words; empty where it can."""
+    if arm.base_motion is not None:
+        return "its base moves"
+    if any(isinstance(node.link, Segment) for node in arm.chain().nodes):
+        return "a link is made of segments"
+    return ""
+
+
+def arm_bundle(pair: ArmPair, stations: tuple[float, ...], method: str, *, compared: bool) -> dict[str, Any]:
+    """All of it; ``compared``: whether there is a reference run. Arrays are in SI units, coordinates in their order."""
+    functions = ArmFunctions(pair, stations)
+    module = arm_module(functions, [method])
+    runs = {"real": arm_regime(pair.real)}
+    if compared:
+        runs = {"reference": arm_regime(pair.nominal, follow_of(pair.nominal, "reference"))} | runs
+    real = runs["real"]
+    model = ArmModel(real.planned.chain)
+    return {
+        "module": np.frombuffer(module.wasm, dtype=np.uint8),
+        "layout": module.layout,
+        "runs": {name: _run(regime) for name, regime in runs.items()},
+        "restSize": LoopModel(planned(pair.real, Follow.HELD).plan).layout.size,
+        "atRest": starts_at_rest(pair.real),
+        "base": model.at_rest(gravity=0.0),
+        "gravity": np.asarray(model.chain.gravity, dtype=float),
+        "deflections": _affine(lambda q: deflections(model, q), model.nq),
+        "deformations": list(elastic_names(model)),
+        "straight": _affine(lambda q: _straight(model, q), model.nq),
+        "links": _links(model, functions, stations),
+        "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
+        "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
+    }
+
+
+def _run(regime: ArmRegime) -> dict[str, Any]:
+    """Where its state holds what, how it starts, what its sheet says of that, and drives that follow exactly."""
+    layout, names = regime.model.layout, regime.model.coordinates
+    told = regime.arm.initial
+    return {
+        "state": {name: [part.start, part.stop] for name, part in layout._asdict().items()},
+        "start": regime.start,
+        "told": [names.index(name) for name in told.coordinates],
+        "exact": [
+            [driver.coordinate, driver.plan.signal] for driver in regime.model.loop.drivers if driver.plan.servo is None
+        ],
+        "signals": len(regime.planned.each),
+    }
+
+
+def _affine(function: Any, size: int) -> dict[str, Array]:
+    """Matrix and constant of an affine function of coordinates."""
+    told = function(np.concatenate([np.zeros((1, size)), np.eye(size)]))
+    return {"matrix": np.ascontiguousarray((told[1:] - told[0]).T), "constant": told[0].copy()}
+
+
+def _straight(model: ArmModel, q: Array) -> Array:
+    run: Any = SimpleNamespace(q=q, coordinates=model.coordinates, model=model)
+    return straight_shape(run)
+
+
+def _links(model: ArmModel, functions: ArmFunctions, stations: tuple[float, ...]) -> list[dict[str, Any]]:
+    """Links that are drawn: at which of the picture's points each begins, and of a rigid one where its far end is."""
+    lines, chain = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0]).links, model.chain
+    found, point = [], 0
+    for node in chain.nodes:
+        bends = not isinstance(node.link, RigidLink)
+        line = lines[node.name]
+        if line.length > _POINT_LIKE:
+            end = np.zeros(3) if bends else line.rotation[0, 0].T @ (line.position[0, 1] - line.position[0, 0])
+            found.append({"name": node.name, "bends": bends, "point": point, "end": end})
+        point += len(stations) if bends else 1
+    _check_points(point, functions.passes["pose"].parts.chain)
+    return found
+
+
+def _check_points(count: int, chain: Chain) -> None:
+    assert count == len(chain.points)  # noqa: S101

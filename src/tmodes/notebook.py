@@ -1,0 +1,114 @@
+"""The viewer inside a notebook: a result, several side by side, or a robot at rest with its modes.
+
+tmodes.show(result)    tmodes.show(before, after)    tmodes.show(robot)    result.show()    robot.show()
+"""
+
+from __future__ import annotations
+
+import html
+import json
+import os
+from pathlib import Path
+from typing import Any
+
+from tmodes.arm import Arm
+from tmodes.arm_runs import movable_joints, ready_to_run
+from tmodes.errors import InputError
+from tmodes.io.atomic import atomic_write
+from tmodes.report.data import page_data
+from tmodes.report.viewer import viewer_document
+from tmodes.result import RunRecord
+from tmodes.robot import Robot
+
+__all__ = ["Shown", "rest_page", "robot_name", "show"]
+
+HEIGHT = 760
+"""Height of the frame in a notebook [pixels]."""
+
+STILL = 1e-6
+"""Length of the run of a robot that is only looked at [s]."""
+
+
+class Shown:
+    """A self-contained page that notebooks embed by themselves; ``document`` is its HTML."""
+
+    def __init__(self, document: str, title: str, height: int = HEIGHT) -> None:
+        self.document, self.title, self.height = document, title, height
+
+    def _repr_html_(self) -> str:
+        frame = f'title="{html.escape(self.title)}" width="100%" height="{self.height:d}" frameborder="0"'
+        return (
+            f'<iframe {frame} sandbox="allow-scripts allow-downloads" srcdoc="{html.escape(self.document)}"></iframe>'
+        )
+
+    def __repr__(self) -> str:
+        return f"<tmodes view of {self.title}: a notebook shows it; .save(path) writes the page>"
+
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Write the page as a file that a browser opens.
+
+        Raises :class:`tmodes.errors.ResultFileError` where it exists, or cannot be written.
+        """
+        with atomic_write(path, overwrite=overwrite) as temporary:
+            temporary.write_text(self.document, encoding="utf-8", newline="\n")
+        return Path(path)
+
+
+def show(*shown: RunRecord | Robot | Arm, names: list[str] | None = None, height: int = HEIGHT) -> Shown:
+    """The viewer of one result, of several side by side, or of one robot at rest with its modes.
+
+    ``names`` tell several results apart; ``height`` of the frame in pixels. Raises
+    :class:`tmodes.errors.InputError` for anything else, and what simulating the robot's rest raises.
+    """
+    robots = [one for one in shown if isinstance(one, (Robot, Arm))]
+    results = [one for one in shown if isinstance(one, RunRecord)]
+    if not shown or len(robots) + len(results) < len(shown) or (robots and len(shown) > 1):
+        got = ", ".join(type(one).__name__ for one in shown) or "nothing"
+        raise InputError("show", got, "one result or more, or one robot", "run robots first to compare them")
+    if names is not None and len(names) != len(shown):
+        raise InputError("names", f"{len(names)} names", f"{len(shown)}, one for each", "name each result")
+    page = rest_page(robots[0]) if robots else page_data(results, names or _numbered(results))
+    return Shown(viewer_document(page), str(page["title"]), height)
+
+
+def _numbered(results: list[RunRecord]) -> list[str] | None:
+    """Several results of robots of one name get numbers."""
+    names = [robot_name(result) for result in results]
+    return None if len(set(names)) == len(names) else [f"{name} {k}" for k, name in enumerate(names, 1)]
+
+
+def robot_name(result: RunRecord) -> str:
+    """The name of the robot that ran."""
+    return str(json.loads(result.data.attrs["robot"]).get("name") or "robot")
+
+
+def rest_page(robot: Robot | Arm) -> dict[str, Any]:
+    """The data of a page on a robot at rest: its shape and its modes, without a run."""
+    page = page_data([_standing(robot)], [robot.name])
+    page["subtitle"] = f"{robot.title or robot.name}: at rest, with its modes of vibration"
+    page["runs"][0] |= {"charts": [], "facts": [], "line": None}
+    page["runs"][0] |= {"status": "at rest", "message": "nothing was simulated"}
+    return page
+
+
+def _standing(robot: Robot | Arm) -> RunRecord:
+    """A run too short for anything to move."""
+    still = {"integration.duration": STILL, "integration.output_step": STILL, "integration.stop": []}
+    if isinstance(robot, Robot):
+        from tmodes.simulate import simulate
+
+        return simulate(robot.with_(still))
+    from tmodes.arm_result import assemble_arm
+    from tmodes.motion.simulate import simulate_arm
+
+    arm = ready_to_run((robot if robot.drives else _held(robot)).with_(still))
+    return assemble_arm(simulate_arm(arm), arm)
+
+
+def _held(arm: Arm) -> Arm:
+    """An arm whose joints stand still, where its sheet moves none."""
+    if arm.initial.coordinates or arm.initial.rates:
+        return arm
+    hold = {"type": "constant", "value": 0.0}
+    names = [name for name, _ in movable_joints(arm.chain())]
+    return arm.with_({"drives": [{"joint": name, "command": "prescribed", "signal": hold} for name in names]})

@@ -1,0 +1,140 @@
+"""What stands before every request: who may ask, from where, how much may be sent, and what the answer may do."""
+
+from __future__ import annotations
+
+import hmac
+import json
+from collections.abc import Mapping
+from http.cookies import CookieError, SimpleCookie
+from typing import Any
+from urllib.parse import parse_qs
+
+from tmodes.studio.told import told_error
+
+__all__ = ["MOST_BODY", "Guard"]
+
+MOST_BODY = 24 * 1024 * 1024
+"""Bytes of a request: an upload of the largest size in base64."""
+
+CSP = (
+    "default-src 'none'; script-src 'self' 'wasm-unsafe-eval'; style-src 'self' 'unsafe-inline'; img-src data: blob:; "
+    "worker-src blob:; connect-src 'self'; base-uri 'none'; form-action 'none'; frame-ancestors 'none'"
+)
+HEADERS = (
+    (b"content-security-policy", CSP.encode()),
+    (b"x-content-type-options", b"nosniff"),
+    (b"x-frame-options", b"DENY"),
+    (b"referrer-policy", b"no-referrer"),
+    (b"cross-origin-opener-policy", b"same-origin"),
+    (b"cross-origin-resource-policy", b"same-origin"),
+    (b"cache-control", b"no-store"),
+)
+
+Message = dict[str, Any]
+
+
+class Guard:
+    """Around the application (ASGI): refuses what is not of its own page, and bounds what is sent.
+
+    ``hosts``: what the header Host may say, so that no other name can be made to lead here (DNS rebinding).
+    """
+
+    def __init__(self, app: Any, token: str, hosts: frozenset[str], cookie: str) -> None:
+        self._app, self._token, self._hosts, self._cookie = app, token, hosts, cookie
+
+    async def __call__(self, scope: Mapping[str, Any], receive: Any, send: Any) -> None:
+        """One request, or the start and stop of the application."""
+        if scope["type"] != "http":
+            if scope["type"] == "lifespan":
+                await self._app(scope, receive, send)
+            return
+        headers = {name.decode("latin-1").lower(): value.decode("latin-1") for name, value in scope["headers"]}
+        answer = _Answer(send)
+        if wrong := self._refusal(scope, headers):
+            await answer.error(*wrong)
+            return
+        if self._token_in_address(scope):
+            answer.more = [(b"set-cookie", self._new_cookie())]
+        body = _Body(receive, headers.get("content-length", ""))
+        if body.told_too_large:
+            await answer.error(413, _too_large())
+            return
+        try:
+            await self._app(scope, body.receive, answer.send)
+        except _TooLargeError:
+            await answer.error(413, _too_large())
+
+    def _refusal(self, scope: Mapping[str, Any], headers: Mapping[str, str]) -> tuple[int, Message] | None:
+        host = headers.get("host", "").lower()
+        if host not in self._hosts:
+            return 421, told_error("host", "a name that is not this studio's", host[:80], " or ".join(self._hosts))
+        origin = headers.get("origin")
+        if origin is not None and origin.lower() != f"http://{host}":
+            return 403, told_error("origin", "a request of another page", origin[:80], f"http://{host}")
+        if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none") and scope["method"] != "GET":
+            return 403, told_error("sec-fetch-site", "a request of another page")
+        if not (self._token_in_address(scope) or self._known(headers)):
+            mend = "open the address that `tmodes studio` printed"
+            return 401, told_error("token", f"no token, or a wrong one. Mend: {mend}", mend=mend)
+        return None
+
+    def _token_in_address(self, scope: Mapping[str, Any]) -> bool:
+        if scope["path"] != "/" or scope["method"] != "GET":
+            return False
+        given = parse_qs(scope["query_string"].decode("latin-1")).get("token", [""])[0]
+        return self._is_token(given)
+
+    def _known(self, headers: Mapping[str, str]) -> bool:
+        try:
+            kept = SimpleCookie(headers.get("cookie", "")).get(self._cookie)
+        except CookieError:
+            kept = None
+        return self._is_token(kept.value if kept else headers.get("x-tmodes-token", ""))
+
+    def _is_token(self, given: str) -> bool:
+        return hmac.compare_digest(given.encode(), self._token.encode())
+
+    def _new_cookie(self) -> bytes:
+        return f"{self._cookie}={self._token}; Path=/; HttpOnly; SameSite=Strict".encode()
+
+
+class _TooLargeError(Exception):
+    pass
+
+
+def _too_large() -> Message:
+    return told_error("body", "too much was sent", f"more than {MOST_BODY:,} bytes", f"at most {MOST_BODY:,} bytes")
+
+
+class _Body:
+    """What is sent, counted."""
+
+    def __init__(self, receive: Any, told: str) -> None:
+        self._receive, self._count = receive, 0
+        self.told_too_large = told.isdecimal() and int(told[:15]) > MOST_BODY
+
+    async def receive(self) -> Message:
+        message = await self._receive()
+        self._count += len(message.get("body", b""))
+        if self._count > MOST_BODY:
+            raise _TooLargeError
+        return message
+
+
+class _Answer:
+    """What goes back, with the headers that every answer has."""
+
+    def __init__(self, send: Any) -> None:
+        self._send = send
+        self.more: list[tuple[bytes, bytes]] = []
+
+    async def send(self, message: Message) -> None:
+        if message["type"] == "http.response.start":
+            message = message | {"headers": [*message.get("headers", []), *HEADERS, *self.more]}
+        await self._send(message)
+
+    async def error(self, status: int, told: Message) -> None:
+        body = json.dumps({"errors": [told]}).encode()
+        headers = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
+        await self.send({"type": "http.response.start", "status": status, "headers": headers})
+        await self._send({"type": "http.response.body", "body": body})

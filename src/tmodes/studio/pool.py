@@ -1,0 +1,156 @@
+"""The workers: processes that simulate, each one job at a time, ended and replaced where they do not obey."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+import sys
+from collections.abc import Callable
+from contextlib import suppress
+from typing import Any
+
+__all__ = ["Pool", "WorkerLost"]
+
+PATIENCE = 0.5
+"""Seconds in which a worker may end a cancelled job by itself."""
+
+FAREWELL = 2.0
+LONGEST_LINE = 2**24
+COMMAND = (sys.executable, "-P", "-m", "tmodes.studio.worker")
+
+Listener = Callable[[str, float], None]
+
+
+class WorkerLost(Exception):
+    """The process that worked on a job is no more."""
+
+
+class _Worker:
+    """One process; ``last`` is whose job it did last: its numbers are still warm there."""
+
+    def __init__(self, process: asyncio.subprocess.Process) -> None:
+        self.process = process
+        self.last = ""
+
+    @classmethod
+    async def started(cls) -> _Worker:
+        pipe = asyncio.subprocess.PIPE
+        return cls(
+            await asyncio.create_subprocess_exec(
+                *COMMAND, stdin=pipe, stdout=pipe, limit=LONGEST_LINE, start_new_session=os.name != "nt"
+            )
+        )
+
+    @property
+    def alive(self) -> bool:
+        return self.process.returncode is None
+
+    def tell(self, order: dict[str, Any]) -> None:
+        if self.process.stdin:
+            self.process.stdin.write(json.dumps(order).encode() + b"\n")
+
+    async def answers(self) -> tuple[dict[str, Any], bytes]:
+        """The next head and its bytes."""
+        stream = self.process.stdout
+        if stream is None:
+            raise WorkerLost
+        try:
+            head = json.loads(await stream.readline())
+            return head, await stream.readexactly(head["bytes"])
+        except (ValueError, asyncio.IncompleteReadError):
+            raise WorkerLost from None
+
+    async def end(self) -> None:
+        """Let the orders end, upon which the process does; kill it where it does not."""
+        if self.process.stdin:
+            with suppress(OSError):
+                self.process.stdin.close()
+        with suppress(TimeoutError):
+            await asyncio.wait_for(self.process.wait(), FAREWELL)
+        await self.kill()
+
+    async def kill(self) -> None:
+        if self.alive:
+            with suppress(ProcessLookupError):
+                self.process.kill()
+        await self.process.wait()
+
+
+class Pool:
+    """``size`` workers; a job waits until one is free, the one that last worked for the same client if it is."""
+
+    def __init__(self, size: int) -> None:
+        self._size = size
+        self._free: list[_Worker] = []
+        self._all: set[_Worker] = set()
+        self._room = asyncio.Condition()
+        self._numbers = 0
+
+    async def start(self) -> None:
+        """Start the workers."""
+        for _ in range(self._size):
+            await self._add()
+
+    async def stop(self) -> None:
+        """End all workers; jobs that still run are lost."""
+        await asyncio.gather(*(worker.end() for worker in self._all))
+        self._all.clear()
+
+    async def run(
+        self, product: str, sheet: Any, client: str, listen: Listener, cancelled: asyncio.Event
+    ) -> tuple[dict[str, Any], bytes]:
+        """Do one job: the last head of its worker (``kind`` done, error or cancelled) and its bytes."""
+        worker = await self._borrowed(client)
+        self._numbers += 1
+        number = self._numbers
+        waiting = asyncio.create_task(_until_cancelled(worker, number, cancelled))
+        try:
+            if cancelled.is_set():
+                return {"kind": "cancelled"}, b""
+            worker.tell({"job": number, "product": product, "sheet": sheet})
+            while True:
+                head, content = await worker.answers()
+                if head["job"] == number and head["kind"] != "progress":
+                    return head, content
+                listen(head.get("stage", ""), head.get("share", 0.0))
+        except WorkerLost:
+            await worker.kill()
+            if cancelled.is_set():
+                return {"kind": "cancelled"}, b""
+            raise
+        finally:
+            waiting.cancel()
+            await self._give_back(worker)
+
+    async def _borrowed(self, client: str) -> _Worker:
+        async with self._room:
+            await self._room.wait_for(lambda: self._free)
+            known = next((worker for worker in self._free if worker.last == client), self._free[0])
+            self._free.remove(known)
+            known.last = client
+            return known
+
+    async def _give_back(self, worker: _Worker) -> None:
+        if not worker.alive:
+            self._all.discard(worker)
+            await self._add()
+            return
+        async with self._room:
+            self._free.append(worker)
+            self._room.notify()
+
+    async def _add(self) -> None:
+        worker = await _Worker.started()
+        self._all.add(worker)
+        async with self._room:
+            self._free.append(worker)
+            self._room.notify()
+
+
+async def _until_cancelled(worker: _Worker, number: int, cancelled: asyncio.Event) -> None:
+    """Ask the worker to end a job that is not wanted any more; a worker that does not hear is ended."""
+    await cancelled.wait()
+    worker.tell({"cancel": number})
+    await asyncio.sleep(PATIENCE)
+    await worker.kill()

@@ -1,0 +1,181 @@
+"""The studio's application: robots, checks, simulations, studies and uploads, for its own page alone."""
+
+from __future__ import annotations
+
+import asyncio
+import json
+import os
+from collections.abc import AsyncIterator
+from contextlib import asynccontextmanager, suppress
+from typing import Any
+
+from fastapi import FastAPI, Request, Response
+from starlette.concurrency import run_in_threadpool
+
+from tmodes.errors import InputError, ResultFileError, TmodesError
+from tmodes.studio import sheets
+from tmodes.studio.folder import WorkingFolder
+from tmodes.studio.guard import Guard
+from tmodes.studio.jobs import JobBook
+from tmodes.studio.page import add_page
+from tmodes.studio.pool import Pool
+from tmodes.studio.requests import body_of, word_of
+from tmodes.studio.told import told_error, told_errors
+from tmodes.studio.upload import uploaded_sheet
+from tmodes.studio.work import PRODUCTS
+
+__all__ = ["application"]
+
+LONGEST_WAIT = 5.0
+FILES = {"report": ("report.html", "text/html; charset=utf-8"), "data": ("result.nc", "application/x-netcdf")}
+
+
+def application(folder: WorkingFolder, token: str, hosts: frozenset[str], first: str = "", workers: int = 0) -> Guard:
+    """The application (ASGI) that serves the page to those who know ``token``.
+
+    ``hosts``: what the header Host may say; ``first``: the robot or file that is shown first; ``workers``: how many
+    processes simulate, 0: two to four by the machine.
+    """
+    pool = Pool(workers or max(2, min(4, (os.cpu_count() or 2) - 1)))
+    book = JobBook(pool)
+    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book))
+    app.add_exception_handler(TmodesError, _explained)
+    app.add_exception_handler(404, _not_found)
+    app.add_exception_handler(405, _not_found)
+    app.add_exception_handler(RecursionError, _too_deep)
+    add_page(app, first)
+    _add_sheets(app)
+    _add_studies(app, folder)
+    _add_jobs(app, book)
+    return Guard(app, token, hosts, f"tmodes-studio-{min(hosts, default='').rpartition(':')[2] or 'test'}")
+
+
+def _lifespan(pool: Pool, book: JobBook) -> Any:
+    @asynccontextmanager
+    async def lifespan(app: FastAPI) -> AsyncIterator[None]:
+        del app
+        await pool.start()
+        watch = asyncio.create_task(_watch(book))
+        yield
+        watch.cancel()
+        with suppress(asyncio.CancelledError):
+            await watch
+        await pool.stop()
+
+    return lifespan
+
+
+async def _watch(book: JobBook) -> None:
+    while True:
+        await asyncio.sleep(1.0)
+        book.end_abandoned()
+
+
+async def _explained(request: Request, error: Exception) -> Response:
+    """Errors of ours as JSON: 422 for wrong input, 409 for a file that cannot be written."""
+    assert isinstance(error, TmodesError)  # noqa: S101
+    status = 409 if isinstance(error, ResultFileError) else 422
+    return _json({"errors": told_errors(error, getattr(request.state, "sheet", None))}, status)
+
+
+async def _not_found(request: Request, error: Exception) -> Response:
+    del error
+    return _json({"errors": [told_error("address", f"there is nothing at {request.url.path[:80]}")]}, 404)
+
+
+async def _too_deep(request: Request, error: Exception) -> Response:
+    del request, error
+    return _json({"errors": [told_error("body", "too many levels", expected="a data sheet")]}, 422)
+
+
+def _json(value: Any, status: int = 200) -> Response:
+    return Response(json.dumps(value, allow_nan=False), status, media_type="application/json")
+
+
+async def _checked(request: Request, data: dict[str, Any]) -> Any:
+    """The checked sheet of a request; its errors lead to the places in it."""
+    request.state.sheet = data.get("sheet")
+    return await run_in_threadpool(sheets.checked_sheet, data.get("sheet"))
+
+
+def _add_sheets(app: FastAPI) -> None:
+    @app.get("/api/robots")
+    async def robots() -> Response:
+        return _json({"robots": await run_in_threadpool(sheets.catalogue)})
+
+    @app.get("/api/robots/{name}")
+    async def robot(name: str) -> Response:
+        if name not in {one["name"] for one in sheets.catalogue()}:
+            raise InputError("robot", repr(name[:60]), "a published robot", "choose one of the list")
+        return _json(await run_in_threadpool(lambda: sheets.told_sheet(sheets.loaded(name))))
+
+    @app.get("/api/schemas/{kind}")
+    async def schema(kind: str) -> Response:
+        return _json(await run_in_threadpool(sheets.schema_of, kind))
+
+    @app.post("/api/check")
+    async def check(request: Request) -> Response:
+        sheet = await _checked(request, await body_of(request))
+        return _json(await run_in_threadpool(sheets.told_sheet, sheet))
+
+    @app.post("/api/yaml")
+    async def yaml(request: Request) -> Response:
+        sheet = await _checked(request, await body_of(request))
+        return _json({"yaml": await run_in_threadpool(sheets.sheet_yaml, sheet)})
+
+    @app.post("/api/upload")
+    async def upload(request: Request) -> Response:
+        data = await body_of(request)
+        return _json(await run_in_threadpool(lambda: sheets.told_sheet(uploaded_sheet(data.get("files")))))
+
+
+def _add_studies(app: FastAPI, folder: WorkingFolder) -> None:
+    @app.get("/api/studies")
+    async def studies() -> Response:
+        return _json({"folder": folder.path.name, "studies": await run_in_threadpool(folder.names)})
+
+    @app.get("/api/studies/{name}")
+    async def study(name: str) -> Response:
+        path = folder.existing(name)
+        return _json(await run_in_threadpool(lambda: sheets.told_sheet(sheets.loaded(path, (folder.path,)))))
+
+    @app.put("/api/studies/{name}")
+    async def save(name: str, request: Request) -> Response:
+        data = await body_of(request)
+        text = sheets.sheet_yaml(await _checked(request, data))
+        overwrite = data.get("overwrite") is True
+        saved = await run_in_threadpool(lambda: folder.save(name, text, overwrite=overwrite))
+        return _json({"saved": saved.name})
+
+
+def _add_jobs(app: FastAPI, book: JobBook) -> None:
+    @app.post("/api/jobs")
+    async def begin(request: Request) -> Response:
+        data = await body_of(request)
+        product = word_of(data, "product")
+        if product not in PRODUCTS:
+            raise InputError("product", repr(product), f"one of {', '.join(PRODUCTS)}", "ask for one of them")
+        return _json(book.begin(product, data.get("sheet"), word_of(data, "client")).as_told())
+
+    @app.get("/api/jobs/{name}")
+    async def look(name: str, wait: float = 0.0) -> Response:
+        job = book.find(name)
+        await book.wait(job, min(max(wait, 0.0), LONGEST_WAIT))
+        return _json(job.as_told())
+
+    @app.delete("/api/jobs/{name}")
+    async def cancel(name: str) -> Response:
+        job = book.find(name)
+        book.cancel(job)
+        await book.wait(job, LONGEST_WAIT)
+        return _json(job.as_told())
+
+    @app.get("/api/jobs/{name}/content")
+    async def content(name: str) -> Response:
+        job = book.find(name)
+        if job.state != "done":
+            raise InputError("job", job.state, "one that is done", "wait for it")
+        if job.product not in FILES:
+            return Response(job.content, media_type="application/octet-stream")
+        file, kind = FILES[job.product]
+        return Response(job.content, media_type=kind, headers={"content-disposition": f'attachment; filename="{file}"'})

@@ -1,0 +1,103 @@
+"""Data sheets as the page holds them: plain data of either kind, checked here, written as YAML."""
+
+from __future__ import annotations
+
+import math
+from functools import cache
+from pathlib import Path
+from typing import Any
+
+from tmodes.arm import Arm
+from tmodes.errors import InputError
+from tmodes.io.arm_check import arm_data, arm_from_data
+from tmodes.io.check import robot_from_data
+from tmodes.robot import Robot
+
+__all__ = ["catalogue", "checked_sheet", "loaded", "plain_sheet", "schema_of", "sheet_yaml", "told_sheet", "units_of"]
+
+MOST_BYTES = 300_000_000
+"""Largest result that is simulated for the page [bytes]."""
+
+
+@cache
+def catalogue() -> list[dict[str, str]]:
+    """Name, title and kind of each published robot."""
+    from tmodes.io.yaml_file import parse_yaml
+    from tmodes.robots.load import sheet_names, sheet_text
+
+    read = {name: parse_yaml(sheet_text(name), f"{name}.yaml")[0] for name in sheet_names()}
+    return [{"name": name, "title": str(data.get("title", "")), "kind": _kind(data)} for name, data in read.items()]
+
+
+def _kind(data: dict[str, Any]) -> str:
+    return "robot" if "kind" not in data and "urdf" not in data else "arm"
+
+
+@cache
+def schema_of(kind: str) -> dict[str, Any]:
+    """The JSON Schema of which the forms are made; ``kind``: robot or arm.
+
+    Raises :class:`tmodes.errors.InputError` for another kind.
+    """
+    from tmodes.io.arm_schema import arm_json_schema
+    from tmodes.io.schema import json_schema
+
+    if kind not in ("robot", "arm"):
+        raise InputError("kind", repr(kind[:60]), "robot or arm", "ask for the kind that a sheet tells")
+    return arm_json_schema() if kind == "arm" else json_schema()
+
+
+def checked_sheet(data: Any) -> Robot | Arm:
+    """The checked sheet of plain data; raises :class:`tmodes.errors.InputErrors` with every wrong value."""
+    return arm_from_data(data) if isinstance(data, dict) and "kind" in data else robot_from_data(data)
+
+
+def loaded(name_or_path: str | Path, roots: tuple[Path, ...] = ()) -> Robot | Arm:
+    """A published sheet, or that of a file; the errors are those of :func:`tmodes.robots.load.load_sheet`."""
+    from tmodes.robots.load import load_sheet
+
+    return load_sheet(name_or_path, roots=roots)
+
+
+def plain_sheet(sheet: Robot | Arm) -> dict[str, Any]:
+    """The plain data of a sheet as JSON can hold it, infinite numbers as ``.inf``: reading it gives the same sheet."""
+    return _finite(arm_data(sheet) if isinstance(sheet, Arm) else sheet.model_dump(mode="json"))
+
+
+def _finite(value: Any) -> Any:
+    if isinstance(value, dict):
+        return {key: _finite(item) for key, item in value.items()}
+    if isinstance(value, list):
+        return [_finite(item) for item in value]
+    return ".inf" if value == math.inf else value
+
+
+def sheet_yaml(sheet: Robot | Arm) -> str:
+    """The sheet as YAML, with units and meanings."""
+    from tmodes.io.arm_write import arm_to_yaml
+    from tmodes.io.write import robot_to_yaml
+
+    return arm_to_yaml(sheet) if isinstance(sheet, Arm) else robot_to_yaml(sheet)
+
+
+def told_sheet(sheet: Robot | Arm) -> dict[str, Any]:
+    """What the page gets of a right sheet: its data, units by path, sliders, and what looks implausible."""
+    from tmodes.io.doubts import doubts_about
+    from tmodes.studio.sliders import told_sliders
+
+    data = plain_sheet(sheet)
+    kind = "arm" if isinstance(sheet, Arm) else "robot"
+    told = {"units": units_of(data), "sliders": told_sliders(sheet, data), "warnings": doubts_about(sheet)}
+    return {"kind": kind, "name": sheet.name, "sheet": data, **told}
+
+
+def units_of(data: Any) -> dict[str, str]:
+    """The unit of each number of an arm by its path, where the schema alone does not tell it (a joint turns or slides).
+
+    Empty for the robot of the 2010 paper, whose schema tells every unit.
+    """
+    if not isinstance(data, dict) or data.get("kind") != "arm":
+        return {}
+    from tmodes.io.arm_fields import quantities
+
+    return {".".join(map(str, steps)): place.unit or "" for _, _, steps, place in quantities(data)}

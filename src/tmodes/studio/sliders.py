@@ -1,0 +1,38 @@
+"""The sliders of the studio: those of the live report, with the places in the sheet's plain data that they move."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tmodes.arm import Arm
+from tmodes.io.arm_paths import steps_of
+from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
+from tmodes.robot import Robot
+
+__all__ = ["told_sliders"]
+
+
+def told_sliders(sheet: Robot | Arm, data: dict[str, Any]) -> list[dict[str, Any]]:
+    """The numbers of a sheet that are dragged most, the most useful first; ``data`` is its plain data.
+
+    A slider stands at its number, or, where it moves several ``together``, at the factor on their bases.
+    """
+    knobs = knobs_of(sheet)
+    return [_told(slider, knobs[slider.knob], data) for slider in sliders_of(sheet, knobs)]
+
+
+def _told(slider: Slider, knob: Knob, data: dict[str, Any]) -> dict[str, Any]:
+    if slider.real:
+        targets = [{"steps": ["real", path], "base": 1.0} for path, _ in knob.targets]
+    else:
+        targets = [{"steps": _steps(path, data), "base": base} for path, base in knob.targets]
+    names = ("label", "symbol", "unit", "group", "log")
+    told: dict[str, Any] = {name: getattr(slider, name) for name in names}
+    together = knob.together and not slider.real
+    return told | {"min": slider.low, "max": slider.high, "together": together, "targets": targets}
+
+
+def _steps(path: str, data: dict[str, Any]) -> list[str | int]:
+    if data.get("kind") == "arm":
+        return list(steps_of(path, data))
+    return [int(word) if word.isdecimal() else word for word in path.split(".")]

@@ -1,0 +1,149 @@
+"""What a worker computes: a sheet simulated, and of the result a page's data, a report, or the result file."""
+
+from __future__ import annotations
+
+import json
+import tempfile
+import time as clock
+from collections.abc import Callable, Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
+
+from tmodes.arm import Arm
+from tmodes.errors import InputError
+from tmodes.studio.sheets import MOST_BYTES, checked_sheet, plain_sheet
+
+if TYPE_CHECKING:
+    from tmodes.arm_result import ArmResult
+    from tmodes.result import Result
+    from tmodes.robot import Robot
+
+__all__ = ["PRODUCTS", "Answer", "Workshop"]
+
+Progress = Callable[[str, float], None]
+
+
+@dataclass(frozen=True)
+class Answer:
+    """What was asked for: its bytes, and what is told beside them."""
+
+    content: bytes
+    told: dict[str, Any]
+
+
+class Workshop:
+    """Simulates sheets; the last result stays, so that its report and its data take no second run."""
+
+    def __init__(self) -> None:
+        self._last: tuple[str, Result | ArmResult] | None = None
+
+    def answer(self, product: str, data: Mapping[str, Any], progress: Progress) -> Answer:
+        """The ``product`` (one of :data:`PRODUCTS`) of a sheet's plain data; ``seconds`` tell what each part took.
+
+        Raises :class:`tmodes.errors.TmodesError` for a sheet that is wrong or cannot run.
+        """
+        laps = _Laps()
+        sheet = checked_sheet(dict(data))
+        laps.take("check")
+        result = self._result(sheet, progress)
+        laps.take("simulate")
+        content = PRODUCTS[product](result, sheet.name, laps)
+        told = {"status": result.status, "success": result.success, "message": result.message, "name": sheet.name}
+        told["seconds"] = laps.told | {"loops": _loop_seconds(result)}
+        return Answer(content, told)
+
+    def _result(self, sheet: Robot | Arm, progress: Progress) -> Result | ArmResult:
+        key = json.dumps(plain_sheet(sheet), sort_keys=True)
+        if self._last is None or self._last[0] != key:
+            self._last = None  # two results at once may be more than the memory holds
+            self._last = (key, _simulated(sheet, progress))
+        return self._last[1]
+
+
+class _Laps:
+    def __init__(self) -> None:
+        self.told: dict[str, float] = {}
+        self._since = clock.perf_counter()
+
+    def take(self, part: str) -> None:
+        now = clock.perf_counter()
+        self.told[part] = now - self._since
+        self._since = now
+
+
+def _simulated(sheet: Robot | Arm, progress: Progress) -> Result | ArmResult:
+    if isinstance(sheet, Arm):
+        from tmodes.arm_result import assemble_arm
+        from tmodes.arm_runs import ready_to_run, result_bytes
+        from tmodes.motion.simulate import simulate_arm
+
+        arm = ready_to_run(sheet)
+        _refuse_large(result_bytes(arm))
+        return assemble_arm(simulate_arm(arm, progress=progress), arm, progress=progress)
+    from tmodes.simulate import simulate
+    from tmodes.trajectory import sample_times
+
+    _refuse_large(len(sample_times(sheet.integration)) * sheet.integration.bytes_per_sample)
+    return simulate(sheet, progress=progress)
+
+
+def _refuse_large(size: int) -> None:
+    if size > MOST_BYTES:
+        got, expected = f"a result of {size / 1e6:,.0f} MB", f"at most {MOST_BYTES / 1e6:,.0f} MB in the studio"
+        mend = "sample more coarsely, or run it with `tmodes run` and look at it with `tmodes view`"
+        raise InputError("integration.output_step", got, expected, mend)
+
+
+def _loop_seconds(result: Result | ArmResult) -> float:
+    """Seconds spent in the loops of the reference run and the real one."""
+    return sum(result.timing.values()) * float(result.data["time"][-1])
+
+
+def _page(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
+    from tmodes.report.data import page_data
+    from tmodes.report.pack import pack
+
+    page = page_data([result], [name])
+    page |= {"times": result.data["time"].values, "series": _series(result, page)}
+    laps.take("page")
+    content = pack(page)
+    laps.take("pack")
+    return content
+
+
+def _series(result: Result | ArmResult, page: Mapping[str, Any]) -> dict[str, Any]:
+    """The result's own series that the curves of a page are drawn of, so that later runs can be drawn upon them."""
+    sources = [curve["source"] for chart in page["runs"][0]["charts"] for curve in chart["curves"]]
+    names = {part["variable"] for source in sources if source for part in (source, source.get("less")) if part}
+    return {name: result.data[name].values.astype("f8") for name in sorted(names)}
+
+
+def _data(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
+    del name
+    with tempfile.TemporaryDirectory(prefix="tmodes-data-") as folder:
+        content = result.save(Path(folder) / "result.nc").read_bytes()
+    laps.take("data")
+    return content
+
+
+def _report(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
+    from tmodes.report import write_report
+    from tmodes.report.arm_write import write_arm_report
+    from tmodes.result import Result
+
+    del name
+    with tempfile.TemporaryDirectory(prefix="tmodes-report-") as folder:
+        path = Path(folder) / "report.html"
+        write_report(result, path) if isinstance(result, Result) else write_arm_report(result, path)
+        content = path.read_bytes()
+    laps.take("report")
+    return content
+
+
+PRODUCTS: dict[str, Callable[[Result | ArmResult, str, _Laps], bytes]] = {
+    "page": _page,
+    "report": _report,
+    "data": _data,
+}
+"""What can be asked for: the page's data, ``report.html``, ``result.nc``."""

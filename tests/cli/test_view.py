@@ -1,0 +1,139 @@
+"""``tmodes view`` and the viewer in notebooks: pages of stored results, side by side, and of a robot at rest."""
+
+from __future__ import annotations
+
+import base64
+import gzip
+import html
+import json
+import os
+import re
+import subprocess
+import sys
+import tempfile
+from pathlib import Path
+
+import pytest
+
+import tmodes
+from arm.see.runs import result_of
+from tmodes.cli.view import names_apart
+from tmodes.errors import InputError, ResultFileError
+from tmodes.notebook import rest_page, show
+
+COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "view", "--no-open"]
+
+
+def viewed(*arguments: object, code: int = 0, **more) -> subprocess.CompletedProcess[str]:
+    done = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
+    assert "Traceback" not in done.stderr
+    assert done.returncode == code, done.stderr
+    return done
+
+
+def head_of(document: str) -> dict:
+    """The plain part of a page's data."""
+    packed = re.search(r'id="tmodes-data"[^>]*>([^<]*)<', document)
+    assert packed
+    content = gzip.decompress(base64.b64decode(packed[1]))
+    return json.loads(content[8 : 8 + int.from_bytes(content[4:8], "little")])["page"]
+
+
+@pytest.fixture(scope="module")
+def runs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
+    folder = tmp_path_factory.mktemp("runs")
+    paths = [folder / "soft", folder / "stiff"]
+    robot = tmodes.load_robot("filipovic2010").with_({"integration.duration": 0.2})
+    for stiffness, path in zip((400.0, 900.0), paths, strict=True):
+        path.mkdir()
+        tmodes.run(robot.with_({"gear.stiffness": stiffness})).save(path / "result.nc")
+    return paths
+
+
+def test_two_runs_side_by_side(runs, tmp_path):
+    """Runs of one robot are told apart by their folders; the page asks for nothing outside."""
+    out = tmp_path / "a page.html"
+    told = json.loads(viewed(*runs, "--out", out, "--json").stdout)
+    document = out.read_text(encoding="utf-8")
+    head = head_of(document)
+    assert [run["name"] for run in head["runs"]] == told["runs"]
+    assert [name.partition(" (")[2] for name in told["runs"]] == ["soft)", "stiff)"]
+    assert "default-src 'none'" in html.unescape(document[:1000])
+    assert not re.search(r"(?:src|href)=[\"']?https?:", document)
+
+
+def test_a_page_is_not_replaced_unasked(runs, tmp_path):
+    out = tmp_path / "page.html"
+    out.write_text("mine", encoding="utf-8")
+    assert "--overwrite" in viewed(runs[0], "--out", out, code=4).stderr
+    assert out.read_text(encoding="utf-8") == "mine"
+    viewed(runs[0] / "result.nc", "--out", out, "--overwrite")
+    assert head_of(out.read_text(encoding="utf-8"))["title"]
+
+
+def test_without_a_file_the_page_is_temporary_and_stays(runs, tmp_path):
+    page = Path(viewed(runs[0], env=os.environ | {"TMPDIR": str(tmp_path)}).stdout.split(maxsplit=1)[1].strip())
+    assert page.parent == tmp_path
+    assert page.read_text(encoding="utf-8").startswith("<!doctype html>")
+    none = viewed(runs[0], "--out", tmp_path / "no folder" / "x.html", code=4)
+    assert "Mend" in none.stderr
+
+
+def test_what_cannot_be_viewed(runs, tmp_path):
+    (tmp_path / "result.nc").write_bytes((runs[0] / "result.nc").read_bytes()[:-9])
+    assert "seal" in viewed(runs[0], tmp_path, code=4).stderr
+    assert "at most 6" in viewed(*[runs[0]] * 7, code=2).stderr
+    assert "got nothing" in viewed(tmp_path / "none", code=4).stderr
+
+
+def test_names_apart():
+    paths = [Path("/a/one/result.nc"), Path("/b/one/result.nc"), Path("/b/two.nc")]
+    assert names_apart(["x", "y", "z"], paths) == ["x", "y", "z"]
+    assert names_apart(["x", "x", "y"], paths) == ["x (a/one)", "x (b/one)", "y (b/two)"]
+    assert names_apart(["x", "x"], [paths[0], paths[0]]) == ["x (1)", "x (2)"]
+
+
+def test_a_result_in_a_notebook():
+    """An iframe whose whole document is in it, escaped; the same as the page that can be saved."""
+    shown = result_of("cantilever").show(height=500)
+    frame = shown._repr_html_()
+    assert 'height="500"' in frame
+    inside = re.search(r'srcdoc="([^"]*)"', frame)
+    assert inside
+    assert html.unescape(inside[1]) == shown.document
+    assert head_of(shown.document)["runs"][0]["status"] == "finished"
+    with tempfile.TemporaryDirectory() as folder:
+        path = shown.save(Path(folder) / "x.html")
+        assert path.read_text(encoding="utf-8") == shown.document
+        with pytest.raises(ResultFileError):
+            shown.save(path)
+
+
+def test_results_beside_each_other_in_a_notebook():
+    result = result_of("cantilever")
+    assert [run["name"] for run in head_of(show(result, result).document)["runs"]] == ["test 1", "test 2"]
+    named = show(result, result, names=["a", "<script>"])
+    assert [run["name"] for run in head_of(named.document)["runs"]] == ["a", "<script>"]
+    assert "<script>," not in named.document
+    robot = tmodes.load_robot("filipovic2010")
+    for wrong in ((), (robot, robot), (result, robot)):
+        with pytest.raises(InputError):
+            show(*wrong)
+    with pytest.raises(InputError, match="names"):
+        show(result, names=["a", "b"])
+
+
+@pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
+def test_a_robot_at_rest_has_its_modes(name):
+    """The frequencies of the modes that can be shown are those of `tmodes modes`, with no run and no charts."""
+    robot = tmodes.load_sheet(name)
+    run = rest_page(robot)["runs"][0]
+    assert run["charts"] == []
+    assert run["modes"]
+    assert all(mode["frequency"] > 0 for mode in run["modes"])
+    assert head_of(robot.show().document)["title"] == name
+
+
+def test_an_arm_that_nothing_moves_is_shown_too():
+    arm = tmodes.load_sheet("spong1987").with_({"drives": []})
+    assert rest_page(arm)["runs"][0]["status"] == "at rest"

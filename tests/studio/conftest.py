@@ -1,0 +1,96 @@
+"""A studio to talk to over a real connection: its application with workers of its own, and its working folder."""
+
+from __future__ import annotations
+
+import copy
+import socket
+import threading
+import time
+from collections.abc import Iterator
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import httpx
+import pytest
+import uvicorn
+
+from tmodes.studio.folder import WorkingFolder
+from tmodes.studio.server import application
+from tmodes.studio.sheets import loaded, plain_sheet
+
+TOKEN = "of-tests"  # noqa: S105
+
+
+@dataclass
+class Studio:
+    """A browser tab, so to speak."""
+
+    client: httpx.Client
+    folder: Path
+    host: str
+
+    @property
+    def cookie(self) -> str:
+        return f"tmodes-studio-{self.host.rpartition(':')[2]}"
+
+    def get(self, address: str, code: int = 200, **more: Any) -> Any:
+        return self._told(self.client.get(address, **more), code)
+
+    def post(self, address: str, code: int = 200, **more: Any) -> Any:
+        return self._told(self.client.post(address, **more), code)
+
+    def put(self, address: str, code: int = 200, **more: Any) -> Any:
+        return self._told(self.client.put(address, **more), code)
+
+    @staticmethod
+    def _told(answer: Any, code: int) -> Any:
+        assert answer.status_code == code, answer.text
+        return answer.json()
+
+    def begin(self, sheet: Any, product: str = "data", client: str = "tab") -> str:
+        return self.post("/api/jobs", json={"product": product, "sheet": sheet, "client": client})["job"]
+
+    def ended(self, job: str, within: float = 30.0) -> Any:
+        until = time.monotonic() + within
+        while (told := self.get(f"/api/jobs/{job}?wait=1"))["state"] in ("waiting", "running"):
+            assert time.monotonic() < until
+        return told
+
+
+@pytest.fixture(scope="session")
+def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
+    folder = tmp_path_factory.mktemp("working folder ü")
+    with socket.socket() as listening:
+        listening.bind(("127.0.0.1", 0))
+        host = f"127.0.0.1:{listening.getsockname()[1]}"
+        app = application(WorkingFolder(folder), TOKEN, frozenset({host}), workers=2)
+        server = uvicorn.Server(uvicorn.Config(app, log_level="error", ws="none", timeout_graceful_shutdown=1))
+        serving = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
+        serving.start()
+        with httpx.Client(base_url=f"http://{host}", timeout=60, trust_env=False) as client:
+            while not server.started:
+                time.sleep(0.02)
+            assert client.get(f"/?token={TOKEN}").status_code == 200
+            yield Studio(client, folder, host)
+        server.should_exit = True
+        serving.join(20)
+        assert not serving.is_alive()
+
+
+PLAIN = plain_sheet(loaded("filipovic2010"))
+
+
+@pytest.fixture
+def sheet() -> dict[str, Any]:
+    """The plain data of the robot of the 2010 paper, to be changed."""
+    return copy.deepcopy(PLAIN)
+
+
+@pytest.fixture
+def long_sheet() -> dict[str, Any]:
+    """A run of minutes."""
+    sheet = copy.deepcopy(PLAIN)
+    sheet["integration"] |= {"duration": 30000.0, "output_step": 1.0, "relative_tolerance": 1e-12}
+    sheet["reference"]["duration"] = 30000.0
+    return sheet

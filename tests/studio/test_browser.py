@@ -1,0 +1,295 @@
+"""The studio's page in a real browser, as a new user meets it."""
+
+from __future__ import annotations
+
+import os
+import re
+import signal
+import subprocess
+import sys
+from collections.abc import Iterator
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from tmodes.report import pack
+
+BUILT = Path(pack.__file__).parent / "web" / "studio.js"
+LAUNCH = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
+WAIT = 60_000
+
+SLOW_URDF = """<robot name="two">
+  <link name="base"/>
+  <link name="arm"><inertial><mass value="-2"/>
+    <inertia ixx="1" iyy="1" izz="1" ixy="0" ixz="0" iyz="0"/></inertial></link>
+  <joint name="hinge" type="revolute"><parent link="base"/><child link="arm"/><axis xyz="0 0 1"/>
+    <limit lower="-1" upper="1" effort="10" velocity="2"/></joint>
+</robot>
+"""
+
+
+@pytest.fixture(scope="module")
+def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
+    """A studio as its command starts it, which must end by itself when it is told to."""
+    folder = tmp_path_factory.mktemp("studies")
+    command = [
+        sys.executable,
+        "-m",
+        "tmodes.cli.entry",
+        "studio",
+        "filipovic2010",
+        "--no-open",
+        "--folder",
+        str(folder),
+    ]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True) as running:
+        assert running.stdout is not None
+        yield running.stdout.readline().split()[1]
+        running.send_signal(signal.SIGTERM)
+        running.wait(15)
+        assert running.returncode == 0
+
+
+@pytest.fixture(scope="module")
+def browser(chromium: str) -> Iterator[Any]:
+    sync_api = pytest.importorskip("playwright.sync_api", reason="needs the package playwright")
+    if not BUILT.exists():
+        pytest.skip("needs the built page: python tools/web.py")
+    with sync_api.sync_playwright() as playwright:
+        found = playwright.chromium.launch(executable_path=chromium, args=list(LAUNCH))
+        yield found
+        found.close()
+
+
+class Tab:
+    """One tab, and everything that went wrong in it."""
+
+    def __init__(self, page: Any) -> None:
+        self.page, self.wrong = page, []
+        page.on("pageerror", lambda error: self.wrong.append(str(error)))
+        page.on("console", self._hear)
+        page.on("dialog", lambda dialog: (self.wrong.append(dialog.message), dialog.dismiss()))
+        page.on("request", lambda one: self._look(one.url))
+
+    def _hear(self, told: Any) -> None:
+        if told.type == "error" and "status of 4" not in told.text:  # wrong input, which the page explains itself
+            self.wrong.append(told.text)
+
+    def _look(self, url: str) -> None:
+        if not url.startswith(("http://127.0.0.1", "data:", "blob:")):
+            self.wrong.append(url)
+
+    def line(self) -> str:
+        return self.page.inner_text(".line")
+
+    def told(self, start: str, within: int = WAIT) -> None:
+        """Wait until the line of the studio says something that starts so."""
+        self.page.locator(".line", has_text=re.compile(f"^{start}")).wait_for(timeout=within)
+
+    def fresh(self, act: Any) -> str:
+        """Do something and wait for new curves; what is told of them."""
+        self.page.evaluate("document.querySelector('.line').textContent = ''")
+        act()
+        self.told("New curves")
+        return self.line()
+
+    def fact(self, name: str) -> str:
+        return self.page.inner_text(f"[data-fact='{name}'] strong")
+
+    def type(self, label: str, value: str, *, inside: str = ".sheet") -> None:
+        field = self.page.locator(inside).get_by_label(label).first
+        field.fill(value)
+        field.press("Enter")
+
+
+def opened(browser: Any, address: str) -> Iterator[Tab]:
+    page = browser.new_page(viewport={"width": 1280, "height": 800})
+    tab = Tab(page)
+    page.goto(address)
+    page.wait_for_selector(".chart canvas", timeout=WAIT)
+    yield tab
+    page.close()
+    assert tab.wrong == []
+
+
+@pytest.fixture
+def tab(browser: Any, address: str) -> Iterator[Tab]:
+    yield from opened(browser, address)
+
+
+def drag(tab: Tab, slider: str, share: float) -> None:
+    tab.page.locator(f"[data-slider='{slider}'] input[type=range]").evaluate(
+        "(range, value) => { range.value = value; range.dispatchEvent(new Event('input', { bubbles: true })); }",
+        round(1000 * share),
+    )
+
+
+def test_a_dragged_slider_gives_new_curves_and_a_ghost(tab):
+    """The largest deviation is that of the command line for the payload that the slider shows."""
+    import tmodes
+
+    assert "token" not in tab.page.url
+    before = tab.fact("deviation.max")
+    tab.fresh(lambda: drag(tab, "payload.mass", 0.9))
+    mass = float(tab.page.input_value("[data-slider='payload.mass'] input.number"))
+    own = tmodes.run(tmodes.load_robot("filipovic2010").with_({"payload.mass": mass})).data
+    shown = tab.fact("deviation.max")
+    assert shown != before
+    assert float(shown.split()[0]) == pytest.approx(1e3 * float(own.deviation.max()), rel=2e-3)
+    assert before in tab.page.inner_text("[data-fact='deviation.max'] .was")
+
+
+def test_a_typed_number_with_its_unit(tab):
+    tab.page.locator("details[data-path=payload] > summary").click()
+    tab.fresh(lambda: tab.type("Mass", "900 g"))
+    heavy = tab.fact("deviation.max")
+    tab.fresh(lambda: tab.type("Mass", "0.9"))
+    assert tab.fact("deviation.max") == heavy
+
+
+def test_a_wrong_number_is_told_at_its_field(tab):
+    """The field is marked, the sentence stands below it and above, and a right number takes both away."""
+    tab.page.locator("details[data-path=payload] > summary").click()
+    tab.type("Mass", "-1")
+    tab.page.wait_for_selector(".sheet [aria-invalid=true]", timeout=WAIT)
+    assert "not less than 0 [kg]" in tab.page.inner_text(".sheet .wrong")
+    assert "payload.mass" in tab.page.inner_text(".errors")
+    tab.fresh(lambda: tab.type("Mass", "0.4"))
+    assert tab.page.locator("[aria-invalid=true], .sheet .wrong").count() == 0
+    assert not tab.page.is_visible(".errors")
+
+
+def test_a_wrong_urdf_is_told_by_file_line_and_field(tab):
+    tab.page.set_input_files(
+        "input[type=file]", [{"name": "two.urdf", "mimeType": "text/xml", "buffer": SLOW_URDF.encode()}]
+    )
+    tab.page.wait_for_selector(".errors p", timeout=WAIT)
+    told = tab.page.inner_text(".errors")
+    assert "two.urdf:3" in told
+    assert "mass" in told
+
+
+def test_another_robot_with_its_own_form(tab):
+    """An arm: its form comes from its own schema, choices of signals and all."""
+    tab.fresh(lambda: tab.page.select_option("#" + tab.page.get_attribute(".bar.top select", "id"), "spong1987"))
+    tab.page.locator("details[data-path=drives] > summary").click()
+    tab.page.locator("details[data-path='drives.0'] > summary").click()
+    tab.page.locator("details[data-path='drives.0.signal'] > summary").click()
+    kinds = tab.page.locator("details[data-path='drives.0.signal'] select").first
+    assert set(kinds.locator("option").all_inner_texts()) >= {"quintic", "sine", "table", "trapezoid"}
+    tab.fresh(lambda: kinds.select_option("constant"))
+    assert tab.page.locator("details[data-path='drives.0.signal']").get_by_label("Value").count() == 1
+
+
+LONG = """async () => {
+  const told = await (await fetch("api/robots/filipovic2010")).json();
+  Object.assign(told.sheet.integration, { duration: 20000, output_step: 1, relative_tolerance: 1e-12 });
+  told.sheet.reference.duration = 20000;
+  const headers = { "Content-Type": "application/json" };
+  const body = JSON.stringify({ sheet: told.sheet, overwrite: true });
+  await fetch("api/studies/long.yaml", { method: "PUT", headers, body });
+}"""
+
+
+def test_cancel_and_go_on(tab):
+    """A run of minutes shows its progress, and ends within a second when it is not wanted any more."""
+    tab.page.evaluate(LONG)
+    tab.page.reload()
+    tab.told("New curves")
+    tab.page.get_by_label("Open a study").select_option("long.yaml")
+    cancel = tab.page.get_by_role("button", name="Cancel")
+    cancel.wait_for(timeout=WAIT)
+    assert "%" in tab.line()
+    cancel.click()
+    tab.told("Cancelled", 5000)
+    assert not cancel.is_visible()
+    tab.fresh(lambda: tab.page.get_by_label("Robot", exact=True).select_option("spong1987"))
+
+
+def test_two_tabs_at_once(tab, browser, address):
+    """What one changes the other does not see."""
+    before = tab.fact("deviation.max")
+    for other in opened(browser, address.partition("?")[0] + "?" + address.partition("?")[2]):
+        other.fresh(lambda other=other: drag(other, "payload.mass", 1.0))
+        assert other.fact("deviation.max") != before
+    assert tab.fact("deviation.max") == before
+    tab.fresh(lambda: drag(tab, "gear.stiffness", 0.3))
+
+
+def test_a_study_is_kept_and_opened_again(tab):
+    tab.fresh(lambda: drag(tab, "payload.mass", 0.75))
+    kept = tab.fact("deviation.max")
+    name = tab.page.get_by_label("Name of the study")
+    name.fill("kept")
+    tab.page.get_by_role("button", name="Save", exact=True).click()
+    tab.told("Saved", WAIT)
+    tab.fresh(lambda: drag(tab, "payload.mass", 0.2))
+    tab.fresh(lambda: tab.page.get_by_label("Open a study").select_option("kept.yaml"))
+    assert tab.fact("deviation.max") == kept
+    tab.page.get_by_role("button", name="Save", exact=True).click()
+    replace = tab.page.get_by_role("button", name="Replace")
+    replace.wait_for(timeout=WAIT)
+    replace.click()
+    tab.told("Saved", WAIT)
+
+
+def test_a_robot_called_script_stays_text(tab):
+    tab.type("Name", "<img src=x onerror=alert(1)>")
+    tab.told("New", WAIT)
+    assert tab.page.locator("img").count() == 0
+    assert "filipovic" not in tab.page.input_value(".sheet input")
+
+
+def test_accessible(tab):
+    """No serious fault that a tool can find, in the light and the dark scheme, with a form that is open."""
+    script = Path(__file__).parents[2] / "web/node_modules/axe-core/axe.min.js"
+    if not script.exists():
+        pytest.skip("needs axe-core: npm ci in web/")
+    tab.page.locator("details[data-path=payload] > summary").click()
+    content = script.read_text(encoding="utf-8")
+    for scheme in ("light", "dark"):
+        tab.page.emulate_media(color_scheme=scheme)
+        tab.page.wait_for_timeout(300)
+        tab.page.evaluate(f"() => {{ const module = undefined, define = undefined; {content} }}")
+        found = tab.page.evaluate("async () => (await axe.run({ exclude: [['.view']] })).violations")
+        serious = [
+            (one["id"], one["nodes"][0]["html"][:120]) for one in found if one["impact"] in ("serious", "critical")
+        ]
+        assert serious == [], scheme
+
+
+@pytest.mark.parametrize("size", [(1280, 800), (1920, 1080), (400, 800)])
+def test_no_width_makes_the_page_scroll_sideways(tab, size):
+    tab.page.set_viewport_size({"width": size[0], "height": size[1]})
+    tab.page.wait_for_timeout(200)
+    assert tab.page.evaluate("document.documentElement.scrollWidth") <= size[0]
+
+
+def test_nothing_is_left_when_the_studio_is_killed(tmp_path):
+    """Even where it cannot say goodbye, its workers end."""
+    if not Path("/proc").exists():
+        pytest.skip("looks for processes in /proc")
+    command = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open", "--folder", str(tmp_path)]
+    with subprocess.Popen(command, stdout=subprocess.PIPE, text=True) as running:
+        assert running.stdout is not None
+        running.stdout.readline()
+        workers = [int(one) for one in os.listdir("/proc") if one.isdecimal() and _parent(one) == running.pid]  # noqa: PTH208
+        assert len(workers) >= 2
+        running.kill()
+    for _ in range(100):
+        if not any(Path(f"/proc/{worker}").exists() and _parent(str(worker)) for worker in workers):
+            return
+        import time
+
+        time.sleep(0.05)
+    pytest.fail("a worker is still there")
+
+
+def _parent(process: str) -> int:
+    """Whose child a process is; 0 where it is no more, or a mere entry of the table."""
+    try:
+        fields = Path(f"/proc/{process}/stat").read_text(encoding="utf-8").rpartition(")")[2].split()
+    except OSError:
+        return 0
+    return 0 if fields[0] == "Z" else int(fields[1])

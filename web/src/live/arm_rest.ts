@@ -1,0 +1,72 @@
+// How a run of an arm starts: at rest under its loads, found by Newton's method, or as its sheet says.
+
+import { doubles, type ArmBundle } from "./bundle";
+import type { Engine } from "./engine";
+import { solveInPlace } from "./linear";
+import { numbersOf, type Blocks } from "./map";
+import { valueAt, type Schedule } from "./signals";
+
+const STEPS = 40;
+const SMALL = 1e-12;
+const LONGEST = 0.5;
+const PATH = 8;
+
+/** Coordinates at which nothing accelerates under `blocks`, from those near; null where none are found. */
+function rest(engine: Engine, bundle: ArmBundle, blocks: Blocks, near: Float64Array): Float64Array | null {
+  const held = (engine.layout as unknown as { held: number[] }).held;
+  const n = near.length;
+  const free = Array.from({ length: n }, (_, k) => k).filter((k) => !held.includes(k));
+  const state = new Float64Array(bundle.restSize);
+  state.set(near);
+  const directions = new Float64Array(free.length * bundle.restSize);
+  free.forEach((k, row) => (directions[row * bundle.restSize + k] = 1));
+  const matrix = new Float64Array(free.length ** 2);
+  const right = new Float64Array(free.length);
+  let before = Infinity;
+  for (let step = 0; step < STEPS && free.length; step += 1) {
+    const inputs = { time: new Float64Array(1), state, row: blocks.rest_row, step: new Float64Array(1) };
+    const { values, slopes } = engine.slopes("rest.rate", blocks.rest, inputs, { state: directions }, free.length);
+    const width = values.rate.length / free.length;
+    for (let i = 0; i < free.length; i += 1) {
+      right[i] = values.rate[n + free[i]];
+      for (let j = 0; j < free.length; j += 1) matrix[i * free.length + j] = slopes.rate[j * width + n + free[i]];
+    }
+    if (!solveInPlace(matrix, right)) return null;
+    const size = right.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    if (!Number.isFinite(size)) return null;
+    const share = Math.min(1, LONGEST / size);
+    for (let i = 0; i < free.length; i += 1) state[free[i]] -= share * right[i];
+    if (size < SMALL || (size < 1e-9 && size >= before / 2)) return state.slice(0, n);
+    before = size;
+  }
+  return free.length ? null : state.slice(0, n);
+}
+
+/** The same for values of the sliders: from the unchanged rest at once or, where that is too far, step by step. */
+function restFor(engine: Engine, bundle: ArmBundle, values: readonly number[], run: string, near: Float64Array): Float64Array {
+  const at = (set: readonly number[], from: Float64Array) => rest(engine, bundle, numbersOf(bundle.map, set, run), from);
+  const found = at(values, near);
+  if (found) return found;
+  const first = bundle.sliders.map((slider) => slider.value);
+  let here: Float64Array | null = near;
+  for (let k = 1; k <= PATH && here; k += 1) here = at(values.map((value, j) => first[j] + (value - first[j]) * (k / PATH)), here);
+  if (!here) throw new Error(`${run}: no static equilibrium; expected links and gears that carry their loads: raise a stiffness or lower a load`);
+  return here;
+}
+
+/** The first state of a run. */
+export function firstState(engine: Engine, bundle: ArmBundle, values: readonly number[], run: "reference" | "real", signals: Schedule): Float64Array {
+  const told = bundle.runs[run]!;
+  const state = doubles(told.start).slice();
+  const [q, v] = [told.state.q[0], told.state.v[0]];
+  if (bundle.atRest) {
+    const found = restFor(engine, bundle, values, run, state.slice(...told.state.q));
+    for (let k = 0; k < found.length; k += 1) if (!told.told.includes(k)) state[q + k] = found[k];
+  }
+  for (const [coordinate, signal] of told.exact) {
+    state[q + coordinate] = valueAt(signals, signal, 0);
+    const degree = signals.degree;
+    state[v + coordinate] = degree ? signals.coefficients[signal * (degree + 1) + 1] : 0;
+  }
+  return state;
+}

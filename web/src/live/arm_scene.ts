@@ -1,0 +1,115 @@
+// The picture of an arm at the display frames: where its links are, bent, without elasticity, and as planned.
+
+import type { LiveRun } from "../contract";
+import type { Numbers } from "../pack";
+import { doubles, type Affine, type ArmBundle } from "./bundle";
+import type { Engine } from "./engine";
+import { rowsOf, sizes, type SeriesOf } from "./series";
+
+const POINT = 24;
+
+/** y = matrix x + constant of rows x [n, columns]. */
+export function affine(one: Affine, rows: Float64Array, count: number): Float64Array {
+  const [height, width] = one.matrix.shape;
+  const found = new Float64Array(count * height);
+  for (let k = 0; k < count; k += 1) {
+    for (let i = 0; i < height; i += 1) {
+      let value = one.constant.data[i];
+      for (let j = 0; j < width; j += 1) value += one.matrix.data[i * width + j] * rows[k * width + j];
+      found[k * height + i] = value;
+    }
+  }
+  return found;
+}
+
+interface Pose {
+  line: Numbers; // [m, L, S, 3]
+  roots: Numbers; // [m, L, 4]
+  /** Displacement from the root's tangent, of links that bend [m, L, S]. */
+  bent: Float64Array;
+}
+
+/** Scene of a run; `parameters` of the passes to the stations. */
+export function armScene(engine: Engine, bundle: ArmBundle, parameters: Float64Array, series: SeriesOf, times: Float64Array, frames: number[]): LiveRun["scene"] {
+  const at = (name: string) => rowsOf(series[name].data, series[name].shape.slice(1).reduce((a, b) => a * b, 1), frames);
+  const m = frames.length;
+  const real = poseOf(engine, bundle, parameters, at("q"), m);
+  const rigid = poseOf(engine, bundle, parameters, affine(bundle.straight, at("q"), m), m).line;
+  const numbers = (name: string) => ({ data: at(name), shape: [m, ...series[name].shape.slice(1)] });
+  const compared = "q_reference" in series;
+  const shape = real.line.shape.slice(0, 3);
+  const away = (real.line.data as Float64Array).map((value, k) => value - rigid.data[k]);
+  return {
+    times: { data: rowsOf(times, 1, frames), shape: [m] }, line: real.line, rigid, roots: real.roots,
+    reference: compared ? poseOf(engine, bundle, parameters, at("q_reference"), m).line : null,
+    colours: [
+      { id: "deflection", label: "Deflection from the root's tangent", unit: "m", values: { data: real.bent, shape } },
+      { id: "displacement", label: "Displacement by all elasticity", unit: "m", values: { data: sizes(away, 3), shape } },
+    ],
+    tip: numbers("tip"), tipReference: compared ? numbers("tip_reference") : null,
+    contact: bundle.contactPoint < 0 ? null : { force: numbers("contact_force"), at: contactPlace(bundle, series, frames) },
+  };
+}
+
+function contactPlace(bundle: ArmBundle, series: SeriesOf, frames: number[]): Numbers {
+  const points = series.position.shape[1];
+  const all = rowsOf(series.position.data, 3 * points, frames);
+  const data = new Float64Array(3 * frames.length);
+  for (let k = 0; k < frames.length; k += 1) {
+    for (let j = 0; j < 3; j += 1) data[3 * k + j] = all[3 * (k * points + bundle.contactPoint) + j];
+  }
+  return { data, shape: [frames.length, 3] };
+}
+
+function poseOf(engine: Engine, bundle: ArmBundle, parameters: Float64Array, q: Float64Array, count: number): Pose {
+  const still = new Float64Array(q.length / count);
+  const { points } = engine.sample("pose", parameters, { q, v: still, a: still, base: doubles(bundle.base) }, count);
+  const [L, S] = [bundle.links.length, bundle.stations.data.length];
+  const each = points.length / count / POINT;
+  const line = new Float64Array(count * L * S * 3);
+  const roots = new Float64Array(count * L * 4);
+  const bent = new Float64Array(count * L * S);
+  for (let k = 0; k < count; k += 1) {
+    bundle.links.forEach((link, l) => {
+      const root = points.subarray((k * each + link.point) * POINT, (k * each + link.point + 1) * POINT);
+      roots.set(quaternion(root), (k * L + l) * 4);
+      for (let s = 0; s < S; s += 1) {
+        const to = ((k * L + l) * S + s) * 3;
+        const from = (k * each + link.point + s) * POINT + 9;
+        for (let i = 0; i < 3; i += 1) line[to + i] = link.bends ? points[from + i] : onRigid(root, doubles(link.end), i, bundle.stations.data[s]);
+        if (link.bends) bent[to / 3] = deflection(root, line, to);
+      }
+    });
+  }
+  return { line: { data: line, shape: [count, L, S, 3] }, roots: { data: roots, shape: [count, L, 4] }, bent };
+}
+
+function onRigid(root: Float64Array, end: Float64Array, axis: number, s: number): number {
+  return root[9 + axis] + s * (root[3 * axis] * end[0] + root[3 * axis + 1] * end[1] + root[3 * axis + 2] * end[2]);
+}
+
+/** Distance of a place from the root's tangent, its x axis. */
+function deflection(root: Float64Array, line: Float64Array, place: number): number {
+  const away = [0, 1, 2].map((i) => line[place + i] - root[9 + i]);
+  const along = [1, 2].map((axis) => root[axis] * away[0] + root[3 + axis] * away[1] + root[6 + axis] * away[2]);
+  return Math.hypot(along[0], along[1]);
+}
+
+/** x, y, z, w of a rotation, row-major. */
+export function quaternion(r: ArrayLike<number>): [number, number, number, number] {
+  const trace = r[0] + r[4] + r[8];
+  if (trace > 0) {
+    const s = 2 * Math.sqrt(1 + trace);
+    return [(r[7] - r[5]) / s, (r[2] - r[6]) / s, (r[3] - r[1]) / s, s / 4];
+  }
+  if (r[0] > r[4] && r[0] > r[8]) {
+    const s = 2 * Math.sqrt(1 + r[0] - r[4] - r[8]);
+    return [s / 4, (r[1] + r[3]) / s, (r[2] + r[6]) / s, (r[7] - r[5]) / s];
+  }
+  if (r[4] > r[8]) {
+    const s = 2 * Math.sqrt(1 + r[4] - r[0] - r[8]);
+    return [(r[1] + r[3]) / s, s / 4, (r[5] + r[7]) / s, (r[2] - r[6]) / s];
+  }
+  const s = 2 * Math.sqrt(1 + r[8] - r[0] - r[4]);
+  return [(r[2] + r[6]) / s, (r[5] + r[7]) / s, s / 4, (r[3] - r[1]) / s];
+}

@@ -1,0 +1,121 @@
+// The studio: choose a robot, change its numbers, and see it move and ring at once.
+
+import { button, make, ownId } from "./dom";
+import { api, type SheetTold, type Wrong } from "./studio/api";
+import { attempt, exportControls, studyControls, uploadControl, type FilesHost } from "./studio/files";
+import { Form } from "./studio/form";
+import { messages } from "./studio/messages";
+import { Runner } from "./studio/runner";
+import { Forms } from "./studio/schema";
+import { Shown } from "./studio/shown";
+import { mountSliders, type SlidersView } from "./studio/sliders";
+
+const WAIT = 300;
+
+async function main(): Promise<void> {
+  if (location.search) history.replaceState(null, "", location.pathname); // the token is in a cookie now
+  const formPlace = make("form", { class: "sheet", "aria-label": "Data sheet" });
+  const sliderPlace = make("div", { class: "sliders", role: "group", "aria-label": "Sliders" });
+  const view = make("main", { class: "view", id: "main" });
+  const robots = make("select", { id: ownId("robots") });
+  const told = messages();
+  let current: SheetTold | null = null;
+  let form: Form | null = null;
+  let sliders: SlidersView | null = null;
+  let slow = 0;
+  formPlace.addEventListener("submit", (event) => event.preventDefault());
+
+  const shown = new Shown(view);
+  const runner = new Runner({
+    begun() {
+      clearTimeout(slow);
+      slow = window.setTimeout(() => told.progress("waiting", 0), WAIT);
+    },
+    progress: (job, milliseconds) => { if (milliseconds > WAIT) told.progress(job.stage, job.share); },
+    done(page, job, milliseconds) {
+      clearTimeout(slow);
+      told.done(page, job, milliseconds);
+      form?.mark([]);
+      shown.show(page, job);
+      view.classList.remove("stale");
+    },
+    wrong,
+    cancelled() {
+      clearTimeout(slow);
+      told.say("Cancelled: what is shown is the run before.");
+      view.classList.add("stale");
+    },
+  });
+
+  function wrong(errors: Wrong[]): void {
+    clearTimeout(slow);
+    told.wrong(errors, (error) => { if (error.steps) form?.focus(error.steps); });
+    form?.mark(errors);
+    view.classList.add("stale");
+  }
+
+  function changed(structure: boolean): void {
+    if (!current) return;
+    sliders?.refresh();
+    if (structure) void look(current);
+    runner.want(current.sheet);
+  }
+
+  /** A sheet whose structure changed has other sliders. */
+  async function look(of: SheetTold): Promise<void> {
+    const fresh = await api.check(of.sheet).catch(() => null);
+    if (!fresh || current !== of) return;
+    of.units = fresh.units;
+    sliders = slidersOf({ ...fresh, sheet: of.sheet });
+  }
+
+  function slidersOf(of: SheetTold): SlidersView {
+    return mountSliders(sliderPlace, of.sliders, of.sheet, () => {
+      form?.refresh();
+      runner.want(of.sheet);
+    });
+  }
+
+  async function load(loaded: SheetTold, from: string): Promise<void> {
+    const schema = await api.schema(loaded.kind);
+    current = loaded;
+    shown.forget();
+    form = new Form(formPlace, new Forms(schema), loaded.sheet, loaded.units, changed);
+    sliders = slidersOf(loaded);
+    document.title = `${loaded.name} – tmodes studio`;
+    told.loaded(from, loaded.warnings);
+    runner.want(loaded.sheet);
+  }
+
+  const host: FilesHost = {
+    sheet: () => current?.sheet ?? null,
+    name: () => current?.name ?? "robot",
+    runner,
+    load: (one, from) => void attempt(host, () => load(one, from)),
+    wrong,
+    say: told.say,
+  };
+  const choose = (name: string) => attempt(host, async () => load(name.startsWith("./") ? await api.study(name.slice(2)) : await api.robot(name), name.replace("./", "")));
+  robots.addEventListener("change", () => { if (robots.value) void choose(robots.value); });
+  const cancel = button("Cancel", () => void runner.cancel(), { class: "warn", hidden: true });
+  told.cancel(cancel);
+
+  const bar = make("header", { class: "bar top" },
+    make("strong", { text: "tmodes studio", class: "brand" }),
+    make("span", { class: "pick" }, make("label", { for: robots.id, text: "Robot" }), robots), uploadControl(host), studyControls(host), exportControls(host),
+    button("Keep as ghost", () => shown.keep(), { title: "Compare the runs to come with the one that is shown" }), cancel);
+  const skip = make("a", { href: "#main", class: "skip", text: "Skip to the view" });
+  document.body.append(skip, bar, told.element, make("div", { class: "studio" },
+    make("aside", { class: "controls", "aria-label": "Numbers" }, make("h2", { text: "Drag" }), sliderPlace, make("h2", { text: "Data sheet" }), formPlace), view));
+
+  const first = document.body.dataset.first ?? "";
+  await attempt(host, async () => {
+    const list = (await api.robots()).robots;
+    robots.replaceChildren(...(first.startsWith("./") ? [make("option", { value: first, text: first.slice(2) })] : []), ...list.map((one) => make("option", { value: one.name, text: one.name, title: one.title })));
+    const wanted = first || (list.find((one) => one.kind === "robot") ?? list[0]).name;
+    robots.value = wanted;
+    await choose(wanted);
+  });
+}
+
+void main();

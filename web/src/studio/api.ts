@@ -1,0 +1,106 @@
+// What the server is asked, and what it answers.
+
+import { unpack } from "../pack";
+import type { Page } from "../contract";
+import type { Numbers } from "../pack";
+import type { Schema } from "./schema";
+import type { Sheet, Step } from "./sheet";
+
+/** One wrong value: where, what was got, what is expected, how to mend it. */
+export interface Wrong {
+  path: string;
+  message: string;
+  got: string;
+  expected: string;
+  mend: string;
+  /** File and line, of files alone. */
+  where: string;
+  steps: Step[] | null;
+}
+
+/** A number, or several in proportion, that are worth a slider. */
+export interface Knob {
+  label: string;
+  symbol: string;
+  unit: string;
+  group: string;
+  min: number;
+  max: number;
+  log: boolean;
+  /** Whether the slider is a factor on the bases of all targets. */
+  together: boolean;
+  targets: { steps: Step[]; base: number }[];
+}
+
+export interface SheetTold {
+  kind: "robot" | "arm";
+  name: string;
+  sheet: Sheet;
+  units: Record<string, string>;
+  warnings: string[];
+  sliders: Knob[];
+}
+
+export interface Job {
+  job: string;
+  state: "waiting" | "running" | "done" | "error" | "cancelled";
+  stage: string;
+  share: number;
+  told: { status?: string; success?: boolean; message?: string; seconds?: Record<string, number> };
+  errors: Wrong[];
+}
+
+/** A page's data with the series that its curves are drawn of. */
+export interface StudioPage extends Page {
+  times: Numbers;
+  series: Record<string, Numbers>;
+}
+
+export class Refused extends Error {
+  constructor(readonly errors: Wrong[], readonly status: number) {
+    super(errors.map((one) => one.message).join("; "));
+  }
+}
+
+async function asked(address: string, method = "GET", body?: unknown): Promise<Response> {
+  let answer: Response;
+  try {
+    answer = await fetch(address, {
+      method,
+      credentials: "same-origin",
+      ...(body === undefined ? {} : { headers: { "Content-Type": "application/json" }, body: JSON.stringify(body) }),
+    });
+  } catch {
+    throw new Refused([wrong("The studio does not answer: it was stopped, or this machine slept. Start it again.")], 0);
+  }
+  if (answer.ok) return answer;
+  const told = (await answer.json().catch(() => null)) as { errors?: Wrong[] } | null;
+  throw new Refused(told?.errors ?? [wrong(`The studio answered ${answer.status}.`)], answer.status);
+}
+
+function wrong(message: string): Wrong {
+  return { path: "", message, got: "", expected: "", mend: "", where: "", steps: null };
+}
+
+async function json<T>(address: string, method = "GET", body?: unknown): Promise<T> {
+  return (await (await asked(address, method, body)).json()) as T;
+}
+
+const named = encodeURIComponent;
+
+export const api = {
+  robots: () => json<{ robots: { name: string; title: string; kind: string }[] }>("api/robots"),
+  robot: (name: string) => json<SheetTold>(`api/robots/${named(name)}`),
+  schema: (kind: string) => json<Schema>(`api/schemas/${named(kind)}`),
+  check: (sheet: Sheet) => json<SheetTold>("api/check", "POST", { sheet }),
+  yaml: (sheet: Sheet) => json<{ yaml: string }>("api/yaml", "POST", { sheet }),
+  studies: () => json<{ folder: string; studies: string[] }>("api/studies"),
+  study: (name: string) => json<SheetTold>(`api/studies/${named(name)}`),
+  save: (name: string, sheet: Sheet, overwrite: boolean) => json<{ saved: string }>(`api/studies/${named(name)}`, "PUT", { sheet, overwrite }),
+  upload: (files: { name: string; content: string }[]) => json<SheetTold>("api/upload", "POST", { files }),
+  begin: (product: string, sheet: Sheet, client: string) => json<Job>("api/jobs", "POST", { product, sheet, client }),
+  look: (job: string, wait: number) => json<Job>(`api/jobs/${named(job)}?wait=${wait}`),
+  cancel: (job: string) => json<Job>(`api/jobs/${named(job)}`, "DELETE"),
+  bytes: async (job: string) => new Uint8Array(await (await asked(`api/jobs/${named(job)}/content`)).arrayBuffer()),
+  page: async (job: string) => unpack(await api.bytes(job)) as StudioPage,
+};

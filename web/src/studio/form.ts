@@ -1,0 +1,207 @@
+// The form of a whole data sheet, made of its JSON Schema alone: what the schema gains appears here by itself.
+
+import { button, make, ownId } from "../dom";
+import type { Wrong } from "./api";
+import { makeField, told, unitOf, words, type Field } from "./field";
+import type { Forms, Schema, Shape } from "./schema";
+import { at, isGroup, pathOf, put, type Json, type Sheet, type Step } from "./sheet";
+
+/** Groups that say what a sheet is, not how it behaves. */
+const SILENT = new Set(["format", "kind"]);
+
+type Group = { element: HTMLDetailsElement; open(): void };
+type Choice = Extract<Shape, { kind: "choice" }>;
+type List = Extract<Shape, { kind: "list" }>;
+
+export class Form {
+  private readonly fields = new Map<string, { field: Field; steps: Step[] }>();
+  private readonly groups = new Map<string, Group>();
+  private readonly opened = new Set<string>();
+  private marked: (() => void)[] = [];
+
+  /** `changed` is told whether the structure changed too, so that other fields are there than before. */
+  constructor(
+    private readonly element: HTMLElement,
+    private readonly forms: Forms,
+    private readonly sheet: Sheet,
+    private readonly units: Record<string, string>,
+    private readonly changed: (structure: boolean) => void,
+  ) {
+    this.build();
+  }
+
+  private build(): void {
+    this.fields.clear();
+    this.groups.clear();
+    const entries = Object.entries(this.forms.root.properties ?? {}).filter(([name]) => !SILENT.has(name));
+    this.element.replaceChildren(...entries.map(([name, node]) => this.part(name, node, [name], !this.forms.root.required?.includes(name))));
+  }
+
+  /** Show what the sheet says now, of all fields that are there. */
+  refresh(): void {
+    for (const { field, steps } of this.fields.values()) if (document.activeElement !== field.input) field.set(at(this.sheet, steps));
+  }
+
+  /** Mark the fields that are wrong; what has no field of its own is marked at the group around it. */
+  mark(errors: Wrong[]): void {
+    this.marked.forEach((end) => end());
+    this.marked = [];
+    for (const error of errors) {
+      const input = error.steps ? this.find(error.steps) : null;
+      if (!input) continue;
+      const id = ownId("wrong");
+      const note = make("p", { class: "wrong", id, text: `${error.message}. ${error.mend}` });
+      (input.closest(".field") ?? input).after(note);
+      input.setAttribute("aria-invalid", "true");
+      input.setAttribute("aria-describedby", id);
+      this.marked.push(() => {
+        note.remove();
+        input.removeAttribute("aria-invalid");
+        input.removeAttribute("aria-describedby");
+      });
+    }
+  }
+
+  focus(steps: Step[]): void {
+    const input = this.find(steps);
+    input?.scrollIntoView({ block: "center" });
+    (input?.matches("details") ? input.querySelector<HTMLElement>("summary") : input)?.focus();
+  }
+
+  /** The field at steps, its groups opened, or the nearest group around it. */
+  private find(steps: Step[]): HTMLElement | null {
+    let nearest: HTMLElement | null = null;
+    for (let k = 1; k <= steps.length; k += 1) {
+      const path = pathOf(steps.slice(0, k));
+      const group = this.groups.get(path);
+      group?.open();
+      nearest = this.fields.get(path)?.field.input ?? group?.element ?? nearest;
+    }
+    return nearest;
+  }
+
+  private part(name: string, node: Schema, steps: Step[], mayLack: boolean): HTMLElement {
+    const value = at(this.sheet, steps);
+    const shape = this.forms.shape(node, value);
+    const optional = mayLack && this.forms.optional(node);
+    if (shape.kind === "fixed") return make("div", { hidden: true });
+    if (shape.kind === "group" || shape.kind === "map" || shape.kind === "choice" || (shape.kind === "list" && !this.short(shape, value))) {
+      return this.group(name, node, shape, steps, optional);
+    }
+    if (shape.kind === "list") return this.inline(name, shape, steps);
+    const unit = unitOf({ ...this.forms.resolved(node), unit: shape.schema.unit ?? this.forms.resolved(node).unit }, this.units[steps.join(".")]);
+    const schema = { ...shape.schema, ...pick(this.forms.resolved(node)) };
+    const field = makeField(name, { ...shape, schema } as Shape, unit, mayLack, (now) => this.set(steps, now));
+    field.set(value);
+    this.fields.set(pathOf(steps), { field, steps });
+    return field.element;
+  }
+
+  private short(shape: List, value: Json | undefined): boolean {
+    const first = this.forms.shape(shape.item(0), undefined);
+    return (first.kind === "number" || first.kind === "text") && shape.least === shape.most && shape.least <= 4 && (value === undefined || value === null || Array.isArray(value));
+  }
+
+  /** A few numbers in one row, such as a direction. */
+  private inline(name: string, shape: List, steps: Step[]): HTMLElement {
+    const box = make("div", { class: "vector", role: "group", "aria-label": words(name) }, make("span", { class: "vector-name", text: words(name), title: told(shape.schema) }));
+    for (let k = 0; k < shape.least; k += 1) box.append(this.part(String(k + 1), shape.item(k), [...steps, k], false));
+    return box;
+  }
+
+  private group(name: string, node: Schema, shape: Shape, steps: Step[], optional: boolean): HTMLElement {
+    const path = pathOf(steps);
+    const schema = this.forms.resolved(node);
+    const summary = make("summary", { title: told(schema), tabindex: "0" }, make("span", { text: words(name) }));
+    const body = make("div", { class: "group" });
+    const element = make("details", { "data-path": steps.join(".") }, summary, body);
+    const fill = () => {
+      if (body.childElementCount === 0) body.append(...this.inside(node, shape, steps, optional));
+    };
+    const open = () => {
+      fill();
+      element.open = true;
+    };
+    element.addEventListener("toggle", () => {
+      if (element.open) fill();
+      if (element.open) this.opened.add(path);
+      else this.opened.delete(path);
+    });
+    this.groups.set(path, { element, open });
+    if (this.opened.has(path)) open();
+    return element;
+  }
+
+  private inside(node: Schema, shape: Shape, steps: Step[], optional: boolean): HTMLElement[] {
+    const value = at(this.sheet, steps);
+    const missing = value === undefined || value === null;
+    if (missing && (optional || shape.kind === "choice")) {
+      return [button("Add", () => this.set(steps, this.forms.fresh(node), true), { class: "add" })];
+    }
+    const away = optional ? [button("Remove", () => this.set(steps, undefined, true), { class: "remove" })] : [];
+    if (shape.kind === "choice") return [...this.alternatives(shape, steps, value), ...away];
+    if (shape.kind === "group") return [...shape.fields.map(([name, field]) => this.part(name, field, [...steps, name], !shape.required.has(name))), ...away];
+    if (shape.kind === "map") return [...this.entries(shape.item, steps, value), ...away];
+    return shape.kind === "list" ? [...this.items(shape, steps, value), ...away] : away;
+  }
+
+  private alternatives(shape: Choice, steps: Step[], value: Json | undefined): HTMLElement[] {
+    const chosen = this.forms.chosen(shape.choices, shape.key, value);
+    const id = ownId("choice");
+    const select = make("select", { id }, ...shape.choices.map((one) => make("option", { value: one.name, text: one.name.replaceAll("_", " "), selected: one === chosen })));
+    select.addEventListener("change", () => {
+      const wanted = shape.choices.find((one) => one.name === select.value);
+      if (wanted) this.set(steps, this.forms.fresh(wanted.schema, value), true);
+    });
+    const row = make("div", { class: "field" }, make("label", { for: id, text: words(shape.key || "kind") }), make("span", { class: "entry" }, select));
+    if (!chosen) return [row];
+    const inner = this.forms.shape(chosen.schema, value);
+    if (inner.kind === "group") return [row, ...inner.fields.filter(([name]) => name !== shape.key).map(([name, field]) => this.part(name, field, [...steps, name], !inner.required.has(name)))];
+    return [row, this.part("value", chosen.schema, steps, false)];
+  }
+
+  private items(shape: List, steps: Step[], value: Json | undefined): HTMLElement[] {
+    const list = Array.isArray(value) ? value : [];
+    const rows = list.map((item, k) => {
+      const part = this.part(nameOf(item, k), shape.item(k), [...steps, k], false);
+      const away = list.length > shape.least ? button("Remove", () => this.set([...steps, k], undefined, true), { class: "remove", "aria-label": `Remove ${nameOf(item, k)}` }) : null;
+      return make("div", { class: "item" }, part, away);
+    });
+    const add = () => this.set([...steps, list.length], this.forms.fresh(shape.item(list.length), list.at(-1) ?? null), true);
+    return list.length < shape.most ? [...rows, button("Add", add, { class: "add" })] : rows;
+  }
+
+  /** Values by names of one's own, such as the factors of the real robot. */
+  private entries(item: Schema, steps: Step[], value: Json | undefined): HTMLElement[] {
+    const known = isGroup(value) ? Object.keys(value) : [];
+    const rows = known.map((name) => make("div", { class: "item" }, this.part(name, item, [...steps, name], false),
+      button("Remove", () => this.set([...steps, name], undefined, true), { class: "remove", "aria-label": `Remove ${name}` })));
+    const id = ownId("name");
+    const wanted = make("input", { id, type: "text", spellcheck: "false", autocomplete: "off", placeholder: "gear.stiffness" });
+    const add = button("Add", () => {
+      if (wanted.value.trim()) this.set([...steps, wanted.value.trim()], 1, true);
+    }, { class: "add" });
+    return [...rows, make("div", { class: "field" }, make("label", { for: id, text: "Another name" }), make("span", { class: "entry" }, wanted, add))];
+  }
+
+  private set(steps: Step[], value: Json | undefined, structure = false): void {
+    put(this.sheet, steps, value);
+    if (structure) {
+      steps.forEach((_, k) => this.opened.add(pathOf(steps.slice(0, k + 1))));
+      this.build();
+    }
+    this.changed(structure);
+  }
+}
+
+function nameOf(item: Json, index: number): string {
+  if (isGroup(item)) for (const key of ["name", "joint", "point", "type"]) if (typeof item[key] === "string") return item[key];
+  return String(index + 1);
+}
+
+/** What a field tells of itself where its kind tells nothing. */
+function pick(node: Schema): Schema {
+  const told: Schema = {};
+  for (const key of ["description", "symbol", "default", "rigid_when_infinite"] as const) if (node[key] !== undefined) Object.assign(told, { [key]: node[key] });
+  return told;
+}

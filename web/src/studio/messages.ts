@@ -1,0 +1,67 @@
+// What the studio says: how a run ended and how long it took, progress, and what is wrong and where.
+
+import { button, make } from "../dom";
+import type { Job, StudioPage, Wrong } from "./api";
+
+export interface Messages {
+  element: HTMLElement;
+  say(text: string): void;
+  loaded(from: string, warnings: string[]): void;
+  progress(stage: string, share: number): void;
+  done(page: StudioPage, job: Job, milliseconds: number): void;
+  wrong(errors: Wrong[], go: (error: Wrong) => void): void;
+  /** The button that ends a run: it is there while one takes long. */
+  cancel(button: HTMLElement): void;
+}
+
+export function messages(): Messages {
+  const line = make("p", { class: "line", role: "status", "aria-live": "polite" });
+  const bar = make("progress", { max: "1", "aria-label": "Progress of the run", hidden: true });
+  const errors = make("div", { class: "errors", role: "alert", hidden: true });
+  const doubts = make("div", { class: "doubts", hidden: true });
+  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line), errors, doubts);
+  let stop: HTMLElement | null = null;
+
+  const busy = (yes: boolean) => {
+    bar.hidden = !yes;
+    if (stop) stop.hidden = !yes;
+  };
+  const say = (text: string) => {
+    busy(false);
+    if (line.textContent !== text) line.textContent = text;
+  };
+  return {
+    element,
+    say,
+    cancel: (button) => { stop = button; },
+    loaded(from, warnings) {
+      say(`${from}: loaded.`);
+      errors.hidden = true;
+      doubts.hidden = warnings.length === 0;
+      doubts.replaceChildren(...warnings.map((text) => make("p", { text: `Looks odd: ${text}` })));
+    },
+    progress(stage, share) {
+      busy(true);
+      bar.value = share;
+      line.textContent = `${stage || "starting"}: ${Math.round(100 * share)} %`;
+    },
+    done(page, job, milliseconds) {
+      errors.hidden = true;
+      const run = page.runs[0];
+      const seconds = Object.entries(job.told.seconds ?? {}).filter(([name]) => name !== "loops");
+      const server = seconds.reduce((sum, [, value]) => sum + value, 0);
+      const warnings = run.warnings.length ? ` ${run.warnings.length === 1 ? "One warning" : `${run.warnings.length} warnings`}: ${run.warnings.join(" ")}` : "";
+      say(`${run.success ? "" : `${run.status}: ${run.message} `}New curves after ${Math.round(milliseconds)} ms, of which the server took ${Math.round(1000 * server)} ms.${warnings}`);
+    },
+    wrong(list, go) {
+      say("");
+      errors.hidden = false;
+      errors.replaceChildren(...list.map((error) => {
+        const place = [error.where, error.path].filter(Boolean).join(" · ");
+        const title = error.steps ? button(place, () => go(error), { class: "place", title: "Go to the field" }) : make("strong", { text: place });
+        const mend = error.mend && !error.message.includes(error.mend) ? make("span", { class: "mend", text: ` ${error.mend}` }) : null;
+        return make("p", {}, title, make("span", { text: ` ${error.message}${mend ? "." : ""}` }), mend);
+      }));
+    },
+  };
+}

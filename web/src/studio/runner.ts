@@ -1,0 +1,88 @@
+// From a sheet to a page's data: one run at a time, the newest wish counts, a long run can be ended.
+
+import { api, Refused, type Job, type StudioPage, type Wrong } from "./api";
+import { copy, type Sheet } from "./sheet";
+
+/** A run that takes longer is ended when something else is wanted [ms]. */
+const PATIENCE = 300;
+const POLL = 0.25;
+
+export interface Listener {
+  begun(): void;
+  progress(job: Job, milliseconds: number): void;
+  done(page: StudioPage, job: Job, milliseconds: number): void;
+  wrong(errors: Wrong[]): void;
+  cancelled(): void;
+}
+
+export class Runner {
+  private readonly client = crypto.randomUUID();
+  private wanted: Sheet | null = null;
+  private running: { job: string | null; since: number; unwanted: boolean } | null = null;
+
+  constructor(private readonly listener: Listener) {}
+
+  /** Simulate this sheet as soon as may be; sheets in between are left out. */
+  want(sheet: Sheet): void {
+    this.wanted = copy(sheet);
+    if (this.running === null) void this.next();
+    else if (performance.now() - this.running.since > PATIENCE) this.end();
+    else setTimeout(() => this.wanted && this.running && performance.now() - this.running.since > PATIENCE && this.end(), PATIENCE + 10);
+  }
+
+  /** End the run that goes on, and wish for nothing. */
+  async cancel(): Promise<void> {
+    this.wanted = null;
+    this.end();
+  }
+
+  private end(): void {
+    if (this.running === null || this.running.unwanted) return;
+    this.running.unwanted = true;
+    if (this.running.job !== null) void api.cancel(this.running.job).catch(() => undefined);
+  }
+
+  private async next(): Promise<void> {
+    while (this.wanted !== null) {
+      const sheet = this.wanted;
+      this.wanted = null;
+      const began = performance.now();
+      this.running = { job: null, since: began, unwanted: false };
+      try {
+        await this.run(sheet, began);
+      } catch (error) {
+        this.listener.wrong(error instanceof Refused ? error.errors : [{ path: "", message: String(error), got: "", expected: "", mend: "", where: "", steps: null }]);
+      }
+      this.running = null;
+    }
+  }
+
+  private async run(sheet: Sheet, began: number): Promise<void> {
+    this.listener.begun();
+    let job = await api.begin("page", sheet, this.client);
+    if (this.running) this.running.job = job.job;
+    if (this.running?.unwanted) await api.cancel(job.job);
+    while (job.state === "waiting" || job.state === "running") {
+      job = await api.look(job.job, POLL);
+      if (job.state === "running") this.listener.progress(job, performance.now() - began);
+    }
+    if (job.state === "error") this.listener.wrong(job.errors);
+    else if (job.state === "cancelled") {
+      if (this.wanted === null) this.listener.cancelled();
+    } else {
+      const page = await api.page(job.job);
+      this.listener.done(page, job, performance.now() - began);
+    }
+  }
+
+  /** A file of the sheet's run: its report or its data. */
+  async file(product: "report" | "data", sheet: Sheet, progress: (job: Job) => void): Promise<Uint8Array> {
+    let job = await api.begin(product, copy(sheet), this.client);
+    while (job.state === "waiting" || job.state === "running") {
+      job = await api.look(job.job, POLL);
+      progress(job);
+    }
+    if (job.state !== "done") throw new Refused(job.errors, 422);
+    return api.bytes(job.job);
+  }
+}

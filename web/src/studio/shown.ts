@@ -1,0 +1,64 @@
+// What is shown of the runs: the page of the first one, upon which later ones are drawn with the first as ghost.
+
+import type { LiveRun, Page } from "../contract";
+import { mountPage, type PageView } from "../page";
+import type { Job, StudioPage } from "./api";
+
+export class Shown {
+  private view: PageView | null = null;
+  private base: StudioPage | null = null;
+  private last: StudioPage | null = null;
+
+  constructor(private readonly element: HTMLElement) {}
+
+  /** Show a run: upon the one that is there where they are of one kind, else afresh. */
+  show(page: StudioPage, job: Job): void {
+    this.last = page;
+    if (this.view && this.base && alike(this.base, page)) this.view.show(asLive(page, job));
+    else this.mount(page);
+  }
+
+  /** Take the run that is shown as the ghost of those to come. */
+  keep(): void {
+    if (this.last) this.mount(this.last);
+  }
+
+  /** Forget what is shown: another robot comes. */
+  forget(): void {
+    this.base = null;
+  }
+
+  private mount(page: StudioPage): void {
+    const clock = this.view?.clock;
+    const [time, playing, speed] = [clock?.time ?? 0, clock?.playing ?? false, clock?.speed ?? 1];
+    this.view?.dispose();
+    this.base = page;
+    this.view = mountPage(this.element, page);
+    this.view.clock.speed = speed;
+    this.view.clock.seek(time);
+    if (playing) this.view.clock.play();
+  }
+}
+
+/** Whether one run can be drawn in the charts and upon the robot of another. */
+function alike(base: Page, page: Page): boolean {
+  const [one, other] = [base.runs[0], page.runs[0]];
+  const charts = (run: Page["runs"][0]) => run.charts.map((chart) => `${chart.id}:${chart.curves.map((curve) => curve.label).join()}`).join(";");
+  const links = (run: Page["runs"][0]) => `${run.scene.line.shape.slice(1).join()}:${run.scene.links.map((link) => link.name).join()}:${run.scene.contact === null}`;
+  return one.name === other.name && charts(one) === charts(other) && links(one) === links(other) && (one.line === null) === (other.line === null);
+}
+
+function asLive(page: StudioPage, job: Job): LiveRun {
+  const run = page.runs[0];
+  const series = Object.entries(page.series).map(([name, values]) => [name, { data: Float64Array.from(values.data), shape: [...values.shape] }] as [string, LiveRun["series"][string]]);
+  return {
+    status: run.status,
+    message: run.message,
+    seconds: job.told.seconds?.simulate ?? 0,
+    times: Float64Array.from(page.times.data),
+    series: Object.fromEntries(series),
+    scene: run.scene,
+    line: run.line,
+    facts: Object.fromEntries(run.facts.map((fact) => [fact.id, { value: fact.value, note: fact.note }])),
+  };
+}
