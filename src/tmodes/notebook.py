@@ -15,7 +15,7 @@ from tmodes.arm import Arm
 from tmodes.arm_runs import movable_joints, ready_to_run
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
-from tmodes.report.data import page_data
+from tmodes.report.data import live_page, page_data
 from tmodes.report.viewer import viewer_document
 from tmodes.result import RunRecord
 from tmodes.robot import Robot
@@ -67,8 +67,13 @@ def show(*shown: RunRecord | Robot | Arm, names: list[str] | None = None, height
         raise InputError("show", got, "one result or more, or one robot", "run robots first to compare them")
     if names is not None and len(names) != len(shown):
         raise InputError("names", f"{len(names)} names", f"{len(shown)}, one for each", "name each result")
-    page = rest_page(robots[0]) if robots else page_data(results, names or _numbered(results))
+    page = rest_page(robots[0]) if robots else _page_of(results, names or _numbered(results))
     return Shown(viewer_document(page), str(page["title"]), height)
+
+
+def _page_of(results: list[RunRecord], names: list[str] | None) -> dict[str, Any]:
+    """One result with its equations, so that it can be run again in the page; several beside each other."""
+    return live_page(results[0]) if len(results) == 1 and names is None else page_data(results, names)
 
 
 def _numbered(results: list[RunRecord]) -> list[str] | None:
