@@ -18,7 +18,7 @@ MOST_FRAMES = 3000
 _RATE = 50.0
 """Instants at which the robot is kept in a simulated second."""
 
-_MOST_NUMBERS = 1_500_000
+_MOST_NUMBERS = 900_000
 """Numbers of one of the robot's arrays over all instants, at most."""
 
 _FEWEST_BINS = 50

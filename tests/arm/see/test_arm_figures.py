@@ -93,7 +93,7 @@ def test_report(tmp_path):
     assert page.count("&lt;b&gt;") >= 3
     assert "This run did not finish: diverged." in page
     worst = result.summary()["deviation"]["max_m"] * 1e3
-    assert f"{worst:.3g}\u00a0mm" in page
+    assert f"{worst:.4g}\u00a0mm" in page
     assert not re.search(r"(src|href)=\"(http|//)", page)
     good = write_arm_report(result, tmp_path / "g.html", {}).read_text(encoding="utf-8")
     assert "2 driven joints, 1 bending link" in good

@@ -24,6 +24,7 @@ export interface ChartView {
 const DECADES = { spectrum: 5, other: 6 };
 const HEIGHT = 190;
 const ROUNDING = 1e-9;
+const READABLE = 100; // ms
 
 export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const { chart } = set;
@@ -40,6 +41,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   let drawn = ""; // what the plot is made for
   let scheme = 0;
   let largest = 0;
+  let toldAt = 0;
 
   const place = make("div", { class: "plot-area", role: "img" });
   const readout = make("span", { class: "readout" });
@@ -100,7 +102,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     if (!plot || !axis?.length) return;
     const [min, max] = range ?? [axis[0], axis[axis.length - 1]];
     if (max > min) plot.setScale("x", { min, max });
-    moveCursor();
+    queueMicrotask(moveCursor); // uPlot sets its scales then
   }
 
   function moveCursor(): void {
@@ -111,8 +113,14 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     cursor.style.transform = `translateX(${left}px)`;
   }
 
-  function tell(): void {
+  /** The cursor at once; the numbers at most ten times a second while the time runs. */
+  function follow(): void {
     moveCursor();
+    if (!clock.playing || performance.now() - toldAt > READABLE) tell();
+  }
+
+  function tell(): void {
+    toldAt = performance.now();
     const at = hover ?? (timed ? clock.time : null);
     readout.textContent = hover === null ? "" : timed ? `at ${hover.toFixed(3)} s` : `at ${told(hover, "Hz")}`;
     legend.tell((entry) => (at === null ? null : calmed(valueAt(entry, at))));
@@ -144,8 +152,9 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     if (seen && place.clientWidth > 0) redraw();
   });
   watch.observe(element);
+  place.setAttribute("aria-label", summary(entries.filter((entry) => legend.shows(entry))));
   resized.observe(place);
-  const ends = [clock.subscribe(() => { if (seen && timed) tell(); }), zoom.subscribe(() => timed && stretch(zoom.range))];
+  const ends = [clock.subscribe(() => { if (seen && timed) follow(); }), zoom.subscribe(() => timed && stretch(zoom.range))];
 
   return {
     element,

@@ -27,6 +27,7 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   let panel = page.runs[0].line;
   let times: ArrayLike<number> = page.runs[0].scene.times.data;
   let pictures: Picture[] = [];
+  let seen = false;
   const grid = make("div", { class: "line-grid" });
   const heading = make("p", { class: "note" });
   element.append(heading, grid);
@@ -39,7 +40,7 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   }
 
   function show(): void {
-    if (panel === null) return;
+    if (panel === null || !seen) return;
     const frame = nearest(times, clock.time);
     heading.textContent = `${panel.links.join(", ")}: along the links from root to tip, at ${digits(times[frame], 4)} s. The scales are those of the whole run.`;
     const axis = along(panel);
@@ -57,6 +58,11 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
     if (width > 0 && width !== plot.width) plot.setSize({ width, height: HEIGHT });
   }));
   resized.observe(grid);
+  const watch = new IntersectionObserver((found) => {
+    seen = found.some((one) => one.isIntersecting);
+    show();
+  });
+  watch.observe(element);
   const end = clock.subscribe(show);
   build();
   return {
@@ -68,6 +74,7 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
     dispose() {
       end();
       resized.disconnect();
+      watch.disconnect();
       dark.removeEventListener("change", redraw);
       pictures.forEach(({ plot }) => plot.destroy());
       element.replaceChildren();
@@ -81,7 +88,7 @@ function along(panel: LinePanel): number[] {
   const found: number[] = [];
   let start = 0;
   for (let link = 0; link < panel.links.length; link += 1) {
-    for (let k = 0; k < stations; k += 1) found.push(start + panel.places.data[link * stations + k] + (k === 0 ? 1e-9 : 0));
+    for (let k = 0; k < stations; k += 1) found.push(start + panel.places.data[link * stations + k] + (k === 0 && link > 0 ? 1e-9 : 0));
     start = found[found.length - 1];
   }
   return found;
