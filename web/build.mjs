@@ -1,12 +1,14 @@
 // Bundles the pages' programs: each entry with all it needs, minified, into the folder given (or that of the package).
 import { build } from "esbuild";
-import { existsSync } from "node:fs";
+import { existsSync, readFileSync } from "node:fs";
 import { fileURLToPath } from "node:url";
 
 const here = fileURLToPath(new URL(".", import.meta.url));
 const out = process.argv[2] ?? `${here}../src/tmodes/report/web`;
-const banner = { js: `/* tmodes, built from ${process.argv[3] ?? "?"}; three.js (MIT), uPlot (MIT) */` };
+const origin = `/* tmodes, built from ${process.argv[3] ?? "?"}; BSD-3-Clause */`;
+const license = (name) => `/* ${name}\n${readFileSync(`${here}node_modules/${name}/LICENSE`, "utf8").trim()}\n*/`;
 const shared = { bundle: true, minify: true, charset: "utf8", legalComments: "none", target: "es2022", logLevel: "warning" };
+const banner = { js: [origin, license("three"), license("uplot")].join("\n") };
 
 // The live model's worker is built by itself, and stands as text in the program that starts it.
 const worker = {
@@ -24,6 +26,6 @@ const worker = {
 const entries = [
   { entryPoints: [`${here}src/viewer.ts`], outfile: `${out}/viewer.js`, format: "iife", banner },
   { entryPoints: [`${here}src/studio.ts`], outfile: `${out}/studio.js`, format: "iife", banner },
-  { entryPoints: [`${here}src/live/model.ts`], outfile: `${out}/model.js`, format: "esm", banner, minify: false },
+  { entryPoints: [`${here}src/live/model.ts`], outfile: `${out}/model.js`, format: "esm", banner: { js: origin }, minify: false },
 ];
 for (const entry of entries) if (existsSync(entry.entryPoints[0])) await build({ ...shared, plugins: [worker], ...entry });

@@ -75,6 +75,19 @@ def test_the_rigid_robot_lies_along_its_motor() -> None:
     assert np.abs(plain(scene_of(result)["rigid"])[:, -1, -1] - tip).max() < 1e-6
 
 
+def test_the_reference_is_enlarged_about_its_own_rigid_arm() -> None:
+    result = robot_result()
+    told = result.data.isel(time=scene_frames(result))
+    theta = told["q_reference"].sel(coordinate="theta").values
+    tip = 0.9 * np.stack([np.cos(theta), np.sin(theta), 0 * theta], axis=-1)
+    assert np.abs(plain(scene_of(result)["referenceRigid"])[:, -1, -1] - tip).max() < 1e-6
+    scene = scene_of(arm_result())
+    bent = plain(scene["reference"]) - plain(scene["referenceRigid"])
+    gear = arm_result().data["deformation_reference"].isel(time=scene_frames(arm_result())).values[:, 0]
+    assert np.abs(bent[:, 0, 0]).max() < 1e-6
+    assert np.abs(bent[:, 0, -1]).max() > 0.1 * np.abs(gear).max()
+
+
 def test_a_base_that_moves_carries_the_ghosts_too() -> None:
     result = arm_result()
     scene = scene_of(result)

@@ -7,7 +7,7 @@ export interface Numbers {
 }
 
 interface Told {
-  dtype: "f8" | "f4" | "i4" | "u1" | "i2";
+  dtype: "f8" | "f4" | "i4" | "u1" | "d2";
   shape: number[];
   offset: number;
   /** Only of whole numbers of two bytes: value = scale * number + start. */
@@ -36,9 +36,15 @@ function read(bytes: Uint8Array, base: number, told: Told): Numbers {
   if (told.dtype === "f4") return { data: new Float32Array(part), shape: told.shape };
   if (told.dtype === "i4") return { data: new Int32Array(part), shape: told.shape };
   if (told.dtype === "u1") return { data: new Uint8Array(part), shape: told.shape };
-  const scale = told.scale ?? 1;
-  const start = told.start ?? 0;
-  return { data: Float32Array.from(new Int16Array(part), (whole) => start + scale * whole), shape: told.shape };
+  return { data: smooth(new Uint8Array(part), count, told), shape: told.shape };
+}
+
+/** Whole numbers of two bytes that are told as changes from row to row, their low bytes before their high ones. */
+function smooth(bytes: Uint8Array, count: number, { shape, scale = 1, start = 0 }: Told): Float32Array {
+  const row = count / (shape[0] || 1) || 1;
+  const whole = new Int16Array(count);
+  for (let k = 0; k < count; k++) whole[k] = (bytes[k] | (bytes[count + k] << 8)) + (k >= row ? whole[k - row] : 0);
+  return Float32Array.from(whole, (value) => start + scale * value);
 }
 
 function filled(value: unknown, arrays: Numbers[]): unknown {

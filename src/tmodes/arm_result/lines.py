@@ -12,7 +12,7 @@ from tmodes.arm_model import ArmModel
 from tmodes.arm_result.series import Variables
 from tmodes.motion.run import ArmRun
 
-__all__ = ["line_series", "load_series", "run_wrenches", "straight_shape"]
+__all__ = ["line_series", "load_series", "run_wrenches", "straight_shape", "without_elasticity"]
 
 Array = NDArray[np.float64]
 
@@ -26,9 +26,7 @@ def line_series(run: ArmRun, stations: Array, count: int) -> tuple[Variables, di
     motion = (run.model, run.q[part], run.v[part], run.a[part])
     wrenches, base = run_wrenches(run)[part], run.base[part]
     lines = elastic_line(*motion, stations=[*map(float, stations)], wrenches=wrenches, base=base)
-    straight = elastic_line(
-        run.model, straight_shape(run.model, run.q[part]), stations=[*map(float, stations)], base=base
-    )
+    straight = elastic_line(run.model, straight_shape(run)[part], stations=[*map(float, stations)], base=base)
     shown = [line for line in lines.links.values() if line.length > _POINT_LIKE]
     bending = lines.bending()
     stressed = [line for line in bending if line.stress is not None]
@@ -71,7 +69,12 @@ def run_wrenches(run: ArmRun) -> Array:
     return wrenches
 
 
-def straight_shape(model: ArmModel, q: Array) -> Array:
+def straight_shape(run: ArmRun) -> Array:
+    """Coordinates (n, nq) of a run's arm without any elasticity, its motors where they are."""
+    return without_elasticity(run.model, run.q)
+
+
+def without_elasticity(model: ArmModel, q: Array) -> Array:
     """Coordinates (n, nq) of the arm at ``q`` without any elasticity, its motors where they are."""
     straight, names = q.copy(), model.coordinates
     bent = deflections(model, q)

@@ -14,12 +14,14 @@ from tmodes.compile.arithmetic import Arithmetic
 from tmodes.compile.calls import write_calls
 from tmodes.compile.emit import F64, I64, POINTER, VOID, at, counted, declare, store, whole
 from tmodes.compile.ordering import kernel_program
-from tmodes.compile.program import Instruction
+from tmodes.compile.program import BlockProgram, Instruction
 from tmodes.compile.rows import copy_rows, spread_parameters
 from tmodes.compile.unroll import Unrolled, pays, unrolled
 from tmodes.compile.values import write_values
 
-__all__ = ["ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_rate", "write_samples"]
+__all__ = [
+    "ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_program", "write_rate", "write_samples",
+]  # fmt: skip
 
 
 def kernel_symbol(kernel: Any, arithmetic: str) -> str:
@@ -34,9 +36,12 @@ def _symbol(told: str) -> str:
 
 def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:
     """The exported function of a kernel: pointers to the input blocks, then to the output blocks, never overlapping."""
-    program = kernel_program(kernel)
+    write_program(module, kernel_symbol(kernel, arithmetic.name), kernel_program(kernel), arithmetic)
+
+
+def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Arithmetic) -> None:
+    """The same of a kernel's program."""
     labels = [f"i{k}" for k in range(program.inputs)] + [f"o{k}" for k in range(program.outputs)]
-    name = kernel_symbol(kernel, arithmetic.name)
     function = declare(module, name, VOID, [(label, POINTER) for label in labels])
     b = ir.IRBuilder(function.append_basic_block("entry"))
 

@@ -13,7 +13,7 @@ from tmodes.compile import cache
 from tmodes.compile.native import Library, host, to_object
 
 __all__ = [
-    "arithmetic_of", "called", "kernel_module", "kernels_of", "library", "native_functions", "row_function",
+    "arithmetic_of", "called", "kernels_of", "library", "native_functions", "row_function",
     "sample_functions", "sample_module", "schedule_function", "schedule_module",
 ]  # fmt: skip
 
@@ -110,22 +110,19 @@ def called(schedule: Any, arithmetic: str) -> dict[str, Library]:
     return {} if unrolled else kernels_of(schedule, arithmetic)
 
 
-def kernel_module(symbol: str, kernel: Any, arithmetic: str) -> Any:
-    """The IR of one kernel."""
-    from llvmlite import ir
-
-    from tmodes.compile.block import write_kernel
-
-    module = ir.Module(symbol)
-    write_kernel(module, kernel, arithmetic_of(arithmetic)(module))
-    return module
-
-
 def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.block import write_kernel
+
+        module = ir.Module(symbol)
+        write_kernel(module, kernel, arithmetic_of(arithmetic)(module))
+        return module
+
     # Differentiated code is twice as long and seldom called: quicker to compile is worth more than quicker to run.
     level = 0 if arithmetic == "derivative" else 1
     functions = {symbol: len(kernel.inputs) + len(kernel.outputs)}
-    write = partial(kernel_module, symbol, kernel, arithmetic)
     return library(symbol, symbol, write, functions, level, tidy=kernel.long)
 
 

@@ -6,9 +6,12 @@ from collections.abc import Callable, Iterable, Mapping
 from functools import partial
 from typing import Any
 
-from tmodes.compile.kernels import arithmetic_of, kernel_module, sample_module, schedule_module
+from tmodes.compile.kernels import arithmetic_of, sample_module, schedule_module
 from tmodes.compile.loops import ROSENBROCK, loop_arithmetic, program_loop_module, schedule_loop_module
 from tmodes.compile.wasm import Part
+
+PIECE = 5000
+"""Values of a kernel that make one function: shorter ones only make the code of usual beams longer."""
 
 __all__ = ["each_once", "program_loop", "sample_part", "schedule_loop", "schedule_samples"]
 
@@ -35,11 +38,14 @@ def schedule_loop(symbol: str, schedule: Any, guarded: int, method: str, **more:
     return [loop, *_called(schedule, arithmetic), *slopes]
 
 
-def schedule_samples(symbol: str, schedule: Any, arithmetic: str = "double") -> list[Part]:
-    """A schedule over many samples with its kernels, as of :func:`tmodes.compile.kernels.schedule_function`."""
+def schedule_samples(symbol: str, schedule: Any, arithmetic: str = "double", piece: int = PIECE) -> list[Part]:
+    """A schedule over many samples with its kernels, as of :func:`tmodes.compile.kernels.schedule_function`.
+
+    ``piece``: values of a kernel that make one function.
+    """
     write = partial(schedule_module, schedule, arithmetic, symbol)
     run = Part(f"schedule {arithmetic} {schedule.key}", write, (symbol,), simd=arithmetic == "lanes")
-    return [run, *_called(schedule, arithmetic)]
+    return [run, *_called(schedule, arithmetic, piece)]
 
 
 def each_once(parts: Iterable[Part]) -> list[Part]:
@@ -47,18 +53,22 @@ def each_once(parts: Iterable[Part]) -> list[Part]:
     return list({part.symbols: part for part in parts}.values())
 
 
-def _called(schedule: Any, arithmetic: str) -> list[Part]:
+def _called(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[Part]:
     from tmodes.compile.unroll import pays
 
     unrolled = arithmetic_of(arithmetic).unrolls and pays(schedule)
-    return [] if unrolled else _kernels(schedule, arithmetic)
+    return [] if unrolled else _kernels(schedule, arithmetic, piece)
 
 
-def _kernels(schedule: Any, arithmetic: str) -> list[Part]:
+def _kernels(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[Part]:
     from tmodes.compile.block import kernel_symbol
+    from tmodes.compile.wasm_pieces import kernel_in_pieces
 
     kernels = {kernel_symbol(kernel, arithmetic): kernel for kernel, _, _ in schedule.calls}
     return [
-        Part(symbol, partial(kernel_module, symbol, kernel, arithmetic), (symbol,), False, arithmetic == "lanes")
+        Part(
+            f"{symbol} {piece}", partial(kernel_in_pieces, kernel, arithmetic, piece), (symbol,),
+            exported=False, simd=arithmetic == "lanes",
+        )
         for symbol, kernel in kernels.items()
-    ]
+    ]  # fmt: skip

@@ -68,11 +68,11 @@ class ArmFunctions:
         return loops | {name: passes.parameters for name, passes in self.passes.items()} | {"rest_row": row}
 
 
-def arm_module(arm: ArmFunctions, methods: Sequence[str]) -> LiveModule:
-    """All functions of an arm.
+def arm_module(arm: ArmFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
+    """All functions of an arm; ``slopes``: ``rest.rate`` tells its derivatives too, half as much code again.
 
     Loops: ``reference.METHOD`` (where there is a reference run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
-    of both as of :class:`tmodes.motion.loop.LoopModel`; ``rest.rate``, with derivatives, whose accelerations vanish at
+    of both as of :class:`tmodes.motion.loop.LoopModel`; ``rest.rate``, whose accelerations vanish at
     rest, where ``held`` coordinates stand by themselves; ``inertia`` and ``elastic`` as of
     :class:`tmodes.arm_passes.ArmPasses`; ``pose``: the motion of every station (24 numbers each: rotation, position,
     velocity, rate, accelerations), link by link.
@@ -80,7 +80,9 @@ def arm_module(arm: ArmFunctions, methods: Sequence[str]) -> LiveModule:
     made = Functions()
     for name, loop in arm.loops.items():
         if name == "rest":
-            made.schedule("rest.rate", schedule_samples("rest.rate", loop.rate, "derivative"), loop.rate, stride=2)
+            kind = "derivative" if slopes else "double"
+            parts = schedule_samples("rest.rate", loop.rate, kind)
+            made.schedule("rest.rate", parts, loop.rate, stride=2 if slopes else 1)
             continue
         sizes = {"size": loop.layout.size, "row": loop.plan.row_size, "parameters": loop.rate.parameters}
         for method in methods:

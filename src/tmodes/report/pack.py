@@ -2,7 +2,8 @@
 
 ``TMPK``, length of the head (uint32, little-endian), the head (UTF-8), zeros up to a multiple of 8, then the arrays,
 each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` tells type, shape and place;
-``{"$sum": [a, b]}`` is the sum of two.
+``{"$sum": [a, b]}`` is the sum of two. The type ``d2``: whole numbers of two bytes as changes from row to row (modulo
+65536), the low bytes of all of them, then the high ones.
 """
 
 from __future__ import annotations
@@ -20,7 +21,7 @@ from numpy.typing import NDArray
 
 __all__ = ["Coarse", "Sum", "embedded", "pack"]
 
-_KINDS = {"float64": "f8", "float32": "f4", "int32": "i4", "uint8": "u1", "int16": "i2"}
+_KINDS = {"float64": "f8", "float32": "f4", "int32": "i4", "uint8": "u1"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -43,12 +44,10 @@ class _Arrays:
     told: list[dict[str, Any]] = field(default_factory=list)
     parts: list[bytes] = field(default_factory=list)
     size: int = 0
-    coarse: dict[int, dict[str, int]] = field(default_factory=dict)
-    """Where each :class:`Coarse` array is: one that stands in a page several times is kept once."""
     known: dict[tuple[Any, ...], dict[str, int]] = field(default_factory=dict)
     """Where each content is: what is equal, such as the times of all charts, is kept once."""
 
-    def add(self, values: NDArray[Any], **more: float) -> dict[str, int]:
+    def add(self, values: NDArray[Any], **more: Any) -> dict[str, int]:
         values = np.ascontiguousarray(values)
         content = values.astype(values.dtype.newbyteorder("<"), copy=False).tobytes()
         own = (_KINDS[values.dtype.name], values.shape, content, *more.values())
@@ -80,9 +79,7 @@ def embedded(packed: bytes) -> str:
 def _plain(value: Any, arrays: _Arrays) -> Any:
     match value:
         case Coarse():
-            if id(value) not in arrays.coarse:
-                arrays.coarse[id(value)] = _coarse(value.values, arrays)
-            return arrays.coarse[id(value)]
+            return _coarse(value.values, arrays)
         case Sum():
             return {"$sum": [_plain(value.large, arrays), _plain(value.small, arrays)]}
         case np.ndarray():
@@ -95,6 +92,10 @@ def _plain(value: Any, arrays: _Arrays) -> Any:
 
 
 def _coarse(values: NDArray[Any], arrays: _Arrays) -> dict[str, int]:
+    """Changes from row to row, all low bytes before all high ones: what moves smoothly is then compressed to a half."""
     low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 0.0)
     middle, scale = (low + high) / 2, (high - low) / 65000 or 1.0
-    return arrays.add(np.round((values - middle) / scale).astype(np.int16), scale=scale, start=middle)
+    whole = np.atleast_1d(np.round((values - middle) / scale).astype("<i2"))
+    steps = np.diff(whole, axis=0, prepend=np.zeros_like(whole[:1]))
+    planes = steps.reshape(-1).view(np.uint8).reshape(-1, 2).T
+    return arrays.add(planes, dtype="d2", shape=values.shape, scale=scale, start=middle)

@@ -12,7 +12,7 @@ from tmodes.analysis.arm_line import elastic_line
 from tmodes.arm import Arm
 from tmodes.arm.contact import Ball, Plane, Wall
 from tmodes.arm_model import ArmModel
-from tmodes.arm_result.lines import straight_shape
+from tmodes.arm_result.lines import without_elasticity
 from tmodes.chain import JointKind, RigidLink
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
 from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
@@ -55,7 +55,7 @@ def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
     base, planned, wanted = kept(rigid), [None, None], None
     if "q_reference" in data:
         bent = _coordinates(data, "q_reference")
-        found = (lines_at(model, names, q, stations, stand)[0] for q in (bent, straight_shape(model, bent)))
+        found = (lines_at(model, names, q, stations, stand)[0] for q in (bent, without_elasticity(model, bent)))
         planned = [displaced(line, rigid, base) for line in found]
         wanted = data["tip_reference"].transpose("time", "axis").values
     return {

@@ -29,7 +29,7 @@ const RULES = `
 .scene-legend span { display: flex; align-items: center; gap: 6px; }
 .scene-legend i { flex: none; width: 16px; height: 8px; border-radius: 2px; }
 .scene-scale { top: 8px; right: 8px; display: grid; grid-template-columns: auto 12px; gap: 4px 6px; max-width: 40%; }
-.scene-scale b { grid-column: 1 / 3; font-weight: 600; text-align: right; max-width: 13em; }
+.scene-scale b { grid-column: 1 / 3; font-weight: 600; text-align: right; max-width: 15em; }
 .scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; flex-direction: column; justify-content: space-between;
   height: 110px; text-align: right; font-variant-numeric: tabular-nums; line-height: 1; }
 .scene-scale i { border-radius: 2px; }

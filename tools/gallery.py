@@ -1,0 +1,123 @@
+"""Takes the pictures of docs/gallery.md from pages that commands made: ``python tools/gallery.py [NAME…]``.
+
+Needs a Chromium browser and playwright (``pip install -e ".[test]"``). Each picture's command stands beside it on the
+page; this runs it, opens what it wrote, does what the caption says, and takes the picture.
+"""
+
+from __future__ import annotations
+
+import shutil
+import subprocess
+import sys
+import tempfile
+from collections.abc import Callable
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+__all__ = ["SHOTS", "Shot", "main"]
+
+TARGET = Path(__file__).resolve().parents[1] / "docs" / "images"
+BROWSERS = ("chromium", "chromium-browser", "google-chrome")
+FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader"]
+SIZE = {"width": 1280, "height": 800}
+
+
+@dataclass(frozen=True)
+class Shot:
+    """A picture: the commands that make its page, which page that is, and what is done there."""
+
+    commands: tuple[str, ...]
+    page: str
+    act: Callable[[Any], None]
+    scheme: str = "light"
+
+
+def _seek(page: Any, share: float) -> None:
+    page.get_by_label("Time", exact=True).last.evaluate(
+        f"bar => {{ bar.value = {1000 * share}; bar.dispatchEvent(new Event('input')); }}"
+    )
+
+
+def _slide(page: Any, label: str, share: float) -> None:
+    """Move a slider to a share of its way."""
+    page.get_by_label(label).first.evaluate(
+        "(bar, share) => { bar.value = String(Number(bar.min) + share * (Number(bar.max) - Number(bar.min)));"
+        " bar.dispatchEvent(new Event('input')); bar.dispatchEvent(new Event('change')); }",
+        share,
+    )
+
+
+def _report(page: Any) -> None:
+    _seek(page, 0.7)
+
+
+def _arm(page: Any) -> None:
+    _seek(page, 0.35)
+    _slide(page, "Deformation", 0.45)
+
+
+def _mode(page: Any) -> None:
+    page.get_by_role("button", name="Show the mode").nth(1).click()
+    page.evaluate("scrollTo(0, 0)")
+
+
+def _compare(page: Any) -> None:
+    _seek(page, 0.4)
+
+
+SHOTS: dict[str, Shot] = {
+    "report": Shot(("run filipovic2010 --out seed",), "seed/report.html", _report),
+    "report-dark": Shot(("run filipovic2010 --out seed",), "seed/report.html", _report, "dark"),
+    "arm": Shot(("run manutec_r3 --out manutec",), "manutec/report.html", _arm),
+    "mode": Shot(("run deluca_siciliano1991 --out deluca",), "deluca/report.html", _mode),
+    "compare": Shot(
+        (
+            "run filipovic2010 --out known",
+            "run filipovic2010 --set payload.mass=0.6 --out heavier",
+            "run filipovic2010 --set gear.stiffness=400 --out softer",
+            "view known heavier softer --out compare.html --no-open",
+        ),
+        "compare.html",
+        _compare,
+    ),
+}
+
+
+def main(wanted: list[str]) -> int:
+    """Take the wanted pictures, or all; the exit code."""
+    unknown = [name for name in wanted if name not in SHOTS]
+    browser = next(filter(None, map(shutil.which, BROWSERS)), None)
+    if unknown or browser is None:
+        told = f"{unknown}; expected {', '.join(SHOTS)}" if unknown else "no browser; expected Chromium"
+        print(f"gallery: got {told}", file=sys.stderr)
+        return 2
+    from playwright.sync_api import sync_playwright
+
+    with tempfile.TemporaryDirectory() as work, sync_playwright() as engine:
+        opened = engine.chromium.launch(executable_path=browser, args=FLAGS)
+        for name in wanted or SHOTS:
+            _take(opened, name, SHOTS[name], Path(work))
+        opened.close()
+    return 0
+
+
+def _take(browser: Any, name: str, shot: Shot, work: Path) -> None:
+    for command in shot.commands:
+        words = command.split()
+        if not (work / words[words.index("--out") + 1]).exists():
+            subprocess.run([sys.executable, "-m", "tmodes.cli.main", *words], cwd=work, check=True, capture_output=True)
+    context = browser.new_context(viewport=SIZE, color_scheme=shot.scheme, reduced_motion="reduce")
+    page = context.new_page()
+    page.goto((work / shot.page).as_uri())
+    page.wait_for_selector("canvas")
+    shot.act(page)
+    page.wait_for_timeout(3000)  # software rendering takes its time
+    target = TARGET / f"gallery-{name}.png"
+    page.screenshot(path=target)
+    context.close()
+    print(f"{target.name}: {target.stat().st_size / 1e3:.0f} kB")
+
+
+if __name__ == "__main__":
+    sys.exit(main(sys.argv[1:]))
