@@ -14,7 +14,7 @@ import pytest
 
 from tmodes.report.pack import pack
 
-__all__ = ["built_live", "live_in_node", "worst_difference"]
+__all__ = ["built_live", "built_page", "live_in_node", "worst_difference"]
 
 ROOT = Path(__file__).resolve().parents[2]
 WEB = ROOT / "web"
@@ -52,6 +52,21 @@ def built_live(folder: Path) -> Path:
     told = [os.fspath(ESBUILD), "entry.ts", "--bundle", "--format=esm", f"--alias:tmodes:worker={folder / 'none.js'}"]
     subprocess.run([*told, f"--outfile={target}"], check=True, capture_output=True, cwd=folder)
     return target
+
+
+def built_page(entry: str, folder: Path) -> str:
+    """A program of a page, with the worker's in it, from its source; the test is skipped where it cannot be built."""
+    if not ESBUILD.exists():
+        pytest.skip("needs the packages of the pages: npm ci in web/")
+    (folder / "page.ts").write_text(entry.replace("{web}", WEB.as_posix()))
+    worker, shared = folder / "worker.js", ("--bundle", "--format=iife", "--minify", "--charset=utf8")
+    subprocess.run(
+        [ESBUILD, WEB / "src/live/worker.ts", *shared, f"--outfile={worker}"], check=True, capture_output=True
+    )
+    (folder / "source.js").write_text(f"export default {json.dumps(worker.read_text(encoding='utf-8'))};")
+    told = [ESBUILD, "page.ts", *shared, f"--alias:tmodes:worker={folder / 'source.js'}", "--outfile=page.js"]
+    subprocess.run(told, check=True, capture_output=True, cwd=folder)
+    return (folder / "page.js").read_text(encoding="utf-8").replace("</script", "<\\/script")
 
 
 def live_in_node(bundle: dict[str, Any], jobs: list[list[float]], folder: Path) -> list[dict[str, Any]]:

@@ -9,7 +9,24 @@ import { valueAt, type Schedule } from "./signals";
 const STEPS = 40;
 const SMALL = 1e-12;
 const LONGEST = 0.5;
+const STEP = 1e-6; // of the differences that make the tangent [rad]
 const PATH = 8;
+
+/** Accelerations of the free coordinates and their derivatives by them, by differences: Newton needs no better. */
+function slopes(engine: Engine, blocks: Blocks, state: Float64Array, free: number[], matrix: Float64Array, right: Float64Array): void {
+  const [rows, size, n] = [free.length + 1, state.length, blocks.rotors.length];
+  const states = new Float64Array(rows * size);
+  for (let row = 0; row < rows; row += 1) {
+    states.set(state, row * size);
+    if (row) states[row * size + free[row - 1]] += STEP;
+  }
+  const inputs = { time: new Float64Array(1), state: states, row: blocks.rest_row, step: new Float64Array(1) };
+  const { rate } = engine.sample("rest.rate", blocks.rest, inputs, rows);
+  for (let i = 0; i < free.length; i += 1) {
+    right[i] = rate[n + free[i]];
+    for (let j = 0; j < free.length; j += 1) matrix[i * free.length + j] = (rate[(j + 1) * size + n + free[i]] - right[i]) / STEP;
+  }
+}
 
 /** Coordinates at which nothing accelerates under `blocks`, from those near; null where none are found. */
 function rest(engine: Engine, bundle: ArmBundle, blocks: Blocks, near: Float64Array): Float64Array | null {
@@ -18,19 +35,11 @@ function rest(engine: Engine, bundle: ArmBundle, blocks: Blocks, near: Float64Ar
   const free = Array.from({ length: n }, (_, k) => k).filter((k) => !held.includes(k));
   const state = new Float64Array(bundle.restSize);
   state.set(near);
-  const directions = new Float64Array(free.length * bundle.restSize);
-  free.forEach((k, row) => (directions[row * bundle.restSize + k] = 1));
   const matrix = new Float64Array(free.length ** 2);
   const right = new Float64Array(free.length);
   let before = Infinity;
   for (let step = 0; step < STEPS && free.length; step += 1) {
-    const inputs = { time: new Float64Array(1), state, row: blocks.rest_row, step: new Float64Array(1) };
-    const { values, slopes } = engine.slopes("rest.rate", blocks.rest, inputs, { state: directions }, free.length);
-    const width = values.rate.length / free.length;
-    for (let i = 0; i < free.length; i += 1) {
-      right[i] = values.rate[n + free[i]];
-      for (let j = 0; j < free.length; j += 1) matrix[i * free.length + j] = slopes.rate[j * width + n + free[i]];
-    }
+    slopes(engine, blocks, state, free, matrix, right);
     if (!solveInPlace(matrix, right)) return null;
     const size = right.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
     if (!Number.isFinite(size)) return null;

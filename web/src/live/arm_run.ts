@@ -7,6 +7,7 @@ import { doubles, type ArmBundle, type ArmRunTold } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";
 import { energyFacts, figures, meanOverTime, trackingFacts, type Facts } from "./facts";
+import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
 import { columns, difference, energyBalance, range, shaped, sizes, worst, type SeriesOf } from "./series";
 import * as signals from "./signals";
@@ -14,7 +15,7 @@ import * as signals from "./signals";
 type Name = "reference" | "real";
 
 /** One arm in motion, and what is observed of it. */
-interface Regime {
+export interface Regime {
   name: Name;
   told: ArmRunTold;
   blocks: Blocks;
@@ -31,14 +32,18 @@ interface Seen {
 
 const POINT = 24;
 
-/** The whole run; raises an error where it cannot start. */
-export async function runArm(engine: Engine, bundle: ArmBundle, values: readonly number[], watch: Watch): Promise<LiveRun> {
+/** The whole run; raises an error where it cannot start. `kept`: the reference run before. */
+export async function runArm(
+  engine: Engine, bundle: ArmBundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
+): Promise<LiveRun> {
   const began = performance.now();
   const names: Name[] = bundle.runs.reference ? ["reference", "real"] : ["real"];
   const regimes: Regime[] = [];
   for (const [k, name] of names.entries()) {
     const part: Watch = { ...watch, progress: (share) => watch.progress?.((k + share) / names.length) };
-    regimes.push(await moved(engine, bundle, values, name, part));
+    const blocks = numbersOf(bundle.map, values, name);
+    const make = () => moved(engine, bundle, values, name, blocks, part);
+    regimes.push(await (name === "reference" ? kept.of(blocks, make) : make()));
   }
   const real = regimes[regimes.length - 1];
   const seconds = (performance.now() - began) / 1000;
@@ -56,8 +61,9 @@ export async function runArm(engine: Engine, bundle: ArmBundle, values: readonly
   };
 }
 
-async function moved(engine: Engine, bundle: ArmBundle, values: readonly number[], name: Name, watch: Watch): Promise<Regime> {
-  const blocks = numbersOf(bundle.map, values, name);
+async function moved(
+  engine: Engine, bundle: ArmBundle, values: readonly number[], name: Name, blocks: Blocks, watch: Watch,
+): Promise<Regime> {
   const { settings } = bundle;
   const told = bundle.runs[name]!;
   const each = range(0, told.signals).map((k) => signals.until(signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]), settings.duration));

@@ -4,6 +4,7 @@ import type { LinePanel, LiveRun } from "../contract";
 import { doubles, type RobotBundle } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";
+import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
 import { colours, linesAt, roots, stacked, standing, type Lines } from "./robot_line";
 import { largestMoment, robotFacts } from "./robot_facts";
@@ -21,19 +22,23 @@ const QUANTITIES = [
 ];
 
 /** One robot in motion: its numbers, its run, and what is observed of its first samples. */
-interface Regime {
+export interface Regime {
   name: string;
   numbers: Blocks;
   schedule: signals.Schedule;
   run: RunResult;
 }
 
-/** The whole run; raises an error where it cannot start. */
-export async function runRobot(engine: Engine, bundle: RobotBundle, values: readonly number[], watch: Watch): Promise<LiveRun> {
+/** The whole run; raises an error where it cannot start. `kept`: the reference run before. */
+export async function runRobot(
+  engine: Engine, bundle: RobotBundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
+): Promise<LiveRun> {
   const began = performance.now();
   const half = (from: number): Watch => ({ ...watch, progress: (share) => watch.progress?.(from + share / 2) });
-  const reference = await moved(engine, bundle, values, "reference", half(0));
-  const real = await moved(engine, bundle, values, "real", half(0.5));
+  const numbers = (name: string) => numbersOf(bundle.map, values, name);
+  const known = numbers("reference");
+  const reference = await kept.of(known, () => moved(engine, bundle, known, "reference", half(0)));
+  const real = await moved(engine, bundle, numbers("real"), "real", half(0.5));
   const count = Math.min(reference.run.times.length, real.run.times.length);
   const seconds = (performance.now() - began) / 1000;
   const [seen, planned] = [observed(engine, real, count), observed(engine, reference, count)];
@@ -56,8 +61,7 @@ export async function runRobot(engine: Engine, bundle: RobotBundle, values: read
   };
 }
 
-async function moved(engine: Engine, bundle: RobotBundle, values: readonly number[], name: string, watch: Watch): Promise<Regime> {
-  const numbers = numbersOf(bundle.map, values, name);
+async function moved(engine: Engine, bundle: RobotBundle, numbers: Blocks, name: string, watch: Watch): Promise<Regime> {
   const { settings } = bundle;
   const schedule = signals.until(signals.schedule(numbers.knots, numbers.coefficients), settings.duration);
   const run = await integrate(engine, {

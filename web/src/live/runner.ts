@@ -1,11 +1,12 @@
 // What makes runs from a bundle, in a worker or in the page itself.
 
 import type { LiveRun } from "../contract";
-import { runArm } from "./arm_run";
+import { runArm, type Regime as ArmRegime } from "./arm_run";
 import type { ArmBundle, Bundle, RobotBundle } from "./bundle";
 import { Engine } from "./engine";
 import type { Watch } from "./engine_run";
-import { runRobot } from "./robot_run";
+import { Kept } from "./kept";
+import { runRobot, type Regime as RobotRegime } from "./robot_run";
 
 export interface Runner {
   run(values: readonly number[], watch: Watch): Promise<LiveRun>;
@@ -14,6 +15,10 @@ export interface Runner {
 /** The runner of a bundle; compiles its module. */
 export async function openRunner(bundle: Bundle): Promise<Runner> {
   const engine = await Engine.open(bundle.module.data as Uint8Array<ArrayBuffer>, bundle.layout);
-  if (bundle.kind === "arm") return { run: (values, watch) => runArm(engine, bundle as ArmBundle, values, watch) };
-  return { run: (values, watch) => runRobot(engine, bundle as RobotBundle, values, watch) };
+  if (bundle.kind === "arm") {
+    const kept = new Kept<ArmRegime>();
+    return { run: (values, watch) => runArm(engine, bundle as ArmBundle, values, watch, kept) };
+  }
+  const kept = new Kept<RobotRegime>();
+  return { run: (values, watch) => runRobot(engine, bundle as RobotBundle, values, watch, kept) };
 }
