@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import os
 import signal
 import socket
 import subprocess
@@ -16,8 +15,8 @@ COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open"]
 
 
 def started(*arguments: object, **more) -> subprocess.Popen[str]:
-    pipe = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE, "text": True}
-    return subprocess.Popen([*COMMAND, *map(str, arguments)], **pipe, **more)
+    command = [*COMMAND, *map(str, arguments)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more)
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["Ctrl-C", "SIGTERM"])
@@ -101,10 +100,8 @@ def test_a_program_in_the_working_folder_is_not_run(tmp_path):
     (tmp_path / "json.py").write_text("raise SystemExit('mine')", encoding="utf-8")
     (tmp_path / "tmodes.py").write_text("raise SystemExit('mine')", encoding="utf-8")
     command = [sys.executable, "-P", "-m", "tmodes.cli.entry", "studio", "--no-open"]
-    pipes = {"stdout": subprocess.PIPE, "stderr": subprocess.PIPE}
-    with subprocess.Popen(command, cwd=tmp_path, text=True, env=os.environ, **pipes) as running:
+    with subprocess.Popen(command, cwd=tmp_path, text=True, stdout=subprocess.PIPE) as running:
         assert running.stdout is not None
-        assert running.stderr is not None
         address = running.stdout.readline().split()[1]
         with httpx.Client(trust_env=False, timeout=60) as client:
             client.get(address)
