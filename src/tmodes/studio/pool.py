@@ -20,6 +20,9 @@ FAREWELL = 2.0
 LONGEST_LINE = 2**24
 COMMAND = (sys.executable, "-P", "-m", "tmodes.studio.worker")
 
+ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+"""Matrices of robots are small: threads for them only wait for each other, and there are several workers."""
+
 Listener = Callable[[str, float], None]
 
 
@@ -39,7 +42,12 @@ class _Worker:
         pipe = asyncio.subprocess.PIPE
         return cls(
             await asyncio.create_subprocess_exec(
-                *COMMAND, stdin=pipe, stdout=pipe, limit=LONGEST_LINE, start_new_session=os.name != "nt"
+                *COMMAND,
+                stdin=pipe,
+                stdout=pipe,
+                limit=LONGEST_LINE,
+                start_new_session=os.name != "nt",
+                env=os.environ | ONE_THREAD,
             )
         )
 
