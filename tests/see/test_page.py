@@ -36,13 +36,19 @@ def shown(window: Any) -> float:
     return float(window.page.locator(".transport .time").inner_text().split(" s of")[0])
 
 
+def ink(window: Any, chart: str) -> int:
+    """How many colours a chart shows, once it is drawn."""
+    window.page.wait_for_selector(f"[data-chart={chart}] canvas")
+    return window.page.evaluate(INK, chart)
+
+
 def seek(window: Any, share: float) -> None:
     window.page.locator(".scrub").fill(str(round(1000 * share)))
 
 
 def test_charts_are_drawn_in_colours(window: Any) -> None:
     window.page.wait_for_selector("[data-chart=tip_deviation] canvas")
-    assert window.page.evaluate(INK, "tip_deviation") > 20
+    assert ink(window, "tip_deviation") > 20
     assert window.page.locator(".scene canvas").bounding_box()["width"] > 500
 
 
@@ -86,11 +92,11 @@ def test_shift_and_drag_zooms_all_charts_and_double_click_ends_it(window: Any) -
 
 def test_the_legend_switches_curves(window: Any) -> None:
     button = window.page.locator("[data-chart=tip_deviation] .toggle").nth(1)
-    before = window.page.evaluate(INK, "tip_deviation")
+    before = ink(window, "tip_deviation")
     button.focus()
     window.page.keyboard.press("Enter")
     assert button.get_attribute("aria-pressed") == "false"
-    assert window.page.evaluate(INK, "tip_deviation") != before
+    assert ink(window, "tip_deviation") != before
     label = window.page.locator("[data-chart=tip_deviation] .plot-area").get_attribute("aria-label")
     assert "Δx" not in label
     assert "distance real, from " in label
@@ -125,10 +131,10 @@ def test_groups_of_charts_are_tabs(window: Any) -> None:
 
 def test_a_logarithmic_ordinate_shows_the_size(window: Any) -> None:
     button = window.page.locator("[data-chart=tip_deviation]").get_by_role("button", name="log")
-    before = window.page.evaluate(INK, "tip_deviation")
+    before = ink(window, "tip_deviation")
     button.click()
     assert button.get_attribute("aria-pressed") == "true"
-    assert window.page.evaluate(INK, "tip_deviation") != before
+    assert ink(window, "tip_deviation") != before
     button.click()
 
 

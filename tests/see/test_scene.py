@@ -15,7 +15,7 @@ from tmodes.mechanism import Drive
 from tmodes.model import Model
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.pack import Coarse, Sum, pack
-from tmodes.report.scene import line_of, scene_frames, scene_of
+from tmodes.report.scene import line_of, scene_of
 from tmodes.report.scene_arrays import displaced, kept, stations_shown, steady
 from tmodes.report.scene_robot import real_robot
 from tmodes.report.scene_sections import section_of, solid_bar
@@ -34,6 +34,11 @@ def plain(values: Any) -> NDArray[np.float64]:
     return np.asarray(values, dtype=float)
 
 
+def frames(result: Any) -> Any:
+    """The samples that a scene shows where nobody chooses."""
+    return np.isin(result.data["time"].values, scene_of(result)["times"])
+
+
 def turned(scene: dict[str, Any]) -> NDArray[np.float64]:
     """The axes of all roots (m, L, 3, 3)."""
     roots = plain(scene["roots"])
@@ -45,7 +50,7 @@ def test_the_reference_ends_where_the_result_says(made: Any) -> None:
     result = made()
     scene = scene_of(result)
     line, reference = plain(scene["line"]), plain(scene["reference"])
-    told = result.data.isel(time=scene_frames(result))
+    told = result.data.isel(time=frames(result))
     assert np.abs(line - told["line"].transpose("time", ..., "s", "axis").values).max() < 1e-6
     if result.kind == "robot":
         assert np.abs(reference[:, -1, -1] - told["tip_reference"].values).max() < 1e-6
@@ -69,7 +74,7 @@ def test_roots_look_along_their_links(made: Any) -> None:
 
 def test_the_rigid_robot_lies_along_its_motor() -> None:
     result = robot_result()
-    told = result.data.isel(time=scene_frames(result))
+    told = result.data.isel(time=frames(result))
     theta = told["q"].sel(coordinate="theta").values
     tip = 0.9 * np.stack([np.cos(theta), np.sin(theta), 0 * theta], axis=-1)
     assert np.abs(plain(scene_of(result)["rigid"])[:, -1, -1] - tip).max() < 1e-6
@@ -77,13 +82,13 @@ def test_the_rigid_robot_lies_along_its_motor() -> None:
 
 def test_the_reference_is_enlarged_about_its_own_rigid_arm() -> None:
     result = robot_result()
-    told = result.data.isel(time=scene_frames(result))
+    told = result.data.isel(time=frames(result))
     theta = told["q_reference"].sel(coordinate="theta").values
     tip = 0.9 * np.stack([np.cos(theta), np.sin(theta), 0 * theta], axis=-1)
     assert np.abs(plain(scene_of(result)["referenceRigid"])[:, -1, -1] - tip).max() < 1e-6
     scene = scene_of(arm_result())
     bent = plain(scene["reference"]) - plain(scene["referenceRigid"])
-    gear = arm_result().data["deformation_reference"].isel(time=scene_frames(arm_result())).values[:, 0]
+    gear = arm_result().data["deformation_reference"].isel(time=frames(arm_result())).values[:, 0]
     assert np.abs(bent[:, 0, 0]).max() < 1e-6
     assert np.abs(bent[:, 0, -1]).max() > 0.1 * np.abs(gear).max()
 
@@ -110,13 +115,8 @@ def test_an_array_that_stands_twice_is_packed_once() -> None:
     assert len(pack({"a": one, "b": one})) < len(pack({"a": one})) + 100
 
 
-def test_frames_of_runs_of_all_lengths() -> None:
-    result = robot_result()
-    frames = scene_frames(result)
-    assert frames[0] == 0
-    assert frames[-1] == len(result.data["time"]) - 1
-    assert len(frames) == min(400, len(result.data["time"]))
-    one = scene_of(result, np.array([3]))
+def test_a_run_of_one_frame_has_a_scene() -> None:
+    one = scene_of(robot_result(), np.array([3]))
     assert plain(one["line"]).shape == (1, 2, 7, 3)
 
 
@@ -170,7 +170,7 @@ def test_the_line_panel_holds_the_series_of_the_result() -> None:
         assert panel is not None
         assert panel["links"] == links
         moment = next(one for one in panel["quantities"] if one["id"] in {"bending_moment", "moment"})
-        told = np.abs(result.data[moment["id"]].isel(time=scene_frames(result))).max()
+        told = np.abs(result.data[moment["id"]].isel(time=frames(result))).max()
         assert np.abs(plain(moment["values"])).max() == pytest.approx(float(told), rel=1e-4)
         assert panel["places"].shape == (len(links), plain(moment["values"]).shape[2])
         assert panel["places"][0, -1] == pytest.approx(0.6 if links != ["rod"] else 0.8)

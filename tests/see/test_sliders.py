@@ -8,7 +8,7 @@ from typing import Any
 import pytest
 
 from see.looking import look
-from see.test_page import INK
+from see.test_page import ink
 from tmodes.report.data import live_page
 from tmodes.report.viewer import viewer_document
 from tmodes.robots import load_robot
@@ -42,14 +42,14 @@ def give(window: Any, text: str) -> None:
 
 
 def test_a_changed_payload_is_simulated_as_natively(window: Any, robot: Any) -> None:
-    before = window.page.evaluate(INK, "tip_deviation")
+    before = ink(window, "tip_deviation")
     give(window, "0.9")
     wanted = simulate(robot.with_({"payload.mass": 0.9})).summary()["deviation"]["max_m"]
     told = window.page.locator(WORST).inner_text().replace("\u00a0", " ").split(" ")
     assert told[1] == "mm"
     assert float(told[0]) == pytest.approx(1e3 * wanted, rel=1e-3)
     assert "was" in window.page.locator("[data-fact='deviation.max']").inner_text()
-    assert window.page.evaluate(INK, "tip_deviation") > before  # the run as it was, pale behind the new one
+    assert ink(window, "tip_deviation") > before  # the run as it was, pale behind the new one
 
 
 def test_the_changed_sheet_can_be_saved(window: Any, tmp_path: Path) -> None:

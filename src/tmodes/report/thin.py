@@ -18,6 +18,9 @@ MOST_FRAMES = 3000
 _RATE = 50.0
 """Instants at which the robot is kept in a simulated second."""
 
+_FEW = 400
+"""Instants of a short run, so that its vibration can be seen slowed down."""
+
 _MOST_NUMBERS = 900_000
 """Numbers of one of the robot's arrays over all instants, at most."""
 
@@ -45,7 +48,7 @@ def thinned(curves: NDArray[np.float64], most: int = MOST_POINTS) -> Indices:
 
 
 def scene_frames(times: NDArray[np.float64], numbers: int = 0) -> Indices:
-    """The samples at which the robot is shown: evenly in time, some 50 in a second, at most :data:`MOST_FRAMES`.
+    """The samples at which the robot is shown: evenly in time, 50 in a second or 400, at most :data:`MOST_FRAMES`.
 
     ``times`` (n,) [s], rising; ``numbers``: how many each instant takes of one array, which bounds the instants too.
     The first and the last sample are among them.
@@ -53,8 +56,8 @@ def scene_frames(times: NDArray[np.float64], numbers: int = 0) -> Indices:
     if len(times) < 2:
         return np.arange(len(times))
     room = max(2, min(MOST_FRAMES, _MOST_NUMBERS // max(numbers, 1)))
-    wanted = int(np.ceil((times[-1] - times[0]) * _RATE)) + 1
-    even = np.linspace(times[0], times[-1], min(max(wanted, 2), room))
+    wanted = max(_FEW, int(np.ceil((times[-1] - times[0]) * _RATE)) + 1)
+    even = np.linspace(times[0], times[-1], min(wanted, room))
     after = np.clip(np.searchsorted(times, even), 1, len(times) - 1)
     nearer = even - times[after - 1] < times[after] - even
     return np.unique(np.where(nearer, after - 1, after))

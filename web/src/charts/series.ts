@@ -40,13 +40,18 @@ export function entriesOf(set: ChartSet, live: LiveRun | null): Entry[] {
   const own = set.runs.flatMap(({ run, name, chart }) =>
     chart.curves.map((curve) => ({
       run, runName: name, label: curve.label, role: curve.role, x: chart.at.data, y: curve.values.data,
-      shown: curve.shown, ghost: live !== null && run === 0,
+      shown: curve.shown && (set.runs.length < 2 || leading(curve, chart)), ghost: live !== null && run === 0,
     })),
   );
   if (live === null) return own;
   const first = set.runs.find(({ run }) => run === 0);
   const fresh = (first?.chart.curves ?? []).flatMap((curve) => liveEntry(curve, first!.chart, first!.name, live));
   return [...own, ...fresh];
+}
+
+/** Of several runs side by side only the first curve is shown at first, as it really was: the rest is a click away. */
+function leading(curve: Curve, chart: Chart): boolean {
+  return curve.role === "real" && curve.label === chart.curves[0].label;
 }
 
 function liveEntry(curve: Curve, chart: Chart, runName: string, live: LiveRun): Entry[] {

@@ -27,13 +27,16 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
   let asked = 0;
   let scheduled = 0;
   let patience = 0;
+  let busy = false;
 
   const values = () => rows.map((row) => row.value);
   const unchanged = () => rows.every((row) => row.value === row.slider.value);
 
   function changed(): void {
     reset.disabled = unchanged();
-    if (!scheduled) scheduled = requestAnimationFrame(simulate);
+    // at once where nothing runs; else a newer run ends the older one, at most once a frame
+    if (!busy) void simulate();
+    else if (!scheduled) scheduled = requestAnimationFrame(() => void simulate());
   }
 
   function put(wanted: number[] | null): void {
@@ -52,6 +55,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
       void live.run(values()).catch(() => undefined); // ends what may still be running
       return;
     }
+    busy = true;
     if (!patience) patience = window.setTimeout(() => { bar.hidden = false; }, PATIENCE);
     try {
       const run = await live.run(values(), (share) => { if (own === asked) bar.value = share; });
@@ -70,6 +74,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
   }
 
   function ended(): void {
+    busy = false;
     clearTimeout(patience);
     patience = 0;
     bar.hidden = true;
