@@ -14,6 +14,7 @@ from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
 from tmodes.motion.simulate import simulate_arm
+from tmodes.report.pack import pack
 from tmodes.robots.load import load_sheet
 
 from .node import live_in_node, worst_difference
@@ -136,6 +137,8 @@ def test_headline_numbers_are_those_of_the_summary(native: ArmResult, runs: list
         "gear.max": max(gears),
     }  # fmt: skip
     assert {name: facts[name]["value"] for name in expected} == pytest.approx(expected, rel=EQUAL)
+    bent = max(link["deflection"]["max_m"] for link in summary["links"].values())
+    assert facts["deflection.max"]["value"] == pytest.approx(bent, abs=DRAWN)
 
 
 def test_saved_sheet_is_that_of_the_settings(live: LiveMap, runs: list[dict[str, Any]]) -> None:
@@ -155,6 +158,13 @@ def test_an_arm_without_a_reference_run(tmp_path: Path) -> None:
     assert "deviation" not in run["series"]
     assert run["scene"]["reference"] is None
     assert worst_difference(run["series"], result.data, scales(result.data))[0] < 1e-8
+
+
+def test_bundle_of_a_saved_result_is_the_same(native: ArmResult, bundle: dict[str, Any], tmp_path: Path) -> None:
+    """A report that is made later, from the file."""
+    again = live_bundle(ArmResult.load(native.save(tmp_path / "result.nc")))
+    assert again is not None
+    assert pack(again) == pack(bundle)
 
 
 def test_an_arm_that_no_page_can_run_says_why() -> None:

@@ -12,6 +12,7 @@ import pytest
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
+from tmodes.report.pack import pack
 from tmodes.result import Result
 from tmodes.robot import Robot
 from tmodes.robots.load import load_sheet
@@ -132,6 +133,15 @@ def test_saved_sheet_is_that_of_the_settings(seed: Robot, live: LiveMap, runs: l
     for values, run in zip([[s.value for s in live.sliders], *drawn(live, SETTINGS)], runs, strict=True):
         data, _ = parse_yaml(run["sheet"], "page")
         assert Robot.from_data(data) == seed.with_(live.changes(values))
+
+
+def test_bundle_of_a_saved_result_is_the_same(seed: Robot, tmp_path: Path) -> None:
+    """A report that is made later, from the file."""
+    result = simulate(seed)
+    first, again = live_bundle(result), live_bundle(Result.load(result.save(tmp_path / "result.nc")))
+    assert first is not None
+    assert again is not None
+    assert pack(again) == pack(first)
 
 
 def test_what_cannot_start_is_told(seed: Robot, live: LiveMap, tmp_path: Path) -> None:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tmodes.arm import Arm
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import arm_numbers, robot_numbers, whole, whole_moves
 from tmodes.live.sliders import MOST
@@ -35,6 +36,7 @@ def test_numbers_are_those_of_the_changed_sheet(name: str) -> None:
             if isinstance(of, Robot):
                 true = robot_numbers(of, Drive.PRESCRIBED if run == "reference" else Drive.CONTROLLED)
             else:
+                assert isinstance(sheet, Arm)
                 until = whole_moves(sheet, REACH)
                 true = arm_numbers(of, Follow.SHEET if run == "real" else Follow.WANTED, until)
             found = live.numbers(values, run)

@@ -13,6 +13,7 @@ from arm.random_chains import random_chain, random_state
 from tmodes.analysis.arm_line import elastic_line
 from tmodes.arm import Arm
 from tmodes.arm_model import ArmModel
+from tmodes.compile.calls import DIRECT
 from tmodes.compile.ordering import kernel_program
 from tmodes.compile.wasm_parts import schedule_samples
 from tmodes.evaluator import derivatives
@@ -196,6 +197,22 @@ def test_long_kernels_in_pieces(tmp_path: Path) -> None:
     assert len(kernel_program(longest).values) > 100
     for name, values in told[0].items():
         np.testing.assert_array_equal(told[1][name], values)
+
+
+def test_calls_as_data(tmp_path: Path) -> None:
+    """So many calls that they stand in a table, whose address moves with the data."""
+    model = ArmModel(random_chain(7, 140, rigid=True))
+    schedule, made = model.passes.schedule("inertia"), Functions()
+    assert len(schedule.calls) > DIRECT
+    made.schedule("inertia", schedule_samples("inertia", schedule), schedule)
+    q, v, a = random_state(2, model.coordinates)
+    job = {
+        "sample": "inertia", "parameters": model.parameters, "count": 1,
+        "inputs": {"q": q, "v": v, "a": a, "base": model.at_rest()},
+    }  # fmt: skip
+    (found,) = in_node(made.module("long"), [job], tmp_path)
+    told = found["forces"] + a * model.rotor_inertias + model.elastic_forces(q, v)
+    _same(told, model.inverse_dynamics(q, v, a), 1e-10)
 
 
 def test_only_what_is_needed_is_computed() -> None:

@@ -112,6 +112,23 @@ def test_samples_are_the_native_ones(module: LiveModule, regime: str, tmp_path: 
         assert _slope_error(found[name], near, jobs[[*inputs].index(name)], module, tmp_path) < 1e-6
 
 
+def test_memory_grows_with_the_samples(module: LiveModule, tmp_path: Path) -> None:
+    _, model, parameters, schedule, start = _regime(_robot(), "real")
+    rows, states = schedule.rows_at(np.array([0.05])), start + 1e-3
+    instant = {"time": np.array([0.05]), "state": states, "row": rows[0]}
+    job = {"sample": "real.rate", "parameters": parameters.vector, "inputs": instant, "count": 3000}
+    (found,) = in_node(module, [job], tmp_path)
+    rates = found["rate"].reshape(3000, -1)
+    assert (rates == rates[0]).all()
+    expected = model.rate([0.05], states, rows, parameters)[0]
+    np.testing.assert_allclose(rates[0], expected, rtol=1e-9, atol=1e-9)
+
+
+def test_only_lanes_ask_for_vectors(module: LiveModule) -> None:
+    assert module.layout["simd"]  # for extrapolation goes by lanes
+    assert not robot_module(_robot().pair(), ["dormand_prince"]).layout["simd"]
+
+
 def _slope_error(told: dict[str, Any], near: Any, job: dict[str, Any], module: LiveModule, folder: Path) -> float:
     """Of the slope along one direction, against a central difference."""
     along, h = np.array([0.3, -0.5, 0.2, 0.7, -0.1]), 1e-6

@@ -17,6 +17,7 @@ from tmodes.cli.cache import cache
 from tmodes.cli.check import check
 from tmodes.cli.describe import describe
 from tmodes.cli.evaluate import evaluate
+from tmodes.cli.export import export
 from tmodes.cli.ladder import ladder
 from tmodes.cli.modes import modes
 from tmodes.cli.robots import robots
@@ -47,7 +48,7 @@ app = typer.Typer(
 for command, name in (
     (run, "run"), (robots, "robots"), (check, "check"), (describe, "describe"),
     (batch, "batch"), (static, "static"), (ladder, "ladder"), (modes, "modes"), (evaluate, "eval"), (schema, "schema"),
-    (bench, "bench"), (cache, "cache"), (show, "show"), (studio, "studio"), (view, "view"),
+    (export, "export"), (bench, "bench"), (cache, "cache"), (show, "show"), (studio, "studio"), (view, "view"),
 ):  # fmt: skip
     app.command(name)(command)
 

@@ -31,7 +31,7 @@ if TYPE_CHECKING:
     from tmodes.robot import Robot
     from tmodes.runs import RunFolder
 
-__all__ = ["run"]
+__all__ = ["folder_name", "run"]
 
 
 def run(
@@ -68,7 +68,7 @@ def run(
     changes = integration_changes(integrator, rtol, atol, duration, check_error, **ending)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     folder = _folder(
-        out or Path("results") / _folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths)
+        out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths)
     )
     result = _computed(folder, sheet, figures)
     _tell(result, folder, as_json)
@@ -131,7 +131,7 @@ def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
         notice(f"tmodes: {result.message}")
 
 
-def _folder_name(name: str) -> str:
+def folder_name(name: str) -> str:
     """A name that is safe as a folder, whatever the robot is called."""
     safe = "".join(letter if letter.isalnum() or letter in "-_." else "_" for letter in name).strip(".")
     return safe[:80] or "robot"

@@ -128,5 +128,5 @@ def _stack(code: str) -> int:
     """Bytes that the variables of all functions take together: no function calls itself, so no call is deeper."""
     total = _SPARE
     for *counts, kind, many in _LOCAL.findall(code):
-        total += _EACH + _BYTES[kind] * math.prod(int(count or 1) for count in (*counts, many))
+        total += _EACH + _BYTES.get(kind, 8) * math.prod(int(count or 1) for count in (*counts, many))
     return total

@@ -40,7 +40,7 @@ def why_not_arm(arm: Arm) -> str:
 def arm_bundle(pair: ArmPair, stations: tuple[float, ...], method: str, *, compared: bool) -> dict[str, Any]:
     """All of it; ``compared``: whether there is a reference run. Arrays are in SI units, coordinates in their order."""
     functions = ArmFunctions(pair, stations)
-    module = arm_module(functions, [method])
+    module = arm_module(functions, [method], slopes=False)
     runs = {"real": arm_regime(pair.real)}
     if compared:
         runs = {"reference": arm_regime(pair.nominal, follow_of(pair.nominal, "reference"))} | runs

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from tmodes.arm import Arm
 from tmodes.arm.parts import Command
-from tmodes.arm_model import ArmModel
 from tmodes.arm_passes import ArmPasses
 from tmodes.equations.arm.closed_loop import ClosedLoop
 from tmodes.equations.arm.parts import Parts
@@ -59,8 +58,8 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
         "parameters": loop.parts.numbers.vector,
         "rest": ClosedLoop(rest.plan).parts.numbers.vector,
         "rest_row": rest.schedule.rows_at(np.zeros(1))[0],
-        "chain": ArmModel(chain).passes.parameters,
-        "rotors": _rotors(loop, ArmModel(plan.chain)),
+        "chain": ArmPasses(Parts(chain)).parameters,
+        "rotors": _rotors(loop),
     }
     if stations:
         found["pose"] = ArmPasses(Parts(stationed(chain, stations))).parameters
@@ -70,9 +69,9 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
     return found
 
 
-def _rotors(loop: ClosedLoop, model: ArmModel) -> Array:
+def _rotors(loop: ClosedLoop) -> Array:
     """Inertia of the rotors along each coordinate, those that follow their signals among them."""
-    rotors = model.rotor_inertias.copy()
+    rotors = ArmPasses(loop.parts).rotor_inertias.copy()
     for driver in loop.drivers:
         motor = driver.part.node.joint.motor
         if driver.part.given >= 0 and motor:

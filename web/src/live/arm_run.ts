@@ -2,7 +2,7 @@
 
 import type { LiveRun } from "../contract";
 import { firstState } from "./arm_rest";
-import { affine, armScene } from "./arm_scene";
+import { affine, armScene, largestDeflection } from "./arm_scene";
 import { doubles, type ArmBundle, type ArmRunTold } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";
@@ -57,8 +57,16 @@ export async function runArm(
     status: failed ? failed.run.status : "finished",
     message: failed ? `${failed === real ? "real arm" : "reference"}: ${failed.run.message}` : real.run.message,
     seconds, times, series, scene: armScene(engine, bundle, real.blocks.pose, series, times, frames), line: null,
-    facts: factsOf(bundle, times, series, moveEnd(real.schedule)),
+    facts: {
+      ...factsOf(bundle, times, series, moveEnd(real.schedule)),
+      ...deflectionFact(largestDeflection(engine, bundle, real.blocks.pose, own.model.q, count), times),
+    },
   };
+}
+
+function deflectionFact(worst: ReturnType<typeof largestDeflection>, times: Float64Array): Facts {
+  if (!worst) return {};
+  return { "deflection.max": { value: worst.value, note: `${worst.link}, at ${figures(times[worst.sample])} s` } };
 }
 
 async function moved(

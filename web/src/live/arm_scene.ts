@@ -7,6 +7,7 @@ import type { Engine } from "./engine";
 import { rowsOf, sizes, type SeriesOf } from "./series";
 
 const POINT = 24;
+const MOST_PLACES = 500_000;
 
 /** y = matrix x + constant of rows x [n, columns]. */
 export function affine(one: Affine, rows: Float64Array, count: number): Float64Array {
@@ -49,6 +50,23 @@ export function armScene(engine: Engine, bundle: ArmBundle, parameters: Float64A
     tip: numbers("tip"), tipReference: compared ? numbers("tip_reference") : null,
     contact: bundle.contactPoint < 0 ? null : { force: numbers("contact_force"), at: contactPlace(bundle, series, frames) },
   };
+}
+
+/** The largest deflection of a bending link's end at all samples: where, how much, and at which sample; null: none. */
+export function largestDeflection(
+  engine: Engine, bundle: ArmBundle, parameters: Float64Array, q: Float64Array, count: number,
+): { link: string; value: number; sample: number } | null {
+  const [L, S] = [bundle.links.length, bundle.stations.data.length];
+  if (!bundle.links.some((link) => link.bends) || count * L * S > MOST_PLACES) return null;
+  const { bent } = poseOf(engine, bundle, parameters, q, count);
+  let found = { link: "", value: -1, sample: 0 };
+  for (let k = 0; k < count; k += 1) {
+    bundle.links.forEach((link, l) => {
+      const value = bent[(k * L + l + 1) * S - 1];
+      if (link.bends && value > found.value) found = { link: link.name, value, sample: k };
+    });
+  }
+  return found;
 }
 
 function contactPlace(bundle: ArmBundle, series: SeriesOf, frames: number[]): Numbers {

@@ -1,0 +1,118 @@
+"""A robot for anybody's page: its WebAssembly, a JavaScript module with declarations, and a page that uses them."""
+
+from __future__ import annotations
+
+import base64
+import html
+import json
+from collections.abc import Mapping
+from dataclasses import dataclass
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+
+from tmodes.analysis.modes import closed_loop_spectrum
+from tmodes.arm import Arm
+from tmodes.integrate.choice import chosen_method
+from tmodes.integrate.settings import Integration
+from tmodes.io.atomic import file_error
+from tmodes.live.module import LiveModule
+from tmodes.live.wasm_arm import ArmFunctions, arm_module
+from tmodes.live.wasm_robot import robot_module
+from tmodes.mechanism import Drive
+from tmodes.model import Model
+from tmodes.motion import simulate as arm_simulation
+from tmodes.motion.plan import Follow
+from tmodes.motion.regime import arm_regime
+from tmodes.reference.schedule import Schedule
+from tmodes.robot import Robot
+
+__all__ = ["Exported", "exported"]
+
+_BESIDE = Path(__file__).parent
+_PROGRAM = _BESIDE.parent / "report" / "web" / "model.js"
+
+_STATIONS = (0.0, 0.25, 0.5, 0.75, 1.0)
+
+
+@dataclass(frozen=True)
+class Exported:
+    """``files`` by the end of their name (``wasm``, ``js``, ``d.ts``, ``html``); ``description``: what they tell."""
+
+    files: Mapping[str, bytes]
+    description: Mapping[str, Any]
+
+
+def exported(sheet: Robot | Arm, name: str, program: Path = _PROGRAM) -> Exported:
+    """The files of a robot or an arm whose names begin with ``name``.
+
+    ``program``: the built engine. Raises :class:`tmodes.errors.ResultFileError` where that is not there.
+    """
+    if not program.exists():
+        mend = "in a checkout of the sources: python tools/web.py (needs Node); or install the wheel, which has it"
+        raise file_error(program, "no file", "the engine of the pages, built", mend)
+    module, told = _of_arm(sheet) if isinstance(sheet, Arm) else _of_robot(sheet)
+    description = {"name": sheet.name, "layout": module.layout} | told
+    data = json.dumps(description, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
+    code = program.read_text(encoding="utf-8").rstrip() + f"\n\nexport const description = {data};\n"
+    opening = (
+        f'export const open = (wasm = new URL("{name}.wasm", import.meta.url)) => Model.open(wasm, description);\n'
+    )
+    return Exported({
+        "wasm": module.wasm, "js": (code + opening).encode(), "d.ts": (_BESIDE / "model.d.ts").read_bytes(),
+        "html": _page(sheet.name, name, code + opening, module.wasm).encode(),
+    }, description)  # fmt: skip
+
+
+def _of_robot(robot: Robot) -> tuple[LiveModule, dict[str, Any]]:
+    pair, runs, highest = robot.pair(), {}, 0.0
+    for name, which, drive in (("reference", pair.nominal, Drive.PRESCRIBED), ("real", pair.real, Drive.CONTROLLED)):
+        mechanism, parameters = which.split(drive)
+        state = Model(mechanism).rest(which.reference.start, parameters)
+        runs[name] = _run(parameters.vector, which.wanted(drive), state, which.integration)
+        highest = max(highest, closed_loop_spectrum(which, drive=drive).highest)
+    told = _settings(pair.real.integration, highest)
+    return robot_module(pair, [told["method"]]), told | {"runs": runs}
+
+
+def _of_arm(arm: Arm) -> tuple[LiveModule, dict[str, Any]]:
+    pair, functions = arm.pair(), ArmFunctions(arm.pair(), _STATIONS)
+    follows = {"reference": (pair.nominal, Follow.WANTED), "real": (pair.real, Follow.SHEET)}
+    runs = {}
+    regime = arm_regime(pair.real)
+    for name in ("reference", "real"):
+        if name in functions.loops:
+            which, follow = follows[name]
+            moved = arm_regime(which, follow)
+            runs[name] = _run(moved.model.numbers.vector, moved.planned.schedule, moved.start, which.integration)
+    told = _settings(pair.real.integration, arm_simulation.closed_loop_spectrum(regime).highest)
+    return arm_module(functions, [told["method"]], slopes=False), told | {"runs": runs}
+
+
+def _settings(given: Integration, highest: float) -> dict[str, Any]:
+    method, _ = chosen_method(given, highest)
+    chosen = given.chosen(method)
+    return {
+        "method": method.value, "outputStep": chosen.output_step, "settings": {
+            "duration": chosen.duration, "relativeTolerance": chosen.relative_tolerance,
+            "absoluteTolerance": chosen.absolute_tolerance, "step": chosen.step, "maxSteps": chosen.max_steps,
+        },
+    }  # fmt: skip
+
+
+def _run(parameters: Any, schedule: Schedule, state: Any, settings: Integration) -> dict[str, list[float]]:
+    signals = schedule.until(settings.duration)
+    rows = np.column_stack([signals.knots[:-1], signals.coefficients])
+    arrays = {"parameters": parameters, "knots": signals.knots, "rows": rows, "state": state}
+    return {name: np.asarray(values, dtype=float).ravel().tolist() for name, values in arrays.items()}
+
+
+def _page(title: str, name: str, code: str, wasm: bytes) -> str:
+    """The example: all in one file, so that it opens from disk, where a page may fetch nothing."""
+    told = {"TITLE": html.escape(title), "FILE": html.escape(name), "CODE": code.replace("</", "<\\/"),
+            "WASM": base64.b64encode(wasm).decode()}  # fmt: skip
+    page = (_BESIDE / "example.html").read_text(encoding="utf-8")
+    for key, value in told.items():
+        page = page.replace(f"%{key}%", value)
+    return page
