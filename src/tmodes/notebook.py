@@ -12,12 +12,13 @@ from pathlib import Path
 from typing import Any
 
 from tmodes.arm import Arm
+from tmodes.arm_result import ArmResult, assemble_arm
 from tmodes.arm_runs import movable_joints, ready_to_run
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
-from tmodes.report.data import page_data
+from tmodes.report.data import live_page, page_data
 from tmodes.report.viewer import viewer_document
-from tmodes.result import RunRecord
+from tmodes.result import Result, RunRecord
 from tmodes.robot import Robot
 
 __all__ = ["Shown", "rest_page", "robot_name", "show"]
@@ -61,23 +62,28 @@ def show(*shown: RunRecord | Robot | Arm, names: list[str] | None = None, height
     :class:`tmodes.errors.InputError` for anything else, and what simulating the robot's rest raises.
     """
     robots = [one for one in shown if isinstance(one, (Robot, Arm))]
-    results = [one for one in shown if isinstance(one, RunRecord)]
+    results = [one for one in shown if isinstance(one, (Result, ArmResult))]
     if not shown or len(robots) + len(results) < len(shown) or (robots and len(shown) > 1):
         got = ", ".join(type(one).__name__ for one in shown) or "nothing"
         raise InputError("show", got, "one result or more, or one robot", "run robots first to compare them")
     if names is not None and len(names) != len(shown):
         raise InputError("names", f"{len(names)} names", f"{len(shown)}, one for each", "name each result")
-    page = rest_page(robots[0]) if robots else page_data(results, names or _numbered(results))
+    page = rest_page(robots[0]) if robots else _page_of(results, names or _numbered(results))
     return Shown(viewer_document(page), str(page["title"]), height)
 
 
-def _numbered(results: list[RunRecord]) -> list[str] | None:
+def _page_of(results: list[Result | ArmResult], names: list[str] | None) -> dict[str, Any]:
+    """One result with its equations, so that it can be run again in the page; several beside each other."""
+    return live_page(results[0]) if len(results) == 1 and names is None else page_data(results, names)
+
+
+def _numbered(results: list[Result | ArmResult]) -> list[str] | None:
     """Several results of robots of one name get numbers."""
     names = [robot_name(result) for result in results]
     return None if len(set(names)) == len(names) else [f"{name} {k}" for k, name in enumerate(names, 1)]
 
 
-def robot_name(result: RunRecord) -> str:
+def robot_name(result: Result | ArmResult) -> str:
     """The name of the robot that ran."""
     return str(json.loads(result.data.attrs["robot"]).get("name") or "robot")
 
@@ -91,14 +97,13 @@ def rest_page(robot: Robot | Arm) -> dict[str, Any]:
     return page
 
 
-def _standing(robot: Robot | Arm) -> RunRecord:
+def _standing(robot: Robot | Arm) -> Result | ArmResult:
     """A run too short for anything to move."""
     still = {"integration.duration": STILL, "integration.output_step": STILL, "integration.stop": []}
     if isinstance(robot, Robot):
         from tmodes.simulate import simulate
 
         return simulate(robot.with_(still))
-    from tmodes.arm_result import assemble_arm
     from tmodes.motion.simulate import simulate_arm
 
     arm = ready_to_run((robot if robot.drives else _held(robot)).with_(still))

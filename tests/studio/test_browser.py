@@ -177,6 +177,7 @@ def test_another_robot_with_its_own_form(tab):
     tab.page.locator("details[data-path='drives.0'] > summary").click()
     tab.page.locator("details[data-path='drives.0.signal'] > summary").click()
     kinds = tab.page.locator("details[data-path='drives.0.signal'] select").first
+    kinds.wait_for(timeout=WAIT)
     assert set(kinds.locator("option").all_inner_texts()) >= {"quintic", "sine", "table", "trapezoid"}
     tab.fresh(lambda: kinds.select_option("constant"))
     assert tab.page.locator("details[data-path='drives.0.signal']").get_by_label("Value").count() == 1

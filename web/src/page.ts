@@ -2,7 +2,7 @@
 
 import { makeClock, type Clock } from "./clock";
 import { mountCharts } from "./charts/charts";
-import type { LiveRun, Page, SceneView } from "./contract";
+import type { LiveRun, Mode, Page, SceneView } from "./contract";
 import { make } from "./dom";
 import { openLive } from "./live/live";
 import { mountFacts } from "./panels/facts";
@@ -20,6 +20,8 @@ export interface PageView {
   readonly scene: SceneView;
   /** Draw another run of the first run's robot everywhere, the page's own as ghost; null: the page's own alone. */
   show(live: LiveRun | null): void;
+  /** Tell other modes of the first run's robot in place of the page's own. */
+  showModes(found: Mode[]): void;
   dispose(): void;
 }
 
@@ -43,8 +45,9 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const factsView = mountFacts(facts, page);
   const chartsView = mountCharts(charts, page, clock);
   const lineView = page.runs[0].line ? mountLine(line.body, page, clock) : null;
-  if (page.runs[0].modes.length) parts.push(mountModes(modes.body, page, scene, clock));
+  let modesView = page.runs[0].modes.length ? mountModes(modes.body, page, scene, clock) : null;
   mountSave(files, page);
+  transport.hidden = charts.hidden = page.runs.every((run) => run.charts.length === 0); // a robot at rest, without a run
 
   function show(live: LiveRun | null): void {
     clock.setDuration(Math.max(live ? live.times[live.times.length - 1] : 0, duration));
@@ -62,8 +65,16 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     side: sliders,
     scene,
     show,
+    showModes(found) {
+      modesView?.dispose();
+      modes.body.replaceChildren();
+      modes.element.hidden = found.length === 0;
+      const [first, ...others] = page.runs;
+      modesView = found.length ? mountModes(modes.body, { ...page, runs: [{ ...first, modes: found }, ...others] }, scene, clock) : null;
+    },
     dispose() {
       clock.pause();
+      modesView?.dispose();
       [...parts, chartsView, ...(lineView ? [lineView] : [])].forEach((part) => part.dispose());
       root.replaceChildren();
     },

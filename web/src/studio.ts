@@ -39,6 +39,7 @@ async function main(): Promise<void> {
       shown.show(page, job);
       view.classList.remove("stale");
     },
+    whole: (page) => shown.complete(page),
     wrong,
     cancelled() {
       clearTimeout(slow);

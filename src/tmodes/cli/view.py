@@ -37,14 +37,15 @@ def view(
     from tmodes.cli.output import print_json
     from tmodes.cli.results import stored_result
     from tmodes.notebook import robot_name
-    from tmodes.report.data import page_data
+    from tmodes.report.data import live_page, page_data
     from tmodes.report.viewer import viewer_document
 
     _refuse_too_many(results)
     _refuse_taken(out, overwrite)
     stored = [stored_result(path) for path in results]
     names = names_apart([robot_name(one) for one in stored], results)
-    page = _written(viewer_document(page_data(stored, names)), out, overwrite)
+    data = page_data(stored, names) if len(stored) > 1 else live_page(stored[0])
+    page = _written(viewer_document(data), out, overwrite)
     if browser:
         import webbrowser
 

@@ -31,16 +31,18 @@ def page_data(
     names: Sequence[str] | None = None,
     live: dict[str, Any] | None = None,
     not_live: str = "",
+    *,
+    light: bool = False,
 ) -> dict[str, Any]:
     """The data of a page about one result, or several side by side.
 
     ``names`` tell the runs apart, None takes those of the robots; ``live`` is the bundle of the first run's equations,
     from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live`` says why, where
-    it could be expected to.
+    it could be expected to. ``light``: without modes and sheet, for a picture that changes while somebody drags.
     """
     names = names or [_name(result) for result in results]
     charts = charts_of(results)
-    runs = [_run(*one) for one in zip(results, names, charts, strict=True)]
+    runs = [_run(*one, light=light) for one in zip(results, names, charts, strict=True)]
     subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
     told = {"title": ", ".join(names), "subtitle": subtitle, "live": live, "notLive": not_live}
     return {"format": 1, "runs": runs, **told}
@@ -64,7 +66,7 @@ def _title(result: RunRecord) -> str:
     return str(json.loads(result.data.attrs["robot"]).get("title") or "")
 
 
-def _run(result: Result | ArmResult, name: str, charts: list[dict[str, Any]]) -> dict[str, Any]:
+def _run(result: Result | ArmResult, name: str, charts: list[dict[str, Any]], *, light: bool) -> dict[str, Any]:
     data = result.data
     times = np.asarray(data["time"].values, dtype=float)
     frames = scene_frames(times, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
@@ -79,8 +81,8 @@ def _run(result: Result | ArmResult, name: str, charts: list[dict[str, Any]]) ->
         "charts": charts,
         "scene": scene_of(result, frames),
         "line": line_of(result, frames),
-        "modes": modes_of(result),
-        "sheet": sheet_of(result),
+        "modes": [] if light else modes_of(result),
+        "sheet": "" if light else sheet_of(result),
     }
 
 

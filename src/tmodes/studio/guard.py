@@ -55,14 +55,15 @@ class Guard:
             return
         if self._token_in_address(scope):
             answer.more = [(b"set-cookie", self._new_cookie())]
-        body = _Body(receive, headers.get("content-length", ""))
-        if body.told_too_large:
-            await answer.error(413, _too_large())
+        told = headers.get("content-length", "")
+        body = None if told.isdecimal() and int(told[:15]) > MOST_BODY else await _whole_body(receive)
+        if body is None:
+            too_large = told_error(
+                "body", "too much was sent", f"more than {MOST_BODY:,} bytes", f"at most {MOST_BODY:,} bytes"
+            )
+            await answer.error(413, too_large)
             return
-        try:
-            await self._app(scope, body.receive, answer.send)
-        except _TooLargeError:
-            await answer.error(413, _too_large())
+        await self._app(scope, _given(body, receive), answer.send)
 
     def _refusal(self, scope: Mapping[str, Any], headers: Mapping[str, str]) -> tuple[int, Message] | None:
         host = headers.get("host", "").lower()
@@ -98,27 +99,27 @@ class Guard:
         return f"{self._cookie}={self._token}; Path=/; HttpOnly; SameSite=Strict".encode()
 
 
-class _TooLargeError(Exception):
-    pass
+async def _whole_body(receive: Any) -> bytes | None:
+    """All that is sent; None where it is too much, of which only so much is heard that the answer can be heard too."""
+    parts: list[bytes] = []
+    size, more = 0, True
+    while more and size <= 2 * MOST_BODY:
+        message = await receive()
+        part = message.get("body", b"")
+        size += len(part)
+        parts.append(part) if size <= MOST_BODY else parts.clear()
+        more = message.get("more_body", False)
+    return b"".join(parts) if size <= MOST_BODY else None
 
 
-def _too_large() -> Message:
-    return told_error("body", "too much was sent", f"more than {MOST_BODY:,} bytes", f"at most {MOST_BODY:,} bytes")
+def _given(body: bytes, receive: Any) -> Any:
+    """What the application receives: the body at once, then whatever else comes."""
+    waiting = [{"type": "http.request", "body": body, "more_body": False}]
 
+    async def next_message() -> Message:
+        return waiting.pop() if waiting else await receive()
 
-class _Body:
-    """What is sent, counted."""
-
-    def __init__(self, receive: Any, told: str) -> None:
-        self._receive, self._count = receive, 0
-        self.told_too_large = told.isdecimal() and int(told[:15]) > MOST_BODY
-
-    async def receive(self) -> Message:
-        message = await self._receive()
-        self._count += len(message.get("body", b""))
-        if self._count > MOST_BODY:
-            raise _TooLargeError
-        return message
+    return next_message
 
 
 class _Answer:

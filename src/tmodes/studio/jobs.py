@@ -14,7 +14,7 @@ from tmodes.studio.told import told_error
 
 __all__ = ["Job", "JobBook"]
 
-MOST_KEPT = 12
+MOST_KEPT = 8
 """Jobs of which the answer is kept."""
 
 ABANDONED = 20.0
@@ -62,10 +62,9 @@ class JobBook:
         self._tasks: set[asyncio.Task[None]] = set()
 
     def begin(self, product: str, sheet: Any, client: str) -> Job:
-        """Start a job; the one of the same client and product that still runs is ended."""
-        for other in self._jobs.values():
-            if other.client == client and other.product == product:
-                self.cancel(other)
+        """Start a job; one of the same client and product that still runs is ended, one that is over is forgotten."""
+        for other in [one for one in self._jobs.values() if (one.client, one.product) == (client, product)]:
+            self._supersede(other)
         job = Job(secrets.token_urlsafe(12), client, product)
         self._jobs[job.name] = job
         self._forget_old()
@@ -89,6 +88,12 @@ class JobBook:
         if job.state == "waiting":
             job.state = "cancelled"
             job.changed.set()
+
+    def _supersede(self, job: Job) -> None:
+        """End a job or, where it is over, forget it: its answer may be large."""
+        if job.over:
+            del self._jobs[job.name]
+        self.cancel(job)
 
     async def wait(self, job: Job, seconds: float) -> None:
         """Until the job is over, at most so long."""

@@ -5,6 +5,7 @@ from __future__ import annotations
 import asyncio
 import json
 import os
+import signal
 import sys
 from collections.abc import Callable
 from contextlib import suppress
@@ -19,6 +20,9 @@ FAREWELL = 2.0
 LONGEST_LINE = 2**24
 COMMAND = (sys.executable, "-P", "-m", "tmodes.studio.worker")
 
+ONE_THREAD = {"OPENBLAS_NUM_THREADS": "1", "OMP_NUM_THREADS": "1", "MKL_NUM_THREADS": "1"}
+"""Matrices of robots are small: threads for them only wait for each other, and there are several workers."""
+
 Listener = Callable[[str, float], None]
 
 
@@ -27,7 +31,7 @@ class WorkerLost(Exception):
 
 
 class _Worker:
-    """One process; ``last`` is whose job it did last: its numbers are still warm there."""
+    """One process; ``last`` is what it did last and for whom: it is still warm for that."""
 
     def __init__(self, process: asyncio.subprocess.Process) -> None:
         self.process = process
@@ -38,7 +42,12 @@ class _Worker:
         pipe = asyncio.subprocess.PIPE
         return cls(
             await asyncio.create_subprocess_exec(
-                *COMMAND, stdin=pipe, stdout=pipe, limit=LONGEST_LINE, start_new_session=os.name != "nt"
+                *COMMAND,
+                stdin=pipe,
+                stdout=pipe,
+                limit=LONGEST_LINE,
+                start_new_session=os.name != "nt",
+                env=os.environ | ONE_THREAD,
             )
         )
 
@@ -73,12 +82,16 @@ class _Worker:
     async def kill(self) -> None:
         if self.alive:
             with suppress(ProcessLookupError):
-                self.process.kill()
+                # Popen.kill would also reap the process, which the loop waits for.
+                os.kill(self.process.pid, signal.SIGKILL) if os.name != "nt" else self.process.kill()
         await self.process.wait()
 
 
 class Pool:
-    """``size`` workers; a job waits until one is free, the one that last worked for the same client if it is."""
+    """``size`` workers; a job waits until one is free, the one that last did the same for the same client if it is.
+
+    So the curves that somebody drags stay with one worker, and longer work, such as a report, goes on beside them.
+    """
 
     def __init__(self, size: int) -> None:
         self._size = size
@@ -86,6 +99,7 @@ class Pool:
         self._all: set[_Worker] = set()
         self._room = asyncio.Condition()
         self._numbers = 0
+        self._stopped = False
 
     async def start(self) -> None:
         """Start the workers."""
@@ -94,6 +108,7 @@ class Pool:
 
     async def stop(self) -> None:
         """End all workers; jobs that still run are lost."""
+        self._stopped = True
         await asyncio.gather(*(worker.end() for worker in self._all))
         self._all.clear()
 
@@ -101,7 +116,7 @@ class Pool:
         self, product: str, sheet: Any, client: str, listen: Listener, cancelled: asyncio.Event
     ) -> tuple[dict[str, Any], bytes]:
         """Do one job: the last head of its worker (``kind`` done, error or cancelled) and its bytes."""
-        worker = await self._borrowed(client)
+        worker = await self._borrowed(f"{client} {product == 'curves'}")
         self._numbers += 1
         number = self._numbers
         waiting = asyncio.create_task(_until_cancelled(worker, number, cancelled))
@@ -123,15 +138,17 @@ class Pool:
             waiting.cancel()
             await self._give_back(worker)
 
-    async def _borrowed(self, client: str) -> _Worker:
+    async def _borrowed(self, work: str) -> _Worker:
         async with self._room:
             await self._room.wait_for(lambda: self._free)
-            known = next((worker for worker in self._free if worker.last == client), self._free[0])
+            known = next((worker for worker in self._free if worker.last == work), self._free[0])
             self._free.remove(known)
-            known.last = client
+            known.last = work
             return known
 
     async def _give_back(self, worker: _Worker) -> None:
+        if self._stopped:
+            return
         if not worker.alive:
             self._all.discard(worker)
             await self._add()

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 import base64
 import binascii
+import os
 import tempfile
 from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any
 
 from tmodes.arm import Arm
-from tmodes.errors import InputError
+from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import shown
 from tmodes.robot import Robot
 from tmodes.studio.folder import NAME
@@ -43,18 +44,16 @@ def uploaded_sheet(files: Any) -> Robot | Arm:
             path.write_bytes(content)
         try:
             return loaded(home / main, roots=(home,))
-        except InputError as error:
-            error.where = _short(error.where, home)
-            error.which, error.got = _short(error.which, home), _short(error.got, home)
-            raise
-        except Exception as errors:
-            for error in getattr(errors, "errors", ()):
-                error.where = _short(error.where, home)
+        except (InputError, InputErrors) as error:
+            for one in error.errors if isinstance(error, InputErrors) else (error,):
+                for part in ("which", "got", "expected", "mend", "where"):
+                    setattr(one, part, _as_sent(getattr(one, part), home))
             raise
 
 
-def _short(text: str, home: Path) -> str:
-    return text.replace(f"{home}/", "").replace(f"{home}\\", "")
+def _as_sent(text: str, home: Path) -> str:
+    """A sentence in which files have the names that they were sent with."""
+    return text.replace(f"{home}{os.sep}", "").replace(str(home), "the folder of the upload")
 
 
 def _decoded(files: Any) -> dict[str, bytes]:

@@ -100,16 +100,20 @@ def _loop_seconds(result: Result | ArmResult) -> float:
     return sum(result.timing.values()) * float(result.data["time"][-1])
 
 
-def _page(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
+def _page(result: Result | ArmResult, name: str, laps: _Laps, *, light: bool = False) -> bytes:
     from tmodes.report.data import page_data
     from tmodes.report.pack import pack
 
-    page = page_data([result], [name])
+    page = page_data([result], [name], light=light)
     page |= {"times": result.data["time"].values, "series": _series(result, page)}
     laps.take("page")
     content = pack(page)
     laps.take("pack")
     return content
+
+
+def _curves(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
+    return _page(result, name, laps, light=True)
 
 
 def _series(result: Result | ArmResult, page: Mapping[str, Any]) -> dict[str, Any]:
@@ -143,7 +147,8 @@ def _report(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
 
 PRODUCTS: dict[str, Callable[[Result | ArmResult, str, _Laps], bytes]] = {
     "page": _page,
+    "curves": _curves,
     "report": _report,
     "data": _data,
 }
-"""What can be asked for: the page's data, ``report.html``, ``result.nc``."""
+"""What can be asked for: the page's data, the same without modes (quick), ``report.html``, ``result.nc``."""

@@ -6,11 +6,15 @@ import { copy, type Sheet } from "./sheet";
 /** A run that takes longer is ended when something else is wanted [ms]. */
 const PATIENCE = 300;
 const POLL = 0.25;
+/** Without another wish for so long, the modes are asked for too [ms]. */
+const CALM = 500;
 
 export interface Listener {
   begun(): void;
   progress(job: Job, milliseconds: number): void;
   done(page: StudioPage, job: Job, milliseconds: number): void;
+  /** The same run with its modes. */
+  whole(page: StudioPage): void;
   wrong(errors: Wrong[]): void;
   cancelled(): void;
 }
@@ -18,12 +22,14 @@ export interface Listener {
 export class Runner {
   private readonly client = crypto.randomUUID();
   private wanted: Sheet | null = null;
+  private calm = 0;
   private running: { job: string | null; since: number; unwanted: boolean } | null = null;
 
   constructor(private readonly listener: Listener) {}
 
   /** Simulate this sheet as soon as may be; sheets in between are left out. */
   want(sheet: Sheet): void {
+    clearTimeout(this.calm);
     this.wanted = copy(sheet);
     if (this.running === null) void this.next();
     else if (performance.now() - this.running.since > PATIENCE) this.end();
@@ -59,7 +65,7 @@ export class Runner {
 
   private async run(sheet: Sheet, began: number): Promise<void> {
     this.listener.begun();
-    let job = await api.begin("page", sheet, this.client);
+    let job = await api.begin("curves", sheet, this.client);
     if (this.running) this.running.job = job.job;
     if (this.running?.unwanted) await api.cancel(job.job);
     while (job.state === "waiting" || job.state === "running") {
@@ -72,16 +78,35 @@ export class Runner {
     } else {
       const page = await api.page(job.job);
       this.listener.done(page, job, performance.now() - began);
+      this.calm = window.setTimeout(() => void this.modes(sheet), CALM);
     }
   }
 
-  /** A file of the sheet's run: its report or its data. */
-  async file(product: "report" | "data", sheet: Sheet, progress: (job: Job) => void): Promise<Uint8Array> {
-    let job = await api.begin(product, copy(sheet), this.client);
+  /** The modes of a run that is shown, of which nothing has changed since; who lacks them misses no curve. */
+  private async modes(sheet: Sheet): Promise<void> {
+    const calm = this.calm;
+    try {
+      const job = await this.over("page", sheet, () => undefined);
+      if (job.state !== "done") return;
+      const page = await api.page(job.job);
+      if (this.calm === calm && this.running === null && this.wanted === null) this.listener.whole(page);
+    } catch (error) {
+      if (!(error instanceof Refused)) throw error;
+    }
+  }
+
+  private async over(product: string, sheet: Sheet, progress: (job: Job) => void): Promise<Job> {
+    let job = await api.begin(product, sheet, this.client);
     while (job.state === "waiting" || job.state === "running") {
       job = await api.look(job.job, POLL);
       progress(job);
     }
+    return job;
+  }
+
+  /** A file of the sheet's run: its report or its data. */
+  async file(product: "report" | "data", sheet: Sheet, progress: (job: Job) => void): Promise<Uint8Array> {
+    const job = await this.over(product, copy(sheet), progress);
     if (job.state !== "done") throw new Refused(job.errors, 422);
     return api.bytes(job.job);
   }

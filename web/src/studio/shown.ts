@@ -14,8 +14,17 @@ export class Shown {
   /** Show a run: upon the one that is there where they are of one kind, else afresh. */
   show(page: StudioPage, job: Job): void {
     this.last = page;
-    if (this.view && this.base && alike(this.base, page)) this.view.show(asLive(page, job));
-    else this.mount(page);
+    if (this.view && this.base && alike(this.base, page)) {
+      this.view.show(asLive(page, job));
+      this.view.showModes([]); // those of the run before are no longer true
+    } else this.mount(page);
+  }
+
+  /** The same run as is shown, whose modes are known by now. */
+  complete(page: StudioPage): void {
+    if (!this.last) return;
+    this.last.runs[0].modes = page.runs[0].modes;
+    this.view?.showModes(page.runs[0].modes);
   }
 
   /** Take the run that is shown as the ghost of those to come. */

@@ -1,0 +1,59 @@
+"""From a slider of the studio to a picture: the server's time by its parts, for changed numbers of one robot.
+
+python -m benchmarks.studio [ROBOT] [--runs 15]
+"""
+
+from __future__ import annotations
+
+import argparse
+import copy
+import statistics
+import time
+from typing import Any
+
+from tmodes.studio.sheets import loaded, plain_sheet
+from tmodes.studio.sliders import told_sliders
+from tmodes.studio.work import Workshop
+
+
+def main() -> None:
+    parser = argparse.ArgumentParser(description=__doc__)
+    parser.add_argument("robot", nargs="?", default="filipovic2010")
+    parser.add_argument("--runs", type=int, default=15)
+    told = parser.parse_args()
+    sheet = loaded(told.robot)
+    data = plain_sheet(sheet)
+    target = told_sliders(sheet, data)[0]["targets"][0]
+    workshop, laps, processor = Workshop(), [], []
+    for k in range(told.runs + 2):
+        began = time.process_time()
+        answer = workshop.answer("curves", moved(data, target, 1 + 0.01 * k), lambda stage, share: None)
+        if k >= 2:  # what is loaded and compiled at the first runs is no part of a dragged slider
+            laps.append(answer.told["seconds"])
+            processor.append(time.process_time() - began)
+    show(laps, processor)
+
+
+def moved(data: dict[str, Any], target: dict[str, Any], factor: float) -> dict[str, Any]:
+    """The sheet with the number of the first slider changed."""
+    changed = copy.deepcopy(data)
+    inner: Any = changed
+    for step in target["steps"][:-1]:
+        inner = inner[step]
+    inner[target["steps"][-1]] = target["base"] * factor
+    return changed
+
+
+def show(laps: list[dict[str, float]], processor: list[float]) -> None:
+    totals = [sum(value for name, value in lap.items() if name != "loops") for lap in laps]
+    for name in laps[0]:
+        values = [1e3 * lap[name] for lap in laps]
+        print(f"{name:10} median {statistics.median(values):7.1f} ms, least {min(values):7.1f} ms")
+    share = statistics.median(lap["loops"] / total for lap, total in zip(laps, totals, strict=True))
+    print(f"{'together':10} median {1e3 * statistics.median(totals):7.1f} ms, least {1e3 * min(totals):7.1f} ms")
+    print(f"{'processor':10} median {1e3 * statistics.median(processor):7.1f} ms")
+    print(f"the loops are {share:.1%} of it")
+
+
+if __name__ == "__main__":
+    main()

@@ -1,0 +1,115 @@
+"""``tmodes studio`` as a process: its address, its end, and what it says where it cannot start."""
+
+from __future__ import annotations
+
+import signal
+import socket
+import subprocess
+import sys
+import time
+
+import httpx
+import pytest
+
+COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open"]
+
+
+def started(*arguments: object, **more) -> subprocess.Popen[str]:
+    command = [*COMMAND, *map(str, arguments)]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more)
+
+
+@pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["Ctrl-C", "SIGTERM"])
+def test_it_stops_cleanly_while_a_run_goes_on(tmp_path, number):
+    with started("--folder", tmp_path) as running:
+        assert running.stdout is not None
+        assert running.stderr is not None
+        address = running.stdout.readline().split()[1]
+        with httpx.Client(trust_env=False, timeout=60) as client:
+            client.get(address)
+            base = address.partition("/?")[0]
+            sheet = client.get(f"{base}/api/robots/filipovic2010").json()["sheet"]
+            sheet["integration"] |= {"duration": 30000.0, "output_step": 1.0, "relative_tolerance": 1e-12}
+            sheet["reference"]["duration"] = 30000.0
+            order = {"product": "data", "sheet": sheet, "client": "x"}
+            assert client.post(f"{base}/api/jobs", json=order).json()["state"] == "waiting"
+            time.sleep(0.5)
+        running.send_signal(number)
+        running.wait(15)
+        assert running.returncode == 0
+        said = running.stderr.read()
+    assert "stopped" in said
+    assert "Traceback" not in said
+    assert "Unknown child" not in said
+
+
+def test_only_this_machine_can_reach_it(tmp_path):
+    with started("--folder", tmp_path) as running:
+        assert running.stdout is not None
+        address = running.stdout.readline().split()[1]
+        port = int(address.partition("/?")[0].rpartition(":")[2])
+        assert address.startswith("http://127.0.0.1:")
+        own = {one[4][0] for one in socket.getaddrinfo(socket.gethostname(), None, socket.AF_INET)} - {"127.0.0.1"}
+        for other in own:
+            with pytest.raises(OSError, match="refused"):
+                socket.create_connection((str(other), port), timeout=1)
+        busy = subprocess.run([*COMMAND, "--port", str(port)], capture_output=True, text=True, check=False)
+        assert busy.returncode == 2
+        assert "free port" in busy.stderr
+        running.terminate()
+
+
+def test_the_reader_of_its_output_goes_away(tmp_path):
+    """As with `| head -1`: it serves on, and says nothing of it."""
+    with started("--folder", tmp_path) as running:
+        assert running.stdout is not None
+        assert running.stderr is not None
+        address = running.stdout.readline().split()[1]
+        running.stdout.close()
+        assert httpx.get(address, trust_env=False).status_code == 200
+        running.terminate()
+        assert "Traceback" not in running.stderr.read()
+
+
+def refused(*arguments: object, **more) -> str:
+    done = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
+    assert done.returncode == 2, done.stderr
+    assert "Mend:" in done.stderr
+    return done.stderr
+
+
+def test_what_cannot_be_started(tmp_path):
+    assert "a folder that exists" in refused("--folder", tmp_path / "none")
+    assert "no_such_robot" in refused("no_such_robot")
+    assert "address of this machine" in refused("--host", "nowhere.example")
+    (tmp_path / "wrong.yaml").write_text("format: 1\n", encoding="utf-8")
+    assert "wrong.yaml" in refused(tmp_path / "wrong.yaml", "--folder", tmp_path)
+
+
+def test_a_file_elsewhere_asks_for_its_folder(tmp_path):
+    (tmp_path / "in").mkdir()
+    sheet = subprocess.run(
+        [sys.executable, "-m", "tmodes.cli.entry", "robots", "filipovic2010"], capture_output=True, check=True
+    ).stdout
+    (tmp_path / "my.yaml").write_bytes(sheet)
+    assert "--folder" in refused(tmp_path / "my.yaml", "--folder", tmp_path / "in")
+
+
+def test_a_program_in_the_working_folder_is_not_run(tmp_path):
+    """Workers start in the folder of the user: nothing of it may take the place of a module."""
+    (tmp_path / "json.py").write_text("raise SystemExit('mine')", encoding="utf-8")
+    (tmp_path / "tmodes.py").write_text("raise SystemExit('mine')", encoding="utf-8")
+    command = [sys.executable, "-P", "-m", "tmodes.cli.entry", "studio", "--no-open"]
+    with subprocess.Popen(command, cwd=tmp_path, text=True, stdout=subprocess.PIPE) as running:
+        assert running.stdout is not None
+        address = running.stdout.readline().split()[1]
+        with httpx.Client(trust_env=False, timeout=60) as client:
+            client.get(address)
+            base = address.partition("/?")[0]
+            sheet = client.get(f"{base}/api/robots/filipovic2010").json()["sheet"]
+            sheet["integration"] = {"duration": 0.1}
+            job = client.post(f"{base}/api/jobs", json={"product": "data", "sheet": sheet, "client": "x"}).json()
+            while job["state"] in ("waiting", "running"):
+                job = client.get(f"{base}/api/jobs/{job['job']}?wait=1").json()
+        assert job["state"] == "done", job
+        running.terminate()
