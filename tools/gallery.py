@@ -10,7 +10,8 @@ import shutil
 import subprocess
 import sys
 import tempfile
-from collections.abc import Callable
+from collections.abc import Callable, Iterator
+from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -20,12 +21,16 @@ __all__ = ["SHOTS", "Shot", "main"]
 TARGET = Path(__file__).resolve().parents[1] / "docs" / "images"
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 FLAGS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader"]
+TMODES = (sys.executable, "-m", "tmodes.cli.main")
 SIZE = {"width": 1280, "height": 800}
 
 
 @dataclass(frozen=True)
 class Shot:
-    """A picture: the commands that make its page, which page that is, and what is done there."""
+    """A picture: the commands that make its page, which page that is, and what is done there.
+
+    ``page``: a file, or the command of a server that tells its address.
+    """
 
     commands: tuple[str, ...]
     page: str
@@ -66,9 +71,23 @@ def _compare(page: Any) -> None:
     _seek(page, 0.4)
 
 
+def _what_if(page: Any) -> None:
+    page.get_by_label("mass at the tip, in kg").fill("1.2")
+    page.wait_for_selector("text=the run as it was")
+    _seek(page, 0.7)
+
+
+def _studio(page: Any) -> None:
+    page.wait_for_selector("canvas", timeout=60_000)
+    page.get_by_label("mass at the tip").first.fill("800")
+    page.wait_for_selector("text=New curves", timeout=60_000)
+    _seek(page, 0.7)
+
+
 SHOTS: dict[str, Shot] = {
     "report": Shot(("run filipovic2010 --out seed",), "seed/report.html", _report),
     "report-dark": Shot(("run filipovic2010 --out seed",), "seed/report.html", _report, "dark"),
+    "what-if": Shot(("run filipovic2010 --out seed",), "seed/report.html", _what_if),
     "arm": Shot(("run manutec_r3 --out manutec",), "manutec/report.html", _arm),
     "mode": Shot(("run deluca_siciliano1991 --out deluca",), "deluca/report.html", _mode),
     "compare": Shot(
@@ -81,6 +100,7 @@ SHOTS: dict[str, Shot] = {
         "compare.html",
         _compare,
     ),
+    "studio": Shot((), "studio filipovic2010 --no-open", _studio),
 }
 
 
@@ -106,17 +126,29 @@ def _take(browser: Any, name: str, shot: Shot, work: Path) -> None:
     for command in shot.commands:
         words = command.split()
         if not (work / words[words.index("--out") + 1]).exists():
-            subprocess.run([sys.executable, "-m", "tmodes.cli.main", *words], cwd=work, check=True, capture_output=True)
+            subprocess.run([*TMODES, *words], cwd=work, check=True, capture_output=True)
     context = browser.new_context(viewport=SIZE, color_scheme=shot.scheme, reduced_motion="reduce")
-    page = context.new_page()
-    page.goto((work / shot.page).as_uri())
-    page.wait_for_selector("canvas")
-    shot.act(page)
-    page.wait_for_timeout(3000)  # software rendering takes its time
-    target = TARGET / f"gallery-{name}.png"
-    page.screenshot(path=target)
-    context.close()
+    with _address(shot.page, work) as address:
+        page = context.new_page()
+        page.goto(address)
+        page.wait_for_selector("canvas", timeout=60_000)
+        shot.act(page)
+        page.wait_for_timeout(3000)  # software rendering takes its time
+        target = TARGET / f"gallery-{name}.png"
+        page.screenshot(path=target)
+        context.close()
     print(f"{target.name}: {target.stat().st_size / 1e3:.0f} kB")
+
+
+@contextmanager
+def _address(page: str, work: Path) -> Iterator[str]:
+    """Where a page is, as long as its server runs."""
+    if (work / page).exists():
+        yield (work / page).as_uri()
+        return
+    with subprocess.Popen([*TMODES, *page.split()], cwd=work, stdout=subprocess.PIPE, text=True) as server:
+        yield next(line.split()[1] for line in server.stdout or () if line.startswith("open"))
+        server.terminate()
 
 
 if __name__ == "__main__":

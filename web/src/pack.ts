@@ -7,7 +7,7 @@ export interface Numbers {
 }
 
 interface Told {
-  dtype: "f8" | "f4" | "i4" | "u1" | "d2";
+  dtype: "f8" | "d4" | "i4" | "u1" | "d2";
   shape: number[];
   offset: number;
   /** Only of whole numbers of two bytes: value = scale * number + start. */
@@ -33,7 +33,7 @@ function read(bytes: Uint8Array, base: number, told: Told): Numbers {
   const width = Number(told.dtype[1]);
   const part = bytes.slice(base + told.offset, base + told.offset + count * width).buffer;
   if (told.dtype === "f8") return { data: new Float64Array(part), shape: told.shape };
-  if (told.dtype === "f4") return { data: new Float32Array(part), shape: told.shape };
+  if (told.dtype === "d4") return { data: single(new Uint8Array(part), count, told), shape: told.shape };
   if (told.dtype === "i4") return { data: new Int32Array(part), shape: told.shape };
   if (told.dtype === "u1") return { data: new Uint8Array(part), shape: told.shape };
   return { data: smooth(new Uint8Array(part), count, told), shape: told.shape };
@@ -45,6 +45,17 @@ function smooth(bytes: Uint8Array, count: number, { shape, scale = 1, start = 0 
   const whole = new Int16Array(count);
   for (let k = 0; k < count; k++) whole[k] = (bytes[k] | (bytes[count + k] << 8)) + (k >= row ? whole[k - row] : 0);
   return Float32Array.from(whole, (value) => start + scale * value);
+}
+
+/** Numbers of single precision, told as changes of their bits from row to row, the lowest bytes of all first. */
+function single(bytes: Uint8Array, count: number, { shape }: Told): Float32Array {
+  const row = count / (shape[0] || 1) || 1;
+  const whole = new Uint32Array(count);
+  for (let k = 0; k < count; k++) {
+    const step = bytes[k] | (bytes[count + k] << 8) | (bytes[2 * count + k] << 16) | (bytes[3 * count + k] << 24);
+    whole[k] = step + (k >= row ? whole[k - row] : 0);
+  }
+  return new Float32Array(whole.buffer);
 }
 
 function filled(value: unknown, arrays: Numbers[]): unknown {

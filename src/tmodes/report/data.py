@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
@@ -27,7 +27,7 @@ __all__ = ["facts_of", "live_page", "page_data", "sheet_of"]
 
 
 def page_data(
-    results: Sequence[Result | ArmResult],
+    results: Sequence[RunRecord],
     names: Sequence[str] | None = None,
     live: dict[str, Any] | None = None,
     not_live: str = "",
@@ -42,7 +42,8 @@ def page_data(
     """
     names = names or [_name(result) for result in results]
     charts = charts_of(results)
-    runs = [_run(*one, light=light) for one in zip(results, names, charts, strict=True)]
+    known = cast("Sequence[Result | ArmResult]", results)
+    runs = [_run(*one, light=light) for one in zip(known, names, charts, strict=True)]
     subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
     told = {"title": ", ".join(names), "subtitle": subtitle, "live": live, "notLive": not_live}
     return {"format": 1, "runs": runs, **told}

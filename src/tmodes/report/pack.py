@@ -4,6 +4,7 @@
 each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` tells type, shape and place;
 ``{"$sum": [a, b]}`` is the sum of two. The type ``d2``: whole numbers of two bytes as changes from row to row (modulo
 65536), the low bytes of all of them, then the high ones.
+``d4``: single precision, its bits told in the same way, in four planes.
 """
 
 from __future__ import annotations
@@ -21,7 +22,7 @@ from numpy.typing import NDArray
 
 __all__ = ["Coarse", "Sum", "embedded", "pack"]
 
-_KINDS = {"float64": "f8", "float32": "f4", "int32": "i4", "uint8": "u1"}
+_KINDS = {"float64": "f8", "int32": "i4", "uint8": "u1"}
 
 
 @dataclass(frozen=True, eq=False)
@@ -83,7 +84,7 @@ def _plain(value: Any, arrays: _Arrays) -> Any:
         case Sum():
             return {"$sum": [_plain(value.large, arrays), _plain(value.small, arrays)]}
         case np.ndarray():
-            return arrays.add(value)
+            return _single(value, arrays) if value.dtype == np.float32 else arrays.add(value)
         case Mapping():
             return {str(key): _plain(item, arrays) for key, item in value.items()}
         case list() | tuple():
@@ -96,6 +97,16 @@ def _coarse(values: NDArray[Any], arrays: _Arrays) -> dict[str, int]:
     low, high = (float(values.min()), float(values.max())) if values.size else (0.0, 0.0)
     middle, scale = (low + high) / 2, (high - low) / 65000 or 1.0
     whole = np.atleast_1d(np.round((values - middle) / scale).astype("<i2"))
+    return arrays.add(_steps(whole, 2), dtype="d2", shape=values.shape, scale=scale, start=middle)
+
+
+def _single(values: NDArray[Any], arrays: _Arrays) -> dict[str, int]:
+    """Single precision, exactly: changes of the bits, read as whole numbers, in planes of bytes as those above."""
+    whole = np.atleast_1d(np.ascontiguousarray(values, dtype="<f4").view("<u4"))
+    return arrays.add(_steps(whole, 4), dtype="d4", shape=values.shape)
+
+
+def _steps(whole: NDArray[Any], width: int) -> NDArray[Any]:
+    """Changes from row to row, first the lowest bytes of all, last the highest; sums overflow as the reader's do."""
     steps = np.diff(whole, axis=0, prepend=np.zeros_like(whole[:1]))
-    planes = steps.reshape(-1).view(np.uint8).reshape(-1, 2).T
-    return arrays.add(planes, dtype="d2", shape=values.shape, scale=scale, start=middle)
+    return steps.reshape(-1).view(np.uint8).reshape(-1, width).T
