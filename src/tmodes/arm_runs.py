@@ -34,8 +34,10 @@ class ArmRunFolder(RunFolder):
     anything is made; and on entry as :class:`tmodes.runs.RunFolder`.
     """
 
-    def __init__(self, path: Path, arm: Arm, overwrite: bool = False, shapes: Sequence[LinkShape] = ()) -> None:
-        super().__init__(path, ready_to_run(arm), overwrite)
+    def __init__(
+        self, path: Path, arm: Arm, overwrite: bool = False, shapes: Sequence[LinkShape] = (), *, live: bool = True
+    ) -> None:
+        super().__init__(path, ready_to_run(arm), overwrite, live=live)
         self._size, self._shapes = result_bytes(self.robot), shapes
 
     def _sheet(self) -> str:
@@ -64,7 +66,7 @@ class ArmRunFolder(RunFolder):
     def _write_report(self, result: Any, pictures: dict[str, Drawing]) -> None:
         from tmodes.report.arm_write import write_arm_report
 
-        write_arm_report(result, self.report_file, pictures)
+        write_arm_report(result, self.report_file, pictures, live=self.live)
 
 
 def result_bytes(arm: Arm) -> int:

@@ -33,12 +33,13 @@ class RunFolder:
     """The folder of one run: ``result.nc``, ``report.html``, ``figures/``.
 
     What is of one kind of robot is in ``_sheet``, ``_bytes``, ``_load``, ``_computed``, ``_drawn``, ``_write_report``.
-    Used as a context; raises :class:`tmodes.errors.ResultFileError` on entry where the run could not be stored: no
-    permission, no room, another writer, a result that is there already.
+    ``live``: whether the report holds the robot's equations. Used as a context; raises
+    :class:`tmodes.errors.ResultFileError` on entry where the run could not be stored: no permission, no room, another
+    writer, a result that is there already.
     """
 
-    def __init__(self, path: Path, robot: Any, overwrite: bool = False) -> None:
-        self.path, self.robot, self.overwrite = path, robot, overwrite
+    def __init__(self, path: Path, robot: Any, overwrite: bool = False, *, live: bool = True) -> None:
+        self.path, self.robot, self.overwrite, self.live = path, robot, overwrite, live
         self.result_file, self.report_file, self.figures = path / "result.nc", path / "report.html", path / "figures"
         self.continues = False
         self._done: Any = None
@@ -123,7 +124,9 @@ class RunFolder:
         save_figures(
             result, self.figures, progress=lambda done, total, name: progress("figures", done / total), figures=pictures
         )
+        progress("report", 0.0)
         self._write_report(result, pictures)
+        progress("report", 1.0)
 
     def _sheet(self) -> str:
         """The data sheet as JSON: what makes two runs the same."""
@@ -150,7 +153,7 @@ class RunFolder:
     def _write_report(self, result: Any, pictures: dict[str, Drawing]) -> None:
         from tmodes.report import write_report
 
-        write_report(result, self.report_file, pictures)
+        write_report(result, self.report_file, pictures, live=self.live)
 
     def summary(self, result: Any) -> dict[str, Any]:
         """What the run gave, for machines."""

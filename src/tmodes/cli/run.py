@@ -53,6 +53,9 @@ def run(
     figures: Annotated[
         bool, typer.Option("--figures/--no-figures", help="Figures and report, or the data only.")
     ] = True,
+    live: Annotated[
+        bool, typer.Option("--live/--no-live", help="Let the report simulate anew; compiling takes some seconds, once.")
+    ] = True,
     as_json: AsJson = False,
 ) -> None:
     """Plan with the robot as known, run the real one under control, and show how it bends.
@@ -68,7 +71,7 @@ def run(
     changes = integration_changes(integrator, rtol, atol, duration, check_error, **ending)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     folder = _folder(
-        out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths)
+        out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths), live=live
     )
     result = _computed(folder, sheet, figures)
     _tell(result, folder, as_json)
@@ -84,7 +87,7 @@ class _Looks(NamedTuple):
     trust_paths: bool
 
 
-def _folder(path: Path, sheet: Robot | Arm, overwrite: bool, looks: _Looks) -> RunFolder:
+def _folder(path: Path, sheet: Robot | Arm, overwrite: bool, looks: _Looks, *, live: bool) -> RunFolder:
     from tmodes.arm import Arm
     from tmodes.arm_runs import ArmRunFolder
     from tmodes.cli.output import notice
@@ -92,11 +95,11 @@ def _folder(path: Path, sheet: Robot | Arm, overwrite: bool, looks: _Looks) -> R
     from tmodes.runs import RunFolder
 
     if not isinstance(sheet, Arm):
-        return RunFolder(path, sheet, overwrite)
+        return RunFolder(path, sheet, overwrite, live=live)
     shapes, doubts = read_shapes(looks.robot, looks.roots or (), looks.trust_paths)
     for doubt in doubts:
         notice(f"notice: {doubt}")
-    return ArmRunFolder(path, sheet, overwrite, shapes)
+    return ArmRunFolder(path, sheet, overwrite, shapes, live=live)
 
 
 def _computed(folder: RunFolder, sheet: Robot | Arm, figures: bool) -> Any:

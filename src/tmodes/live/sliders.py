@@ -165,6 +165,19 @@ def _log(low: float, rule: _Rule) -> bool:
     return rule.log and low > 0
 
 
+def _label(number: SheetNumber, knob: Knob) -> str:
+    """What a knob moves, and whose: ``bending stiffness about z, forearm``."""
+    words, owner = re.split("[,;]", number.meaning)[0], number.owner
+    if knob.together:
+        return f"{words}, all {'motors' if '.motor.' in knob.kind else knob.kind.partition('.')[0]}"
+    steps = number.path.split(".")
+    if words.endswith("about y and about z"):
+        words = words.replace("about y and about z", f"about {'yz'[int(steps[-1])]}") if steps[-1] in "01" else words
+    if "bodies" in steps and steps[-2] != owner and not steps[-2].isdecimal():
+        owner = f"{steps[-2]} on {owner}"
+    return f"{words}, {owner}" if owner else words
+
+
 def sliders_of(sheet: Robot | Arm, knobs: Sequence[Knob], most: int = MOST) -> list[Slider]:
     """The sliders of these knobs, each as known and, where it makes sense, as the factor of the real robot."""
     told = {number.path: number for number in sheet_numbers(sheet)}
@@ -172,11 +185,10 @@ def sliders_of(sheet: Robot | Arm, knobs: Sequence[Knob], most: int = MOST) -> l
     for index, knob in enumerate(knobs):
         number = told[knob.targets[0][0]]
         rule = next(rule for rule in _RULES if re.fullmatch(rule.kind, knob.kind))
-        words = re.split("[,;]", number.meaning)[0]
-        owner = "all" if knob.together else number.owner
-        label = f"{words}, {owner}" if owner else words
+        label = _label(number, knob)
         path, unit = (knob.kind, "-") if knob.together else (number.path, number.unit)
-        own = (path, label, number.symbol, unit, rule.group, knob.start, knob.low, knob.high, knob.log)
+        shown = f"{label}: times the sheet's" if knob.together else label
+        own = (path, shown, number.symbol, unit, rule.group, knob.start, knob.low, knob.high, knob.log)
         found.append(Slider(index, False, *own))
         if rule.real and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)

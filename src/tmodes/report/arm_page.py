@@ -30,8 +30,11 @@ _LONG_SHEET = 120
 """Lines of a data sheet beyond which it is folded."""
 
 
-def arm_page(result: ArmResult, figures: Mapping[str, Drawing]) -> str:
-    """The whole page as one HTML document; ``figures`` by name, in the order of the page."""
+def arm_page(result: ArmResult, figures: Mapping[str, Drawing], *, live: bool = True) -> str:
+    """The whole page as one HTML document; ``figures`` by name, in the order of the page.
+
+    ``live``: whether it holds the robot's equations, to be simulated anew in the page.
+    """
     arm = result.arm
     return document(
         title_of(result, arm.name),
@@ -40,7 +43,7 @@ def arm_page(result: ArmResult, figures: Mapping[str, Drawing]) -> str:
         _header(result, arm),
         status(result),
         warnings(result),
-        application(live_page(result)),
+        application(live_page(result, live=live)),
         _numbers(result),
         figures_section(figures, ARM_FIGURES, arm_left_out(result)),
         section("robot", *_sheet(arm)),

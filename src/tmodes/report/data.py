@@ -49,8 +49,10 @@ def page_data(
     return {"format": 1, "runs": runs, **told}
 
 
-def live_page(result: Result | ArmResult) -> dict[str, Any]:
-    """The data of a page about one result, with its equations where the page can run them again."""
+def live_page(result: Result | ArmResult, *, live: bool = True) -> dict[str, Any]:
+    """The data of a page about one result, with its equations where they are wanted and the page can run them again."""
+    if not live:
+        return page_data([result], not_live="it was asked to hold no equations (--no-live)")
     told = "real" in result.statistics
     reason = why_not_live(result) if told else "its record does not tell how it was made"
     try:

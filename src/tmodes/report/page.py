@@ -23,8 +23,11 @@ if TYPE_CHECKING:
 __all__ = ["page"]
 
 
-def page(result: Result, figures: Mapping[str, Drawing]) -> str:
-    """The whole page as one HTML document; ``figures`` by name, in the order of the page."""
+def page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -> str:
+    """The whole page as one HTML document; ``figures`` by name, in the order of the page.
+
+    ``live``: whether it holds the robot's equations, to be simulated anew in the page.
+    """
     sheet = json.loads(result.data.attrs["robot"])
     name = str(sheet.get("name") or "robot")
     return document(
@@ -34,7 +37,7 @@ def page(result: Result, figures: Mapping[str, Drawing]) -> str:
         _header(result, sheet, name),
         status(result),
         warnings(result),
-        application(live_page(result)),
+        application(live_page(result, live=live)),
         _numbers(result),
         figures_section(figures, FIGURES, left_out(result)),
         section("robot", data_sheet(sheet, json.loads(result.data.attrs["parameters"]))),
