@@ -3,10 +3,13 @@
 from __future__ import annotations
 
 import re
+import shutil
+import subprocess
+from pathlib import Path
 
 import pytest
 
-from web import BUILT, built_from, digest
+from web import BUILT, WEB, built_from, digest
 
 PROGRAMS = ("viewer.js", "studio.js", "model.js")
 
@@ -32,6 +35,16 @@ def test_it_runs_no_text_and_loads_nothing(name: str) -> None:
 
 
 def test_no_address_of_a_package_is_kept() -> None:
-    lock = (BUILT.parents[3] / "web" / "package-lock.json").read_text(encoding="utf-8")
+    lock = (WEB / "package-lock.json").read_text(encoding="utf-8")
     assert '"resolved"' not in lock
     assert "http" not in lock
+
+
+@pytest.mark.skipif(not shutil.which("node"), reason="needs Node to build")
+def test_the_sources_build_what_is_kept(tmp_path: Path) -> None:
+    if not (WEB / "node_modules" / "esbuild").is_dir():
+        pytest.skip("needs the packages of web/: npm ci")
+    subprocess.run(["node", "build.mjs", tmp_path, digest()], cwd=WEB, check=True, timeout=120)
+    assert sorted(path.name for path in tmp_path.glob("*.js")) == sorted(PROGRAMS)
+    for name in PROGRAMS:
+        assert (tmp_path / name).read_bytes() == (BUILT / name).read_bytes(), name
