@@ -100,6 +100,7 @@ def rest_page(robot: Robot | Arm) -> dict[str, Any]:
 def _standing(robot: Robot | Arm) -> Result | ArmResult:
     """A run too short for anything to move."""
     still = {"integration.duration": STILL, "integration.output_step": STILL, "integration.stop": []}
+    still |= {"integration.method": "auto"}  # a fixed step may be longer than that
     if isinstance(robot, Robot):
         from tmodes.simulate import simulate
 

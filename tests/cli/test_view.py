@@ -134,6 +134,12 @@ def test_a_robot_at_rest_has_its_modes(name):
     assert head_of(robot.show().document)["title"] == name
 
 
+@pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
+def test_a_robot_with_a_fixed_step_is_shown_too(name):
+    """Its step is longer than the instant in which it is looked at."""
+    assert rest_page(tmodes.load_sheet(name).with_({"integration.method": "rk4"}))["runs"][0]["modes"]
+
+
 def test_an_arm_that_nothing_moves_is_shown_too():
     arm = tmodes.load_sheet("spong1987").with_({"drives": []})
     assert rest_page(arm)["runs"][0]["status"] == "at rest"

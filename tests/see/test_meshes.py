@@ -85,6 +85,8 @@ BROKEN = {
     "two.stl": b"solid x\nvertex 1 2 3\nvertex 1 2 3\nendsolid",
     "nan.stl": b"solid x\n" + 3 * b"vertex nan 0 0\n",
     "huge.obj": b"v 1e300 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 3",
+    "beyond.obj": b"v 0 0 0\nv 0 1 0\nv 0 0 1\nf 1 2 99999999999999999999",
+    "fan.obj": b"v 0 0 0\nf 1 2" + b" 3" * 600_000,
     "index.obj": b"v 0 0 0\nf 1 2 3",
     "zero.obj": b"v 0 0 0\nv 1 0 0\nv 0 1 0\nf 0 1 5",
     "words.obj": b"v a b c\nf 1 1 1",

@@ -38,6 +38,8 @@ def test_the_token_in_a_header_or_a_cookie(studio):
     assert asked(studio, **{"X-Tmodes-Token": TOKEN + "x"}).status_code == 401
     assert asked(studio, Cookie=f"{studio.cookie}={TOKEN}").status_code == 200
     assert asked(studio, Cookie=f"{studio.cookie}=x;=; junk").status_code == 401
+    others = f'prefs={{"x":1}}; a=b c; bare; {studio.cookie}={TOKEN}; late=,"'  # of other programs on this machine
+    assert asked(studio, Cookie=others).status_code == 200
     cookie = studio.client.get(f"/?token={TOKEN}").headers["set-cookie"]
     assert "HttpOnly" in cookie
     assert "SameSite=Strict" in cookie

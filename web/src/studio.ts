@@ -96,7 +96,12 @@ async function main(): Promise<void> {
     wrong,
     say: told.say,
   };
-  const choose = (name: string) => attempt(host, async () => load(name.startsWith("./") ? await api.study(name.slice(2)) : await api.robot(name), name.replace("./", "")));
+  let choice = 0;
+  const choose = (name: string) => attempt(host, async () => {
+    const mine = ++choice;
+    const told = name.startsWith("./") ? await api.study(name.slice(2)) : await api.robot(name);
+    if (mine === choice) await load(told, name.replace("./", "")); // else another was chosen meanwhile
+  });
   robots.addEventListener("change", () => { if (robots.value) void choose(robots.value); });
   const cancel = button("Cancel", () => void runner.cancel(), { class: "warn", hidden: true });
   told.cancel(cancel);

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import os
 from collections.abc import Mapping
 from pathlib import Path
 from typing import Annotated
@@ -64,7 +65,7 @@ def _write(files: dict[Path, bytes], overwrite: bool) -> None:
     from tmodes.io.atomic import atomic_write, check_writable, file_error
 
     for path in files:
-        if path.exists() and not overwrite:
+        if os.path.lexists(path) and not overwrite:
             raise file_error(path, "a file that exists", "a new name", "choose another --out, or give --overwrite")
     check_writable(next(iter(files)).parent, sum(map(len, files.values())))
     for path, content in files.items():

@@ -6,9 +6,13 @@ import sys
 from contextlib import suppress
 from importlib.util import find_spec
 from pathlib import Path
-from typing import Annotated
+from threading import Thread
+from typing import TYPE_CHECKING, Annotated
 
 import typer
+
+if TYPE_CHECKING:
+    from tmodes.studio.folder import WorkingFolder
 
 __all__ = ["studio"]
 
@@ -38,12 +42,13 @@ def studio(
     from tmodes.studio.folder import WorkingFolder
     from tmodes.studio.serve import serve
 
-    working, first = WorkingFolder(folder), _first(robot, folder)
+    working = WorkingFolder(folder)
+    first = _first(robot, working)
     serve(working, first, host=host, port=port, ready=lambda address: _ready(address, working.path, browser))
     print("tmodes studio: stopped", file=sys.stderr)
 
 
-def _first(robot: str, folder: Path) -> str:
+def _first(robot: str, folder: WorkingFolder) -> str:
     """What is shown first, checked: a published robot, or the name of a file of the working folder."""
     from tmodes.errors import InputError
     from tmodes.robots.load import load_sheet, sheet_names
@@ -52,10 +57,10 @@ def _first(robot: str, folder: Path) -> str:
         return robot
     load_sheet(robot)
     path = Path(robot).absolute()
-    if path.parent.resolve() != folder.resolve():
+    if path.parent.resolve() != folder.path:
         mend = f"add --folder {path.parent}"
         raise InputError("FILE", repr(robot), "a file of the working folder", mend)
-    return f"./{path.name}"
+    return f"./{folder.existing(path.name).name}"
 
 
 def _ready(address: str, folder: Path, browser: bool) -> None:
@@ -64,4 +69,5 @@ def _ready(address: str, folder: Path, browser: bool) -> None:
     if browser:
         import webbrowser
 
-        webbrowser.open(address)
+        # A browser in the terminal ends only when it is closed, and the page needs the server meanwhile.
+        Thread(target=webbrowser.open, args=(address,), daemon=True).start()

@@ -46,11 +46,11 @@ def view(
     names = names_apart([robot_name(one) for one in stored], results)
     data = page_data(stored, names) if len(stored) > 1 else live_page(stored[0])
     page = _written(viewer_document(data), out, overwrite)
+    print_json({"page": str(page), "runs": names}) if as_json else print(f"open    {page}", flush=True)
     if browser:
         import webbrowser
 
         webbrowser.open(page.absolute().as_uri())
-    print_json({"page": str(page), "runs": names}) if as_json else print(f"open    {page}")
 
 
 def _refuse_too_many(results: list[Path]) -> None:

@@ -19,6 +19,7 @@ from tmodes.io.words import shown_path
 __all__ = ["Triangles", "read_mesh"]
 
 MOST_BYTES = 32 * 1024 * 1024
+MOST_TEXT = 6 * 1024 * 1024
 MOST_TRIANGLES = 500_000
 LARGEST = 1e6
 """Size of a coordinate [m or mm] beyond which a file is damaged."""
@@ -45,7 +46,7 @@ def read_mesh(path: str | os.PathLike[str]) -> Triangles:
     content = read_bytes(path, MOST_BYTES)
     try:
         found = _obj(content, which) if ending == ".obj" else _stl(content, which)
-    except (ValueError, IndexError):
+    except (ValueError, IndexError, OverflowError):
         raise _fault(which, "numbers that cannot be read", "save the mesh once more") from None
     return _checked(found, which)
 
@@ -57,8 +58,9 @@ def _stl(content: bytes, which: str) -> Triangles:
         _bound(count, which)
         corners = np.frombuffer(content, _RECORD, count, _HEAD)["corners"].astype(float).reshape(-1, 3)
     elif content.lstrip()[:5].lower() == b"solid":
-        words = [line.split() for line in content.decode("latin-1").splitlines()]
-        told = [line[1:4] for line in words if line and line[0].lower() == "vertex"]
+        _refuse_long_text(content, which)
+        told = [line.split()[1:4] for line in content.decode("latin-1").splitlines() if _is_corner(line)]
+        _bound(len(told) // 3, which)
         corners = np.array(told, dtype=float).reshape(-1, 3)
     else:
         raise _fault(which, "a length that its number of triangles does not have", "use a whole copy of the file")
@@ -71,6 +73,7 @@ def _stl(content: bytes, which: str) -> Triangles:
 
 def _obj(content: bytes, which: str) -> Triangles:
     """Faces of more than three corners become fans."""
+    _refuse_long_text(content, which)
     vertices: list[list[float]] = []
     faces: list[tuple[int, int, int]] = []
     for line in content.decode("latin-1").splitlines():
@@ -78,10 +81,10 @@ def _obj(content: bytes, which: str) -> Triangles:
         if words[:1] == ["v"]:
             vertices.append([float(word) for word in words[1:4]])
         elif words[:1] == ["f"]:
+            _bound(len(faces) + len(words) - 3, which)
             corners = [int(word.partition("/")[0]) for word in words[1:]]
             ring = [corner - 1 if corner > 0 else len(vertices) + corner for corner in corners]
             faces += [(ring[0], ring[k], ring[k + 1]) for k in range(1, len(ring) - 1)]
-            _bound(len(faces), which)
     return Triangles(np.array(vertices, dtype=float).reshape(-1, 3), np.array(faces, dtype=np.intp).reshape(-1, 3))
 
 
@@ -94,6 +97,18 @@ def _checked(found: Triangles, which: str) -> Triangles:
     if not (np.isfinite(vertices).all() and np.abs(vertices).max() < LARGEST):
         raise _fault(which, f"a coordinate that is no number below {LARGEST:g}", "use a whole copy of the file")
     return found
+
+
+def _is_corner(line: str) -> bool:
+    return line.lstrip()[:6].lower() == "vertex"
+
+
+def _refuse_long_text(content: bytes, which: str) -> None:
+    """Text takes some fifty times its size in memory while it is read."""
+    if len(content) > MOST_TEXT:
+        raise _fault(
+            which, f"{len(content):,} bytes of text", f"save it as binary STL, or in at most {MOST_TEXT:,}"
+        )
 
 
 def _bound(count: int, which: str) -> None:

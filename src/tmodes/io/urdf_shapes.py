@@ -23,6 +23,9 @@ PLAIN = "#b4bec8"
 """The colour of what has none."""
 
 READABLE = {".stl", ".obj"}
+MOST_FACES = 1_000_000
+"""Triangles of all shapes of a robot."""
+
 MOST_SHAPES = 500
 
 
@@ -47,6 +50,9 @@ def link_shapes(robot: UrdfRobot) -> tuple[list[LinkShape], list[str]]:
         chosen = visual if visual and all(map(_is_readable, visual)) else collision or visual
         for index, shape in enumerate(chosen[: MOST_SHAPES - len(found)]):
             colour = colours[min(index, len(colours) - 1)] if colours else PLAIN
+            if sum(len(one.surface.faces) for one in found) > MOST_FACES:
+                doubts.append(f"shapes from link {name} on are not shown: expected at most {MOST_FACES:,} triangles")
+                return found, doubts
             try:
                 found.append(LinkShape(name, colour, _placed(shape, robot, f"link {name}: {shape.tag}")))
             except InputError as error:

@@ -5,6 +5,7 @@ from __future__ import annotations
 import base64
 import html
 import json
+import re
 from collections.abc import Mapping
 from dataclasses import dataclass
 from pathlib import Path
@@ -113,6 +114,4 @@ def _page(title: str, name: str, code: str, wasm: bytes) -> str:
     told = {"TITLE": html.escape(title), "FILE": html.escape(name), "CODE": code.replace("</", "<\\/"),
             "WASM": base64.b64encode(wasm).decode()}  # fmt: skip
     page = (_BESIDE / "example.html").read_text(encoding="utf-8")
-    for key, value in told.items():
-        page = page.replace(f"%{key}%", value)
-    return page
+    return re.sub(f"%({'|'.join(told)})%", lambda found: told[found[1]], page)

@@ -53,12 +53,14 @@ def live_page(result: Result | ArmResult, *, live: bool = True) -> dict[str, Any
     """The data of a page about one result, with its equations where they are wanted and the page can run them again."""
     if not live:
         return page_data([result], not_live="it was asked to hold no equations (--no-live)")
-    told = "real" in result.statistics
-    reason = why_not_live(result) if told else "its record does not tell how it was made"
-    try:
-        return page_data([result], live=None if reason else live_bundle(result), not_live=reason)
-    except TmodesError as error:
-        return page_data([result], not_live=str(error))
+    bundle, reason = None, "its record does not tell how it was made"
+    if "real" in result.statistics:
+        try:
+            reason = why_not_live(result)
+            bundle = None if reason else live_bundle(result)
+        except (TmodesError, KeyError, ValueError) as error:  # a good run keeps its page
+            reason = str(error)
+    return page_data([result], live=bundle, not_live=reason)
 
 
 def _name(result: RunRecord) -> str:

@@ -11,6 +11,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import TmodesError
+from tmodes.io.atomic import file_error
 from tmodes.io.mesh_file import Triangles
 from tmodes.io.urdf_shapes import LinkShape, link_shapes
 from tmodes.report.mesh_thin import thinned
@@ -71,8 +72,17 @@ def with_shapes(result: ArmResult, shapes: Sequence[LinkShape]) -> ArmResult:
 
 def kept_meshes(data: Any) -> list[Kept]:
     """The surfaces that a result's dataset keeps."""
+    try:
+        return _kept(data)
+    except (KeyError, TypeError, ValueError, AttributeError) as error:
+        raise file_error("result, attribute meshes", "no list of surfaces", "what a run wrote", "run again") from error
+
+
+def _kept(data: Any) -> list[Kept]:
     found, vertex, face = [], 0, 0
     for told in json.loads(data.attrs.get("meshes", "[]")):
+        if min(told["vertices"], told["faces"]) < 0:
+            raise ValueError("a surface of less than nothing")
         vertices = data["mesh_vertices"].transpose("mesh_vertex", "axis").values[vertex : vertex + told["vertices"]]
         faces = data["mesh_faces"].transpose("mesh_face", "corner").values[face : face + told["faces"]]
         found.append(Kept(told["link"], told["colour"], vertices, faces))

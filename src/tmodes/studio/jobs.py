@@ -20,6 +20,9 @@ MOST_KEPT = 8
 ABANDONED = 20.0
 """Seconds after which a job that nobody asks about is ended."""
 
+FORGOTTEN = 120.0
+"""Seconds after which an answer that nobody asks for is dropped."""
+
 
 @dataclass
 class Job:
@@ -103,9 +106,12 @@ class JobBook:
             job.asked = clock.monotonic()
 
     def end_abandoned(self) -> None:
-        """End the jobs that nobody asks about: their tab is closed."""
-        for job in self._jobs.values():
-            if clock.monotonic() - job.asked > ABANDONED:
+        """End the jobs that nobody asks about, and forget their answers: their tab is closed."""
+        for job in [*self._jobs.values()]:
+            silent = clock.monotonic() - job.asked
+            if job.over and silent > FORGOTTEN:
+                del self._jobs[job.name]
+            elif silent > ABANDONED:
                 self.cancel(job)
 
     async def _run(self, job: Job, sheet: Any) -> None:
@@ -116,10 +122,15 @@ class JobBook:
             job.state = "error"
             mend = "simulate again; with fewer samples where the memory may have been too small"
             job.errors = [told_error("", f"the process that simulated ended unexpectedly. Mend: {mend}", mend=mend)]
+        except OSError as error:
+            job.state = "error"
+            job.errors = [told_error("", f"no process could be started: {error.strerror}. Mend: free some memory")]
         finally:
+            job.asked = clock.monotonic()
             job.changed.set()
 
     def _forget_old(self) -> None:
-        old = [name for name, job in self._jobs.items() if job.over]
+        over = sorted((job for job in self._jobs.values() if job.over), key=lambda job: job.asked)
+        old = [job.name for job in over]
         for name in old[: max(0, len(self._jobs) - MOST_KEPT)]:
             del self._jobs[name]

@@ -36,6 +36,7 @@ class _Worker:
     def __init__(self, process: asyncio.subprocess.Process) -> None:
         self.process = process
         self.last = ""
+        self._doomed = False
 
     @classmethod
     async def started(cls) -> _Worker:
@@ -53,7 +54,7 @@ class _Worker:
 
     @property
     def alive(self) -> bool:
-        return self.process.returncode is None
+        return self.process.returncode is None and not self._doomed
 
     def tell(self, order: dict[str, Any]) -> None:
         if self.process.stdin:
@@ -81,6 +82,7 @@ class _Worker:
 
     async def kill(self) -> None:
         if self.alive:
+            self._doomed = True
             with suppress(ProcessLookupError):
                 # Popen.kill would also reap the process, which the loop waits for.
                 os.kill(self.process.pid, signal.SIGKILL) if os.name != "nt" else self.process.kill()

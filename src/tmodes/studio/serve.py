@@ -32,6 +32,8 @@ def serve(
     listening = _listening(host, port)
     own = listening.getsockname()[1]
     names = {f"{_in_address(host)}:{own}", f"localhost:{own}", f"127.0.0.1:{own}"}
+    if own == 80:  # browsers leave it out
+        names |= {name.rpartition(":")[0] for name in names}
     app = application(folder, token, frozenset(names), first)
     config = uvicorn.Config(app, log_level="warning", access_log=False, server_header=False, date_header=False,
                             timeout_graceful_shutdown=GRACE, ws="none")  # fmt: skip
@@ -66,7 +68,10 @@ def _in_address(host: str) -> str:
 
 def _listening(host: str, port: int) -> socket.socket:
     try:
-        family = socket.AF_INET6 if ipaddress.ip_address(host).version == 6 else socket.AF_INET
+        told = ipaddress.ip_address(host)
+        if told.is_unspecified:
+            raise ValueError("it names every address at once: name the one that others use")
+        family = socket.AF_INET6 if told.version == 6 else socket.AF_INET
         found = socket.socket(family, socket.SOCK_STREAM)
         found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         found.bind((host, port))

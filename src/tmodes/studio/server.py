@@ -105,7 +105,7 @@ def _add_sheets(app: FastAPI) -> None:
 
     @app.get("/api/robots/{name}")
     async def robot(name: str) -> Response:
-        if name not in {one["name"] for one in sheets.catalogue()}:
+        if name not in {one["name"] for one in await run_in_threadpool(sheets.catalogue)}:
             raise InputError("robot", repr(name[:60]), "a published robot", "choose one of the list")
         return _json(await run_in_threadpool(lambda: sheets.told_sheet(sheets.loaded(name))))
 
@@ -142,7 +142,8 @@ def _add_studies(app: FastAPI, folder: WorkingFolder) -> None:
     @app.put("/api/studies/{name}")
     async def save(name: str, request: Request) -> Response:
         data = await body_of(request)
-        text = sheets.sheet_yaml(await _checked(request, data))
+        sheet = await _checked(request, data)
+        text = await run_in_threadpool(sheets.sheet_yaml, sheet)
         overwrite = data.get("overwrite") is True
         saved = await run_in_threadpool(lambda: folder.save(name, text, overwrite=overwrite))
         return _json({"saved": saved.name})

@@ -39,9 +39,7 @@ def uploaded_sheet(files: Any) -> Robot | Arm:
     with tempfile.TemporaryDirectory(prefix="tmodes-upload-") as folder:
         home = Path(folder).resolve()
         for name, content in contents.items():
-            path = home.joinpath(*PurePosixPath(name).parts)
-            path.parent.mkdir(parents=True, exist_ok=True)
-            path.write_bytes(content)
+            _put(home.joinpath(*PurePosixPath(name).parts), content, name)
         try:
             return loaded(home / main, roots=(home,))
         except (InputError, InputErrors) as error:
@@ -49,6 +47,15 @@ def uploaded_sheet(files: Any) -> Robot | Arm:
                 for part in ("which", "got", "expected", "mend", "where"):
                     setattr(one, part, _as_sent(getattr(one, part), home))
             raise
+
+
+def _put(path: Path, content: bytes, name: str) -> None:
+    try:
+        path.parent.mkdir(parents=True, exist_ok=True)
+        path.write_bytes(content)
+    except OSError as error:
+        got, expected = f"{shown(name)} ({error.strerror})", "files that can lie in one folder"
+        raise InputError("files", got, expected, "use short and different names, or free some space") from None
 
 
 def _as_sent(text: str, home: Path) -> str:

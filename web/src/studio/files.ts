@@ -14,6 +14,7 @@ export interface FilesHost {
   say(text: string): void;
 }
 
+const MOST_UPLOADED = 16 * 1024 * 1024; // as the server has it
 const ACCEPT = ".yaml,.yml,.urdf,.xacro,.xml,.stl,.obj,.dae";
 
 /** Robots of one's own: a URDF with its elasticity file and meshes. */
@@ -22,6 +23,12 @@ export function uploadControl(host: FilesHost): HTMLElement {
   const input = make("input", { id, type: "file", multiple: true, accept: ACCEPT, class: "upload" });
   const send = async (files: FileList | null) => {
     if (!files?.length) return;
+    const size = [...files].reduce((sum, file) => sum + file.size, 0);
+    if (size > MOST_UPLOADED) {
+      const [got, expected, mend] = [`${(size / 1e6).toFixed(0)} MB`, `at most ${(MOST_UPLOADED / 1e6).toFixed(0)} MB`, "leave out what is not needed"];
+      host.wrong([{ path: "files", message: `files: got ${got}; expected ${expected}. Mend: ${mend}`, got, expected, mend, where: "", steps: null }]);
+      return;
+    }
     host.say(`Reading ${files.length === 1 ? files[0].name : `${files.length} files`} …`);
     await attempt(host, async () => host.load(await api.upload(await Promise.all([...files].map(encoded))), [...files].map((file) => file.name).join(", ")));
     input.value = "";

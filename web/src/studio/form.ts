@@ -91,7 +91,7 @@ export class Form {
     if (shape.kind === "list") return this.inline(name, shape, steps);
     const unit = unitOf({ ...this.forms.resolved(node), unit: shape.schema.unit ?? this.forms.resolved(node).unit }, this.units[steps.join(".")]);
     const schema = { ...shape.schema, ...pick(this.forms.resolved(node)) };
-    const field = makeField(name, { ...shape, schema } as Shape, unit, mayLack, (now) => this.set(steps, now));
+    const field = makeField(name, { ...shape, schema } as Shape, unit, mayLack, (now) => this.set(steps, now === undefined && typeof steps[steps.length - 1] === "number" ? null : now));
     field.set(value);
     this.fields.set(pathOf(steps), { field, steps });
     return field.element;
