@@ -41,7 +41,8 @@ export class Notes {
     this.scale.hidden = told === null;
     if (told === null) return;
     const unit = readable(told.unit, told.high);
-    const ticks = Array.from({ length: TICKS }, (_, k) => told.high + ((told.low - told.high) * k) / (TICKS - 1));
+    const low = Math.abs(told.low) < 1e-6 * Math.abs(told.high) ? 0 : told.low; // what rounding leaves is nothing
+    const ticks = Array.from({ length: TICKS }, (_, k) => told.high + ((low - told.high) * k) / (TICKS - 1));
     const bar = swatch(gradient());
     const name = unit.name.replaceAll(" ", "\u00a0");
     const title = make("b", {}, name ? `${told.label} [${name}]` : told.label);
