@@ -10,13 +10,18 @@ import pytest
 
 from tmodes.arm import Arm
 from tmodes.arm_result import ArmResult, assemble_arm
+from tmodes.io.primitives import box
+from tmodes.io.urdf_shapes import LinkShape
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
 from tmodes.motion.simulate import simulate_arm
+from tmodes.report.meshes import with_shapes
 from tmodes.report.pack import pack
+from tmodes.report.scene_arm import arm_scene
 from tmodes.robots.load import load_sheet
 
+from .chain import chain
 from .node import live_in_node, worst_difference
 
 SETTINGS = 10
@@ -170,3 +175,16 @@ def test_bundle_of_a_saved_result_is_the_same(native: ArmResult, bundle: dict[st
 def test_an_arm_that_no_page_can_run_says_why() -> None:
     arm = two_links().with_({"base_motion": {"x": {"type": "sine", "amplitude": 0.001, "frequency": 2.0}}})
     assert "base" in why_not_live(result_of(arm))
+
+
+def test_scene_has_all_that_the_page_s_own_has(tmp_path: Path) -> None:
+    """Links that only carry a surface, the plan without elasticity, and quaternions without jumps of sign."""
+    arm, block = chain(3, 1.5), box((0.1, 0.1, 0.1))
+    result = with_shapes(result_of(arm), [LinkShape(name, "#102030", block) for name in ("l2", "l0")])
+    bundle = live_bundle(result)
+    assert bundle is not None
+    (run,) = live_in_node(bundle, [unchanged(live_map(arm.pair()))], tmp_path)
+    scene = arm_scene(result, bundle["frames"])
+    assert [link["name"] for link in bundle["links"]] == [link["name"] for link in scene["links"]] == ["l0", "l1", "l2"]
+    for name in ("line", "rigid", "reference", "referenceRigid", "roots"):
+        assert np.abs(run["scene"][name] - scene[name]).max() < 1e-6, name

@@ -9,10 +9,13 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tmodes.equations.coordinates import basis
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
 from tmodes.report.pack import pack
+from tmodes.report.scene_robot import line_at
+from tmodes.report.spectra import robot_spectra
 from tmodes.result import Result
 from tmodes.robot import Robot
 from tmodes.robots.load import load_sheet
@@ -159,3 +162,32 @@ def test_runs_that_a_page_cannot_make_say_why(seed: Robot) -> None:
     assert "did not reach its end" in why_not_live(stopped)
     free = simulate(seed.with_({"integration.stop": ["theta.position > 3 rad"]}))
     assert "condition" in why_not_live(free)
+
+
+def test_ghost_and_spectra_are_those_of_the_changed_run(seed: Robot, live: LiveMap, runs: list[dict[str, Any]]) -> None:
+    """The reference without elasticity; the time of which the report's spectra are, unchanged and of another move."""
+    for run, result in list(zip(runs, native_runs(seed, live), strict=True))[:3]:
+        spans = [draft.span for draft in robot_spectra(result.data)]
+        start, end = run["span"]
+        within = [time for time in run["times"] if start - 1e-9 <= time <= end + 1e-9]
+        assert spans[0] == pytest.approx((within[0], within[-1]), abs=1e-12)
+    data = simulate(seed).data.sel(time=runs[0]["scene"]["times"], method="nearest")
+    straight = line_at(seed.pair().real, data["q_reference"].values[:, 5:] * basis()[:, 0], data["s"].values)
+    assert np.abs(runs[0]["scene"]["referenceRigid"] - straight).max() < EQUAL
+
+
+def test_what_needs_the_end_is_not_told_without_it(seed: Robot, live: LiveMap, tmp_path: Path) -> None:
+    """A run that breaks off, and one that ends too soon after its move to see it settle, as the native one goes on."""
+    bundle = live_bundle(simulate(seed))
+    assert bundle is not None
+    first = [slider.value for slider in live.sliders]
+    short = [1.9 if slider.path == "reference.duration" else slider.value for slider in live.sliders]
+    (late,) = live_in_node(bundle, [short], tmp_path)
+    assert late["facts"]["settling"]["value"] is None
+    assert "not seen" in late["facts"]["settling"]["note"]
+    (broken,) = live_in_node({**bundle, "settings": bundle["settings"] | {"maxSteps": 60}}, [first], tmp_path)
+    assert broken["status"] != "finished"
+    assert broken["scene"]["times"][-1] == broken["times"][-1] < bundle["times"][-1]
+    facts = broken["facts"]
+    assert {facts[name]["note"] for name in ("settling", "vibration.residual")} == {"the run broke off"}
+    assert facts["deviation.max"]["note"].startswith("until it broke off: at ")

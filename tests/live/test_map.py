@@ -14,6 +14,8 @@ from tmodes.motion.plan import Follow
 from tmodes.robot import Robot
 from tmodes.robots.load import load_sheet
 
+from .chain import chain
+
 SHEETS = ("filipovic2010", "spong1987", "quanser_2dsfl", "flexarm1990")
 REACH = 2.5
 
@@ -76,3 +78,15 @@ def test_what_has_no_form_has_no_slider_and_says_so() -> None:
     assert "reference.duration" in live.left_out
     assert "reference.duration" not in {slider.path for slider in live.sliders}
     assert "payload.mass" in {slider.path for slider in live.sliders}
+
+
+@pytest.mark.parametrize("count", [2, 3])
+def test_a_real_robot_without_a_damping_has_a_map(count: int) -> None:
+    """Factor 0 on what has a slider of its own (2 joints), and on what moves in proportion (3)."""
+    sheet = chain(count).with_({f"real.joints.j{k}.gear.damping": 0.0 for k in range(count)})
+    live = live_map(sheet.pair())
+    assert any(slider.path.endswith("gear.damping") for slider in live.sliders)
+    values = drawn(live, np.random.default_rng(3))
+    true = arm_numbers(sheet.with_(live.changes(values)).pair().real, Follow.SHEET, whole_moves(sheet, REACH))
+    for block, numbers in live.numbers(values, "real").items():
+        assert numbers == pytest.approx(true[block], rel=1e-12, abs=1e-12), block

@@ -209,6 +209,8 @@ export interface LiveRun {
     contact: Pick<SceneContact, "force" | "at"> | null;
   };
   line: LinePanel | null;
+  /** First and last time [s] of what its spectra are of; without it those of the charts serve. */
+  span?: [number, number];
   /** Headline numbers by the ids of the facts; those that cannot be computed are absent. */
   facts: Record<string, { value: number | null; note: string }>;
 }

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from types import SimpleNamespace
 from typing import Any
 
@@ -37,8 +38,13 @@ def why_not_arm(arm: Arm) -> str:
     return ""
 
 
-def arm_bundle(pair: ArmPair, stations: tuple[float, ...], method: str, *, compared: bool) -> dict[str, Any]:
-    """All of it; ``compared``: whether there is a reference run. Arrays are in SI units, coordinates in their order."""
+def arm_bundle(
+    pair: ArmPair, stations: tuple[float, ...], method: str, *, compared: bool, surfaces: Sequence[str] = ()
+) -> dict[str, Any]:
+    """All of it. Arrays are in SI units, coordinates in their order.
+
+    ``compared``: whether there is a reference run; ``surfaces``: links that have one, shown though they be a point.
+    """
     functions = ArmFunctions(pair, stations)
     module = arm_module(functions, [method], slopes=False)
     runs = {"real": arm_regime(pair.real)}
@@ -57,7 +63,7 @@ def arm_bundle(pair: ArmPair, stations: tuple[float, ...], method: str, *, compa
         "deflections": _affine(lambda q: deflections(model, q), model.nq),
         "deformations": list(elastic_names(model)),
         "straight": _affine(lambda q: _straight(model, q), model.nq),
-        "links": _links(model, functions, stations),
+        "links": _links(model, functions, stations, surfaces),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
     }
@@ -89,19 +95,26 @@ def _straight(model: ArmModel, q: Array) -> Array:
     return straight_shape(run)
 
 
-def _links(model: ArmModel, functions: ArmFunctions, stations: tuple[float, ...]) -> list[dict[str, Any]]:
-    """Links that are drawn: at which of the picture's points each begins, and of a rigid one where its far end is."""
+def _links(
+    model: ArmModel, functions: ArmFunctions, stations: tuple[float, ...], surfaces: Sequence[str]
+) -> list[dict[str, Any]]:
+    """Links that are drawn: at which of the picture's points each begins, and of a rigid one where its far end is.
+
+    After them those without length that have a surface, in the order of ``surfaces``, as the page's own scene has them.
+    """
     lines, chain = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0]).links, model.chain
-    found, point = [], 0
+    found, carriers, point = [], {}, 0
     for node in chain.nodes:
         bends = not isinstance(node.link, RigidLink)
         line = lines[node.name]
         if line.length > _POINT_LIKE:
             end = np.zeros(3) if bends else line.rotation[0, 0].T @ (line.position[0, 1] - line.position[0, 0])
             found.append({"name": node.name, "bends": bends, "point": point, "end": end})
+        elif not bends:
+            carriers[node.name] = {"name": node.name, "bends": False, "point": point, "end": np.zeros(3)}
         point += len(stations) if bends else 1
     _check_points(point, functions.passes["pose"].parts.chain)
-    return found
+    return found + [carriers[name] for name in surfaces if name in carriers]
 
 
 def _check_points(count: int, chain: Chain) -> None:

@@ -6,12 +6,14 @@ import json
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmodes.arm import ArmPair
 from tmodes.integrate.settings import Integration, Method
 from tmodes.live.arm_bundle import arm_bundle, why_not_arm
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.template import sheet_template
+from tmodes.plot.facts import steady_part
 from tmodes.robot import NominalRealPair
 
 if TYPE_CHECKING:
@@ -22,6 +24,9 @@ __all__ = ["FRAMES_PER_SECOND", "live_bundle", "why_not_live"]
 
 FRAMES_PER_SECOND = 60
 """Frames of the picture in a second of motion, about."""
+
+_FEW_FRAMES = 200
+"""Frames of a short run, so that its vibration can be seen slowed down."""
 
 _MOST_FRAMES = 3000
 _MOST_STATIONS = 21
@@ -47,11 +52,21 @@ def live_bundle(result: Result | ArmResult) -> dict[str, Any] | None:
         return None
     pair, method = _sheet(result).pair(), _method(result)
     if isinstance(pair, NominalRealPair):
-        return {**_common(result, pair, live_map(pair)), **_of_robot(pair, method)}
+        return {
+            **_common(result, pair, live_map(pair)),
+            **_of_robot(pair, method),
+            "steady": list(steady_part(result.data)),
+        }
     settings = pair.real.integration
     stations = tuple(np.linspace(0.0, 1.0, min(settings.line_points, _MOST_STATIONS)).tolist())
-    own = arm_bundle(pair, stations, method.value, compared="tip_reference" in result.data)
+    compared, surfaces = "tip_reference" in result.data, _with_surfaces(result)
+    own = arm_bundle(pair, stations, method.value, compared=compared, surfaces=surfaces)
     return {**_common(result, pair, live_map(pair, stations)), **own, "stations": np.array(stations)}
+
+
+def _with_surfaces(result: Result | ArmResult) -> list[str]:
+    """The links whose surfaces the result keeps, in their order."""
+    return list(dict.fromkeys(told["link"] for told in json.loads(result.data.attrs.get("meshes", "[]"))))
 
 
 def _sheet(result: Any) -> Any:
@@ -66,8 +81,6 @@ def _method(result: Result | ArmResult) -> Method:
 def _common(result: Result | ArmResult, pair: NominalRealPair | ArmPair, live: LiveMap) -> dict[str, Any]:
     settings = pair.real.integration
     times = np.asarray(result.data["time"].values, dtype=float)
-    every = max(1, round(1 / (FRAMES_PER_SECOND * settings.output_step)), -(-len(times) // _MOST_FRAMES))
-    frames = np.unique(np.append(np.arange(0, len(times), every), len(times) - 1))
     return {
         "kind": result.kind,
         "sliders": [slider.told() for slider in live.sliders],
@@ -75,10 +88,17 @@ def _common(result: Result | ArmResult, pair: NominalRealPair | ArmPair, live: L
         "map": live.told(),
         "settings": _settings(settings, _method(result)) | {"note": _note(result)},
         "times": times,
-        "frames": frames.astype(np.int32),
+        "frames": _frames(times, settings.output_step),
         "stations": np.linspace(0.0, 1.0, settings.line_points),
         "sheet": sheet_template(pair.nominal, live),
     }
+
+
+def _frames(times: NDArray[np.float64], step: float) -> NDArray[np.int32]:
+    """Samples that are shown in space, first and last among them."""
+    rate = max(FRAMES_PER_SECOND, _FEW_FRAMES / max(float(times[-1]), 1e-9))
+    every = max(1, round(1 / (rate * step)), -(-len(times) // _MOST_FRAMES))
+    return np.unique(np.append(np.arange(0, len(times), every), len(times) - 1)).astype(np.int32)
 
 
 def _settings(given: Integration, method: Method) -> dict[str, Any]:

@@ -86,7 +86,9 @@ def _really(knob: Knob, known: float, factor: float | None) -> float:
     """Where a knob of the real robot stands; a proportion is told of what the real robot's sheet says."""
     if factor is None or knob.factor is None:
         return known
-    return known * (factor / knob.factor) if knob.together else known * factor
+    if not knob.together:
+        return known * factor
+    return known * (factor / knob.factor) if knob.factor else known
 
 
 def live_map(pair: NominalRealPair | ArmPair, stations: tuple[float, ...] = ()) -> LiveMap:

@@ -100,7 +100,6 @@ _RULES = (
     _Rule(r"(controller|drives\.\*\.controller)\.velocity_gain", "controller"),
     _Rule(r"(environment|contact)\.stiffness", "environment"),
     _Rule(r"(environment|contact)\.damping", "environment"),
-    _Rule(r"contact\.shape\.distance", "environment", 1.1, log=False),
     _Rule(r"(environment|contact)\.friction", "environment", 3.0, log=False),
     _Rule(r"environment\.preload", "environment", 3.0, room=20.0, log=False),
     _Rule(r"gear\.damping|joints\.\*\.gear\.damping", "gear", real=True),

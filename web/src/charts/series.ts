@@ -57,7 +57,7 @@ function leading(curve: Curve, chart: Chart): boolean {
 function liveEntry(curve: Curve, chart: Chart, runName: string, live: LiveRun): Entry[] {
   const values = liveValues(curve, live);
   if (values === null) return [];
-  const { x, y } = chart.abscissa === "time" ? { x: live.times, y: values } : spectrumOf(live.times, values, chart);
+  const { x, y } = chart.abscissa === "time" ? { x: live.times, y: values } : spectrumOf(live.times, values, chart, live.span);
   return [{ run: 0, runName, label: curve.label, role: curve.role, x, y, shown: curve.shown, ghost: false }];
 }
 

@@ -4,11 +4,16 @@ import type { Chart } from "../contract";
 
 const FINER = 4; // the grid of frequencies, finer than the lines are sharp
 
-/** Frequencies [Hz] and amplitudes of evenly sampled values within the chart's span, up to the chart's last frequency. */
-export function spectrumOf(times: Float64Array, values: Float64Array, chart: Chart): { x: Float64Array; y: Float64Array } {
-  const [start, end] = chart.span ?? [times[0], times[times.length - 1]];
+/**
+ * Frequencies [Hz] and amplitudes of evenly sampled values within a span of time (without one: the chart's), up to the
+ * chart's last frequency.
+ */
+export function spectrumOf(
+  times: Float64Array, values: Float64Array, chart: Chart, span?: [number, number],
+): { x: Float64Array; y: Float64Array } {
+  const [start, end] = span ?? chart.span ?? [times[0], times[times.length - 1]];
   const slack = 1e-9 * Math.max(1, Math.abs(end));
-  const inside = Array.from(times.keys()).filter((k) => times[k] >= start - slack && times[k] <= end + slack);
+  const inside = even(times, Array.from(times.keys()).filter((k) => times[k] >= start - slack && times[k] <= end + slack));
   const part = Float64Array.from(inside, (k) => values[k]);
   const count = part.length;
   if (count < 4) return { x: new Float64Array(), y: new Float64Array() };
@@ -25,6 +30,14 @@ export function spectrumOf(times: Float64Array, values: Float64Array, chart: Cha
     x: Float64Array.from({ length: lines }, (_, k) => k / (size * step)),
     y: Float64Array.from({ length: lines }, (_, k) => (2 * Math.hypot(real[k], imaginary[k])) / total),
   };
+}
+
+/** Without the last sample where that stands off the even ones. */
+function even(times: Float64Array, inside: number[]): number[] {
+  if (inside.length < 3) return inside;
+  const step = (k: number) => times[inside[k]] - times[inside[k - 1]];
+  const odd = Math.abs(step(inside.length - 1) / step(1) - 1) > 1e-6;
+  return odd ? inside.slice(0, -1) : inside;
 }
 
 /** Takes the straight line of least squares off and applies the window, in place; returns the window's sum. */

@@ -3,10 +3,10 @@
 import type { LiveRun } from "../contract";
 import { firstState } from "./arm_rest";
 import { affine, armScene, largestDeflection } from "./arm_scene";
-import { doubles, type ArmBundle, type ArmRunTold } from "./bundle";
+import { doubles, framesOf, type ArmBundle, type ArmRunTold } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";
-import { energyFacts, figures, meanOverTime, trackingFacts, type Facts } from "./facts";
+import { brokenOff, energyFacts, figures, meanOverTime, trackingFacts, type Facts } from "./facts";
 import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
 import { columns, difference, energyBalance, range, shaped, sizes, worst, type SeriesOf } from "./series";
@@ -31,6 +31,7 @@ interface Seen {
 }
 
 const POINT = 24;
+const FEWEST = 32; // samples of a spectrum
 
 /** The whole run; raises an error where it cannot start. `kept`: the reference run before. */
 export async function runArm(
@@ -51,17 +52,26 @@ export async function runArm(
   const [own, planned] = [real, ...regimes.slice(0, -1)].map((regime) => seenOf(engine, bundle, regime, count));
   const times = real.run.times.subarray(0, count);
   const series = { ...seriesOf(bundle, real, own, count), ...(planned ? compared(bundle, own, planned, count) : {}) };
-  const frames = Array.from(bundle.frames.data).filter((frame) => frame < count);
+  const frames = framesOf(bundle, count);
+  const end = moveEnd(real.schedule);
   const failed = regimes.find((regime) => regime.run.status !== "finished");
+  const facts: Facts = {
+    ...factsOf(bundle, times, series, end),
+    ...deflectionFact(largestDeflection(engine, bundle, real.blocks.pose, own.model.q, count), times),
+  };
   return {
     status: failed ? failed.run.status : "finished",
     message: failed ? `${failed === real ? "real arm" : "reference"}: ${failed.run.message}` : real.run.message,
     seconds, times, series, scene: armScene(engine, bundle, real.blocks.pose, series, times, frames), line: null,
-    facts: {
-      ...factsOf(bundle, times, series, moveEnd(real.schedule)),
-      ...deflectionFact(largestDeflection(engine, bundle, real.blocks.pose, own.model.q, count), times),
-    },
+    span: spanOf(times, end), facts: failed ? brokenOff(facts) : facts,
   };
+}
+
+/** The time after the move, where the run goes on long enough, else the whole run, as tmodes/report/spectra.py. */
+function spanOf(times: Float64Array, end: number | null): [number, number] {
+  const last = times[times.length - 1];
+  const first = end === null ? -1 : times.findIndex((time) => time >= end * (1 + 1e-9));
+  return [first >= 0 && times.length - first >= FEWEST ? times[first] : times[0], last];
 }
 
 function deflectionFact(worst: ReturnType<typeof largestDeflection>, times: Float64Array): Facts {

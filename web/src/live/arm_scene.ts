@@ -8,6 +8,7 @@ import { rowsOf, sizes, type SeriesOf } from "./series";
 
 const POINT = 24;
 const MOST_PLACES = 500_000;
+const PLACES_AT_ONCE = 20_000; // what a pose asks of is held in the module's memory, which never shrinks
 
 /** y = matrix x + constant of rows x [n, columns]. */
 export function affine(one: Affine, rows: Float64Array, count: number): Float64Array {
@@ -35,14 +36,17 @@ export function armScene(engine: Engine, bundle: ArmBundle, parameters: Float64A
   const at = (name: string) => rowsOf(series[name].data, series[name].shape.slice(1).reduce((a, b) => a * b, 1), frames);
   const m = frames.length;
   const real = poseOf(engine, bundle, parameters, at("q"), m);
-  const rigid = poseOf(engine, bundle, parameters, affine(bundle.straight, at("q"), m), m).line;
+  const lineAt = (q: Float64Array) => poseOf(engine, bundle, parameters, q, m).line;
+  const rigidAt = (q: Float64Array) => lineAt(affine(bundle.straight, q, m));
+  const rigid = rigidAt(at("q"));
   const numbers = (name: string) => ({ data: at(name), shape: [m, ...series[name].shape.slice(1)] });
   const compared = "q_reference" in series;
   const shape = real.line.shape.slice(0, 3);
   const away = (real.line.data as Float64Array).map((value, k) => value - rigid.data[k]);
   return {
     times: { data: rowsOf(times, 1, frames), shape: [m] }, line: real.line, rigid, roots: real.roots,
-    reference: compared ? poseOf(engine, bundle, parameters, at("q_reference"), m).line : null,
+    reference: compared ? lineAt(at("q_reference")) : null,
+    referenceRigid: compared ? rigidAt(at("q_reference")) : null,
     colours: [
       { id: "deflection", label: "Deflection from the root's tangent", unit: "m", values: { data: real.bent, shape } },
       { id: "displacement", label: "Displacement by all elasticity", unit: "m", values: { data: sizes(away, 3), shape } },
@@ -58,13 +62,17 @@ export function largestDeflection(
 ): { link: string; value: number; sample: number } | null {
   const [L, S] = [bundle.links.length, bundle.stations.data.length];
   if (!bundle.links.some((link) => link.bends) || count * L * S > MOST_PLACES) return null;
-  const { bent } = poseOf(engine, bundle, parameters, q, count);
+  const [width, atOnce] = [q.length / count, Math.max(1, Math.floor(PLACES_AT_ONCE / (L * S)))];
   let found = { link: "", value: -1, sample: 0 };
-  for (let k = 0; k < count; k += 1) {
-    bundle.links.forEach((link, l) => {
-      const value = bent[(k * L + l + 1) * S - 1];
-      if (link.bends && value > found.value) found = { link: link.name, value, sample: k };
-    });
+  for (let first = 0; first < count; first += atOnce) {
+    const samples = Math.min(atOnce, count - first);
+    const { bent } = poseOf(engine, bundle, parameters, q.subarray(first * width, (first + samples) * width), samples);
+    for (let k = 0; k < samples; k += 1) {
+      bundle.links.forEach((link, l) => {
+        const value = bent[(k * L + l + 1) * S - 1];
+        if (link.bends && value > found.value) found = { link: link.name, value, sample: first + k };
+      });
+    }
   }
   return found;
 }
@@ -91,6 +99,7 @@ function poseOf(engine: Engine, bundle: ArmBundle, parameters: Float64Array, q: 
     bundle.links.forEach((link, l) => {
       const root = points.subarray((k * each + link.point) * POINT, (k * each + link.point + 1) * POINT);
       roots.set(quaternion(root), (k * L + l) * 4);
+      if (k) steady(roots, (k * L + l) * 4, 4 * L);
       for (let s = 0; s < S; s += 1) {
         const to = ((k * L + l) * S + s) * 3;
         const from = (k * each + link.point + s) * POINT + 9;
@@ -100,6 +109,13 @@ function poseOf(engine: Engine, bundle: ArmBundle, parameters: Float64Array, q: 
     });
   }
   return { line: { data: line, shape: [count, L, S, 3] }, roots: { data: roots, shape: [count, L, 4] }, bent };
+}
+
+/** Turns the sign of the quaternion at `place` to the side of the one `before` it: both are the same rotation. */
+function steady(roots: Float64Array, place: number, before: number): void {
+  let along = 0;
+  for (let i = place; i < place + 4; i += 1) along += roots[i] * roots[i - before];
+  if (along < 0) for (let i = place; i < place + 4; i += 1) roots[i] *= -1;
 }
 
 function onRigid(root: Float64Array, end: Float64Array, axis: number, s: number): number {

@@ -60,6 +60,15 @@ export interface RobotBundle extends Bundle {
   free: number[];
   basis: Numbers;
   lengths: number[];
+  /** Shares of the move between which the wanted motion keeps its speed: what a spectrum is of. */
+  steady: [number, number];
+}
+
+/** Samples that are shown in space, of a run of so many: its last one, wherever it broke off, among them. */
+export function framesOf(bundle: Bundle, count: number): number[] {
+  const frames = Array.from(bundle.frames.data).filter((frame) => frame < count);
+  if (frames[frames.length - 1] !== count - 1) frames.push(count - 1);
+  return frames;
 }
 
 /** The numbers as doubles. */
@@ -82,7 +91,7 @@ export interface ArmRunTold {
   signals: number;
 }
 
-/** Of an arm; `links` are those that are drawn: at which of the picture's points each begins, a rigid one's far end. */
+/** Of an arm; `links` are those of its scene: at which of the picture's points each begins, a rigid one's far end. */
 export interface ArmBundle extends Bundle {
   kind: "arm";
   runs: { reference?: ArmRunTold; real: ArmRunTold };

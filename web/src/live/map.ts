@@ -17,7 +17,8 @@ export function knobValues(map: MapTold, values: readonly number[], run: string)
   return map.knobs.map((knob, k) => {
     const factor = factors[k];
     if (factor === null || knob.factor === null) return known[k];
-    return knob.together ? known[k] * (factor / knob.factor) : known[k] * factor;
+    if (!knob.together) return known[k] * factor;
+    return knob.factor ? known[k] * (factor / knob.factor) : known[k];
   });
 }
 

@@ -1,9 +1,10 @@
 // A run of the 2010 robot in the page: from values of the sliders to all that a page shows of it, as simulate.py does.
 
 import type { LinePanel, LiveRun } from "../contract";
-import { doubles, type RobotBundle } from "./bundle";
+import { doubles, framesOf, type RobotBundle } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";
+import { brokenOff } from "./facts";
 import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
 import { colours, linesAt, roots, stacked, standing, type Lines } from "./robot_line";
@@ -46,18 +47,20 @@ export async function runRobot(
   const series = seriesOf(engine, bundle, real, reference, seen, planned, count);
   const states = real.run.states.subarray(0, count * STATE);
   const motion = beside(count, columns(states, STATE, range(0, 12)), seen.acceleration, seen.contact_force);
-  const frames = Array.from(bundle.frames.data).filter((frame) => frame < count);
+  const frames = framesOf(bundle, count);
   const lineOf = (which: Float64Array, stations: Float64Array) => linesAt(engine, real.numbers.parameters, which, stations);
   const lines = lineOf(rowsOf(motion, 21, frames), doubles(bundle.stations));
   const moment = largestMoment(times, lines, (stations) => lineOf(motion, stations));
   const failed = [reference, real].find((regime) => regime.run.status !== "finished");
   const name = failed === reference ? "reference" : "real robot";
+  const facts = robotFacts(times, series, moment, real.numbers.end[0]);
+  const end = known.end[0];
   return {
     status: failed ? failed.run.status : "finished",
     message: failed ? `${name}: ${failed.run.message}` : real.run.message,
     seconds, times, series,
     ...picture(engine, bundle, real, lines, series, frames),
-    facts: robotFacts(times, series, moment, real.numbers.end[0]),
+    span: [bundle.steady[0] * end, bundle.steady[1] * end], facts: failed ? brokenOff(facts) : facts,
   };
 }
 
@@ -87,6 +90,11 @@ function observed(engine: Engine, regime: Regime, count: number): Samples {
   const state = regime.run.states.subarray(0, count * STATE);
   const row = signals.rowsAt(regime.schedule, time);
   return engine.sample(`${regime.name}.observe`, regime.numbers.parameters, { time, state, row }, count);
+}
+
+/** Coordinates [n, 6] of the robot without any elasticity whose motor is where that of `phi` [n, 6] is. */
+function rigidOf(phi: Float64Array): Float64Array {
+  return Float64Array.from({ length: phi.length }, (_, k) => phi[6 * Math.floor(k / 6) + 5] * THETA[k % 6]);
 }
 
 /** th11q, th12d, th11m, th12e, xi of states [n, 17]. */
@@ -136,9 +144,10 @@ function picture(
   const at = (name: string) => rowsOf(series[name].data, series[name].shape.slice(1).reduce((a, b) => a * b, 1), frames);
   const points = lines.stations.length;
   const phi = at("q");
-  const rigidPhi = Float64Array.from({ length: phi.length }, (_, k) => phi[6 * Math.floor(k / 6) + 5] * THETA[k % 6]);
+  const wanted = at("q_reference");
   const line = stacked(lines, "line");
-  const [rigid, reference] = [rigidPhi, at("q_reference")].map((one) => stacked(linesAt(engine, parameters, standing(one), lines.stations), "line"));
+  const [rigid, reference, referenceRigid] = [rigidOf(phi), wanted, rigidOf(wanted)].map((one) =>
+    stacked(linesAt(engine, parameters, standing(one), lines.stations), "line"));
   const numbers = (name: string) => ({ data: at(name), shape: [frames.length, ...series[name].shape.slice(1)] });
   const places = { data: Float64Array.from({ length: 2 * points }, (_, k) => bundle.lengths[Math.floor(k / points)] * lines.stations[k % points]), shape: [2, points] };
   const panel: LinePanel = {
@@ -147,7 +156,7 @@ function picture(
   };
   return {
     scene: {
-      times: { data: rowsOf(real.run.times, 1, frames), shape: [frames.length] }, line, rigid, reference, roots: roots(phi),
+      times: { data: rowsOf(real.run.times, 1, frames), shape: [frames.length] }, line, rigid, reference, referenceRigid, roots: roots(phi),
       tip: numbers("tip"), tipReference: numbers("tip_reference"), colours: colours(lines, line, rigid),
       contact: bundle.contact ? { force: numbers("contact_force"), at: numbers("tip") } : null,
     },
