@@ -186,6 +186,8 @@ def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
         inverse, shapes = eigh(mass, stiffness, **highest)
     except np.linalg.LinAlgError:
         return eigh(stiffness, mass, **lowest)
+    if inverse.min() <= 0:  # K was singular, and by rounding passed for positive definite
+        return eigh(stiffness, mass, **lowest)
     values = 1 / inverse[::-1]
     if values[0] <= NOTHING * size * values[-1]:
         return eigh(stiffness, mass, **lowest)

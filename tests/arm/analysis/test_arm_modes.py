@@ -11,7 +11,7 @@ from scipy.optimize import brentq
 
 from arm.statics.beams import clamped
 from arm.statics.test_elements import ROD, geared, on_joint
-from tmodes.analysis.arm_modes import MotorState, Servo, arm_modes
+from tmodes.analysis.arm_modes import MotorState, Servo, _undamped, arm_modes
 from tmodes.analysis.equilibrium import Load, equilibrium
 from tmodes.arm.contact import ContactLaw, ContactSheet, Plane
 from tmodes.arm_model import ArmModel
@@ -183,3 +183,14 @@ def test_of_a_large_arm_the_lowest_modes_are_told():
     assert damping == pytest.approx(1e-5 * stiffness, abs=1e-9 * np.abs(stiffness).max())
     ratios = [1e-5 * np.pi * mode.frequency_Hz for mode in modes]
     assert [mode.damping_ratio for mode in modes] == pytest.approx(ratios, rel=1e-6)
+
+
+@pytest.mark.parametrize("stiffness", [100.0, 300.0, 700.0, 0.3, 1.1])
+def test_free_motors_on_gears_whatever_rounding_says(stiffness: float):
+    """Three free rotors on gears: K = k (1 -1; -1 1) each is singular, and passes for definite at some values of k."""
+    pair = np.array([[1.0, -1.0], [-1.0, 1.0]])
+    turned = np.linalg.qr(np.random.default_rng(1).normal(size=(6, 6)))[0]
+    mass, springs = np.diag([0.1, 1.0] * 3), np.kron(np.eye(3), stiffness * pair)
+    squares = _undamped(turned.T @ mass @ turned, turned.T @ springs @ turned)[0]
+    assert squares[:3] == pytest.approx(0.0, abs=1e-9 * stiffness)
+    assert squares[3:] == pytest.approx(stiffness * 11.0, rel=1e-9)
