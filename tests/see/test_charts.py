@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from see.scenes import arm_result
 from tmodes.plot.vibration import amplitude_spectrum
+from tmodes.report.arm_facts import arm_facts
 from tmodes.report.charts import charts_of, drafts_of
 from tmodes.report.data import facts_of, page_data
 from tmodes.report.pack import Coarse, pack
@@ -103,6 +105,22 @@ def test_facts_have_stable_names_units_and_values(good: Result) -> None:
     assert told["settling"]["reason"] in facts["settling"].note
     assert facts["vibration.residual"].note == "the run ends with the move"
     assert facts["moment.max"].value == abs(told["largest_bending_moment"]["value_Nm"])
+
+
+def test_angles_of_gears_are_not_compared_with_lengths() -> None:
+    """Of gears that turn and gears that slide, the largest is one of those that turn, and says so."""
+    result = arm_result()
+    summary = result.summary()
+    turning = summary["deformations"]["shoulder.gear"]
+    slider = turning | {"unit": "m", "max": 2 * turning["max"]}
+    summary["deformations"] |= {"slider.gear": slider}
+    found = next(fact for fact in arm_facts(result, summary) if fact.id == "gear.max")
+    assert (found.value, found.unit) == (turning["max"], "rad")
+    assert found.note.startswith("shoulder, at ")
+    assert found.note.endswith("(of the gears that turn)")
+    del summary["deformations"]["shoulder.gear"]
+    alone = next(fact for fact in arm_facts(result, summary) if fact.id == "gear.max")
+    assert (alone.value, alone.unit) == (slider["max"], "m")
 
 
 def test_residual_vibration_is_about_the_mean_place(good: Result) -> None:

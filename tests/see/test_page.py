@@ -214,5 +214,8 @@ def test_runs_side_by_side_share_their_charts(browser: Any, good: Result, failed
     assert [one.inner_text().split("\n")[0].strip() for one in row.locator(".toggle").all()] == ["good", "failed"]
     heads = window.page.locator(".facts-panel thead th").all_inner_texts()
     assert heads == ["good", "failed"]
+    regions = [one.get_attribute("aria-label") for one in window.page.locator(".lower > section:visible").all()]
+    assert regions == ["Elastic line of good", "Modes of vibration of good"]
+    assert window.page.locator(".sliders-panel").is_hidden()
     assert window.said == []
     window.page.context.close()

@@ -257,6 +257,26 @@ def test_a_changed_run_stands_beside_the_page_s_own(robot: Window) -> None:
     assert "The run as it was" not in robot.page.locator(".scene-legend").text_content()
 
 
+def test_the_way_of_the_tip_is_whole_after_a_shorter_run(robot: Window) -> None:
+    """Drawn after a run of a quarter of its frames, a run is the same picture as drawn at once."""
+    robot.do("clock.seek(page.runs[0].duration)")
+    robot.do("""void (window.shown = (frames) => {
+      const scene = page.runs[0].scene;
+      const cut = ({ shape: [all, ...rest], data }) =>
+        ({ shape: [frames, ...rest], data: data.slice(0, data.length / all * frames) });
+      const arrays = ["times", "line", "roots", "tip"].map((name) => [name, cut(scene[name])]);
+      view.replace(0, { ...scene, ...Object.fromEntries(arrays) });
+    })""")
+    count = robot.do("page.runs[0].scene.times.shape[0]")
+    robot.do(f"shown({count})")
+    whole = robot.picture()
+    robot.do("view.dispose(); window.view = mount()")
+    robot.do(f"shown({count // 4})")
+    assert differing(whole, robot.picture()) > 40
+    robot.do(f"shown({count})")
+    assert differing(whole, robot.picture()) < 20  # of 342 where the way ends early
+
+
 def test_quality_is_low_by_itself_here_and_can_be_raised(robot: Window) -> None:
     width = robot.do("document.querySelector('canvas').width")
     assert width == pytest.approx(0.75 * robot.do("document.querySelector('canvas').clientWidth"), abs=1)

@@ -69,6 +69,28 @@ def test_the_way_back(window: Any) -> None:
     assert "was" not in window.page.locator("[data-fact='deviation.max']").inner_text()
 
 
+def test_what_cannot_be_simulated_shows_the_run_as_it_was(window: Any) -> None:
+    give(window, "0.8")
+    window.page.evaluate("""() => {
+      window.post = Worker.prototype.postMessage;
+      Worker.prototype.postMessage = () => { throw new Error("no more room."); };
+    }""")
+    window.page.locator(PAYLOAD).fill("0.9")
+    window.page.wait_for_selector(f"{STATUS}:text('no more room; shown is the run as it was.')")
+    assert "was" not in window.page.locator("[data-fact='deviation.max']").inner_text()
+    assert "warned" in window.page.locator(STATUS).get_attribute("class")
+    window.page.evaluate("() => { Worker.prototype.postMessage = window.post; }")
+
+
+def test_the_keyboard_stays_where_a_number_was_given_back(window: Any) -> None:
+    give(window, "0.8")
+    window.page.locator('[data-path="payload.mass"] button').press("Enter")
+    window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
+    assert "warned" not in window.page.locator(STATUS).get_attribute("class")
+    focus = "[document.activeElement.type, document.activeElement.closest('[data-path]')?.dataset.path]"
+    assert window.page.evaluate(focus) == ["range", "payload.mass"]
+
+
 def test_bounds_are_kept_and_nonsense_is_ignored(window: Any) -> None:
     give(window, "1e9")
     window.page.locator(PAYLOAD).blur()

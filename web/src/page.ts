@@ -34,8 +34,11 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const side = make("div", { class: "side" }, sliders, facts);
   const transport = make("div", { class: "transport", role: "group", "aria-label": "Time" });
   const charts = make("section", { class: "charts", "aria-label": "Charts" });
-  const line = section("Elastic line", page.runs[0].line !== null);
-  const modes = section("Modes of vibration", page.runs[0].modes.length > 0);
+  const of = page.runs.length > 1 ? ` of ${page.runs[0].name}` : "";
+  const line = section(`Elastic line${of}`, page.runs[0].line !== null);
+  const modes = section(`Modes of vibration${of}`, page.runs[0].modes.length > 0);
+  const modesNote = make("p", { class: "note", hidden: true, text: "These are the modes of the run as it was." });
+  modes.body.before(modesNote);
   const files = make("div", { class: "bar files" });
   root.classList.add("app");
   root.append(make("div", { class: "stage" }, stage, side), transport, charts, make("div", { class: "lower" }, line.element, modes.element), files);
@@ -55,6 +58,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     chartsView.show(live);
     lineView?.show(live);
     factsView.show(live);
+    modesNote.hidden = live === null;
   }
 
   if (page.live) parts.push(mountSliders(sliders, page.live, { open: openLive, show, fileName: `${fileName(page.runs[0].name)}_changed` }));
@@ -68,6 +72,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     showModes(found) {
       modesView?.dispose();
       modes.body.replaceChildren();
+      modesNote.hidden = true;
       modes.element.hidden = found.length === 0;
       const [first, ...others] = page.runs;
       modesView = found.length ? mountModes(modes.body, { ...page, runs: [{ ...first, modes: found }, ...others] }, scene, clock) : null;

@@ -61,11 +61,14 @@ def _stress(arm: Arm, links: dict[str, Any]) -> Iterator[Fact]:
 
 
 def _gear(deformations: dict[str, dict[str, Any]]) -> Iterator[Fact]:
-    gears = {name: one for name, one in deformations.items() if name.endswith(".gear")}
+    """The largest deflection of a gear; where some turn and others slide, of those that turn."""
+    every = {name: one for name, one in deformations.items() if name.endswith(".gear")}
+    gears = {name: one for name, one in every.items() if one["unit"] == "rad"} or every
     if gears:
         name = max(gears, key=lambda name: gears[name]["max"])
         one = gears[name]
-        note = f"{name.removesuffix('.gear')}, at {one['time_of_max_s']:.3g} s"
+        others = " (of the gears that turn)" if len(gears) < len(every) else ""
+        note = f"{name.removesuffix('.gear')}, at {one['time_of_max_s']:.3g} s{others}"
         yield Fact("gear.max", "Largest deflection of a gear", one["max"], one["unit"], note)
 
 

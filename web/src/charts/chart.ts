@@ -2,7 +2,7 @@
 
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
-import type { LiveRun } from "../contract";
+import type { Chart, LiveRun } from "../contract";
 import { button, make, ownId, save } from "../dom";
 import { plain, told } from "../format";
 import { csvOf } from "./csv";
@@ -49,12 +49,11 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const resetButton = button("reset zoom", () => zoom.set(null), { class: "tool", hidden: true });
   const tools = make("div", { class: "tools" }, resetButton, logButton, button("CSV", saveData, { class: "tool", title: "Save the data of this chart as CSV" }));
   const heading = make("h4", { id: title, text: chart.title }, make("span", { class: "unit", text: unit ? ` [${unit}]` : "" }));
-  const thinned = Math.min(...set.runs.map((one) => one.chart.at.data.length / one.chart.samples));
-  const note = make("p", { class: "note", hidden: thinned >= 1,
-    text: `Drawn by ${chart.at.data.length.toLocaleString("en")} of ${chart.samples.toLocaleString("en")} samples; every extreme is kept.` });
+  const thinning = make("p", { class: "note", hidden: !timed || drawnShare(thinnest(set)) >= 1, text: drawnBy(thinnest(set)) });
+  const marksNote = make("p", { class: "note", hidden: true, text: "The marked frequencies are of the run as it was." });
   const legend: Legend = makeLegend(entries, redraw);
   const element = make("figure", { class: "chart", "aria-labelledby": title, "data-chart": chart.id },
-    make("figcaption", {}, heading, readout, tools), place, legend.element, timed ? note : null);
+    make("figcaption", {}, heading, readout, tools), place, legend.element, thinning, marksNote);
 
   function setLog(on: boolean): void {
     log = on;
@@ -85,6 +84,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
 
   function renew(data: [Values, ...(number | null)[][]], lines: PlotLine[]): void {
     plot?.destroy();
+    hover = null; // where the pointer was, was a place of that plot
     plot = makePlot(place, data, lines, {
       log, decades: chart.group === "spectrum" ? DECADES.spectrum : DECADES.other, height: HEIGHT, marks: chart.marks,
       abscissa: timed ? "time [s]" : "frequency [Hz]",
@@ -162,6 +162,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     show(run) {
       entries = entriesOf(set, run);
       legend.renew(entries);
+      marksNote.hidden = run === null || chart.marks.length === 0;
       redraw();
     },
     recolour() {
@@ -177,11 +178,26 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   };
 }
 
+/** Of the runs beside each other the one that is thinned most. */
+function thinnest(set: ChartSet): Chart {
+  return set.runs.map((one) => one.chart).reduce((least, chart) => (drawnShare(chart) < drawnShare(least) ? chart : least));
+}
+
+function drawnShare(chart: Chart): number {
+  return chart.at.data.length / chart.samples;
+}
+
+function drawnBy(chart: Chart): string {
+  return `Drawn by ${chart.at.data.length.toLocaleString("en")} of ${chart.samples.toLocaleString("en")} samples; every extreme is kept.`;
+}
+
+/** Least and largest finite value; zeros where there is none. */
 function extremes(entry: Entry): [number, number] {
   let [low, high] = [Infinity, -Infinity];
   for (let k = 0; k < entry.y.length; k += 1) {
+    if (!Number.isFinite(entry.y[k])) continue;
     low = Math.min(low, entry.y[k]);
     high = Math.max(high, entry.y[k]);
   }
-  return [low, high];
+  return low <= high ? [low, high] : [0, 0];
 }

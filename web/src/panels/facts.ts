@@ -38,13 +38,15 @@ function change(fact: Fact, value: number | null): string {
 
 /** A table of all runs beside each other. */
 function compared(page: Page, live: LiveRun | null): HTMLElement {
-  const known = new Map(page.runs.flatMap((run) => run.facts.map((fact) => [fact.id, fact] as const)));
+  const known = new Map<string, Fact>();
+  for (const fact of page.runs.flatMap((run) => run.facts)) if (!known.has(fact.id)) known.set(fact.id, fact);
   const head = make("tr", {}, make("td", {}), ...page.runs.map((run) => make("th", { scope: "col", text: run.name })));
   const rows = [...known.values()].map((fact) => make("tr", { "data-fact": fact.id }, make("th", { scope: "row", text: fact.name }),
     ...page.runs.map((run, k) => {
       const own = run.facts.find((other) => other.id === fact.id);
       const fresh = k === 0 ? live?.facts[fact.id] : undefined;
-      return make("td", { class: "number", text: told(fresh ? fresh.value : (own?.value ?? null), fact.unit), title: own?.note || undefined });
+      const value = fresh ? fresh.value : (own?.value ?? null);
+      return make("td", { class: "number", text: told(value, own?.unit ?? fact.unit), title: (fresh ?? own)?.note || undefined });
     })));
   const table = make("table", {}, make("thead", {}, head), make("tbody", {}, ...rows));
   return make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Numbers of the runs" }, table);

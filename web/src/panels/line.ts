@@ -15,6 +15,7 @@ export interface LineView {
 }
 
 const HEIGHT = 150;
+const MISSING = "The changed run's elastic line is not computed here; reset the sliders to see the original one.";
 const FONT = "12px system-ui, sans-serif";
 
 interface Picture {
@@ -28,19 +29,22 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   let times: ArrayLike<number> = page.runs[0].scene.times.data;
   let pictures: Picture[] = [];
   let seen = false;
+  let stale = false;
   const grid = make("div", { class: "line-grid" });
   const heading = make("p", { class: "note" });
   element.append(heading, grid);
 
   function build(): void {
+    stale = false;
     pictures.forEach(({ plot }) => plot.destroy());
     grid.replaceChildren();
     pictures = panel === null ? [] : panel.quantities.map((quantity) => picture(grid, panel!, quantity));
+    if (panel === null) heading.textContent = MISSING;
     show();
   }
 
   function show(): void {
-    if (panel === null || !seen) return;
+    if (panel === null || stale || !seen) return;
     const frame = nearest(times, clock.time);
     heading.textContent = `${panel.links.join(", ")}: along the links from root to tip, at ${digits(times[frame], 4)} s. The scales are those of the whole run.`;
     const axis = along(panel);
@@ -60,7 +64,8 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   resized.observe(grid);
   const watch = new IntersectionObserver((found) => {
     seen = found.some((one) => one.isIntersecting);
-    show();
+    if (seen && stale) build();
+    else show();
   });
   watch.observe(element);
   const end = clock.subscribe(show);
@@ -69,7 +74,8 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
     show(live) {
       panel = live ? live.line : page.runs[0].line;
       times = live ? live.scene.times.data : page.runs[0].scene.times.data;
-      build();
+      stale = true;
+      if (seen) build();
     },
     dispose() {
       end();

@@ -18,7 +18,7 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   const unit = pretty(slider.unit);
   const range = make("input", { type: "range", id: name, min: "0", max: String(STEPS), step: "1" });
   const number = make("input", { type: "number", "aria-label": `${slider.label}${unit ? `, in ${unit}` : ""}`, step: "any", min: String(slider.min), max: String(slider.max) });
-  const back = button("↺", () => give(slider.value), { class: "tool", "aria-label": `${slider.label}: back to ${digits(slider.value, 6)} ${unit}`, title: "back to the run's own" });
+  const back = button("↺", undo, { class: "tool", "aria-label": `${slider.label}: back to ${digits(slider.value, 6)} ${unit}`, title: "back to the run's own" });
   let value = slider.value;
 
   function tell(typing = false): void {
@@ -35,6 +35,12 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
     value = bounded;
     tell(typing);
     changed();
+  }
+
+  /** The button that was pressed is of no more use then: the keyboard goes on at the slider. */
+  function undo(): void {
+    give(slider.value);
+    range.focus();
   }
 
   range.addEventListener("input", () => give(Number(digits(valueOf(slider, Number(range.value) / STEPS), 4))));

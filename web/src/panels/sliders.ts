@@ -52,6 +52,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
       ended();
       options.show(null);
       status.textContent = "The run as it was.";
+      status.classList.remove("warned");
       void live.run(values()).catch(() => undefined); // ends what may still be running
       return;
     }
@@ -68,7 +69,9 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
     } catch (error) {
       if (own !== asked || closed || (error instanceof Error && error.name === "Superseded")) return;
       ended();
-      status.textContent = `This could not be simulated: ${error instanceof Error ? error.message : String(error)}`;
+      options.show(null); // what was shown belongs to other numbers
+      const why = (error instanceof Error ? error.message : String(error)).replace(/\.$/, "");
+      status.textContent = `This could not be simulated: ${why}; shown is the run as it was.`;
       status.classList.add("warned");
     }
   }

@@ -29,6 +29,9 @@ export class Trace {
   /** Another way, of the same or of another number of points. */
   lay(path: Float32Array): void {
     this.length = path.length / 3;
+    this.rest.geometry.dispose();
+    this.past.geometry.dispose();
+    this.past.geometry = new LineGeometry(); // one that was drawn keeps the number of points that it had
     const along = new Float32Array(this.length);
     for (let k = 1; k < along.length; k++)
       along[k] = along[k - 1] + Math.hypot(path[3 * k] - path[3 * k - 3], path[3 * k + 1] - path[3 * k - 2], path[3 * k + 2] - path[3 * k - 1]);

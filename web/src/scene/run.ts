@@ -194,12 +194,15 @@ function thinner(body: Body, share: number): Body {
   return { ...body, links };
 }
 
-/** The length of a newton with which the largest force of all runs is about a third of the robot's reach. */
+const USUAL_FORCE = 10; // N, of runs that touch nothing: a changed one may
+
+/** The length of a newton with which the largest force of all runs is about a third of the robot's reach; 0: no contact. */
 export function forceScale(runs: Run[], reach: number): number {
   let largest = 0;
   for (const { scene } of runs) {
     const force = scene.contact?.force.data ?? [];
     for (let k = 0; k + 2 < force.length; k += 3) largest = Math.max(largest, Math.hypot(force[k], force[k + 1], force[k + 2]));
   }
-  return largest > 0 ? round125((0.35 * reach) / largest) : 0;
+  if (runs.every(({ scene }) => scene.contact === null)) return 0;
+  return round125((0.35 * reach) / (largest || USUAL_FORCE));
 }

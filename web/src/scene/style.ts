@@ -37,6 +37,10 @@ const RULES = `
 .scene-grid { bottom: 8px; left: 8px; color: var(--soft); }
 .scene-message { position: absolute; inset: 0; display: grid; place-content: center; padding: 2em; text-align: center; }
 @container (max-width: 520px) {
+  .scene-bar { gap: 4px 8px; }
+  .scene-bar label { gap: 4px; }
+  .scene-bar select { max-width: 11.5em; padding: 3px 4px; }
+  .scene-bar input[type=range] { width: 64px; }
   .scene-view { min-height: 300px; }
   .scene-note { font-size: 11px; padding: 2px 5px; }
   .scene-legend { max-width: 58%; }
