@@ -14,7 +14,7 @@ from tmodes.analysis.arm_split import deflections, elastic_names
 from tmodes.arm import Arm, ArmPair
 from tmodes.arm_model import ArmModel
 from tmodes.arm_result.lines import straight_shape
-from tmodes.chain import Chain, RigidLink, Segment
+from tmodes.chain import Chain, JointKind, RigidLink, Segment
 from tmodes.live.numbers import follow_of
 from tmodes.live.wasm_arm import ArmFunctions, arm_module
 from tmodes.motion.loop import LoopModel
@@ -62,6 +62,7 @@ def arm_bundle(
         "gravity": np.asarray(model.chain.gravity, dtype=float),
         "deflections": _affine(lambda q: deflections(model, q), model.nq),
         "deformations": list(elastic_names(model)),
+        "turning": [node.joint.name for node in model.chain.nodes if node.joint.kind is JointKind.REVOLUTE],
         "straight": _affine(lambda q: _straight(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,

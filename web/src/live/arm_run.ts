@@ -189,7 +189,9 @@ function moveEnd(all: signals.Schedule): number | null {
 
 function factsOf(bundle: ArmBundle, times: Float64Array, series: SeriesOf, end: number | null): Facts {
   const facts: Facts = { ...trackingFacts(times, series, end), ...energyFacts(series, times.length) };
-  const gears = bundle.deformations.flatMap((name, k) => (name.endsWith(".gear") ? [k] : []));
+  const every = bundle.deformations.flatMap((name, k) => (name.endsWith(".gear") ? [k] : []));
+  const turning = every.filter((k) => bundle.turning.includes(bundle.deformations[k].replace(/\.gear$/, "")));
+  const gears = turning.length ? turning : every; // as the page's own fact: radians and meters are not compared
   if (gears.length) {
     const angles = columns(series.deformation.data, bundle.deformations.length, gears);
     const k = worst(angles);

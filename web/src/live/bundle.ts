@@ -101,6 +101,8 @@ export interface ArmBundle extends Bundle {
   gravity: Numbers;
   deflections: Affine;
   deformations: string[];
+  /** Joints that turn; others slide. */
+  turning: string[];
   straight: Affine;
   links: { name: string; bends: boolean; point: number; end: Numbers }[];
   contactPoint: number;

@@ -19,7 +19,10 @@ const PATIENCE = 300; // ms after which a bar shows how far a run is
 export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: SlidersOptions): { dispose(): void } {
   const status = make("p", { class: "note", role: "status", "aria-live": "polite", text: "starts …" });
   const bar = make("progress", { max: "1", value: "0", hidden: true, "aria-label": "Progress of the simulation" });
-  const reset = button("reset all", () => put(null), { disabled: true });
+  const reset = button("reset all", () => {
+    put(null);
+    rows[0]?.element.querySelector("input")?.focus(); // the button itself has nothing to do now
+  }, { disabled: true });
   const keep = button("Save YAML", () => live && save(live.sheet(values()), `${options.fileName}.yaml`, "application/yaml"), { disabled: true });
   const rows = bundle.sliders.map((slider) => makeSlider(slider, changed));
   let live: Live | null = null;

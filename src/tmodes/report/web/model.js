@@ -1,0 +1,432 @@
+/* tmodes, built from 94beb40a3f367122; BSD-3-Clause */
+
+// src/live/engine.ts
+var EngineError = class extends Error {
+  name = "EngineError";
+};
+var FORMAT = 1;
+var PAGE = 65536;
+var GIVEN = {
+  tmodes_far_sin: Math.sin,
+  tmodes_far_cos: Math.cos,
+  tmodes_pow: Math.pow
+};
+var Engine = class _Engine {
+  constructor(layout, functions, memory, free) {
+    this.layout = layout;
+    this.functions = functions;
+    this.memory = memory;
+    this.free = free;
+  }
+  layout;
+  functions;
+  memory;
+  free;
+  /** Compile and instantiate; raises an EngineError for another format, and where WebAssembly is refused. */
+  static async open(wasm, layout) {
+    if (layout.format !== FORMAT) throw new EngineError(`layout: got format ${layout.format}; expected ${FORMAT}`);
+    const { instance } = await instantiated(wasm, layout);
+    const { memory, heap_base: base, ...functions } = instance.exports;
+    const free = base.value;
+    return new _Engine(layout, functions, memory, free);
+  }
+  /** Outputs of a function at `count` samples, by name, each [count, size]. */
+  sample(name, parameters, inputs, count) {
+    const told = known(this.layout.samples, name, "function");
+    expect(`${name}: parameters`, parameters.length, told.parameters);
+    const out = told.kind === "program" ? this.program(told, parameters, inputs, count) : this.schedule(told, parameters, [inputs], count);
+    return parted(told.outputs, out, count, 1);
+  }
+  /**
+   * The same with exact derivatives along `directions` of the inputs (zero where none is given): of a function that has
+   * them, whose layout's kind is `slopes`.
+   */
+  slopes(name, parameters, inputs, directions, count) {
+    const told = known(this.layout.samples, name, "function");
+    if (told.kind !== "slopes") throw new EngineError(`${name}: got a function without derivatives; expected one with them`);
+    expect(`${name}: parameters`, parameters.length, told.parameters);
+    const zero = Object.fromEntries(Object.entries(told.inputs).map(([label, size2]) => [label, new Float64Array(size2)]));
+    const out = this.schedule(told, parameters, [inputs, { ...zero, ...directions }], count);
+    const size = total(told.outputs);
+    return { values: parted(told.outputs, out, count, 2), slopes: parted(told.outputs, out.subarray(size), count, 2) };
+  }
+  /** Call a function on arrays of doubles, whole numbers, and arrays that it writes. */
+  call(name, values) {
+    const arrays = values.map((value) => typeof value === "number" ? null : value instanceof Float64Array ? value : value.into);
+    this.reserve(arrays.reduce((sum, array) => sum + (array?.byteLength ?? 0), this.free));
+    const whole = new Float64Array(this.memory.buffer);
+    let place = this.free;
+    const placed = values.map((value, k) => {
+      if (typeof value === "number") return BigInt(value);
+      const start = place;
+      if (value instanceof Float64Array || value.given) whole.set(arrays[k], start / 8);
+      place += arrays[k].byteLength;
+      return start;
+    });
+    this.functions[name](...placed);
+    values.forEach((value, k) => {
+      if (typeof value === "number" || value instanceof Float64Array) return;
+      const [from, to] = value.range?.() ?? [0, value.into.length];
+      const start = placed[k] / 8;
+      value.into.set(whole.subarray(start + from, start + to), from);
+    });
+  }
+  program(told, parameters, inputs, count) {
+    const rows = Object.entries(told.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
+    const out = new Float64Array(count * total(told.outputs));
+    this.call(told.export, [count, parameters, ...rows, { into: out }]);
+    return out;
+  }
+  schedule(told, parameters, sides, count) {
+    const packed = packedRows(told.inputs, sides, count);
+    const out = new Float64Array(count * sides.length * total(told.outputs));
+    const workspace = new Float64Array(told.workspace);
+    this.call(told.export, [count, 0, parameters, workspace, packed, { into: out }]);
+    return out;
+  }
+  reserve(end) {
+    const missing = end - this.memory.buffer.byteLength;
+    if (missing <= 0) return;
+    try {
+      this.memory.grow(Math.ceil(missing / PAGE));
+    } catch {
+      throw new EngineError(`memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. Mend: ask for fewer samples`);
+    }
+  }
+};
+async function instantiated(wasm, layout) {
+  try {
+    return await WebAssembly.instantiate(wasm, { env: GIVEN });
+  } catch (problem) {
+    const needed = layout.simd ? ", with vectors (SIMD)" : "";
+    throw new EngineError(`WebAssembly: got ${String(problem)}; expected a browser that allows it${needed}`);
+  }
+}
+function known(entries, name, what) {
+  if (!Object.hasOwn(entries, name)) {
+    throw new EngineError(`${what}: got ${name}; expected one of ${Object.keys(entries).join(", ")}`);
+  }
+  return entries[name];
+}
+function expect(which, got, expected) {
+  if (got !== expected) throw new EngineError(`${which}: got ${got} numbers; expected ${expected}`);
+}
+function total(sizes) {
+  return Object.values(sizes).reduce((sum, size) => sum + size, 0);
+}
+function filled(label, size, given, count) {
+  if (given === void 0) throw new EngineError(`${label}: got nothing; expected ${size} numbers for each sample`);
+  if (given.length === count * size) return given;
+  expect(label, given.length, size);
+  const rows = new Float64Array(count * size);
+  copied(given, 0, 0, rows, size, 0, size, count);
+  return rows;
+}
+function packedRows(sizes, sides, count) {
+  const width = total(sizes);
+  const packed = new Float64Array(count * sides.length * width);
+  sides.forEach((side, s) => {
+    let start = s * width;
+    for (const [label, size] of Object.entries(sizes)) {
+      const rows = filled(label, size, side[label], count);
+      copied(rows, size, 0, packed, sides.length * width, start, size, count);
+      start += size;
+    }
+  });
+  return packed;
+}
+function parted(sizes, out, count, every) {
+  const width = every * total(sizes);
+  const parts = {};
+  let start = 0;
+  for (const [label, size] of Object.entries(sizes)) {
+    const part = new Float64Array(count * size);
+    copied(out, width, start, part, size, 0, size, count);
+    parts[label] = part;
+    start += size;
+  }
+  return parts;
+}
+function copied(from, fromRow, fromStart, into, intoRow, intoStart, size, count) {
+  for (let k = 0; k < count; k++) {
+    const source = k * fromRow + fromStart;
+    const target = k * intoRow + intoStart;
+    for (let j = 0; j < size; j++) into[target + j] = from[source + j];
+  }
+}
+
+// src/live/engine_run.ts
+var FIXED_STEP = ["rk4", "midpoint"];
+var FIRST_PIECE = 500;
+var EngineRun = class {
+  constructor(engine, spec) {
+    this.engine = engine;
+    this.spec = spec;
+    const told = known(engine.layout.loops, spec.loop, "loop");
+    expect(`${spec.loop}: parameters`, spec.parameters.length, told.parameters);
+    expect(`${spec.loop}: state`, spec.state.length, told.size);
+    expect(`${spec.loop}: rows`, spec.rows.length, (spec.knots.length - 1) * told.row);
+    this.method = told.method;
+    this.memory = new Float64Array(engine.layout.cells.length);
+    this.state = spec.state.slice();
+    this.slope = new Float64Array(told.size);
+    this.sums = new Float64Array(told.size);
+    this.states = new Float64Array(spec.times.length * told.size);
+    this.sumsAtSamples = new Float64Array(spec.times.length * told.size);
+    this.states.set(spec.state);
+    this.put({ sample: 1, fresh: 1, old_error: 1e-4 });
+  }
+  engine;
+  spec;
+  method;
+  memory;
+  state;
+  slope;
+  states;
+  sums;
+  sumsAtSamples;
+  /** Time that is reached [s]. */
+  get time() {
+    return this.cell("t");
+  }
+  /** Whether something is left to do. */
+  get running() {
+    return this.cell("status") === this.engine.layout.statuses.running && this.tried < this.spec.settings.maxSteps;
+  }
+  get tried() {
+    return this.cell("steps") + this.cell("rejected");
+  }
+  cell(name) {
+    return this.memory[this.engine.layout.cells.indexOf(name)];
+  }
+  put(values) {
+    for (const [name, value] of Object.entries(values)) this.memory[this.engine.layout.cells.indexOf(name)] = value;
+  }
+  /** Do at most so many steps. */
+  advance(steps) {
+    const { layout } = this.engine;
+    const { settings, knots, rows, times, parameters } = this.spec;
+    const most = Math.max(1, Math.min(steps, settings.maxSteps - this.tried));
+    const chosen = {
+      step: settings.step,
+      rtol: settings.relativeTolerance,
+      atol: settings.absoluteTolerance,
+      chunk: most,
+      bound: layout.limits.bound,
+      watch: 0,
+      most_events: layout.limits.most_events,
+      event_time: layout.limits.event_time,
+      looks: 0
+    };
+    const before = this.cell("sample");
+    const fresh = (into) => ({
+      into,
+      range: () => [before * this.state.length, this.cell("sample") * this.state.length]
+    });
+    const both = (into) => ({ into, given: true });
+    const given = {
+      memory: both(this.memory),
+      y: both(this.state),
+      k1: both(this.slope),
+      p: parameters,
+      knots,
+      rows,
+      times,
+      out: fresh(this.states),
+      options: Float64Array.from(layout.options, (name) => chosen[name]),
+      errors: both(this.sums),
+      errors_out: fresh(this.sumsAtSamples),
+      seen: new Float64Array(1),
+      segments: knots.length - 1,
+      samples: times.length
+    };
+    this.engine.call(layout.loops[this.spec.loop].export, layout.arguments.map((name) => given[name]));
+  }
+  /** The run as far as it came. */
+  result() {
+    const done = this.cell("sample");
+    const size = this.state.length;
+    const [status, message] = this.ending();
+    return {
+      status,
+      message,
+      times: this.spec.times.slice(0, done),
+      states: this.states.slice(0, done * size),
+      errors: this.sumsAtSamples.slice(0, done * size),
+      statistics: this.statistics()
+    };
+  }
+  statistics() {
+    const [steps, smallest, t] = [this.cell("steps"), this.cell("smallest"), this.time];
+    const mean = steps ? t / steps : null;
+    const told = {
+      steps,
+      rejected: this.cell("rejected"),
+      evaluations: this.cell("evaluations"),
+      method: this.method,
+      mean_step_s: mean,
+      smallest_step_s: smallest > 0 ? smallest : mean
+    };
+    if (FIXED_STEP.includes(this.method)) told.step = this.cell("h");
+    if (this.cell("passes")) told.passes = this.cell("passes");
+    if (this.cell("events")) told.contact_changes = this.cell("events");
+    return told;
+  }
+  ending() {
+    const { statuses, limits } = this.engine.layout;
+    const { settings } = this.spec;
+    const [status, t] = [this.cell("status"), `t = ${figures(this.time, 6)} s`];
+    if (status === statuses.finished) return ["finished", `reached the end, t = ${figures(settings.duration, 6)} s`];
+    if (status === statuses.running) {
+      return ["stopped", `stopped at ${t} of ${figures(settings.duration, 6)} s: integration.max_steps = ${settings.maxSteps} is used up`];
+    }
+    if (status === statuses.chattering) {
+      const often = `more than ${limits.most_events} times within ${limits.event_time} s`;
+      return ["chattering", `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`];
+    }
+    return this.lost(status, t);
+  }
+  /** Where the motion could not be followed: the coordinate of largest acceleration, and what is likely the cause. */
+  lost(status, at) {
+    const { statuses, coordinates, limits } = this.engine.layout;
+    const count = coordinates.length;
+    const sizes = Array.from(this.rates().subarray(count, 2 * count), (a) => Number.isFinite(a) ? Math.abs(a) : Infinity);
+    const k = sizes.indexOf(Math.max(...sizes));
+    const followed = sizes[k] < limits.bound;
+    const kind = !followed ? "diverged" : status === statuses.not_converged ? "not_converged" : status === statuses.step_too_small ? "step_too_small" : "diverged";
+    const value = `its acceleration is ${figures(sizes[k], 3)} rad/s^2`;
+    const words = kind.replaceAll("_", " ");
+    return [kind, `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; its last step was of ${figures(this.cell("h"), 3)} s`];
+  }
+  rates() {
+    const { loop, parameters, rows } = this.spec;
+    const { row } = this.engine.layout.loops[loop];
+    const segment = Math.min(this.cell("segment"), rows.length / row - 1);
+    const inputs = { time: Float64Array.of(this.time), state: this.state, row: rows.slice(segment * row, (segment + 1) * row), step: new Float64Array(1) };
+    return this.engine.sample(`${loop.slice(0, loop.lastIndexOf("."))}.rate`, parameters, inputs, 1).rate;
+  }
+};
+var Cancelled = class extends EngineError {
+  name = "Cancelled";
+};
+async function integrate(engine, spec, watch = {}) {
+  const run = new EngineRun(engine, spec);
+  const wanted = 1e3 * (watch.piece ?? 0.05);
+  let piece = FIRST_PIECE;
+  let since = performance.now();
+  while (run.running) {
+    const began = performance.now();
+    run.advance(piece);
+    const now = performance.now();
+    piece = Math.max(1, Math.floor(piece * Math.min(4, wanted / Math.max(now - began, 1e-3))));
+    if (now - since < wanted) continue;
+    watch.progress?.(run.time / spec.settings.duration);
+    await new Promise((resolve) => setTimeout(resolve, 0));
+    if (watch.cancelled?.()) throw new Cancelled(`the run was given up at t = ${figures(run.time, 6)} s`);
+    since = performance.now();
+  }
+  return run.result();
+}
+function sampleTimes(duration, outputStep) {
+  const count = Math.floor(duration / outputStep * (1 + 1e-12));
+  const whole = duration - count * outputStep <= 1e-9 * outputStep;
+  const times = Float64Array.from({ length: count + (whole ? 1 : 2) }, (_, k) => k * outputStep);
+  times[times.length - 1] = duration;
+  return times;
+}
+function figures(value, digits) {
+  return String(Number(value.toPrecision(digits)));
+}
+
+// src/live/model.ts
+var Model = class _Model {
+  constructor(engine, description) {
+    this.engine = engine;
+    this.description = description;
+  }
+  engine;
+  description;
+  /** From the module's bytes, or from where they are fetched. */
+  static async open(wasm, description) {
+    const bytes = typeof wasm === "string" || wasm instanceof URL ? await (await fetch(wasm)).arrayBuffer() : wasm;
+    return new _Model(await Engine.open(bytes, description.layout), description);
+  }
+  /** Names of the coordinates, in which a state begins; their rates follow in the same order. */
+  get coordinates() {
+    return this.description.layout.coordinates;
+  }
+  /** Names of the runs. */
+  get runs() {
+    return Object.keys(this.description.runs);
+  }
+  /** The numbers of a run by their names; empty where they have none. */
+  parameters(run = "real") {
+    const values = known(this.description.runs, run, "run").parameters;
+    return Object.fromEntries((this.description.layout.parameters ?? []).map((name, k) => [name, values[k]]));
+  }
+  /** Run from the described state; a long run lets the page go on meanwhile. */
+  async run(run = "real", changes = {}, watch = {}) {
+    const told = known(this.description.runs, run, "run");
+    const settings = { ...this.description.settings, ...changes.settings };
+    if (settings.duration > this.description.settings.duration) {
+      throw new EngineError(`duration: got ${settings.duration} s; expected at most ${this.description.settings.duration} s, for which there are signals`);
+    }
+    const { knots, rows } = until(told, settings.duration);
+    return integrate(this.engine, {
+      loop: `${run}.${this.description.method}`,
+      parameters: this.numbers(told, changes),
+      knots,
+      rows,
+      state: Float64Array.from(changes.state ?? told.state),
+      times: sampleTimes(settings.duration, changes.outputStep ?? this.description.outputStep),
+      settings
+    }, watch);
+  }
+  /** What is observed of a run at its samples, by name (`model.observed(run)` tells the numbers of each). */
+  observe(result, run = "real", changes = {}) {
+    const told = known(this.description.runs, run, "run");
+    const count = result.times.length;
+    const inputs = { time: result.times, state: result.states, row: rowsAt(told, result.times), step: new Float64Array(1) };
+    return this.engine.sample(`${run}.observe`, this.numbers(told, changes), inputs, count);
+  }
+  /** Names of what is observed, with how many numbers each has. */
+  observed(run = "real") {
+    return known(this.description.layout.samples, `${run}.observe`, "function").outputs;
+  }
+  numbers(told, { parameters = {} }) {
+    if ("length" in parameters) return Float64Array.from(parameters);
+    const values = Float64Array.from(told.parameters);
+    const names = this.description.layout.parameters ?? [];
+    for (const [name, value] of Object.entries(parameters)) {
+      const index = names.indexOf(name);
+      if (index < 0) throw new EngineError(`parameter: got ${name}; expected one of ${names.join(", ") || "all numbers, for they have no names"}`);
+      values[index] = value;
+    }
+    return values;
+  }
+};
+function until(told, end) {
+  const pieces = Math.max(1, told.knots.filter((knot, k) => k < told.knots.length - 1 && knot < end).length);
+  const width = told.rows.length / (told.knots.length - 1);
+  return { knots: Float64Array.from([...told.knots.slice(0, pieces), end]), rows: Float64Array.from(told.rows.slice(0, pieces * width)) };
+}
+function rowsAt(told, times) {
+  const pieces = told.knots.length - 1;
+  const width = told.rows.length / pieces;
+  const rows = new Float64Array(times.length * width);
+  let piece = 0;
+  times.forEach((time, k) => {
+    while (piece < pieces - 1 && told.knots[piece + 1] <= time) piece += 1;
+    for (let j = 0; j < width; j++) rows[k * width + j] = told.rows[piece * width + j];
+  });
+  return rows;
+}
+export {
+  Cancelled,
+  Engine,
+  EngineError,
+  EngineRun,
+  Model,
+  integrate,
+  sampleTimes
+};
