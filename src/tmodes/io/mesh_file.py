@@ -106,9 +106,7 @@ def _is_corner(line: str) -> bool:
 def _refuse_long_text(content: bytes, which: str) -> None:
     """Text takes some fifty times its size in memory while it is read."""
     if len(content) > MOST_TEXT:
-        raise _fault(
-            which, f"{len(content):,} bytes of text", f"save it as binary STL, or in at most {MOST_TEXT:,}"
-        )
+        raise _fault(which, f"{len(content):,} bytes of text", f"save it as binary STL, or in at most {MOST_TEXT:,}")
 
 
 def _bound(count: int, which: str) -> None:
