@@ -190,7 +190,7 @@ def test_free_motors_on_gears_whatever_rounding_says(stiffness: float):
     """Three free rotors on gears: K = k (1 -1; -1 1) each is singular, and passes for definite at some values of k."""
     pair = np.array([[1.0, -1.0], [-1.0, 1.0]])
     turned = np.linalg.qr(np.random.default_rng(1).normal(size=(6, 6)))[0]
-    mass, springs = np.diag([0.1, 1.0] * 3), np.kron(np.eye(3), stiffness * pair)
+    mass, springs = np.diag([0.1, 1.0] * 3), np.asarray(np.kron(np.eye(3), stiffness * pair), dtype=np.float64)
     squares = _undamped(turned.T @ mass @ turned, turned.T @ springs @ turned)[0]
     assert squares[:3] == pytest.approx(0.0, abs=1e-9 * stiffness)
     assert squares[3:] == pytest.approx(stiffness * 11.0, rel=1e-9)
