@@ -6,7 +6,6 @@ tmodes.show(result)    tmodes.show(before, after)    tmodes.show(robot)    resul
 from __future__ import annotations
 
 import html
-import json
 import os
 from pathlib import Path
 from typing import Any
@@ -16,12 +15,12 @@ from tmodes.arm_result import ArmResult, assemble_arm
 from tmodes.arm_runs import movable_joints, ready_to_run
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
-from tmodes.report.data import live_page, page_data
+from tmodes.report.data import live_page, page_data, robot_name
 from tmodes.report.viewer import viewer_document
 from tmodes.result import Result, RunRecord
 from tmodes.robot import Robot
 
-__all__ = ["Shown", "rest_page", "robot_name", "show"]
+__all__ = ["Shown", "rest_page", "show"]
 
 HEIGHT = 760
 """Height of the frame in a notebook [pixels]."""
@@ -81,11 +80,6 @@ def _numbered(results: list[Result | ArmResult]) -> list[str] | None:
     """Several results of robots of one name get numbers."""
     names = [robot_name(result) for result in results]
     return None if len(set(names)) == len(names) else [f"{name} {k}" for k, name in enumerate(names, 1)]
-
-
-def robot_name(result: Result | ArmResult) -> str:
-    """The name of the robot that ran."""
-    return str(json.loads(result.data.attrs["robot"]).get("name") or "robot")
 
 
 def rest_page(robot: Robot | Arm) -> dict[str, Any]:

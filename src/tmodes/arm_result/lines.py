@@ -12,11 +12,11 @@ from tmodes.arm_model import ArmModel
 from tmodes.arm_result.series import Variables
 from tmodes.motion.run import ArmRun
 
-__all__ = ["line_series", "load_series", "run_wrenches", "straight_shape", "without_elasticity"]
+__all__ = ["POINT_LIKE", "line_series", "load_series", "run_wrenches", "straight_shape", "without_elasticity"]
 
 Array = NDArray[np.float64]
 
-_POINT_LIKE = 1e-9
+POINT_LIKE = 1e-9
 """A link shorter than this [m] is not drawn."""
 
 
@@ -27,7 +27,7 @@ def line_series(run: ArmRun, stations: Array, count: int) -> tuple[Variables, di
     wrenches, base = run_wrenches(run)[part], run.base[part]
     lines = elastic_line(*motion, stations=[*map(float, stations)], wrenches=wrenches, base=base)
     straight = elastic_line(run.model, straight_shape(run)[part], stations=[*map(float, stations)], base=base)
-    shown = [line for line in lines.links.values() if line.length > _POINT_LIKE]
+    shown = [line for line in lines.links.values() if line.length > POINT_LIKE]
     bending = lines.bending()
     stressed = [line for line in bending if line.stress is not None]
     names = {"link": shown, "bending_link": bending, "stressed_link": stressed}

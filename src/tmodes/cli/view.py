@@ -36,8 +36,7 @@ def view(
     """
     from tmodes.cli.output import print_json
     from tmodes.cli.results import stored_result
-    from tmodes.notebook import robot_name
-    from tmodes.report.data import live_page, page_data
+    from tmodes.report.data import live_page, page_data, robot_name
     from tmodes.report.viewer import viewer_document
 
     _refuse_too_many(results)

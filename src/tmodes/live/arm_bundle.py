@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Sequence
-from types import SimpleNamespace
 from typing import Any
 
 import numpy as np
@@ -13,7 +12,7 @@ from tmodes.analysis.arm_line import elastic_line
 from tmodes.analysis.arm_split import deflections, elastic_names
 from tmodes.arm import Arm, ArmPair
 from tmodes.arm_model import ArmModel
-from tmodes.arm_result.lines import straight_shape
+from tmodes.arm_result.lines import POINT_LIKE, without_elasticity
 from tmodes.chain import Chain, JointKind, RigidLink, Segment
 from tmodes.live.numbers import follow_of
 from tmodes.live.wasm_arm import ArmFunctions, arm_module
@@ -24,9 +23,6 @@ from tmodes.motion.regime import ArmRegime, arm_regime
 __all__ = ["arm_bundle", "why_not_arm"]
 
 Array = NDArray[np.float64]
-
-_POINT_LIKE = 1e-9
-"""A link shorter than this [m] is not drawn."""
 
 
 def why_not_arm(arm: Arm) -> str:
@@ -63,7 +59,7 @@ def arm_bundle(
         "deflections": _affine(lambda q: deflections(model, q), model.nq),
         "deformations": list(elastic_names(model)),
         "turning": [node.joint.name for node in model.chain.nodes if node.joint.kind is JointKind.REVOLUTE],
-        "straight": _affine(lambda q: _straight(model, q), model.nq),
+        "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
@@ -91,11 +87,6 @@ def _affine(function: Any, size: int) -> dict[str, Array]:
     return {"matrix": np.ascontiguousarray((told[1:] - told[0]).T), "constant": told[0].copy()}
 
 
-def _straight(model: ArmModel, q: Array) -> Array:
-    run: Any = SimpleNamespace(q=q, coordinates=model.coordinates, model=model)
-    return straight_shape(run)
-
-
 def _links(
     model: ArmModel, functions: ArmFunctions, stations: tuple[float, ...], surfaces: Sequence[str]
 ) -> list[dict[str, Any]]:
@@ -108,7 +99,7 @@ def _links(
     for node in chain.nodes:
         bends = not isinstance(node.link, RigidLink)
         line = lines[node.name]
-        if line.length > _POINT_LIKE:
+        if line.length > POINT_LIKE:
             end = np.zeros(3) if bends else line.rotation[0, 0].T @ (line.position[0, 1] - line.position[0, 0])
             found.append({"name": node.name, "bends": bends, "point": point, "end": end})
         elif not bends:

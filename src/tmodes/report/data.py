@@ -23,7 +23,7 @@ from tmodes.report.thin import scene_frames
 if TYPE_CHECKING:
     from tmodes.result import Result, RunRecord
 
-__all__ = ["facts_of", "live_page", "page_data", "sheet_of"]
+__all__ = ["facts_of", "live_page", "page_data", "robot_name", "sheet_of"]
 
 
 def page_data(
@@ -40,7 +40,7 @@ def page_data(
     from :func:`tmodes.live.bundle.live_bundle`, None where the page shall not simulate; ``not_live`` says why, where
     it could be expected to. ``light``: without modes and sheet, for a picture that changes while somebody drags.
     """
-    names = names or [_name(result) for result in results]
+    names = names or [robot_name(result) for result in results]
     charts = charts_of(results)
     known = cast("Sequence[Result | ArmResult]", results)
     runs = [_run(*one, light=light) for one in zip(known, names, charts, strict=True)]
@@ -63,7 +63,8 @@ def live_page(result: Result | ArmResult, *, live: bool = True) -> dict[str, Any
     return page_data([result], live=bundle, not_live=reason)
 
 
-def _name(result: RunRecord) -> str:
+def robot_name(result: RunRecord) -> str:
+    """The name of the robot that ran."""
     return str(json.loads(result.data.attrs["robot"]).get("name") or "robot")
 
 
