@@ -1,6 +1,7 @@
 // Headline numbers of a run in the page, by the ids and words of tmodes/report/facts.py and robot_facts.py.
 
 import type { LiveRun } from "../contract";
+import { told } from "../format";
 import { sizes, worst, type SeriesOf } from "./series";
 
 export type Facts = LiveRun["facts"];
@@ -32,7 +33,7 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
   if (deviation) {
     const k = worst(deviation);
     const end = deviation[deviation.length - 1];
-    facts["deviation.max"] = { value: deviation[k], note: `at ${figures(times[k])} s; ${figures(end)} m at the end of the run` };
+    facts["deviation.max"] = { value: deviation[k], note: `at ${figures(times[k])} s; ${told(end, "m")} at the end of the run` };
     facts["deviation.rms"] = { value: Math.sqrt(meanOverTime(times, deviation.map((x) => x * x))), note: "over the run" };
     facts.settling = settling(times, deviation, moveEnd, quiet);
   }
@@ -50,7 +51,7 @@ function settling(times: Float64Array, deviation: Float64Array, moveEnd: number 
   if (outside === times.length - 1) return { value: null, note: "not seen: it swings to the end of the run" };
   const after = times.length - times.findIndex((time) => time > moveEnd);
   if (times.length - 1 - outside < quiet * after) return { value: null, note: "not seen: the run ends too soon after the move" };
-  const note = `until the tip stays within ${figures(limit)} m, ${100 * BAND} % of its largest deviation`;
+  const note = `until the tip stays within ${told(limit, "m")}, ${100 * BAND} % of its largest deviation`;
   return { value: outside < 0 ? 0 : times[outside] - moveEnd, note };
 }
 
@@ -85,7 +86,7 @@ export function energyFacts(series: SeriesOf, count: number): Facts {
     work.data.reduce((most, value) => Math.max(most, Math.abs(value)), 0),
   );
   const residual = Math.abs(series.energy_balance.data[worst(series.energy_balance.data.subarray(0, count))]);
-  const note = moved ? `worst residual, ${figures(residual)} J, over ${figures(moved)} J moved` : "nothing moved";
+  const note = moved ? `worst residual, ${told(residual, "J")}, over ${told(moved, "J")} moved` : "nothing moved";
   return { "energy.residual": { value: moved ? residual / moved : null, note } };
 }
 

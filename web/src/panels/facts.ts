@@ -21,8 +21,10 @@ function single(facts: Fact[], live: LiveRun | null): HTMLElement {
   return make("dl", { class: "facts" }, ...facts.map((fact) => {
     const fresh = live?.facts[fact.id];
     const value = make("dd", {}, make("strong", { text: told(fresh ? fresh.value : fact.value, fact.unit) }));
-    if (fresh) value.append(make("span", { class: "was", text: `${change(fact, fresh.value)} was ${told(fact.value, fact.unit)}` }));
-    else if (live) value.append(make("span", { class: "was", text: "of the original run" }));
+    if (fresh && (fresh.value ?? fact.value) !== null) {
+      value.append(make("span", { class: "was", text: `${change(fact, fresh.value)} was ${told(fact.value, fact.unit)}` }));
+    }
+    if (live && !fresh) value.append(make("span", { class: "was", text: "of the original run" }));
     const note = (fresh ? fresh.note : fact.note) || "";
     return make("div", { "data-fact": fact.id }, make("dt", { text: fact.name }), value, note ? make("dd", { class: "note", text: note }) : null);
   }));
