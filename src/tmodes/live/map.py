@@ -148,7 +148,8 @@ class _Runs:
     def fitted(self, name: str) -> Form:
         """The form of a run's numbers."""
         ranges = [self._range(k, known=name == "reference") for k in range(len(self.knobs))]
-        return fitted(lambda values: self._vector(name, values), ranges, np.random.default_rng(_SEED))
+        with np.errstate(invalid="ignore"):  # a rigid element's stiffness is infinite, and stays so
+            return fitted(lambda values: self._vector(name, values), ranges, np.random.default_rng(_SEED))
 
     def _range(self, k: int, *, known: bool) -> Range:
         knob, slider = self.knobs[k], self.factors.get(k)

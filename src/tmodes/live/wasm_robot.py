@@ -10,6 +10,7 @@ from tmodes.compile.loops import EXPLICIT, ROSENBROCK
 from tmodes.compile.wasm_parts import program_loop, sample_part, schedule_loop
 from tmodes.equations.layout import COORDINATES, LINE, OBSERVED, STATE_SIZE
 from tmodes.live.module import Functions, LiveModule
+from tmodes.live.robot_modes import add_modes
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.model_loops import rate_of
 from tmodes.model_schedules import implicit_schedule, rate_schedule
@@ -27,7 +28,8 @@ def robot_module(pair: NominalRealPair, methods: Sequence[str]) -> LiveModule:
 
     Loops: ``reference.METHOD``, ``real.METHOD``. Samples, of both by the same names before the dot: ``observe`` and
     ``rate`` as of :class:`tmodes.model.Model`, ``rest`` and ``quasistatic`` (residual and its derivative by the
-    deformations), ``line1``, ``line2`` (inputs: a station s and the motion, 21 numbers).
+    deformations), ``line1``, ``line2`` (inputs: a station s and the motion, 21 numbers); and those of
+    :func:`tmodes.live.robot_modes.add_modes`.
     """
     regimes = {"reference": pair.nominal.split(Drive.PRESCRIBED), "real": pair.real.split(Drive.CONTROLLED)}
     made = Functions()
@@ -39,6 +41,7 @@ def robot_module(pair: NominalRealPair, methods: Sequence[str]) -> LiveModule:
         _observing(made, name, mechanism, count)
         _resting(made, name, mechanism, count)
     _, parameters = regimes["real"]
+    add_modes(made, pair.real, len(parameters))
     told = {"kind": "robot", "coordinates": [*COORDINATES], "parameters": [*parameters.names]}
     return made.module("robot", **told)
 

@@ -62,6 +62,17 @@ export interface RobotBundle extends Bundle {
   lengths: number[];
   /** Shares of the move between which the wanted motion keeps its speed: what a spectrum is of. */
   steady: [number, number];
+  modes: RobotModes;
+}
+
+/**
+ * Cases of its motor with the directions that are free in them [6, m]; how the undeformed robot turns [6]; springs as
+ * rows of the coordinates [6] and the names of their numbers (k, or 3 EI and l).
+ */
+export interface RobotModes {
+  cases: { name: string; columns: Numbers }[];
+  turn: number[];
+  springs: { element: string; row: number[]; stiffness: string; length: string }[];
 }
 
 /** Samples that are shown in space, of a run of so many: its last one, wherever it broke off, among them. */

@@ -34,3 +34,62 @@ function exchanged(a: Float64Array, x: Float64Array, i: number, j: number): void
   x[i] = x[j];
   x[j] = kept;
 }
+
+/** The lower triangle L with L L^T = a [n, n], whose upper triangle is not read; null where there is none. */
+export function cholesky(a: Float64Array, n: number): Float64Array | null {
+  const root = new Float64Array(n * n);
+  for (let j = 0; j < n; j += 1) {
+    for (let i = j; i < n; i += 1) {
+      let value = a[i * n + j];
+      for (let k = 0; k < j; k += 1) value -= root[i * n + k] * root[j * n + k];
+      if (i === j && !(value > 0)) return null;
+      root[i * n + j] = i === j ? Math.sqrt(value) : value / root[j * n + j];
+    }
+  }
+  return root;
+}
+
+/** Solve L x = b for the columns of b [n, width], in place. */
+export function solveLower(root: Float64Array, b: Float64Array, n: number, width: number): void {
+  for (let i = 0; i < n; i += 1) {
+    for (let k = 0; k < i; k += 1) lessRow(b, i, k, root[i * n + k], width);
+    for (let c = 0; c < width; c += 1) b[i * width + c] /= root[i * n + i];
+  }
+}
+
+/** Solve L^T x = b for the columns of b [n, width], in place. */
+export function solveUpper(root: Float64Array, b: Float64Array, n: number, width: number): void {
+  for (let i = n - 1; i >= 0; i -= 1) {
+    for (let k = i + 1; k < n; k += 1) lessRow(b, i, k, root[k * n + i], width);
+    for (let c = 0; c < width; c += 1) b[i * width + c] /= root[i * n + i];
+  }
+}
+
+function lessRow(b: Float64Array, i: number, k: number, factor: number, width: number): void {
+  for (let c = 0; c < width; c += 1) b[i * width + c] -= factor * b[k * width + c];
+}
+
+/** L^-1 a L^-T [n, n]. */
+export function congruent(root: Float64Array, a: Float64Array, n: number): Float64Array {
+  const left = a.slice();
+  solveLower(root, left, n, n);
+  const right = transposed(left, n);
+  solveLower(root, right, n, n);
+  return transposed(right, n);
+}
+
+function transposed(a: Float64Array, n: number): Float64Array {
+  return a.map((_, k) => a[(k % n) * n + Math.floor(k / n)]);
+}
+
+/** a b of a [rows, inner], b [inner, width]; `turned`: of the transpose of a [inner, rows]. */
+export function product(a: Float64Array, b: Float64Array, rows: number, inner: number, width: number, turned = false): Float64Array {
+  const found = new Float64Array(rows * width);
+  for (let i = 0; i < rows; i += 1) {
+    for (let k = 0; k < inner; k += 1) {
+      const factor = turned ? a[k * rows + i] : a[i * inner + k];
+      if (factor) for (let j = 0; j < width; j += 1) found[i * width + j] += factor * b[k * width + j];
+    }
+  }
+  return found;
+}

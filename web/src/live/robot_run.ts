@@ -9,6 +9,7 @@ import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
 import { colours, linesAt, roots, stacked, standing, type Lines } from "./robot_line";
 import { largestMoment, robotFacts } from "./robot_facts";
+import { robotVibration } from "./robot_modes";
 import { staticRoots } from "./robot_static";
 import { beside, columns, difference, energyBalance, range, rowsOf, shaped, sizes, type SeriesOf } from "./series";
 import * as signals from "./signals";
@@ -55,12 +56,14 @@ export async function runRobot(
   const name = failed === reference ? "reference" : "real robot";
   const facts = robotFacts(times, series, moment, real.numbers.end[0]);
   const end = known.end[0];
+  const modes = robotVibration(engine, bundle, real.numbers);
   return {
     status: failed ? failed.run.status : "finished",
     message: failed ? `${name}: ${failed.run.message}` : real.run.message,
     seconds, times, series,
     ...picture(engine, bundle, real, lines, series, frames),
-    span: [bundle.steady[0] * end, bundle.steady[1] * end], facts: failed ? brokenOff(facts) : facts,
+    span: [bundle.steady[0] * end, bundle.steady[1] * end],
+    facts: { ...(failed ? brokenOff(facts) : facts), ...modes.facts }, vibration: modes.vibration,
   };
 }
 
