@@ -28,7 +28,7 @@ Blocks = dict[str, Array]
 def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
     """``parameters``; ``knots`` (k + 1,) and ``coefficients`` (k, degree + 1) of the wanted angle; ``start`` [rad].
 
-    ``end`` [s]: of the move.
+    ``end`` [s]: of the move; ``goal`` [rad]: where it ends.
     """
     wanted = robot.wanted(drive)
     return {
@@ -37,6 +37,7 @@ def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
         "coefficients": wanted.coefficients,
         "start": np.array([robot.reference.start]),
         "end": np.array([robot.reference.duration]),
+        "goal": np.array([robot.reference.end]),
     }
 
 

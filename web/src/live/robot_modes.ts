@@ -59,7 +59,7 @@ function modesOf(bundle: RobotBundle, parameters: Float64Array, linear: Float64A
 }
 
 /** The controller's gains act on the motor as a spring and a damper. */
-function addControl(bundle: RobotBundle, parameters: Float64Array, [, damping, stiffness]: Float64Array[]): void {
+export function addControl(bundle: RobotBundle, parameters: Float64Array, [, damping, stiffness]: Float64Array[]): void {
   const of = (path: string) => parameterOf(bundle, parameters, path);
   const gain = of("motor.torque_constant") / of("motor.resistance");
   stiffness[MOTOR * N + MOTOR] += gain * of("controller.position_gain");

@@ -7,9 +7,11 @@ import { Engine } from "./engine";
 import type { Watch } from "./engine_run";
 import { Kept } from "./kept";
 import { runRobot, type Regime as RobotRegime } from "./robot_run";
+import { withSettling } from "./robot_settling";
 
 export interface Runner {
-  run(values: readonly number[], watch: Watch): Promise<LiveRun>;
+  /** `early` hears the curves where more of the run takes longer. */
+  run(values: readonly number[], watch: Watch, early?: (run: LiveRun) => void): Promise<LiveRun>;
 }
 
 /** The runner of a bundle; compiles its module. */
@@ -20,5 +22,12 @@ export async function openRunner(bundle: Bundle): Promise<Runner> {
     return { run: (values, watch) => runArm(engine, bundle as ArmBundle, values, watch, kept) };
   }
   const kept = new Kept<RobotRegime>();
-  return { run: (values, watch) => runRobot(engine, bundle as RobotBundle, values, watch, kept) };
+  return {
+    async run(values, watch, early = () => undefined) {
+      const regimes: RobotRegime[] = [];
+      const run = await runRobot(engine, bundle as RobotBundle, values, watch, kept, (...both) => regimes.push(...both));
+      early(run);
+      return withSettling(engine, bundle as RobotBundle, run, regimes[0], regimes[1], watch);
+    },
+  };
 }
