@@ -9,6 +9,7 @@ export type Answered =
   | { kind: "ready" }
   | { kind: "failed"; message: string }
   | { kind: "progress"; id: number; share: number }
+  | { kind: "early"; id: number; run: LiveRun }
   | { kind: "done"; id: number; run: LiveRun }
   | { kind: "error"; id: number; cancelled: boolean; message: string };
 

@@ -37,7 +37,8 @@ async function made(id: number, values: number[]): Promise<void> {
     // Several values of a dragged slider may wait: messages are read first, and all but the last are given up.
     await new Promise((resolve) => setTimeout(resolve, 0));
     if (cancelled()) throw new Cancelled("a newer run began");
-    const run = await runner.run(values, { cancelled, progress: (share) => scope.postMessage({ kind: "progress", id, share }) });
+    const watch = { cancelled, progress: (share: number) => scope.postMessage({ kind: "progress", id, share }) };
+    const run = await runner.run(values, watch, (early) => scope.postMessage({ kind: "early", id, run: early }));
     scope.postMessage({ kind: "done", id, run }, buffersIn(run));
   } catch (problem) {
     const message = problem instanceof Error ? problem.message : String(problem);
