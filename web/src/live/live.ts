@@ -4,7 +4,7 @@ import source from "tmodes:worker";
 import type { Live, LiveBundle, LiveRun } from "../contract";
 import type { Bundle } from "./bundle";
 import { Cancelled } from "./engine_run";
-import type { Answered, Asked } from "./messages";
+import { together, type Answered, type Asked } from "./messages";
 import { openRunner } from "./runner";
 import { sheetText } from "./sheet";
 
@@ -94,6 +94,7 @@ function ready(worker: Worker, bundle: Bundle): Promise<boolean> {
 
 function hired(worker: Worker): Doer {
   let latest = 0;
+  let told: LiveRun | null = null;
   let waiting: { resolve(run: LiveRun): void; reject(problem: Error): void; progress: Progress; early: Early } | null = null;
   const ended = (problem: Error) => {
     waiting?.reject(problem);
@@ -103,10 +104,10 @@ function hired(worker: Worker): Doer {
   worker.onmessage = ({ data }: MessageEvent<Answered>) => {
     if (!("id" in data) || data.id !== latest || !waiting) return;
     if (data.kind === "progress") waiting.progress(data.share);
-    else if (data.kind === "early") waiting.early(data.run);
+    else if (data.kind === "early") waiting.early((told = data.run));
     else if (data.kind === "error") ended(new Error(data.message));
     else if (data.kind === "done") {
-      waiting.resolve(data.run);
+      waiting.resolve(together(told, data.run));
       waiting = null;
     }
   };
@@ -114,6 +115,7 @@ function hired(worker: Worker): Doer {
     run(values, progress, early) {
       ended(new Superseded("a newer run began"));
       latest += 1;
+      told = null;
       worker.postMessage({ kind: "run", id: latest, values } satisfies Asked);
       return new Promise((resolve, reject) => (waiting = { resolve, reject, progress, early }));
     },
