@@ -13,11 +13,18 @@ SHAPE = 2e-6
 """Bound of the displacements, whose largest is 1: both are kept in single precision, found by differences."""
 
 
-def assert_same_modes(ours: Sequence[dict[str, Any]], native: Sequence[dict[str, Any]], equal: float, shape: float) -> None:
+def assert_same_modes(
+    ours: Sequence[dict[str, Any]], native: Sequence[dict[str, Any]], equal: float, shape: float
+) -> None:
     """Frequencies relative, damping of 1, shapes up to their phase."""
     assert [(one["case"], one["livesIn"]) for one in ours] == [(one["case"], one["livesIn"]) for one in native]
-    told = {name: np.array([[one[name] for one in modes] for modes in (ours, native)]) for name in ("frequency", "damping")}
-    worst = [np.abs(told["frequency"][0] / told["frequency"][1] - 1).max(), np.abs(np.diff(told["damping"], axis=0)).max()]
+    told = {
+        name: np.array([[one[name] for one in modes] for modes in (ours, native)]) for name in ("frequency", "damping")
+    }
+    worst = [
+        np.abs(told["frequency"][0] / told["frequency"][1] - 1).max(),
+        np.abs(np.diff(told["damping"], axis=0)).max(),
+    ]
     assert max(worst) < equal
     every = native[0]["rest"].shape[1] // (ours[0]["rest"].shape[1] - 1)
     native = [{**mode, **{name: mode[name][:, ::every] for name in ("rest", "real", "imaginary")}} for mode in native]

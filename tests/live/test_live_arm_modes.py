@@ -15,7 +15,7 @@ from tmodes.live.map import LiveMap, live_map
 from tmodes.motion.simulate import simulate_arm
 from tmodes.report.facts import frequency_facts
 from tmodes.report.mode_shapes import modes_of
-from tmodes.report.spectra import _own_frequencies as own_frequencies
+from tmodes.report.spectra import own_frequencies
 
 from .node import live_in_node
 from .same_modes import SHAPE, assert_same_modes

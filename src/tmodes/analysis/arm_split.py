@@ -15,7 +15,16 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Drive
 
-__all__ = ["Split", "deflections", "elastic_names", "gear_inputs", "gross_motion", "held_shape", "split_motion", "sprung"]
+__all__ = [
+    "Split",
+    "deflections",
+    "elastic_names",
+    "gear_inputs",
+    "gross_motion",
+    "held_shape",
+    "split_motion",
+    "sprung",
+]
 
 Array = NDArray[np.float64]
 

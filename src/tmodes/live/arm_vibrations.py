@@ -1,4 +1,4 @@
-"""What a page needs to find an arm's modes and the parts of its deformations anew: places, and numbers that sliders move."""
+"""What a page needs to find an arm's modes and the parts of its deformations anew: places, and numbers that change."""
 
 from __future__ import annotations
 
@@ -30,7 +30,7 @@ _DRY = (3, 4, FRICTION + 3, FRICTION + 4)
 
 
 def vibration_numbers(arm: Arm, plan: LoopPlan, model: ArmModel) -> dict[str, Array]:
-    """Numbers that hang on a sheet's: ``servos`` (k, 2) stiffness and damping, ``loads`` (n, 6), ``touch`` (4,) or none.
+    """Numbers that hang on a sheet's: ``servos`` (k, 2) stiffness, damping, ``loads`` (n, 6), ``touch`` (4,) or (0,).
 
     ``model``: the chain without drives. ``touch``: mass, damping, stiffness, preload of the surface.
     """

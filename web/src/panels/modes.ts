@@ -91,5 +91,5 @@ function number(text: string, was: string): HTMLElement {
 
 function words(found: LiveRun["vibration"]): string {
   if (found === undefined) return "These are the modes of the run as it was; the new ones are being found.";
-  return typeof found === "string" ? `These are the modes of the run as it was: ${found}.` : "About the rest with the changed numbers; the run as it was beside them.";
+  return typeof found === "string" ? `These are the modes of the run as it was: ${found}.` : "About the rest with the changed numbers; under each number what it was.";
 }
