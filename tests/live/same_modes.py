@@ -25,10 +25,10 @@ def assert_same_modes(
         np.abs(told["frequency"][0] / told["frequency"][1] - 1).max(),
         np.abs(np.diff(told["damping"], axis=0)).max(),
     ]
-    print("worst", worst)
     assert max(worst) < equal
+    every = native[0]["rest"].shape[1] // (ours[0]["rest"].shape[1] - 1)
+    native = [{**mode, **{name: mode[name][:, ::every] for name in ("rest", "real", "imaginary")}} for mode in native]
     for own, true in zip(ours, native, strict=True):
-        print(np.abs(own["rest"] - true["rest"]).max(), 1 - alike(own, true))
         assert np.abs(own["rest"] - true["rest"]).max() < shape
         assert alike(own, true) > 1 - shape
 

@@ -26,7 +26,7 @@ def free_mechanism(robot: Robot) -> Mechanism:
 
 
 def add_modes(made: Functions, robot: Robot, parameters: int) -> None:
-    """Samples of a module: ``modes.rest`` (its inputs as ``rest`` has them) and ``modes.linear`` (M, D, K, row by row)."""
+    """Samples of a module: ``modes.rest`` (inputs as ``rest`` has them) and ``modes.linear`` (M, D, K, row by row)."""
     mechanism = free_mechanism(robot)
     exports = {label: f"{label} {mechanism.arm_key}" for label in ("modes.rest", "modes.linear")}
 

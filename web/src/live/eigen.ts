@@ -61,6 +61,10 @@ function eigen(matrix: Float64Array, n: number, symmetric: boolean): Eigen {
   const vectors = Float64Array.from(eigenvectorMatrix.to1DArray());
   // of a pair of complex ones both have the real part of their shape
   if (!symmetric) for (let k = 1; k < n; k += 1) if (im[k] < 0) for (let i = 0; i < n; i += 1) vectors[i * n + k] = vectors[i * n + k - 1];
+  for (let k = 0; k < n; k += 1) {
+    const size = Math.hypot(...Array.from({ length: n }, (_, i) => vectors[i * n + k]));
+    for (let i = 0; i < n; i += 1) vectors[i * n + k] /= size;
+  }
   return { re: Float64Array.from(re), vectors };
 }
 

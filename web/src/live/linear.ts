@@ -93,3 +93,33 @@ export function product(a: Float64Array, b: Float64Array, rows: number, inner: n
   }
   return found;
 }
+
+/** The inverse of a [n, n], which is used up; null where it has none. */
+export function inverted(a: Float64Array, n: number): Float64Array | null {
+  const found = Float64Array.from({ length: n * n }, (_, k) => (k % (n + 1) ? 0 : 1));
+  for (let k = 0; k < n; k += 1) {
+    let pivot = k;
+    for (let i = k + 1; i < n; i += 1) if (Math.abs(a[i * n + k]) > Math.abs(a[pivot * n + k])) pivot = i;
+    const size = Math.abs(a[pivot * n + k]);
+    if (!(size > 0) || size === Infinity) return null;
+    for (const matrix of [a, found]) {
+      if (pivot !== k) {
+        const kept = matrix.slice(k * n, (k + 1) * n);
+        matrix.copyWithin(k * n, pivot * n, (pivot + 1) * n);
+        matrix.set(kept, pivot * n);
+      }
+    }
+    const own = a[k * n + k];
+    for (let j = 0; j < n; j += 1) {
+      a[k * n + j] /= own;
+      found[k * n + j] /= own;
+    }
+    for (let i = 0; i < n; i += 1) {
+      const factor = a[i * n + k];
+      if (i === k || factor === 0) continue;
+      for (let j = k; j < n; j += 1) a[i * n + j] -= factor * a[k * n + j];
+      for (let j = 0; j < n; j += 1) found[i * n + j] -= factor * found[k * n + j];
+    }
+  }
+  return found;
+}

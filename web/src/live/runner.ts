@@ -1,6 +1,7 @@
 // What makes runs from a bundle, in a worker or in the page itself.
 
 import type { LiveRun } from "../contract";
+import { completed } from "./arm_later";
 import { runArm, type Regime as ArmRegime } from "./arm_run";
 import type { ArmBundle, Bundle, RobotBundle } from "./bundle";
 import { Engine } from "./engine";
@@ -19,7 +20,14 @@ export async function openRunner(bundle: Bundle): Promise<Runner> {
   const engine = await Engine.open(bundle.module.data as Uint8Array<ArrayBuffer>, bundle.layout);
   if (bundle.kind === "arm") {
     const kept = new Kept<ArmRegime>();
-    return { run: (values, watch) => runArm(engine, bundle as ArmBundle, values, watch, kept) };
+    return {
+      async run(values, watch, early = () => undefined) {
+        let real: ArmRegime | null = null;
+        const run = await runArm(engine, bundle as ArmBundle, values, watch, kept, (moving) => { real = moving; });
+        early(run);
+        return completed(engine, bundle as ArmBundle, values, run, real!, watch);
+      },
+    };
   }
   const kept = new Kept<RobotRegime>();
   return {
