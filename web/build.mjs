@@ -7,8 +7,11 @@ const here = fileURLToPath(new URL(".", import.meta.url));
 const out = process.argv[2] ?? `${here}../src/tmodes/report/web`;
 const origin = `/* tmodes, built from ${process.argv[3] ?? "?"}; BSD-3-Clause */`;
 const license = (name) => `/* ${name}\n${readFileSync(`${here}node_modules/${name}/LICENSE`, "utf8").trim()}\n*/`;
-const shared = { bundle: true, minify: true, charset: "utf8", legalComments: "none", target: "es2022", logLevel: "warning" };
-const banner = { js: [origin, license("three"), license("uplot")].join("\n") };
+// ml-matrix by its sources, of which only what is imported is taken: its own bundle is one piece.
+const alias = { "ml-matrix": `${here}node_modules/ml-matrix/src/index.js` };
+const shared = { alias, bundle: true, minify: true, charset: "utf8", legalComments: "none", target: "es2022", logLevel: "warning" };
+const within = ["three", "uplot", "ml-matrix", "is-any-array", "ml-array-rescale", "ml-array-max", "ml-array-min"];
+const banner = { js: [origin, ...within.map(license)].join("\n") };
 
 // The live model's worker is built by itself, and stands as text in the program that starts it.
 const worker = {

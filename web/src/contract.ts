@@ -213,13 +213,22 @@ export interface LiveRun {
   span?: [number, number];
   /** Headline numbers by the ids of the facts; those that cannot be computed are absent. */
   facts: Record<string, { value: number | null; note: string }>;
+  /** Its modes; a sentence where they cannot be told, none where they are not known yet. */
+  vibration?: Vibration | string;
+}
+
+/** Small vibrations about the rest: what `Run.modes` and the marks of spectra tell. */
+export interface Vibration {
+  modes: Mode[];
+  marks: Chart["marks"];
 }
 
 /** `openLive(bundle)` of src/live/live.ts gives it; all work is done in a worker where there is one. */
 export interface Live {
   sliders: Slider[];
   /** Simulate with these values; a newer call ends an older one, whose promise is then rejected with `Superseded`. */
-  run(values: number[], progress?: (share: number) => void): Promise<LiveRun>;
+  /** `early` hears the curves where more of the run takes longer; the promise gives all of it. */
+  run(values: number[], progress?: (share: number) => void, early?: (run: LiveRun) => void): Promise<LiveRun>;
   /** The data sheet as YAML with these values. */
   sheet(values: number[]): string;
   close(): void;

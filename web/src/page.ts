@@ -37,8 +37,6 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const of = page.runs.length > 1 ? ` of ${page.runs[0].name}` : "";
   const line = section(`Elastic line${of}`, page.runs[0].line !== null);
   const modes = section(`Modes of vibration${of}`, page.runs[0].modes.length > 0);
-  const modesNote = make("p", { class: "note", hidden: true, text: "These are the modes of the run as it was." });
-  modes.body.before(modesNote);
   const files = make("div", { class: "bar files" });
   root.classList.add("app");
   root.append(make("div", { class: "stage" }, stage, side), transport, charts, make("div", { class: "lower" }, line.element, modes.element), files);
@@ -52,13 +50,18 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   mountSave(files, page);
   transport.hidden = charts.hidden = page.runs.every((run) => run.charts.length === 0); // a robot at rest, without a run
 
+  let drawn: LiveRun["scene"] | null = null; // the picture is there before all of a run
+
   function show(live: LiveRun | null): void {
     clock.setDuration(Math.max(live ? live.times[live.times.length - 1] : 0, duration));
-    scene.replace(0, live ? live.scene : null);
+    if ((live && live.scene) !== drawn) {
+      drawn = live && live.scene;
+      scene.replace(0, drawn);
+      lineView?.show(live);
+    }
     chartsView.show(live);
-    lineView?.show(live);
     factsView.show(live);
-    modesNote.hidden = live === null;
+    modesView?.show(live);
   }
 
   if (page.live) parts.push(mountSliders(sliders, page.live, { open: openLive, show, fileName: `${fileName(page.runs[0].name)}_changed` }));
@@ -72,7 +75,6 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     showModes(found) {
       modesView?.dispose();
       modes.body.replaceChildren();
-      modesNote.hidden = true;
       modes.element.hidden = found.length === 0;
       const [first, ...others] = page.runs;
       modesView = found.length ? mountModes(modes.body, { ...page, runs: [{ ...first, modes: found }, ...others] }, scene, clock) : null;

@@ -12,7 +12,7 @@ from tmodes.analysis.equilibrium import Equilibrium
 from tmodes.arm_model import ArmModel
 from tmodes.errors import SimulationError
 
-__all__ = ["DIRECTIONS", "LOADS", "PointCompliance", "Spring", "point_compliance", "springs_of"]
+__all__ = ["DIRECTIONS", "LOADS", "PointCompliance", "Spring", "point_compliance", "spring_rows", "springs_of"]
 
 Array = NDArray[np.float64]
 
@@ -89,19 +89,26 @@ def springs_of(model: ArmModel, q: Array) -> dict[str, Spring]:
     """
     elastic = model.stiffness(q, base=model.at_rest(gravity=0.0))
     found: dict[str, Spring] = {}
-    for part in model.parts.nodes:
-        if part.drive and part.drive.ranges:
-            row = elastic[[part.angle]]
-            own = row[0, part.angle]
-            found[f"{part.node.joint.name}.gear"] = Spring(row / own if own else np.zeros_like(row), row)
-    rows: dict[str, list[int]] = {}
-    for k in model.deformations:
-        rows.setdefault(model.coordinates[k].rstrip("0123456789"), []).append(int(k))
-    for name, own in rows.items():
+    gears, links = spring_rows(model)
+    for name, angle in gears.items():
+        row = elastic[[angle]]
+        own = row[0, angle]
+        found[name] = Spring(row / own if own else np.zeros_like(row), row)
+    for name, own in links.items():
         left = np.zeros((len(own), model.nq))
         left[np.arange(len(own)), own] = 1.0
         found[name] = Spring(left, elastic[own])
     return found
+
+
+def spring_rows(model: ArmModel) -> tuple[dict[str, int], dict[str, list[int]]]:
+    """The joint of each elastic gear, and the coordinates of each kind of bending of a link, by the springs' names."""
+    parts = [part for part in model.parts.nodes if part.drive and part.drive.ranges]
+    gears = {f"{part.node.joint.name}.gear": part.angle for part in parts}
+    links: dict[str, list[int]] = {}
+    for k in model.deformations:
+        links.setdefault(model.coordinates[k].rstrip("0123456789"), []).append(int(k))
+    return gears, links
 
 
 def point_compliance(rest: Equilibrium, point: int = 0) -> PointCompliance:

@@ -17,7 +17,7 @@ from tmodes.analysis.modes import GROWING, MotorState, damped_motions
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Chain, Drive, Friction
 
-__all__ = ["ArmMode", "MotorState", "Servo", "arm_modes"]
+__all__ = ["ArmMode", "MotorState", "Servo", "arm_modes", "moving_coordinates", "without_dry_friction"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -82,7 +82,7 @@ def arm_modes(
     matrix that is not positive definite.
     """
     chosen = servos or {} if motors is MotorState.CONTROLLED else {}
-    moving = _moving(rest, motors, chosen)
+    moving = moving_coordinates(rest, motors, chosen)
     springs = springs_of(rest.model, rest.q) if len(moving) else {}
     mass, damping, stiffness = (matrix.copy() for matrix in _matrices(rest))
     for name, servo in chosen.items():
@@ -131,7 +131,8 @@ def _controlled(mode: ArmMode, value: complex) -> ArmMode:
     return replace(mode, frequency_Hz=abs(value) / (2 * np.pi)) if mode.damped_frequency_Hz else mode
 
 
-def _moving(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
+def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
+    """Indices of the coordinates that move in one of the cases of :func:`arm_modes`."""
     model = rest.model
     prescribed = {part.angle for part in model.parts.nodes if part.node.joint.drive is Drive.PRESCRIBED}
     added: Sequence[int] = driven(model) if motors is MotorState.FREE else [model.coordinates.index(n) for n in servos]
@@ -141,13 +142,13 @@ def _moving(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) 
 def _matrices(rest: Equilibrium) -> tuple[Array, Array, Array]:
     """M, D, K about the rest; dry friction has no part in D."""
     mass, damping, stiffness = rest.matrices
-    smooth = _without_dry_friction(rest.model.chain)
+    smooth = without_dry_friction(rest.model.chain)
     if smooth is not None:
         damping = ArmModel(smooth).linearised(rest.q)[1]
     return mass, damping, stiffness
 
 
-def _without_dry_friction(chain: Chain) -> Chain | None:
+def without_dry_friction(chain: Chain) -> Chain | None:
     """The chain with viscous friction only; None where it has no other."""
 
     def viscous(friction: Friction) -> Friction:

@@ -15,7 +15,16 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.arm_model import ArmModel
 from tmodes.chain import Drive
 
-__all__ = ["Split", "deflections", "elastic_names", "gear_inputs", "held_shape", "split_motion", "sprung"]
+__all__ = [
+    "Split",
+    "deflections",
+    "elastic_names",
+    "gear_inputs",
+    "gross_motion",
+    "held_shape",
+    "split_motion",
+    "sprung",
+]
 
 Array = NDArray[np.float64]
 
@@ -83,7 +92,7 @@ def held_shape(
     Newton's method for all samples at once, from the present shape; a tangent serves as long as it converges quickly.
     """
     q = np.atleast_2d(np.asarray(q, dtype=float))
-    rates, gains = (_gross(model, np.broadcast_to(np.asarray(x, dtype=float), q.shape)) for x in (v, a))
+    rates, gains = (gross_motion(model, np.broadcast_to(np.asarray(x, dtype=float), q.shape)) for x in (v, a))
     free = np.array([*sprung(model), *model.deformations], dtype=int)
     if not len(free):
         return q.copy(), np.ones(len(q), dtype=bool)
@@ -122,7 +131,7 @@ def gear_inputs(model: ArmModel, values: Array, *, rest: bool = False) -> Array:
     return np.stack(columns, axis=1) if columns else np.zeros((len(values), 0))
 
 
-def _gross(model: ArmModel, values: Array) -> Array:
+def gross_motion(model: ArmModel, values: Array) -> Array:
     """Rates, or accelerations, of the gross motion: no deflection moves."""
     gross = values.copy()
     gross[:, sprung(model)] = gear_inputs(model, values)

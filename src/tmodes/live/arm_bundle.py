@@ -14,6 +14,7 @@ from tmodes.arm import Arm, ArmPair
 from tmodes.arm_model import ArmModel
 from tmodes.arm_result.lines import POINT_LIKE, without_elasticity
 from tmodes.chain import Chain, JointKind, RigidLink, Segment
+from tmodes.live.arm_vibrations import arm_vibrations
 from tmodes.live.numbers import follow_of
 from tmodes.live.wasm_arm import ArmFunctions, arm_module
 from tmodes.motion.loop import LoopModel
@@ -63,6 +64,7 @@ def arm_bundle(
         "links": _links(model, functions, stations, surfaces),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
+        **arm_vibrations(pair.real, real.planned.plan, model),
     }
 
 

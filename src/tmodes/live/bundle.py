@@ -120,6 +120,7 @@ def _note(result: Result | ArmResult) -> str:
 
 def _of_robot(pair: NominalRealPair, method: Method) -> dict[str, Any]:
     from tmodes.equations.coordinates import deformation_basis, free_deformations
+    from tmodes.live.robot_modes import robot_modes
     from tmodes.live.wasm_robot import robot_module
 
     module = robot_module(pair, [method.value])
@@ -130,4 +131,5 @@ def _of_robot(pair: NominalRealPair, method: Method) -> dict[str, Any]:
         "free": free_deformations(pair.real.rigid_elements()),
         "basis": deformation_basis(),
         "lengths": [mode.length for mode in pair.real.link.modes],
+        "modes": robot_modes(pair.real),
     }

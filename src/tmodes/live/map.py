@@ -148,7 +148,12 @@ class _Runs:
     def fitted(self, name: str) -> Form:
         """The form of a run's numbers."""
         ranges = [self._range(k, known=name == "reference") for k in range(len(self.knobs))]
-        return fitted(lambda values: self._vector(name, values), ranges, np.random.default_rng(_SEED))
+        start = self._vector(name, {})
+        rigid = ~np.isfinite(start)  # stiffnesses that no knob moves
+        generator = np.random.default_rng(_SEED)
+        form = fitted(lambda values: np.where(rigid, 0.0, self._vector(name, values)), ranges, generator)
+        form.base[rigid] = start[rigid]
+        return form
 
     def _range(self, k: int, *, known: bool) -> Range:
         knob, slider = self.knobs[k], self.factors.get(k)

@@ -9,9 +9,11 @@ from numpy.typing import NDArray
 
 from tmodes.arm import Arm
 from tmodes.arm.parts import Command
+from tmodes.arm_model import ArmModel
 from tmodes.arm_passes import ArmPasses
 from tmodes.equations.arm.closed_loop import ClosedLoop
 from tmodes.equations.arm.parts import Parts
+from tmodes.live.arm_vibrations import vibration_numbers
 from tmodes.live.wasm_arm import stationed
 from tmodes.mechanism import Drive
 from tmodes.motion.plan import Follow, planned
@@ -28,7 +30,7 @@ Blocks = dict[str, Array]
 def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
     """``parameters``; ``knots`` (k + 1,) and ``coefficients`` (k, degree + 1) of the wanted angle; ``start`` [rad].
 
-    ``end`` [s]: of the move.
+    ``end`` [s]: of the move; ``goal`` [rad]: where it ends.
     """
     wanted = robot.wanted(drive)
     return {
@@ -37,6 +39,7 @@ def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
         "coefficients": wanted.coefficients,
         "start": np.array([robot.reference.start]),
         "end": np.array([robot.reference.duration]),
+        "goal": np.array([robot.reference.end]),
     }
 
 
@@ -50,19 +53,22 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
-    ``until`` [s], beyond the end of the run, to be whole. ``pose``: of the passes to these ``stations``, where asked.
+    ``until`` [s], beyond the end of the run, to be whole. ``pose``: of the passes to these ``stations``, where asked,
+    and the blocks of :func:`tmodes.live.arm_vibrations.vibration_numbers`.
     """
     plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
     loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()
+    model = ArmModel(chain)
     found = {
         "parameters": loop.parts.numbers.vector,
         "rest": ClosedLoop(rest.plan).parts.numbers.vector,
         "rest_row": rest.schedule.rows_at(np.zeros(1))[0],
-        "chain": ArmPasses(Parts(chain)).parameters,
+        "chain": model.parameters,
         "rotors": _rotors(loop),
     }
     if stations:
         found["pose"] = ArmPasses(Parts(stationed(chain, stations))).parameters
+        found |= vibration_numbers(arm, plan.plan, model)
     for k, signal in enumerate(plan.each):
         schedule = signal.schedule(until if isinstance(signal, (Quintic, Trapezoid)) else arm.integration.duration)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}

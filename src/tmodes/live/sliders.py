@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import math
 import re
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
@@ -127,7 +128,9 @@ def knobs_of(sheet: Robot | Arm) -> list[Knob]:
 
 
 def _useful(sheet: Robot | Arm, number: SheetNumber, rule: _Rule) -> bool:
-    """A load of an arm is on the link with its tip; what is zero has no proportion."""
+    """A load of an arm is on the link with its tip; what is zero has no proportion, what is rigid stays so."""
+    if not math.isfinite(number.value):
+        return False
     if isinstance(sheet, Arm) and number.kind == "links.*.bodies.*.mass":
         tip = sheet.tip.link if sheet.tip else sheet.links[-1].name if sheet.links else ""
         return number.owner == tip and number.value > 0

@@ -75,7 +75,8 @@ def arm_module(arm: ArmFunctions, methods: Sequence[str], *, slopes: bool = True
     of both as of :class:`tmodes.motion.loop.LoopModel`; ``rest.rate``, whose accelerations vanish at
     rest, where ``held`` coordinates stand by themselves; ``inertia`` and ``elastic`` as of
     :class:`tmodes.arm_passes.ArmPasses`; ``pose``: the motion of every station (24 numbers each: rotation, position,
-    velocity, rate, accelerations), link by link.
+    velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the points, where any
+    act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
     """
     made = Functions()
     for name, loop in arm.loops.items():
@@ -95,8 +96,13 @@ def arm_module(arm: ArmFunctions, methods: Sequence[str], *, slopes: bool = True
         "inertia": chain.schedule("inertia"), "elastic": chain.schedule("elastic"),
         "pose": needed_for(arm.passes["pose"].schedule("inertia"), ("points",)),
     }  # fmt: skip
+    plan = arm.plans["real"].plan
+    if plan.loads or plan.touch:
+        passes["loaded"] = needed_for(chain.schedule("inertia", loaded=True), ("forces",))
     for label, schedule in passes.items():
         made.schedule(label, schedule_samples(label, schedule), schedule)
+    springs = needed_for(passes["elastic"], ("forces",))
+    made.schedule("elastic.slopes", schedule_samples("elastic.slopes", springs, "derivative"), springs, stride=2)
     return made.module("arm", kind="arm", **_told(arm))
 
 

@@ -10,6 +10,7 @@ from tmodes.compile.loops import EXPLICIT, ROSENBROCK
 from tmodes.compile.wasm_parts import program_loop, sample_part, schedule_loop
 from tmodes.equations.layout import COORDINATES, LINE, OBSERVED, STATE_SIZE
 from tmodes.live.module import Functions, LiveModule
+from tmodes.live.robot_modes import add_modes
 from tmodes.mechanism import Drive, Mechanism
 from tmodes.model_loops import rate_of
 from tmodes.model_schedules import implicit_schedule, rate_schedule
@@ -27,7 +28,8 @@ def robot_module(pair: NominalRealPair, methods: Sequence[str]) -> LiveModule:
 
     Loops: ``reference.METHOD``, ``real.METHOD``. Samples, of both by the same names before the dot: ``observe`` and
     ``rate`` as of :class:`tmodes.model.Model`, ``rest`` and ``quasistatic`` (residual and its derivative by the
-    deformations), ``line1``, ``line2`` (inputs: a station s and the motion, 21 numbers).
+    deformations), ``linear`` (M, D, K about ``phi``, row by row), ``line1``, ``line2`` (inputs: a station s and the
+    motion, 21 numbers); and those of :func:`tmodes.live.robot_modes.add_modes`.
     """
     regimes = {"reference": pair.nominal.split(Drive.PRESCRIBED), "real": pair.real.split(Drive.CONTROLLED)}
     made = Functions()
@@ -39,6 +41,7 @@ def robot_module(pair: NominalRealPair, methods: Sequence[str]) -> LiveModule:
         _observing(made, name, mechanism, count)
         _resting(made, name, mechanism, count)
     _, parameters = regimes["real"]
+    add_modes(made, pair.real, len(parameters))
     told = {"kind": "robot", "coordinates": [*COORDINATES], "parameters": [*parameters.names]}
     return made.module("robot", **told)
 
@@ -70,20 +73,22 @@ def _observing(made: Functions, name: str, mechanism: Mechanism, parameters: int
 def _resting(made: Functions, name: str, mechanism: Mechanism, parameters: int) -> None:
     """What does not depend on the drive: once where both robots are made alike."""
     inputs = {
-        "rest": {"angles": 5, "theta": 1}, "quasistatic": {"angles": 5, "gross": 6},
+        "rest": {"angles": 5, "theta": 1}, "quasistatic": {"angles": 5, "gross": 6}, "linear": {"phi": 6},
         "line1": {"station": 1, "motion": 21}, "line2": {"station": 1, "motion": 21},
     }  # fmt: skip
     exports = {label: f"{label} {mechanism.arm_key}" for label in inputs}
 
     def make() -> Mapping[str, Any]:
         from tmodes.equations.beam import line_function
+        from tmodes.equations.linear import linear_function
         from tmodes.equations.statics import quasistatic_function, rest_function
 
         lines = (line_function(mode, mechanism) for mode in (1, 2))
-        functions = (rest_function(mechanism), quasistatic_function(mechanism), *lines)
+        functions = (rest_function(mechanism), quasistatic_function(mechanism), linear_function(mechanism), *lines)
         return dict(zip(exports.values(), functions, strict=True))
 
-    made.parts.append(sample_part(mechanism.arm_key, make, dict.fromkeys(exports.values(), 2)))
-    for label, sizes in inputs.items():
-        outputs = LINE if label.startswith("line") else _ROOT
+    counts = {name: 1 if label == "linear" else 2 for label, name in exports.items()}
+    made.parts.append(sample_part(mechanism.arm_key, make, counts))
+    told = {"rest": _ROOT, "quasistatic": _ROOT, "linear": {"linear": 108}, "line1": LINE, "line2": LINE}
+    for (label, sizes), outputs in zip(inputs.items(), told.values(), strict=True):
         made.program(f"{name}.{label}", exports[label], sizes, outputs, parameters)

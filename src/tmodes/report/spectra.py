@@ -16,7 +16,7 @@ from tmodes.plot.frequency_marks import NO_PEAK
 from tmodes.plot.vibration import amplitude_spectrum
 from tmodes.report.drafts import Draft, Line, line_of
 
-__all__ = ["arm_spectra", "robot_spectra", "spectrum_draft"]
+__all__ = ["arm_spectra", "own_frequencies", "robot_spectra", "spectrum_draft"]
 
 LEAST_SAMPLES = 32
 """A spectrum of fewer tells nothing."""
@@ -56,7 +56,7 @@ def _spectra(data: Any, inside: NDArray[np.bool_], units: Sequence[str]) -> Iter
     part = _even(data.isel(time=np.flatnonzero(inside)))
     if part.sizes["time"] < LEAST_SAMPLES:
         return
-    marks = _own_frequencies(data)
+    marks = own_frequencies(data)
     named = "less reference" if "tip_reference" in data else "place"
     yield from spectrum_draft("spectrum_tip", f"Spectrum of the tip, {named}", "m", part, _tip(part), marks)
     turning = [k for k, unit in enumerate(units) if unit == "rad"]
@@ -105,7 +105,7 @@ def _even(part: Any) -> Any:
     return part.isel(time=slice(None, -1)) if odd else part
 
 
-def _own_frequencies(data: Any) -> list[tuple[float, str]]:
+def own_frequencies(data: Any) -> list[tuple[float, str]]:
     """The robot's own frequencies [Hz] that ring, under control where that is known, with the element they live in."""
     modes = json.loads(data.attrs["frequencies"])
     told = modes.get("controlled") or modes.get("locked") or []

@@ -33,6 +33,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const unit = chart.unit === "–" ? "" : chart.unit;
   let log = chart.log === "first";
   let entries: Entry[] = entriesOf(set, null);
+  let marks = chart.marks;
   let plot: uPlot | null = null;
   let cursor: HTMLElement | null = null;
   let hover: number | null = null;
@@ -73,7 +74,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     const lines = shown.map((entry) => ({ ...legend.look(entry), width: entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3, ghost: entry.ghost }));
     const data = aligned(shown, log);
     largest = Math.max(0, ...shown.map((entry) => Math.max(...extremes(entry).map(Math.abs))));
-    const kind = JSON.stringify([lines, log, place.clientWidth, scheme]);
+    const kind = JSON.stringify([lines, marks, log, place.clientWidth, scheme]);
     if (plot && kind === drawn) plot.setData(data as unknown as uPlot.AlignedData);
     else renew(data, lines);
     drawn = kind;
@@ -86,7 +87,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     plot?.destroy();
     hover = null; // where the pointer was, was a place of that plot
     plot = makePlot(place, data, lines, {
-      log, decades: chart.group === "spectrum" ? DECADES.spectrum : DECADES.other, height: HEIGHT, marks: chart.marks,
+      log, decades: chart.group === "spectrum" ? DECADES.spectrum : DECADES.other, height: HEIGHT, marks,
       abscissa: timed ? "time [s]" : "frequency [Hz]",
       zoomed: (range) => (timed ? zoom.set(range) : stretch(range)),
       hovered: (at) => { hover = at; tell(); },
@@ -162,7 +163,9 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     show(run) {
       entries = entriesOf(set, run);
       legend.renew(entries);
-      marksNote.hidden = run === null || chart.marks.length === 0;
+      const found = chart.group === "spectrum" ? run?.vibration : undefined;
+      marks = typeof found === "object" ? marksWithin(found.marks, entries) : chart.marks;
+      marksNote.hidden = run === null || typeof found === "object" || chart.marks.length === 0;
       redraw();
     },
     recolour() {
@@ -189,6 +192,12 @@ function drawnShare(chart: Chart): number {
 
 function drawnBy(chart: Chart): string {
   return `Drawn by ${chart.at.data.length.toLocaleString("en")} of ${chart.samples.toLocaleString("en")} samples; every extreme is kept.`;
+}
+
+/** Marks as far as the curves go. */
+function marksWithin(marks: Chart["marks"], entries: Entry[]): Chart["marks"] {
+  const last = Math.max(0, ...entries.map((entry) => entry.x[entry.x.length - 1] ?? 0));
+  return marks.filter(({ at }) => at <= last);
 }
 
 /** Least and largest finite value; zeros where there is none. */

@@ -41,19 +41,31 @@ function rest(engine: Engine, bundle: ArmBundle, blocks: Blocks, near: Float64Ar
   for (let step = 0; step < STEPS && free.length; step += 1) {
     slopes(engine, blocks, state, free, matrix, right);
     if (!solveInPlace(matrix, right)) return null;
-    const size = right.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+    const size = stepped(state, free, right);
     if (!Number.isFinite(size)) return null;
-    const share = Math.min(1, LONGEST / size);
-    for (let i = 0; i < free.length; i += 1) state[free[i]] -= share * right[i];
-    if (size < SMALL || (size < 1e-9 && size >= before / 2)) return state.slice(0, n);
+    if (isSmall(size, before)) return state.slice(0, n);
     before = size;
   }
   return free.length ? null : state.slice(0, n);
 }
 
-/** The same for values of the sliders: from the unchanged rest at once or, where that is too far, step by step. */
-function restFor(engine: Engine, bundle: ArmBundle, values: readonly number[], run: string, near: Float64Array): Float64Array {
-  const at = (set: readonly number[], from: Float64Array) => rest(engine, bundle, numbersOf(bundle.map, set, run), from);
+/** Takes a step of Newton's method, not too long, off the free coordinates of a state; returns its size. */
+export function stepped(state: Float64Array, free: readonly number[], step: Float64Array): number {
+  const size = step.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  const share = Math.min(1, LONGEST / size);
+  for (let i = 0; i < free.length; i += 1) state[free[i]] -= share * step[i];
+  return size;
+}
+
+/** Whether a step says that the root is found. */
+export function isSmall(size: number, before: number): boolean {
+  return size < SMALL || (size < 1e-9 && size >= before / 2);
+}
+
+/** A rest for values of the sliders by what finds it `at` them: from the unchanged rest at once or, where that is too far, step by step. */
+export function restFor(
+  bundle: ArmBundle, values: readonly number[], run: string, near: Float64Array, at: (set: readonly number[], from: Float64Array) => Float64Array | null,
+): Float64Array {
   const found = at(values, near);
   if (found) return found;
   const first = bundle.sliders.map((slider) => slider.value);
@@ -69,7 +81,8 @@ export function firstState(engine: Engine, bundle: ArmBundle, values: readonly n
   const state = doubles(told.start).slice();
   const [q, v] = [told.state.q[0], told.state.v[0]];
   if (bundle.atRest) {
-    const found = restFor(engine, bundle, values, run, state.slice(...told.state.q));
+    const at = (set: readonly number[], from: Float64Array) => rest(engine, bundle, numbersOf(bundle.map, set, run), from);
+    const found = restFor(bundle, values, run, state.slice(...told.state.q), at);
     for (let k = 0; k < found.length; k += 1) if (!told.told.includes(k)) state[q + k] = found[k];
   }
   for (const [coordinate, signal] of told.exact) {

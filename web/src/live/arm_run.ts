@@ -33,9 +33,10 @@ interface Seen {
 const POINT = 24;
 const FEWEST = 32; // samples of a spectrum
 
-/** The whole run; raises an error where it cannot start. `kept`: the reference run before. */
+/** The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the real arm's motion. */
 export async function runArm(
   engine: Engine, bundle: ArmBundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
+  moving: (real: Regime) => void = () => undefined,
 ): Promise<LiveRun> {
   const began = performance.now();
   const names: Name[] = bundle.runs.reference ? ["reference", "real"] : ["real"];
@@ -47,6 +48,7 @@ export async function runArm(
     regimes.push(await (name === "reference" ? kept.of(blocks, make) : make()));
   }
   const real = regimes[regimes.length - 1];
+  moving(real);
   const seconds = (performance.now() - began) / 1000;
   const count = Math.min(...regimes.map((regime) => regime.run.times.length));
   const [own, planned] = [real, ...regimes.slice(0, -1)].map((regime) => seenOf(engine, bundle, regime, count));

@@ -87,7 +87,8 @@ function contactPlace(bundle: ArmBundle, series: SeriesOf, frames: number[]): Nu
   return { data, shape: [frames.length, 3] };
 }
 
-function poseOf(engine: Engine, bundle: ArmBundle, parameters: Float64Array, q: Float64Array, count: number): Pose {
+/** Lines and roots of all links at coordinates q [count, nq]. */
+export function poseOf(engine: Engine, bundle: ArmBundle, parameters: Float64Array, q: Float64Array, count: number): Pose {
   const still = new Float64Array(q.length / count);
   const { points } = engine.sample("pose", parameters, { q, v: still, a: still, base: doubles(bundle.base) }, count);
   const [L, S] = [bundle.links.length, bundle.stations.data.length];

@@ -62,6 +62,17 @@ export interface RobotBundle extends Bundle {
   lengths: number[];
   /** Shares of the move between which the wanted motion keeps its speed: what a spectrum is of. */
   steady: [number, number];
+  modes: RobotModes;
+}
+
+/**
+ * Cases of its motor with the directions that are free in them [6, m]; how the undeformed robot turns [6]; springs as
+ * rows of the coordinates [6] and the names of their numbers (k, or 3 EI and l).
+ */
+export interface RobotModes {
+  cases: { name: string; columns: Numbers }[];
+  turn: number[];
+  springs: { element: string; row: number[]; stiffness: string; length: string }[];
 }
 
 /** Samples that are shown in space, of a run of so many: its last one, wherever it broke off, among them. */
@@ -107,4 +118,35 @@ export interface ArmBundle extends Bundle {
   links: { name: string; bends: boolean; point: number; end: Numbers }[];
   contactPoint: number;
   electric: boolean;
+  /** Loads on named points, whose wrenches are a block of numbers; `signal` -1: constant. */
+  loads: { point: number; follower: boolean; signal: number }[];
+  touch: Surface | null;
+  /** The coordinates that give way, the linear map [n, n] to gross motion, and the row of a base under weight. */
+  split: { free: number[]; gross: Numbers; weight: Numbers };
+  modes: ArmModes | null;
+  /** Why there are no modes. */
+  noModes: string;
+}
+
+/** A plane at `distance` along `axis`, its normal; with a `radius` a ball about `axis`. */
+export interface Surface {
+  point: number;
+  axis: number[];
+  distance: number;
+  radius: number;
+  inside: boolean;
+  bilateral: boolean;
+}
+
+/** The rest about which modes are told, the row of a base under weight, and by case the coordinates that move. */
+export interface ArmModes {
+  rest: Numbers;
+  /** The coordinates that weight and loads move there; others are driven. */
+  free: number[];
+  weight: Numbers;
+  cases: { name: string; moving: number[] }[];
+  servos: { coordinate: number; element: string }[];
+  springs: { element: string; rows: number[]; gear: boolean }[];
+  /** Numbers of the chain that make dry friction. */
+  dry: number[];
 }

@@ -6,7 +6,8 @@ import { sizes, worst, type SeriesOf } from "./series";
 
 export type Facts = LiveRun["facts"];
 
-const BAND = 0.05;
+/** Share of the largest deviation within which the tip counts as settled. */
+export const BAND = 0.05;
 const FEWEST = 8;
 const NEEDS_THE_END = ["settling", "vibration.residual"];
 
@@ -23,11 +24,8 @@ export function meanOverTime(times: Float64Array, values: Float64Array): number 
   return total / (times[times.length - 1] - times[0]);
 }
 
-/**
- * How far the tip is from its reference, how long it takes to settle, how it swings after the move. `quiet`: share of
- * the samples after the move that must end it without straying, for it to count as settled.
- */
-export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: number | null, quiet = 0): Facts {
+/** How far the tip is from its reference, how long it takes to settle, how it swings after the move. */
+export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: number | null): Facts {
   const facts: Facts = {};
   const deviation = series.deviation?.data;
   if (deviation) {
@@ -35,24 +33,27 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
     const end = deviation[deviation.length - 1];
     facts["deviation.max"] = { value: deviation[k], note: `at ${figures(times[k])} s; ${told(end, "m")} at the end of the run` };
     facts["deviation.rms"] = { value: Math.sqrt(meanOverTime(times, deviation.map((x) => x * x))), note: "over the run" };
-    facts.settling = settling(times, deviation, moveEnd, quiet);
+    facts.settling = settling(times, deviation, moveEnd);
   }
   facts["vibration.residual"] = vibration(times, series, moveEnd);
   return facts;
 }
 
-function settling(times: Float64Array, deviation: Float64Array, moveEnd: number | null, quiet: number): Facts[string] {
+function settling(times: Float64Array, deviation: Float64Array, moveEnd: number | null): Facts[string] {
   if (moveEnd === null) return { value: null, note: "not seen: what moves the robot changes up to the end of the run" };
   const end = times[times.length - 1];
   if (end <= moveEnd * (1 + 1e-9)) return { value: null, note: "not seen here: the run ends with the move" };
+  const { value, limit, strayed } = settled(times, deviation, moveEnd);
+  if (strayed === end) return { value: null, note: "not seen: it swings to the end of the run" };
+  return { value, note: limit };
+}
+
+/** When the tip stays near its reference, after the move [s], what that means in words, and when it last did not. */
+export function settled(times: Float64Array, deviation: Float64Array, moveEnd: number): { value: number; limit: string; strayed: number } {
   const limit = BAND * deviation[worst(deviation)];
-  let outside = -1;
-  for (let k = 0; k < times.length; k += 1) if (times[k] > moveEnd && deviation[k] > limit) outside = k;
-  if (outside === times.length - 1) return { value: null, note: "not seen: it swings to the end of the run" };
-  const after = times.length - times.findIndex((time) => time > moveEnd);
-  if (times.length - 1 - outside < quiet * after) return { value: null, note: "not seen: the run ends too soon after the move" };
-  const note = `until the tip stays within ${told(limit, "m")}, ${100 * BAND} % of its largest deviation`;
-  return { value: outside < 0 ? 0 : times[outside] - moveEnd, note };
+  let strayed = moveEnd;
+  for (let k = 0; k < times.length; k += 1) if (times[k] > moveEnd && deviation[k] > limit) strayed = times[k];
+  return { value: strayed - moveEnd, limit: `until the tip stays within ${told(limit, "m")}, ${100 * BAND} % of its largest deviation`, strayed };
 }
 
 /** Of a run that broke off: it has not settled, and what was largest was so until then. */

@@ -4,7 +4,7 @@ import source from "tmodes:worker";
 import type { Live, LiveBundle, LiveRun } from "../contract";
 import type { Bundle } from "./bundle";
 import { Cancelled } from "./engine_run";
-import type { Answered, Asked } from "./messages";
+import { together, type Answered, type Asked } from "./messages";
 import { openRunner } from "./runner";
 import { sheetText } from "./sheet";
 
@@ -14,10 +14,11 @@ export class Superseded extends Error {
 }
 
 type Progress = (share: number) => void;
+type Early = (run: LiveRun) => void;
 
 /** Who does the work; `run` rejects with Superseded where another call came. */
 interface Doer {
-  run(values: number[], progress: Progress): Promise<LiveRun>;
+  run(values: number[], progress: Progress, early: Early): Promise<LiveRun>;
   close(): void;
 }
 
@@ -32,9 +33,9 @@ export async function openLive(given: LiveBundle): Promise<Live> {
   };
   return {
     sliders: bundle.sliders,
-    async run(values, progress = () => undefined) {
+    async run(values, progress = () => undefined, early = () => undefined) {
       check(values);
-      return doer.run(values, progress);
+      return doer.run(values, progress, early);
     },
     sheet(values) {
       check(values);
@@ -49,12 +50,12 @@ async function inPage(bundle: Bundle): Promise<Doer> {
   let latest = 0;
   let before: Promise<unknown> = Promise.resolve();
   return {
-    async run(values, progress) {
+    async run(values, progress, early) {
       const id = (latest += 1);
       const cancelled = () => id !== latest;
       const own = before.then(() => {
         if (cancelled()) throw new Superseded("a newer run began");
-        return runner.run(values, { cancelled, progress });
+        return runner.run(values, { cancelled, progress }, early);
       });
       before = own.catch(() => undefined);
       try {
@@ -93,7 +94,8 @@ function ready(worker: Worker, bundle: Bundle): Promise<boolean> {
 
 function hired(worker: Worker): Doer {
   let latest = 0;
-  let waiting: { resolve(run: LiveRun): void; reject(problem: Error): void; progress: Progress } | null = null;
+  let told: LiveRun | null = null;
+  let waiting: { resolve(run: LiveRun): void; reject(problem: Error): void; progress: Progress; early: Early } | null = null;
   const ended = (problem: Error) => {
     waiting?.reject(problem);
     waiting = null;
@@ -102,18 +104,20 @@ function hired(worker: Worker): Doer {
   worker.onmessage = ({ data }: MessageEvent<Answered>) => {
     if (!("id" in data) || data.id !== latest || !waiting) return;
     if (data.kind === "progress") waiting.progress(data.share);
+    else if (data.kind === "early") waiting.early((told = data.run));
     else if (data.kind === "error") ended(new Error(data.message));
     else if (data.kind === "done") {
-      waiting.resolve(data.run);
+      waiting.resolve(together(told, data.run));
       waiting = null;
     }
   };
   return {
-    run(values, progress) {
+    run(values, progress, early) {
       ended(new Superseded("a newer run began"));
       latest += 1;
+      told = null;
       worker.postMessage({ kind: "run", id: latest, values } satisfies Asked);
-      return new Promise((resolve, reject) => (waiting = { resolve, reject, progress }));
+      return new Promise((resolve, reject) => (waiting = { resolve, reject, progress, early }));
     },
     close() {
       ended(new Superseded("the live model was closed"));

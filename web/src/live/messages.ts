@@ -9,8 +9,22 @@ export type Answered =
   | { kind: "ready" }
   | { kind: "failed"; message: string }
   | { kind: "progress"; id: number; share: number }
-  | { kind: "done"; id: number; run: LiveRun }
+  | { kind: "early"; id: number; run: LiveRun }
+  /** What was not told early. */
+  | { kind: "done"; id: number; run: Partial<LiveRun> }
   | { kind: "error"; id: number; cancelled: boolean; message: string };
+
+/** What a run tells beyond what was told early of it. */
+export function beyond(run: LiveRun, early: LiveRun | null): Partial<LiveRun> {
+  if (!early) return run;
+  const fresh = <T extends object>(all: T, known: object) => Object.fromEntries(Object.entries(all).filter(([name, value]) => (known as Record<string, unknown>)[name] !== value));
+  return { ...fresh(run, early), series: fresh(run.series, early.series) };
+}
+
+/** All of a run again. */
+export function together(early: LiveRun | null, more: Partial<LiveRun>): LiveRun {
+  return { ...early, ...more, series: { ...early?.series, ...more.series } } as LiveRun;
+}
 
 /** All buffers in a value, so that they are handed over and not copied. */
 export function buffersIn(value: unknown, found = new Set<ArrayBuffer>()): ArrayBuffer[] {

@@ -18,7 +18,7 @@ export interface DescribedRun {
 /** All that tmodes/live/wasm_export.py tells of a robot. */
 export interface Description {
   name: string;
-  layout: Layout & { parameters?: string[] };
+  layout: Layout;
   method: string;
   outputStep: number;
   settings: RunSettings;

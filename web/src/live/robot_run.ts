@@ -9,11 +9,13 @@ import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
 import { colours, linesAt, roots, stacked, standing, type Lines } from "./robot_line";
 import { largestMoment, robotFacts } from "./robot_facts";
+import { robotVibration } from "./robot_modes";
 import { staticRoots } from "./robot_static";
 import { beside, columns, difference, energyBalance, range, rowsOf, shaped, sizes, type SeriesOf } from "./series";
 import * as signals from "./signals";
 
-const STATE = 17;
+/** Numbers of a state: coordinates, rates, works. */
+export const STATE = 17;
 const THETA = [1, 0, 1, 0, 0, 1];
 const QUANTITIES = [
   { id: "deflection", label: "Deflection", unit: "m" },
@@ -30,9 +32,10 @@ export interface Regime {
   run: RunResult;
 }
 
-/** The whole run; raises an error where it cannot start. `kept`: the reference run before. */
+/** The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears both motions. */
 export async function runRobot(
   engine: Engine, bundle: RobotBundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
+  moving: (reference: Regime, real: Regime) => void = () => undefined,
 ): Promise<LiveRun> {
   const began = performance.now();
   const half = (from: number): Watch => ({ ...watch, progress: (share) => watch.progress?.(from + share / 2) });
@@ -40,6 +43,7 @@ export async function runRobot(
   const known = numbers("reference");
   const reference = await kept.of(known, () => moved(engine, bundle, known, "reference", half(0)));
   const real = await moved(engine, bundle, numbers("real"), "real", half(0.5));
+  moving(reference, real);
   const count = Math.min(reference.run.times.length, real.run.times.length);
   const seconds = (performance.now() - began) / 1000;
   const [seen, planned] = [observed(engine, real, count), observed(engine, reference, count)];
@@ -55,12 +59,14 @@ export async function runRobot(
   const name = failed === reference ? "reference" : "real robot";
   const facts = robotFacts(times, series, moment, real.numbers.end[0]);
   const end = known.end[0];
+  const modes = robotVibration(engine, bundle, real.numbers);
   return {
     status: failed ? failed.run.status : "finished",
     message: failed ? `${name}: ${failed.run.message}` : real.run.message,
     seconds, times, series,
     ...picture(engine, bundle, real, lines, series, frames),
-    span: [bundle.steady[0] * end, bundle.steady[1] * end], facts: failed ? brokenOff(facts) : facts,
+    span: [bundle.steady[0] * end, bundle.steady[1] * end],
+    facts: { ...(failed ? brokenOff(facts) : facts), ...modes.facts }, vibration: modes.vibration,
   };
 }
 
@@ -85,7 +91,8 @@ function atRest(engine: Engine, bundle: RobotBundle, name: string, numbers: Bloc
   return state;
 }
 
-function observed(engine: Engine, regime: Regime, count: number): Samples {
+/** What is observed of the first samples. */
+export function observed(engine: Engine, regime: Regime, count: number): Samples {
   const time = regime.run.times.subarray(0, count);
   const state = regime.run.states.subarray(0, count * STATE);
   const row = signals.rowsAt(regime.schedule, time);

@@ -1,7 +1,8 @@
 // The worker of a live page: one bundle, one run at a time; a newer one ends an older one at its next look around.
 
+import type { LiveRun } from "../contract";
 import { Cancelled } from "./engine_run";
-import { buffersIn, type Answered, type Asked } from "./messages";
+import { beyond, buffersIn, type Answered, type Asked } from "./messages";
 import { openRunner, type Runner } from "./runner";
 
 interface Scope {
@@ -37,8 +38,14 @@ async function made(id: number, values: number[]): Promise<void> {
     // Several values of a dragged slider may wait: messages are read first, and all but the last are given up.
     await new Promise((resolve) => setTimeout(resolve, 0));
     if (cancelled()) throw new Cancelled("a newer run began");
-    const run = await runner.run(values, { cancelled, progress: (share) => scope.postMessage({ kind: "progress", id, share }) });
-    scope.postMessage({ kind: "done", id, run }, buffersIn(run));
+    const watch = { cancelled, progress: (share: number) => scope.postMessage({ kind: "progress", id, share }) };
+    let early: LiveRun | null = null;
+    const run = await runner.run(values, watch, (told) => {
+      early = told;
+      scope.postMessage({ kind: "early", id, run: told });
+    });
+    const more = beyond(run, early);
+    scope.postMessage({ kind: "done", id, run: more }, buffersIn(more));
   } catch (problem) {
     const message = problem instanceof Error ? problem.message : String(problem);
     scope.postMessage({ kind: "error", id, cancelled: problem instanceof Cancelled, message });

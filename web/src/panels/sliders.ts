@@ -62,13 +62,8 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
     busy = true;
     if (!patience) patience = window.setTimeout(() => { bar.hidden = false; }, PATIENCE);
     try {
-      const run = await live.run(values(), (share) => { if (own === asked) bar.value = share; });
-      if (own !== asked || closed) return;
-      options.show(run);
-      const how = run.status === "finished" ? "Simulated" : `${run.status}: ${run.message}; simulated`;
-      status.textContent = `${how} in ${told(run.seconds, "s")}; the run as it was is pale.`;
-      status.classList.toggle("warned", run.status !== "finished");
-      ended();
+      const progress = (share: number) => { if (own === asked) bar.value = share; };
+      if (shown(await live.run(values(), progress, (early) => shown(early, own)), own)) ended();
     } catch (error) {
       if (own !== asked || closed || (error instanceof Error && error.name === "Superseded")) return;
       ended();
@@ -77,6 +72,16 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
       status.textContent = `This could not be simulated: ${why}; shown is the run as it was.`;
       status.classList.add("warned");
     }
+  }
+
+  /** Shows a run, all of it or what is known early, if it is still the one that is wanted. */
+  function shown(run: LiveRun, own: number): boolean {
+    if (own !== asked || closed) return false;
+    options.show(run);
+    const how = run.status === "finished" ? "Simulated" : `${run.status}: ${run.message}; simulated`;
+    status.textContent = `${how} in ${told(run.seconds, "s")}; the run as it was is pale.`;
+    status.classList.toggle("warned", run.status !== "finished");
+    return true;
   }
 
   function ended(): void {
