@@ -75,8 +75,8 @@ def arm_module(arm: ArmFunctions, methods: Sequence[str], *, slopes: bool = True
     of both as of :class:`tmodes.motion.loop.LoopModel`; ``rest.rate``, whose accelerations vanish at
     rest, where ``held`` coordinates stand by themselves; ``inertia`` and ``elastic`` as of
     :class:`tmodes.arm_passes.ArmPasses`; ``pose``: the motion of every station (24 numbers each: rotation, position,
-    velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the points, where any
-    act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
+    velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the points,
+    where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
     """
     made = Functions()
     for name, loop in arm.loops.items():

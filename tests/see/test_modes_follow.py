@@ -1,0 +1,91 @@
+"""The modes of a live report follow its sliders: table, the mode that swings, marks; those of an arm a little later."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import pytest
+
+from live.chain import chain
+from see.looking import look
+from tmodes.arm_result import assemble_arm
+from tmodes.motion.simulate import simulate_arm
+from tmodes.report.data import live_page
+from tmodes.report.mode_shapes import modes_of
+from tmodes.report.viewer import viewer_document
+from tmodes.robots import load_robot
+from tmodes.simulate import simulate
+
+STATUS = ".sliders-panel [role=status]"
+PANEL = ".lower section[aria-label='Modes of vibration']"
+
+
+def of_robot(changes: dict[str, float]) -> Any:
+    return simulate(load_robot("filipovic2010").with_({"integration.duration": 0.3, **changes}))
+
+
+def of_arm(changes: dict[str, float]) -> Any:
+    arm = chain(2).with_(changes)
+    return assemble_arm(simulate_arm(arm), arm)
+
+
+KINDS = {
+    "robot": (of_robot, "payload.mass", 0.9, {"payload.mass": 0.9}),
+    "arm": (of_arm, "joints.j0.gear.stiffness.0", 250.0, {"joints.j0.gear.stiffness.0": 250.0}),
+}
+
+
+@pytest.fixture(scope="module", params=[*KINDS])
+def opened(request: Any, browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Any, ...]]:
+    """A report, its slider with a new value, and the native result of that value."""
+    make, slider, value, changes = KINDS[request.param]
+    path = tmp_path_factory.mktemp("modes") / "report.html"
+    path.write_text(viewer_document(live_page(make({}))), encoding="utf-8")
+    window = look(browser, path, (1280, 1000))
+    window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
+    yield window, slider, value, make(changes)
+    assert window.said == []
+    window.page.context.close()
+
+
+def give(window: Any, slider: str, value: float) -> None:
+    window.page.locator(f'[data-path="{slider}"] input[type=number]').fill(str(value))
+    window.page.wait_for_selector(f"{PANEL} .note:text('under each number')")
+
+
+def told(window: Any) -> list[float]:
+    """The frequencies in the table, without those that were."""
+    cells = window.page.locator(f"{PANEL} tbody tr td:first-child").all()
+    return [float(cell.inner_text().split("\n")[0]) for cell in cells]
+
+
+def test_the_table_tells_the_modes_of_the_changed_robot(opened: tuple[Any, ...]) -> None:
+    window, slider, value, result = opened
+    give(window, slider, value)
+    wanted = [mode["frequency"] for mode in modes_of(result) if mode["case"] == "controlled"]
+    assert told(window) == pytest.approx(wanted, rel=1e-3)
+    assert "was" in window.page.locator(f"{PANEL} tbody").inner_text()
+    fact = window.page.locator("[data-fact='frequency.first']").inner_text()
+    assert "was" in fact
+    assert "original" not in fact
+    for tab in window.page.locator("[data-group=spectrum]").all():  # the robot's run is too short for one
+        tab.click()
+        window.page.wait_for_selector("[data-chart=spectrum_tip] canvas")
+        assert window.page.get_by_text("The marked frequencies are of the run as it was").first.is_hidden()
+
+
+def test_the_mode_that_swings_goes_on_as_it_is_now_and_the_way_back(opened: tuple[Any, ...]) -> None:
+    window, slider, value, _ = opened
+    window.page.get_by_role("button", name="reset all").click()
+    window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
+    before = told(window)
+    window.page.locator(f"{PANEL} tbody button").first.click()
+    give(window, slider, value)
+    assert window.page.locator(f"{PANEL} tbody button").first.inner_text() == "stop"
+    window.page.get_by_role("button", name="back to the motion").click()
+    window.page.get_by_role("button", name="reset all").click()
+    window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
+    assert told(window) == before
+    assert "was" not in window.page.locator(f"{PANEL} tbody").inner_text()
+    assert window.page.locator(f"{PANEL} .note").is_hidden()
