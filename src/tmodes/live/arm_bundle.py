@@ -14,6 +14,7 @@ from tmodes.arm import Arm, ArmPair
 from tmodes.arm_model import ArmModel
 from tmodes.arm_result.lines import POINT_LIKE, without_elasticity
 from tmodes.chain import Chain, JointKind, RigidLink, Segment
+from tmodes.live.arm_loads import joint_limits, load_places, packed_loads, yield_strengths
 from tmodes.live.numbers import follow_of
 from tmodes.live.wasm_arm import ArmFunctions, arm_module
 from tmodes.motion.loop import LoopModel
@@ -61,6 +62,7 @@ def arm_bundle(
         "turning": [node.joint.name for node in model.chain.nodes if node.joint.kind is JointKind.REVOLUTE],
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
+        "loads": _loads(pair, real, stations),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
     }
@@ -85,6 +87,17 @@ def _affine(function: Any, size: int) -> dict[str, Array]:
     """Matrix and constant of an affine function of coordinates."""
     told = function(np.concatenate([np.zeros((1, size)), np.eye(size)]))
     return {"matrix": np.ascontiguousarray((told[1:] - told[0]).T), "constant": told[0].copy()}
+
+
+def _loads(pair: ArmPair, real: ArmRegime, stations: tuple[float, ...]) -> dict[str, Any]:
+    """How loads along the links are found; which of their places are shown; what they are compared with."""
+    plan, parts = real.planned.plan, real.model.loop.parts
+    places = load_places(pair.real.integration.line_points)
+    return packed_loads(plan, parts, places).layout | {
+        "shown": np.searchsorted(places, np.array(stations) - 1e-12).astype(np.int32),
+        "strengths": yield_strengths(pair.nominal, plan.chain),
+        "limits": joint_limits(pair.nominal, plan, parts),
+    }
 
 
 def _links(
