@@ -42,7 +42,7 @@ def _beam(length: float, functions: dict[str, int], **more: Any) -> dict[str, An
 
 
 def loaded() -> Arm:
-    """A sliding cart with two links of a soft plastic: a tube that twists, stretches and is bent at rest, a stepped box.
+    """A sliding cart with two links of a soft plastic: a tube that twists, stretches and is bent at rest; boxes.
 
     A body amid the one, a payload off the other's tip; a dead load, and one that turns with its section; a wall.
     """

@@ -92,8 +92,10 @@ def _affine(function: Any, size: int) -> dict[str, Array]:
 def _loads(pair: ArmPair, real: ArmRegime, stations: tuple[float, ...]) -> dict[str, Any]:
     """How loads along the links are found; which of their places are shown; what they are compared with."""
     plan, parts = real.planned.plan, real.model.loop.parts
-    places = load_places(pair.real.integration.line_points)
+    kept = pair.real.integration.line_points
+    places = load_places(kept)
     return packed_loads(plan, parts, places).layout | {
+        "kept": kept,
         "shown": np.searchsorted(places, np.array(stations) - 1e-12).astype(np.int32),
         "strengths": yield_strengths(pair.nominal, plan.chain),
         "limits": joint_limits(pair.nominal, plan, parts),

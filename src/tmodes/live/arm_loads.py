@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.arm_line_strain import PLANAR_TERMS, TERMS
-from tmodes.analysis.arm_line_tables import Interval, LineTables, line_tables, pieces_at
+from tmodes.analysis.arm_line_tables import Interval, line_tables, pieces_at
 from tmodes.analysis.arm_line_walk import told_places
 from tmodes.analysis.arm_validity import yield_strength
 from tmodes.arm import Arm
@@ -87,7 +87,8 @@ def _node(into: PackedLoads, part: NodePart, places: Array) -> dict[str, Any]:
     return {
         "name": node.name, "parent": node.parent, "kind": str(joint.kind), "angle": part.angle,
         "joint": into.put(joint.placement.rotation, joint.placement.position, joint.axis),
-        "tip": _bodies(into, node), "beam": _beam(into, part, node.link, places) if isinstance(node.link, Beam) else None,
+        "tip": _bodies(into, node),
+        "beam": _beam(into, part, node.link, places) if isinstance(node.link, Beam) else None,
     }  # fmt: skip
 
 
@@ -113,26 +114,27 @@ def _load(into: PackedLoads, load: LoadPlan, place: int) -> dict[str, Any]:
 
 
 def _beam(into: PackedLoads, part: NodePart, beam: Beam, places: Array) -> dict[str, Any]:
+    """Structure of a bending link; tables of its steps from section to section, and of the mass outboard of places."""
     assert part.link is not None  # noqa: S101
     stations = tuple(s for s, _ in part.link.stations)
     tables = line_tables(beam, stations, told_places(places, stations))
-    shape, told = tables.own.shape, slice(1, 1 + len(places))
-    breaks = [kind for kind, _ in shape.breaks]
-    g = len(tables.own.points)
-    upper = np.triu_indices(g)
+    shape, told, g = tables.own.shape, slice(1, 1 + len(places)), len(tables.own.points)
+    before = np.searchsorted(places, stations, side="right") - 1
+    sections = [kind for kind, _ in shape.breaks]
+    edges = {name: [k + 1 for k, kind in enumerate(sections) if kind == name] for name in ("point", "station")}
     return {
         "first": part.link.first, "directions": [*shape.directions], "stretches": shape.stretch, "points": g,
-        "rotary": shape.rotary, "terms": TERMS if shape.planar is None else PLANAR_TERMS,
-        "edges": len(breaks), "pointEdges": [k + 1 for k, kind in enumerate(breaks) if kind == "point"],
+        "rotary": shape.rotary, "terms": TERMS if shape.planar is None else PLANAR_TERMS, "edges": len(sections),
+        "pointEdges": edges["point"],
         "stations": [
-            {"edge": edge + 1, "last": int(np.searchsorted(places, s, side="right")) - 1, "body": _bodies(into, part.node, s)}
-            for s, edge in zip(stations, [k for k, kind in enumerate(breaks) if kind == "station"], strict=True)
+            {"edge": edge, "last": int(last), "body": _bodies(into, part.node, s)}
+            for s, edge, last in zip(stations, edges["station"], before, strict=True)
         ],
         "march": _steps(into, tables.march), "reach": _steps(into, tables.reach, told),
         "before": tables.before[told].tolist(), "toPoints": into.put(tables.to_points),
         "toPlaces": into.put(tables.to_places[told]), "toEnds": into.put(tables.to_places[told.stop :]),
         "stretch": into.put(tables.stretch), "outboard": into.put(tables.outboard[told]),
-        "levers": into.put(tables.levers[told][:, *upper]), "turning": into.put(tables.turning[told]),
+        "levers": into.put(tables.levers[told][:, *np.triu_indices(g)]), "turning": into.put(tables.turning[told]),
         "length": into.put(beam.length), "stress": _stress(into, beam, places),
     }  # fmt: skip
 

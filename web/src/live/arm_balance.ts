@@ -178,15 +178,14 @@ export class Balance {
     const { numbers, pairs, spins, section } = this;
     const g = told.points;
     vectors.fill(0, 0, 6);
-    for (let k = 0; k < g; k += 1) add(vectors, 0, gains, 3 * k, -numbers[told.outboard + p * g + k]);
+    addWeighted(vectors, 0, gains, numbers, told.outboard + p * g, g, -1);
     add(vectors, 3, section, PLACE);
     add(vectors, 3, frames, root + PLACE, -1);
     add(into, 0, vectors, 0);
     addCross(into, 3, vectors, 3, vectors, 0, -1);
     const count = (g * (g + 1)) / 2;
-    for (let j = 0; j < count; j += 1) add(into, 3, pairs, 3 * j, numbers[told.levers + p * count + j]);
-    const turning = told.turning + p * told.rotary * g;
-    for (let j = 0; j < told.rotary * g; j += 1) add(into, 3, spins, 3 * j, -numbers[turning + j]);
+    addWeighted(into, 3, pairs, numbers, told.levers + p * count, count, 1);
+    addWeighted(into, 3, spins, numbers, told.turning + p * told.rotary * g, told.rotary * g, -1);
   }
 }
 
@@ -199,6 +198,22 @@ function carriedAt(places: number): Carried {
   return { deflection, slope, moment, shear, axial };
 }
 
+/** into += factor times the sum of vectors [count, 3], each times its weight. */
+function addWeighted(into: Reals, at: number, values: Reals, weights: Reals, first: number, count: number, factor: number): void {
+  let x = 0;
+  let y = 0;
+  let z = 0;
+  for (let k = 0; k < count; k += 1) {
+    const weight = weights[first + k];
+    x += weight * values[3 * k];
+    y += weight * values[3 * k + 1];
+    z += weight * values[3 * k + 2];
+  }
+  into[at] += factor * x;
+  into[at + 1] += factor * y;
+  into[at + 2] += factor * z;
+}
+
 /** into += a load about `from`, about `to`. */
 function addLoad(into: Reals, at: number, load: Reals, i: number, from: Reals, j: number, to: Reals, k: number): void {
   for (let c = 0; c < LOAD; c += 1) into[at + c] += load[i + c];
@@ -208,11 +223,12 @@ function addLoad(into: Reals, at: number, load: Reals, i: number, from: Reals, j
 
 /** into -= R J R^T x, J of six numbers: xx, yy, zz, xy, xz, yz; x at `which` of the frame. */
 function inertial(into: Reals, at: number, numbers: Reals, six: number, frames: Reals, frame: number, which: number): void {
-  const [x, y, z] = [0, 1, 2].map((axis) => along(frames, frame, axis, frames, frame + which));
-  const [xx, yy, zz, xy, xz, yz] = numbers.subarray(six, six + 6);
-  inner[0] = xx * x + xy * y + xz * z;
-  inner[1] = xy * x + yy * y + yz * z;
-  inner[2] = xz * x + yz * y + zz * z;
+  const x = along(frames, frame, 0, frames, frame + which);
+  const y = along(frames, frame, 1, frames, frame + which);
+  const z = along(frames, frame, 2, frames, frame + which);
+  inner[0] = numbers[six] * x + numbers[six + 3] * y + numbers[six + 4] * z;
+  inner[1] = numbers[six + 3] * x + numbers[six + 1] * y + numbers[six + 5] * z;
+  inner[2] = numbers[six + 4] * x + numbers[six + 5] * y + numbers[six + 2] * z;
   addTurned(into, at, frames, frame, inner, 0, -1);
 }
 

@@ -5,8 +5,9 @@ import type { Largest, LimitTold, Loads, LoadsTold, Quantity } from "./arm_loads
 import { figures, type Facts } from "./facts";
 import { columns, type SeriesOf } from "./series";
 
-export function loadFacts(loads: Loads, { strengths }: LoadsTold, times: Float64Array): Facts {
-  const seen = loads.every > 1 ? `; of every ${loads.every} samples one` : "";
+export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsTold, times: Float64Array): Facts {
+  const part = [loads.every > 1 ? `one sample in ${loads.every}` : "", kept > places.data.length ? `${places.data.length} places along each link` : ""];
+  const seen = part.some(Boolean) ? ` (looked at: ${part.filter(Boolean).join(", ")})` : "";
   const of = (name: Quantity) => loads.links.flatMap(({ largest }) => largest[name] ?? []);
   const fact = (id: string, found: Largest[]): Facts => {
     const one = most(found, ({ value }) => value);

@@ -12,6 +12,8 @@ import type { Reals } from "./space";
 /** As tmodes/live/arm_loads.py tells it; numbers say where in the block `loads` a table begins. */
 export interface LoadsTold {
   places: Numbers;
+  /** How many the result keeps: `places` are some of them where these are very many. */
+  kept: number;
   /** Which of the places are the stations of the picture. */
   shown: Numbers;
   nodes: NodeTold[];
@@ -59,7 +61,7 @@ export interface Loads {
   every: number;
 }
 
-const MOST_PLACES = 1_000_000; // places at samples that are looked at: more take too long while a slider moves
+const MOST_PLACES = 400_000; // places at samples that are looked at: more take too long while a slider moves
 
 interface Link {
   carried: Carried;
@@ -135,17 +137,17 @@ function inWorld(r: Reals, at: number, wrench: Reals): Reals {
 }
 
 function watch({ carried, stress, told }: Link, places: Reals, sample: number): void {
-  const { largest } = told;
   const last = places.length - 1;
-  const see = (name: Quantity, value: number, p: number) => {
-    const before = largest[name];
-    if (!before || value > before.value) largest[name] = { link: told.name, value, s: places[p], sample };
-  };
-  see("deflection", Math.sqrt(carried.deflection[2 * last] ** 2 + carried.deflection[2 * last + 1] ** 2), last);
+  see(told, "deflection", Math.sqrt(carried.deflection[2 * last] ** 2 + carried.deflection[2 * last + 1] ** 2), places[last], sample);
   for (let p = 0; p <= last; p += 1) {
-    see("moment", Math.sqrt(carried.moment[3 * p + 1] ** 2 + carried.moment[3 * p + 2] ** 2), p);
-    if (stress) see("stress", stress.mises[p], p);
+    see(told, "moment", Math.sqrt(carried.moment[3 * p + 1] ** 2 + carried.moment[3 * p + 2] ** 2), places[p], sample);
+    if (stress) see(told, "stress", stress.mises[p], places[p], sample);
   }
+}
+
+function see({ name, largest }: LinkLoads, quantity: Quantity, value: number, s: number, sample: number): void {
+  const before = largest[quantity];
+  if (!before || value > before.value) largest[quantity] = { link: name, value, s, sample };
 }
 
 function keep({ carried, stress, told }: Link, frame: number, shown: ArrayLike<number>): void {

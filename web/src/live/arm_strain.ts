@@ -63,42 +63,48 @@ export class Strain {
     const { told, frames } = this;
     copy(frames, 0, root, at, FRAME);
     for (let k = 0; k < told.edges; k += 1) {
-      this.sum(motion, told.march + k * (2 * this.turns + ROWS), 3);
+      this.sum(motion, told.march + k * (2 * this.turns + ROWS), true);
       stepped(frames, (k + 1) * FRAME, frames, k * FRAME, this.sums, told.terms, true);
     }
     this.tangents(motion);
     this.weighted(this.points, told.toPoints, this.line);
     this.weighted(this.gains, told.toPoints, this.moved);
     for (let k = 0; k < told.points; k += 1) add(this.gains, 3 * k, frames, GAIN);
-    [...told.stations.map((station) => station.edge), told.edges].forEach((edge, k) => {
-      copy(frames, edge * FRAME + PLACE, frames, PLACE);
-      copy(frames, edge * FRAME + GAIN, frames, GAIN);
-      this.along(frames, edge * FRAME + PLACE, told.toEnds + k * told.points, this.line);
-      this.along(frames, edge * FRAME + GAIN, told.toEnds + k * told.points, this.moved);
-    });
+    for (let k = 0; k <= told.stations.length; k += 1) {
+      const frame = FRAME * (k < told.stations.length ? told.stations[k].edge : told.edges);
+      copy(frames, frame + PLACE, frames, PLACE);
+      copy(frames, frame + GAIN, frames, GAIN);
+      this.along(frames, frame + PLACE, told.toEnds + k * told.points, this.line);
+      this.along(frames, frame + GAIN, told.toEnds + k * told.points, this.moved);
+    }
   }
 
   /** Axes and place, from the root, of the place `k`: rotation, then position. */
   place(motion: Motion, k: number, into: Reals): void {
     const { told } = this;
-    this.sum(motion, told.reach + k * (2 * this.turns + ROWS), 1);
+    this.sum(motion, told.reach + k * (2 * this.turns + ROWS), false);
     stepped(into, 0, this.frames, told.before[k] * FRAME, this.sums, told.terms, false);
     into.fill(0, PLACE, PLACE + 3);
     this.along(into, PLACE, told.toPlaces + k * told.points, this.line);
   }
 
-  /** What a step turns, with as many derivatives by time as asked: integrals and moments, one after the other. */
-  private sum({ q, v, a, start }: Motion, row: number, orders: number): void {
+  /** What a step turns, where asked with its derivatives by time: integrals and moments, one after the other. */
+  private sum(motion: Motion, row: number, moving: boolean): void {
     const { sums, numbers, turns } = this;
+    const { q, v, a, start } = motion;
     const first = start + this.told.first;
     sums.fill(0);
     for (let j = 0; j < turns; j += 1) {
-      const [c, whole, about] = [this.told.directions[j], numbers[row + j], numbers[row + turns + j]];
-      for (let order = 0; order < orders; order += 1) {
-        const value = (order === 0 ? q : order === 1 ? v : a)[first + j];
-        sums[6 * order + c] += whole * value;
-        sums[6 * order + 3 + c] += about * value;
-      }
+      const c = this.told.directions[j];
+      const whole = numbers[row + j];
+      const about = numbers[row + turns + j];
+      sums[c] += whole * q[first + j];
+      sums[3 + c] += about * q[first + j];
+      if (!moving) continue;
+      sums[6 + c] += whole * v[first + j];
+      sums[9 + c] += about * v[first + j];
+      sums[12 + c] += whole * a[first + j];
+      sums[15 + c] += about * a[first + j];
     }
     for (let c = 0; c < 3; c += 1) sums[c] += numbers[row + 2 * turns + c];
   }
@@ -109,7 +115,9 @@ export class Strain {
     const first = start + told.first + this.turns;
     moved.fill(0);
     for (let k = 0; k < told.points; k += 1) {
-      let [longer, speed, gain] = [1, 0, 0];
+      let longer = 1;
+      let speed = 0;
+      let gain = 0;
       for (let j = 0; j < told.stretches; j += 1) {
         const value = numbers[told.stretch + k * told.stretches + j];
         longer += value * q[first + j];
@@ -131,7 +139,19 @@ export class Strain {
   }
 
   private along(into: Reals, at: number, weights: number, values: Reals): void {
-    for (let k = 0; k < this.told.points; k += 1) add(into, at, values, 3 * k, this.numbers[weights + k]);
+    const { numbers } = this;
+    let x = 0;
+    let y = 0;
+    let z = 0;
+    for (let k = 0; k < this.told.points; k += 1) {
+      const weight = numbers[weights + k];
+      x += weight * values[3 * k];
+      y += weight * values[3 * k + 1];
+      z += weight * values[3 * k + 2];
+    }
+    into[at] += x;
+    into[at + 1] += y;
+    into[at + 2] += z;
   }
 }
 
@@ -150,7 +170,9 @@ function stepped(into: Reals, at: number, old: Reals, from: number, sums: Reals,
   addCross(work, TURN, sums, 0, sums, 3);
   const z = work[TURN] ** 2 + work[TURN + 1] ** 2 + work[TURN + 2] ** 2;
   const { values, slopes } = series(terms);
-  const [f1, f2, f3] = values.map((one) => horner(one, z));
+  const f1 = horner(values[0], z);
+  const f2 = horner(values[1], z);
+  const f3 = horner(values[2], z);
   for (let row = 0; row < 9; row += 3) addCross(work, ONCE + row, old, from + row, work, TURN);
   for (let row = 0; row < 9; row += 3) addCross(work, TWICE + row, work, ONCE + row, work, TURN);
   for (let i = 0; i < 9; i += 1) into[at + i] = old[from + i] + f1 * work[ONCE + i] + f2 * work[TWICE + i];
@@ -193,6 +215,6 @@ function series(terms: number): { values: Reals[]; slopes: Reals[] } {
 
 function horner(from: Reals, z: number): number {
   let value = 0;
-  for (const one of from) value = value * z + one;
+  for (let k = 0; k < from.length; k += 1) value = value * z + from[k];
   return value;
 }
