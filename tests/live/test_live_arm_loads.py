@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from pathlib import Path
 from typing import Any, NamedTuple
 
 import numpy as np
@@ -154,6 +155,20 @@ def test_headline_numbers_are_of_the_new_run(case: Case) -> None:
         for name in FACTS:
             assert run["facts"][name]["value"] == pytest.approx(told[name].value, rel=EQUAL), name
             assert run["facts"][name]["note"] == told[name].note, name
+
+
+def test_of_very_many_samples_some_are_looked_at(case: Case, tmp_path: Path) -> None:
+    """The note tells so; what is shown at the frames is as before."""
+    dense = 334
+    times = np.linspace(0.0, case.bundle["times"][-1], dense * (len(case.bundle["times"]) - 1) + 1)
+    more = {"times": times, "frames": (dense * frames_of(case)).astype(np.int32)}
+    sliders = [slider["value"] for slider in case.bundle["sliders"]]
+    (run,) = live_in_node(case.bundle | more, [sliders], tmp_path)
+    told = {fact.id: fact for fact in arm_facts(case.results[0], case.results[0].summary())}
+    assert run["facts"]["moment.max"]["note"].endswith("(looked at: one sample in 2)")
+    assert run["facts"]["moment.max"]["value"] == pytest.approx(told["moment.max"].value, rel=1e-2)
+    for quantity in run["line"]["quantities"]:
+        same(quantity["values"], shown(case, case.results[0], quantity["id"]), quantity["id"])
 
 
 def test_places_of_a_finely_kept_line_are_some_of_its_own() -> None:
