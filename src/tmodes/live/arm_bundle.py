@@ -62,7 +62,7 @@ def arm_bundle(
         "turning": [node.joint.name for node in model.chain.nodes if node.joint.kind is JointKind.REVOLUTE],
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
-        "loads": _loads(pair, real, stations),
+        "carried": _carried(pair, real, stations),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
     }
@@ -89,7 +89,7 @@ def _affine(function: Any, size: int) -> dict[str, Array]:
     return {"matrix": np.ascontiguousarray((told[1:] - told[0]).T), "constant": told[0].copy()}
 
 
-def _loads(pair: ArmPair, real: ArmRegime, stations: tuple[float, ...]) -> dict[str, Any]:
+def _carried(pair: ArmPair, real: ArmRegime, stations: tuple[float, ...]) -> dict[str, Any]:
     """How loads along the links are found; which of their places are shown; what they are compared with."""
     plan, parts = real.planned.plan, real.model.loop.parts
     kept = pair.real.integration.line_points

@@ -52,7 +52,7 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
 
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
     ``until`` [s], beyond the end of the run, to be whole. ``pose``: of the passes to these ``stations``, where asked,
-    and ``loads``: of :func:`tmodes.live.arm_loads.packed_loads`.
+    and ``carried``: of :func:`tmodes.live.arm_loads.packed_loads`.
     """
     plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
     loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()
@@ -65,7 +65,7 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
     }
     if stations:
         found["pose"] = ArmPasses(Parts(stationed(chain, stations))).parameters
-        found["loads"] = packed_loads(plan.plan, loop.parts, load_places(arm.integration.line_points)).numbers
+        found["carried"] = packed_loads(plan.plan, loop.parts, load_places(arm.integration.line_points)).numbers
     for k, signal in enumerate(plan.each):
         schedule = signal.schedule(until if isinstance(signal, (Quintic, Trapezoid)) else arm.integration.duration)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}

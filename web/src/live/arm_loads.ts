@@ -9,7 +9,7 @@ import type { SeriesOf } from "./series";
 import { valueAt, type Schedule } from "./signals";
 import type { Reals } from "./space";
 
-/** As tmodes/live/arm_loads.py tells it; numbers say where in the block `loads` a table begins. */
+/** As tmodes/live/arm_loads.py tells it; numbers say where in the block `carried` a table begins. */
 export interface LoadsTold {
   places: Numbers;
   /** How many the result keeps: `places` are some of them where these are very many. */
@@ -70,9 +70,9 @@ interface Link {
   told: LinkLoads;
 }
 
-/** All loads of a run; `numbers`: the block of that name. */
+/** All loads of a run; `numbers`: the block `carried`. */
 export function loadsOf(bundle: ArmBundle, numbers: Reals, series: SeriesOf, times: Reals, schedule: Schedule, frames: number[]): Loads {
-  const { loads: told } = bundle;
+  const { carried: told } = bundle;
   const places = doubles(told.places);
   const balance = new Balance(told.nodes, told.points, numbers, standing(bundle), places.length);
   const links = told.nodes.flatMap((node, k) => (node.beam ? [linkOf(node, balance.carried[k]!, numbers, places.length, frames.length * told.shown.data.length)] : []));
@@ -118,7 +118,7 @@ function linkOf(node: NodeTold, carried: Carried, numbers: Reals, places: number
 }
 
 /** Force and moment on each pushed point at a sample, world axes. */
-function push({ loads: told }: ArmBundle, numbers: Reals, series: SeriesOf, schedule: Schedule, time: number, k: number, into: Reals): void {
+function push({ carried: told }: ArmBundle, numbers: Reals, series: SeriesOf, schedule: Schedule, time: number, k: number, into: Reals): void {
   into.fill(0);
   for (const load of told.loads) {
     const factor = load.signal < 0 ? 1 : valueAt(schedule, load.signal, time);

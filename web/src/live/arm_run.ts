@@ -58,8 +58,8 @@ export async function runArm(
   const frames = framesOf(bundle, count);
   const end = moveEnd(real.schedule);
   const failed = regimes.find((regime) => regime.run.status !== "finished");
-  const loads = loadsOf(bundle, real.blocks.loads, series, times, real.schedule, frames);
-  const facts: Facts = { ...factsOf(bundle, times, series, end), ...loadFacts(loads, bundle.loads, times), ...limitFact(bundle.loads.limits, series) };
+  const loads = loadsOf(bundle, real.blocks.carried, series, times, real.schedule, frames);
+  const facts: Facts = { ...factsOf(bundle, times, series, end), ...loadFacts(loads, bundle.carried, times), ...limitFact(bundle.carried.limits, series) };
   const colours = loadColours(bundle, loads.links, frames.length);
   return {
     status: failed ? failed.run.status : "finished",

@@ -106,7 +106,7 @@ export interface ArmBundle extends Bundle {
   turning: string[];
   straight: Affine;
   links: { name: string; bends: boolean; point: number; end: Numbers }[];
-  loads: LoadsTold;
+  carried: LoadsTold;
   contactPoint: number;
   electric: boolean;
 }
