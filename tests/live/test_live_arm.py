@@ -31,7 +31,7 @@ DRAWN = 1e-7
 
 LINES = {"line", "line_rigid", "deflection", "slope", "moment", "elastic_moment", "shear_force", "axial_force",
          "stress", "strain"}  # fmt: skip
-"""What needs the balance of forces along the links, which the page leaves to the native run."""
+"""What the page shows in its scene and its panel alone."""
 
 _WALL = {"shape": {"type": "wall", "distance": 0.87}, "law": "bilateral", "stiffness": 500.0, "damping": 5.0}
 
@@ -132,9 +132,9 @@ def test_picture_is_that_of_the_result(native: ArmResult, bundle: dict[str, Any]
         assert np.abs(runs[0]["scene"][name] - true).max() < DRAWN
     assert np.abs(runs[0]["scene"]["line"] - runs[0]["scene"]["rigid"]).max() > 1e-4
     bent = at["deflection"].transpose("time", "bending_link", "s", "plane").values
-    shown = runs[0]["scene"]["colours"][0]
-    assert shown["id"] == "deflection"
-    assert np.abs(shown["values"] - np.linalg.norm(bent, axis=-1)).max() < DRAWN
+    (shown,) = (one["values"] for one in runs[0]["scene"]["colours"] if one["id"] == "deflection")
+    true = np.linalg.norm(bent, axis=-1)
+    assert np.abs(shown - true).max() < EQUAL * true.max()
 
 
 def test_headline_numbers_are_those_of_the_summary(native: ArmResult, runs: list[dict[str, Any]]) -> None:
@@ -147,7 +147,7 @@ def test_headline_numbers_are_those_of_the_summary(native: ArmResult, runs: list
     }  # fmt: skip
     assert {name: facts[name]["value"] for name in expected} == pytest.approx(expected, rel=EQUAL)
     bent = max(link["deflection"]["max_m"] for link in summary["links"].values())
-    assert facts["deflection.max"]["value"] == pytest.approx(bent, abs=DRAWN)
+    assert facts["deflection.max"]["value"] == pytest.approx(bent, rel=EQUAL)
 
 
 def test_saved_sheet_is_that_of_the_settings(live: LiveMap, runs: list[dict[str, Any]]) -> None:

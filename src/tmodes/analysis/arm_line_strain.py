@@ -11,14 +11,14 @@ from tmodes.analysis.arm_line_tables import Interval, LineTables
 from tmodes.analysis.arm_line_vectors import across, applied, cross
 from tmodes.equations.arm.vectors import series, slope_of_series
 
-__all__ = ["Sections", "StrainMotion", "strain_motion"]
+__all__ = ["PLANAR_TERMS", "TERMS", "Sections", "StrainMotion", "strain_motion"]
 
 Array = NDArray[np.float64]
 
-_TERMS = 8
+TERMS = 8
 """Terms of the series of the rotation in space: those of the compiled model."""
 
-_PLANAR_TERMS = 24
+PLANAR_TERMS = 24
 """Terms where the line stays in a plane, where the model turns exactly."""
 
 
@@ -95,7 +95,7 @@ def _step(tables: LineTables, steps: Interval, old: _Turned, coordinates: tuple[
     turn = a + cross(a, b)
     speed = ad + cross(ad, b) + cross(a, bd)
     gain = add + cross(add, b) + cross(a, bdd) + 2 * cross(ad, bd)
-    terms = _TERMS if tables.own.shape.planar is None else _PLANAR_TERMS
+    terms = TERMS if tables.own.shape.planar is None else PLANAR_TERMS
     z = (turn * turn).sum(axis=-1)
     f1, f2, f3 = (series(z, first, terms)[..., None, None] for first in (1, 2, 3))
     once = across(old.rotation, turn)

@@ -14,6 +14,7 @@ from tmodes.arm import Arm, ArmPair
 from tmodes.arm_model import ArmModel
 from tmodes.arm_result.lines import POINT_LIKE, without_elasticity
 from tmodes.chain import Chain, JointKind, RigidLink, Segment
+from tmodes.live.arm_loads import joint_limits, load_places, packed_loads, yield_strengths
 from tmodes.live.arm_vibrations import arm_vibrations
 from tmodes.live.numbers import follow_of
 from tmodes.live.wasm_arm import ArmFunctions, arm_module
@@ -62,6 +63,7 @@ def arm_bundle(
         "turning": [node.joint.name for node in model.chain.nodes if node.joint.kind is JointKind.REVOLUTE],
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
+        "carried": _carried(pair, real, stations),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
         **arm_vibrations(pair.real, real.planned.plan, model),
@@ -87,6 +89,19 @@ def _affine(function: Any, size: int) -> dict[str, Array]:
     """Matrix and constant of an affine function of coordinates."""
     told = function(np.concatenate([np.zeros((1, size)), np.eye(size)]))
     return {"matrix": np.ascontiguousarray((told[1:] - told[0]).T), "constant": told[0].copy()}
+
+
+def _carried(pair: ArmPair, real: ArmRegime, stations: tuple[float, ...]) -> dict[str, Any]:
+    """How loads along the links are found; which of their places are shown; what they are compared with."""
+    plan, parts = real.planned.plan, real.model.loop.parts
+    kept = pair.real.integration.line_points
+    places = load_places(kept)
+    return packed_loads(plan, parts, places).layout | {
+        "kept": kept,
+        "shown": np.searchsorted(places, np.array(stations) - 1e-12).astype(np.int32),
+        "strengths": yield_strengths(pair.nominal, plan.chain),
+        "limits": joint_limits(pair.nominal, plan, parts),
+    }
 
 
 def _links(

@@ -11,6 +11,7 @@ from numpy.typing import NDArray
 from tmodes.arm import ArmPair
 from tmodes.integrate.settings import Integration, Method
 from tmodes.live.arm_bundle import arm_bundle, why_not_arm
+from tmodes.live.arm_loads import evenly, load_places
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.template import sheet_template
 from tmodes.plot.facts import steady_part
@@ -58,7 +59,8 @@ def live_bundle(result: Result | ArmResult) -> dict[str, Any] | None:
             "steady": list(steady_part(result.data)),
         }
     settings = pair.real.integration
-    stations = tuple(np.linspace(0.0, 1.0, min(settings.line_points, _MOST_STATIONS)).tolist())
+    places = load_places(settings.line_points)
+    stations = tuple(places[evenly(len(places), _MOST_STATIONS)].tolist())
     compared, surfaces = "tip_reference" in result.data, _with_surfaces(result)
     own = arm_bundle(pair, stations, method.value, compared=compared, surfaces=surfaces)
     return {**_common(result, pair, live_map(pair, stations)), **own, "stations": np.array(stations)}

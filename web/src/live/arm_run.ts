@@ -2,7 +2,10 @@
 
 import type { LiveRun } from "../contract";
 import { firstState } from "./arm_rest";
-import { affine, armScene, largestDeflection } from "./arm_scene";
+import { limitFact, loadFacts } from "./arm_load_facts";
+import { linePanel, loadColours } from "./arm_load_picture";
+import { loadsOf } from "./arm_loads";
+import { affine, armScene } from "./arm_scene";
 import { doubles, framesOf, type ArmBundle, type ArmRunTold } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";
@@ -57,15 +60,14 @@ export async function runArm(
   const frames = framesOf(bundle, count);
   const end = moveEnd(real.schedule);
   const failed = regimes.find((regime) => regime.run.status !== "finished");
-  const facts: Facts = {
-    ...factsOf(bundle, times, series, end),
-    ...deflectionFact(largestDeflection(engine, bundle, real.blocks.pose, own.model.q, count), times),
-  };
+  const loads = loadsOf(bundle, real.blocks.carried, series, times, real.schedule, frames);
+  const facts: Facts = { ...factsOf(bundle, times, series, end), ...loadFacts(loads, bundle.carried, times), ...limitFact(bundle.carried.limits, series) };
+  const colours = loadColours(bundle, loads.links, frames.length);
   return {
     status: failed ? failed.run.status : "finished",
     message: failed ? `${failed === real ? "real arm" : "reference"}: ${failed.run.message}` : real.run.message,
-    seconds, times, series, scene: armScene(engine, bundle, real.blocks.pose, series, times, frames), line: null,
-    span: spanOf(times, end), facts: failed ? brokenOff(facts) : facts,
+    seconds, times, series, scene: armScene(engine, bundle, real.blocks.pose, series, times, frames, colours),
+    line: linePanel(bundle, loads.links, frames.length), span: spanOf(times, end), facts: failed ? brokenOff(facts) : facts,
   };
 }
 
@@ -74,11 +76,6 @@ function spanOf(times: Float64Array, end: number | null): [number, number] {
   const last = times[times.length - 1];
   const first = end === null ? -1 : times.findIndex((time) => time >= end * (1 + 1e-9));
   return [first >= 0 && times.length - first >= FEWEST ? times[first] : times[0], last];
-}
-
-function deflectionFact(worst: ReturnType<typeof largestDeflection>, times: Float64Array): Facts {
-  if (!worst) return {};
-  return { "deflection.max": { value: worst.value, note: `${worst.link}, at ${figures(times[worst.sample])} s` } };
 }
 
 async function moved(

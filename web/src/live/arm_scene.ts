@@ -7,8 +7,6 @@ import type { Engine } from "./engine";
 import { rowsOf, sizes, type SeriesOf } from "./series";
 
 const POINT = 24;
-const MOST_PLACES = 500_000;
-const PLACES_AT_ONCE = 20_000; // what a pose asks of is held in the module's memory, which never shrinks
 
 /** y = matrix x + constant of rows x [n, columns]. */
 export function affine(one: Affine, rows: Float64Array, count: number): Float64Array {
@@ -27,12 +25,12 @@ export function affine(one: Affine, rows: Float64Array, count: number): Float64A
 interface Pose {
   line: Numbers; // [m, L, S, 3]
   roots: Numbers; // [m, L, 4]
-  /** Displacement from the root's tangent, of links that bend [m, L, S]. */
-  bent: Float64Array;
 }
 
-/** Scene of a run; `parameters` of the passes to the stations. */
-export function armScene(engine: Engine, bundle: ArmBundle, parameters: Float64Array, series: SeriesOf, times: Float64Array, frames: number[]): LiveRun["scene"] {
+/** Scene of a run; `parameters` of the passes to the stations; `loads`: what else may colour the links. */
+export function armScene(
+  engine: Engine, bundle: ArmBundle, parameters: Float64Array, series: SeriesOf, times: Float64Array, frames: number[], loads: LiveRun["scene"]["colours"],
+): LiveRun["scene"] {
   const at = (name: string) => rowsOf(series[name].data, series[name].shape.slice(1).reduce((a, b) => a * b, 1), frames);
   const m = frames.length;
   const real = poseOf(engine, bundle, parameters, at("q"), m);
@@ -48,33 +46,12 @@ export function armScene(engine: Engine, bundle: ArmBundle, parameters: Float64A
     reference: compared ? lineAt(at("q_reference")) : null,
     referenceRigid: compared ? rigidAt(at("q_reference")) : null,
     colours: [
-      { id: "deflection", label: "Deflection from the root's tangent", unit: "m", values: { data: real.bent, shape } },
+      ...loads,
       { id: "displacement", label: "Displacement by all elasticity", unit: "m", values: { data: sizes(away, 3), shape } },
     ],
     tip: numbers("tip"), tipReference: compared ? numbers("tip_reference") : null,
     contact: bundle.contactPoint < 0 ? null : { force: numbers("contact_force"), at: contactPlace(bundle, series, frames) },
   };
-}
-
-/** The largest deflection of a bending link's end at all samples: where, how much, and at which sample; null: none. */
-export function largestDeflection(
-  engine: Engine, bundle: ArmBundle, parameters: Float64Array, q: Float64Array, count: number,
-): { link: string; value: number; sample: number } | null {
-  const [L, S] = [bundle.links.length, bundle.stations.data.length];
-  if (!bundle.links.some((link) => link.bends) || count * L * S > MOST_PLACES) return null;
-  const [width, atOnce] = [q.length / count, Math.max(1, Math.floor(PLACES_AT_ONCE / (L * S)))];
-  let found = { link: "", value: -1, sample: 0 };
-  for (let first = 0; first < count; first += atOnce) {
-    const samples = Math.min(atOnce, count - first);
-    const { bent } = poseOf(engine, bundle, parameters, q.subarray(first * width, (first + samples) * width), samples);
-    for (let k = 0; k < samples; k += 1) {
-      bundle.links.forEach((link, l) => {
-        const value = bent[(k * L + l + 1) * S - 1];
-        if (link.bends && value > found.value) found = { link: link.name, value, sample: first + k };
-      });
-    }
-  }
-  return found;
 }
 
 function contactPlace(bundle: ArmBundle, series: SeriesOf, frames: number[]): Numbers {
@@ -95,7 +72,6 @@ export function poseOf(engine: Engine, bundle: ArmBundle, parameters: Float64Arr
   const each = points.length / count / POINT;
   const line = new Float64Array(count * L * S * 3);
   const roots = new Float64Array(count * L * 4);
-  const bent = new Float64Array(count * L * S);
   for (let k = 0; k < count; k += 1) {
     bundle.links.forEach((link, l) => {
       const root = points.subarray((k * each + link.point) * POINT, (k * each + link.point + 1) * POINT);
@@ -105,11 +81,10 @@ export function poseOf(engine: Engine, bundle: ArmBundle, parameters: Float64Arr
         const to = ((k * L + l) * S + s) * 3;
         const from = (k * each + link.point + s) * POINT + 9;
         for (let i = 0; i < 3; i += 1) line[to + i] = link.bends ? points[from + i] : onRigid(root, doubles(link.end), i, bundle.stations.data[s]);
-        if (link.bends) bent[to / 3] = deflection(root, line, to);
       }
     });
   }
-  return { line: { data: line, shape: [count, L, S, 3] }, roots: { data: roots, shape: [count, L, 4] }, bent };
+  return { line: { data: line, shape: [count, L, S, 3] }, roots: { data: roots, shape: [count, L, 4] } };
 }
 
 /** Turns the sign of the quaternion at `place` to the side of the one `before` it: both are the same rotation. */
@@ -121,13 +96,6 @@ function steady(roots: Float64Array, place: number, before: number): void {
 
 function onRigid(root: Float64Array, end: Float64Array, axis: number, s: number): number {
   return root[9 + axis] + s * (root[3 * axis] * end[0] + root[3 * axis + 1] * end[1] + root[3 * axis + 2] * end[2]);
-}
-
-/** Distance of a place from the root's tangent, its x axis. */
-function deflection(root: Float64Array, line: Float64Array, place: number): number {
-  const away = [0, 1, 2].map((i) => line[place + i] - root[9 + i]);
-  const along = [1, 2].map((axis) => root[axis] * away[0] + root[3 + axis] * away[1] + root[6 + axis] * away[2]);
-  return Math.hypot(along[0], along[1]);
 }
 
 /** x, y, z, w of a rotation, row-major. */

@@ -2,6 +2,7 @@
 
 import type { LiveBundle } from "../contract";
 import type { Numbers } from "../pack";
+import type { LoadsTold } from "./arm_loads";
 import type { Layout } from "./engine";
 
 /** Numbers of a run as functions of its knobs, as tmodes/live/forms.py finds them. */
@@ -116,6 +117,7 @@ export interface ArmBundle extends Bundle {
   turning: string[];
   straight: Affine;
   links: { name: string; bends: boolean; point: number; end: Numbers }[];
+  carried: LoadsTold;
   contactPoint: number;
   electric: boolean;
   /** Loads on named points, whose wrenches are a block of numbers; `signal` -1: constant. */

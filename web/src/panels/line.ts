@@ -15,7 +15,6 @@ export interface LineView {
 }
 
 const HEIGHT = 150;
-const MISSING = "The changed run's elastic line is not computed here; reset the sliders to see the original one.";
 const FONT = "12px system-ui, sans-serif";
 
 interface Picture {
@@ -39,7 +38,6 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
     pictures.forEach(({ plot }) => plot.destroy());
     grid.replaceChildren();
     pictures = panel === null ? [] : panel.quantities.map((quantity) => picture(grid, panel!, quantity));
-    if (panel === null) heading.textContent = MISSING;
     show();
   }
 
