@@ -46,7 +46,15 @@ export function lookOf(role: Role, place: number, several: boolean, roles: numbe
   return { property: COLOURS[place % COLOURS.length], dash };
 }
 
-/** The colours as the page has them now, light or dark. */
+const known = new Map<string, string>();
+let wasDark: boolean | null = null;
+
+/** The colours as the page has them now, light or dark; asked of the page once, as that makes it settle its styles. */
 export function colour(property: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(property).trim() || "#808080";
+  const { matches } = matchMedia("(prefers-color-scheme: dark)");
+  if (matches !== wasDark) known.clear();
+  wasDark = matches;
+  const told = known.get(property) ?? getComputedStyle(document.documentElement).getPropertyValue(property).trim();
+  known.set(property, told);
+  return told || "#808080";
 }
