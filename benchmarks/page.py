@@ -129,12 +129,12 @@ def _extremes(result: Any, charts: list[dict[str, Any]]) -> Rows:
     for chart in timed:
         for line, told in zip(drafts[chart["id"]].lines, chart["extremes"], strict=True):
             true = np.array([line.values.min(), line.values.max()])
-            factor = float(true @ np.array(told) / (true @ true)) if true.any() else 1.0  # the chart's unit
-            worst = max(worst, float(np.abs(np.array(told) / factor - true).max() / (np.ptp(true) or 1.0)))
+            unit = 10.0 ** np.round(np.log10(np.abs(told).max() / np.abs(true).max())) if true.any() else 1.0
+            worst = max(worst, float(np.abs(np.array(told) / unit - true).max() / (np.abs(true).max() or 1.0)))
             curves += 1
     drawn = [chart["drawn"] for chart in timed]
     yield "samples, of them drawn", f"{max(chart['samples'] for chart in timed):,}, {min(drawn):,} – {max(drawn):,}"
-    yield f"extremes of {curves} curves, largest difference over the range", f"{worst:.0e}"
+    yield f"extremes of {curves} curves, largest difference over the largest value", f"{worst:.0e}"
 
 
 def equal(bench: Bench) -> Rows:
