@@ -4,8 +4,8 @@
 
 Reports as ``tmodes run`` leaves them, opened from a file in headless Chromium, which draws in software here: a graphics
 processor is faster in all that is drawn. The same model runs in Node. What needs a browser or Node is left out where
-there is none, with a sentence. ``--write`` puts the tables into docs/report.md, between its marks; times by the wall
-want a machine that does nothing else. Some five minutes, most of them for the long run.
+there is none, with a sentence. ``--write`` puts the tables into docs/report.md, each between its marks; times by the
+wall want a machine that does nothing else. Some five minutes, most of them for the long run.
 """
 
 from __future__ import annotations
@@ -33,7 +33,7 @@ from .page_robots import ROBOTS, progress, result_of, written
 Rows = Iterator[tuple[str, ...]]
 
 PAGE = Path(__file__).resolve().parents[1] / "docs" / "report.md"
-MARKS = ("<!-- figures: python -m benchmarks.page --write -->", "<!-- end of the figures -->")
+END = "<!-- end -->"
 
 
 class Bench:
@@ -193,21 +193,25 @@ def main() -> None:
     chosen = options.parse_args()
     machine = _machine()
     print(machine, flush=True)
+    if chosen.write:
+        _write("machine", machine)
     tables: dict[str, list[list[str]]] = {}
     with tempfile.TemporaryDirectory() as folder:
         bench = Bench(Path(folder), chosen.changes)
         for name in chosen.parts.split(","):
             tables[name] = _table(PARTS[name](bench))
             print(f"\n{_markdown(tables[name])}", flush=True)
+            if chosen.write:
+                _write(name, _markdown(tables[name]))
     if chosen.json:
         Path(chosen.json).write_text(json.dumps({"machine": machine, "tables": tables}, indent=1))
-    if chosen.write:
-        _write("\n\n".join([machine, *map(_markdown, tables.values())]))
 
 
-def _write(text: str) -> None:
-    before, _, rest = PAGE.read_text(encoding="utf-8").partition(MARKS[0])
-    PAGE.write_text(f"{before}{MARKS[0]}\n\n{text}\n\n{MARKS[1]}{rest.partition(MARKS[1])[2]}", encoding="utf-8")
+def _write(name: str, text: str) -> None:
+    """Between ``<!-- figures: NAME -->`` and the next end."""
+    before, mark, rest = PAGE.read_text(encoding="utf-8").partition(f"<!-- figures: {name} -->")
+    after = rest.partition(END)[2]
+    PAGE.write_text(f"{before}{mark}\n\n{text}\n\n{END}{after}", encoding="utf-8")
 
 
 if __name__ == "__main__":
