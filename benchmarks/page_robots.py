@@ -44,9 +44,10 @@ def progress(what: str) -> Iterator[None]:
 def long_arm() -> Arm:
     """The stiff arm with a function of bending more in each link, 60 coordinates, that goes to and fro for a minute."""
     arm = stiff_arm(start="rest", damping_time=2e-4, output_step=2e-3)
-    motors = {f"{drive.joint}.motor": drive.signal.start for drive in arm.drives}
+    drives: list[Any] = list(arm.drives)
+    motors = {f"{drive.joint}.motor": drive.signal.start for drive in drives}
     changes: dict[str, Any] = {f"links.{k}.beam.functions.bend_z": 4 for k in range(len(arm.links))}
-    changes["drives"] = [_swinging(drive, frequency) for drive, frequency in zip(arm.drives, FREQUENCIES, strict=True)]
+    changes["drives"] = [_swinging(drive, frequency) for drive, frequency in zip(drives, FREQUENCIES, strict=True)]
     changes["initial"] = {"state": "rest", "coordinates": motors}
     return arm.with_({**changes, "integration.duration": LONG})
 

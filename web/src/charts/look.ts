@@ -47,13 +47,14 @@ export function lookOf(role: Role, place: number, several: boolean, roles: numbe
 }
 
 const known = new Map<string, string>();
-let wasDark: boolean | null = null;
+let scheme: MediaQueryList | null = null;
+let wasDark = false;
 
 /** The colours as the page has them now, light or dark; asked of the page once, as that makes it settle its styles. */
 export function colour(property: string): string {
-  const { matches } = matchMedia("(prefers-color-scheme: dark)");
-  if (matches !== wasDark) known.clear();
-  wasDark = matches;
+  scheme ??= matchMedia("(prefers-color-scheme: dark)");
+  if (scheme.matches !== wasDark) known.clear();
+  wasDark = scheme.matches;
   const told = known.get(property) ?? getComputedStyle(document.documentElement).getPropertyValue(property).trim();
   known.set(property, told);
   return told || "#808080";
