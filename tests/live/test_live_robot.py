@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Iterable, Iterator
 from pathlib import Path
 from typing import Any
 
@@ -29,8 +29,12 @@ FINE = {"integration.relative_tolerance": 1e-12, "integration.absolute_tolerance
 """Tolerances at which the integration's own error is below what is compared: at larger ones rounding decides whether a
 step is taken or tried again, and either way is right within the tolerance."""
 
-OWN = 1e-7
-"""Bound of all series at the sheet's own tolerance of 1e-9 a step, also of accelerations and currents."""
+LAST_DIGITS = (1 + 4e-16, 1 - 3e-16)
+"""Factors that change the last digit of a number."""
+
+TIMES = 4.0
+"""How many times as far as native runs go apart by one last digit the page may be from them: of what rounding does
+two runs are a small sample. Measured: 1.7 at most, at twenty settings."""
 
 
 @pytest.fixture(scope="module")
@@ -78,6 +82,14 @@ def scales(data: Any) -> dict[str, float]:
     return {"energy_balance": moved, "deformation_oscillatory": bent, "deformation_stationary": bent}
 
 
+def own_difference(result: Result, names: Iterable[str]) -> float:
+    """The largest difference of any series of the native run from that of a robot whose gear is stiffer by a digit."""
+    robot = result.robot
+    others = [simulate(robot.with_({"gear.stiffness": robot.gear.stiffness * factor})).data for factor in LAST_DIGITS]
+    size = scales(result.data)
+    return max(worst_difference({name: other[name].values for name in names}, result.data, size)[0] for other in others)
+
+
 def native_runs(robot: Robot, live: LiveMap) -> Iterator[Result]:
     """By the method that the unchanged run took, as the page does."""
     yield simulate(robot)
@@ -99,10 +111,13 @@ def test_page_equals_native_run_unchanged_and_at_ten_random_settings(
 
 
 def test_page_equals_native_run_at_its_own_tolerance(seed: Robot, live: LiveMap, runs: list[dict[str, Any]]) -> None:
-    """Unchanged to 1e-9; elsewhere the tip's path to 1e-9, all else within what the tolerance lets pass."""
+    """The tip's path to 1e-9, as unchanged all series; else as near as native runs are by which a last digit differs.
+
+    The run is limited by stability there, and rounding decides which steps are rejected.
+    """
     for k, (run, result) in enumerate(zip(runs, native_runs(seed, live), strict=True)):
         difference, name = worst_difference(run["series"], result.data, scales(result.data))
-        assert difference < (OWN if k else EQUAL), name
+        assert difference < (TIMES * own_difference(result, run["series"]) if k else EQUAL), name
         tips = {name: run["series"][name] for name in ("tip", "tip_reference", "deviation", "q", "q_reference")}
         assert worst_difference(tips, result.data, {})[0] < EQUAL
 

@@ -23,6 +23,11 @@ export function button(text: string, act: () => void, attributes: Attributes = {
   return element;
 }
 
+/** Write a text where it is not there yet: what stays the same is not laid out again. */
+export function put(element: HTMLElement, text: string): void {
+  if (element.textContent !== text) element.textContent = text;
+}
+
 /** A line as a curve is drawn, for a legend. */
 export function swatch(color: string, dash: number[], width = 2): SVGSVGElement {
   const space = "http://www.w3.org/2000/svg";

@@ -3,12 +3,12 @@
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
 import type { Chart, LiveRun } from "../contract";
-import { button, make, ownId, save } from "../dom";
+import { button, make, ownId, put, save } from "../dom";
 import { plain, told } from "../format";
 import { csvOf } from "./csv";
 import { makeLegend, type Legend } from "./legend";
 import { makePlot, type PlotLine } from "./plot";
-import { aligned, entriesOf, valueAt, type ChartSet, type Entry, type Values } from "./series";
+import { aligned, entriesOf, extremes, valueAt, type ChartSet, type Entry, type Values } from "./series";
 import type { Zoom } from "./zoom";
 
 export interface ChartView {
@@ -32,8 +32,11 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const title = ownId("chart");
   const unit = chart.unit === "–" ? "" : chart.unit;
   let log = chart.log === "first";
+  let live: LiveRun | null = null;
+  let current = true; // whether the entries are those of what is to be shown
   let entries: Entry[] = entriesOf(set, null);
   let marks = chart.marks;
+  let width = 0;
   let plot: uPlot | null = null;
   let cursor: HTMLElement | null = null;
   let hover: number | null = null;
@@ -67,14 +70,30 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     if (seen) draw();
   }
 
+  /** What is looked at is computed, and nothing else. */
+  function known(): Entry[] {
+    if (current) return entries;
+    current = true;
+    entries = entriesOf(set, live);
+    const changed = changedMarks(live);
+    marks = changed ? marksWithin(changed, entries) : chart.marks;
+    legend.renew(entries);
+    return entries;
+  }
+
+  /** Marks of the live model's own robot, where it tells them. */
+  function changedMarks(run: LiveRun | null): Chart["marks"] | null {
+    return chart.group === "spectrum" && typeof run?.vibration === "object" ? run.vibration.marks : null;
+  }
+
   function draw(): void {
-    if (!stale || place.clientWidth === 0) return;
+    if (!stale || width === 0) return;
     stale = false;
-    const shown = entries.filter((entry) => legend.shows(entry));
+    const shown = known().filter((entry) => legend.shows(entry));
     const lines = shown.map((entry) => ({ ...legend.look(entry), width: entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3, ghost: entry.ghost }));
     const data = aligned(shown, log);
-    largest = Math.max(0, ...shown.map((entry) => Math.max(...extremes(entry).map(Math.abs))));
-    const kind = JSON.stringify([lines, marks, log, place.clientWidth, scheme]);
+    largest = Math.max(0, ...shown.map((entry) => Math.max(...extremes(entry.y).map(Math.abs))));
+    const kind = JSON.stringify([lines, marks, log, width, scheme]);
     if (plot && kind === drawn) plot.setData(data as unknown as uPlot.AlignedData);
     else renew(data, lines);
     drawn = kind;
@@ -83,7 +102,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     tell();
   }
 
-  function renew(data: [Values, ...(number | null)[][]], lines: PlotLine[]): void {
+  function renew(data: [Values, ...ArrayLike<number | null>[]], lines: PlotLine[]): void {
     plot?.destroy();
     hover = null; // where the pointer was, was a place of that plot
     plot = makePlot(place, data, lines, {
@@ -109,7 +128,8 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   function moveCursor(): void {
     if (!plot || !cursor) return;
     const left = plot.valToPos(clock.time, "x");
-    const inside = left >= -0.5 && left <= plot.over.clientWidth + 0.5;
+    const right = plot.valToPos(plot.scales.x.max ?? 0, "x"); // as uPlot knows it: asking the page makes it lay itself out
+    const inside = left >= -0.5 && left <= right + 0.5;
     cursor.style.display = inside ? "" : "none";
     cursor.style.transform = `translateX(${left}px)`;
   }
@@ -123,7 +143,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   function tell(): void {
     toldAt = performance.now();
     const at = hover ?? (timed ? clock.time : null);
-    readout.textContent = hover === null ? "" : timed ? `at ${hover.toFixed(3)} s` : `at ${told(hover, "Hz")}`;
+    put(readout, hover === null ? "" : timed ? `at ${hover.toFixed(3)} s` : `at ${told(hover, "Hz")}`);
     legend.tell((entry) => (at === null ? null : calmed(valueAt(entry, at))));
   }
 
@@ -134,14 +154,14 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
 
   function summary(shown: Entry[]): string {
     const parts = shown.filter((entry) => !entry.ghost).map((entry) => {
-      const [low, high] = extremes(entry);
+      const [low, high] = extremes(entry.y);
       return `${entry.label} ${entry.role}, from ${plain(low)} to ${plain(high)} ${unit}`.trim();
     });
     return `${chart.title}: ${parts.join("; ") || "no curve is shown"}.`;
   }
 
   function saveData(): void {
-    save(csvOf(entries.filter((entry) => legend.shows(entry)), timed ? "time [s]" : "frequency [Hz]", unit), `${chart.id}.csv`, "text/csv");
+    save(csvOf(known().filter((entry) => legend.shows(entry)), timed ? "time [s]" : "frequency [Hz]", unit), `${chart.id}.csv`, "text/csv");
   }
 
   const watch = new IntersectionObserver((found) => {
@@ -150,7 +170,8 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     if (seen) tell();
   }, { rootMargin: "120px" });
   const resized = new ResizeObserver(() => {
-    if (seen && place.clientWidth > 0) redraw();
+    width = place.clientWidth;
+    if (seen && width > 0) redraw();
   });
   watch.observe(element);
   place.setAttribute("aria-label", summary(entries.filter((entry) => legend.shows(entry))));
@@ -161,11 +182,9 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     element,
     id: chart.id,
     show(run) {
-      entries = entriesOf(set, run);
-      legend.renew(entries);
-      const found = chart.group === "spectrum" ? run?.vibration : undefined;
-      marks = typeof found === "object" ? marksWithin(found.marks, entries) : chart.marks;
-      marksNote.hidden = run === null || typeof found === "object" || chart.marks.length === 0;
+      live = run;
+      current = false;
+      marksNote.hidden = run === null || changedMarks(run) !== null || chart.marks.length === 0;
       redraw();
     },
     recolour() {
@@ -198,15 +217,4 @@ function drawnBy(chart: Chart): string {
 function marksWithin(marks: Chart["marks"], entries: Entry[]): Chart["marks"] {
   const last = Math.max(0, ...entries.map((entry) => entry.x[entry.x.length - 1] ?? 0));
   return marks.filter(({ at }) => at <= last);
-}
-
-/** Least and largest finite value; zeros where there is none. */
-function extremes(entry: Entry): [number, number] {
-  let [low, high] = [Infinity, -Infinity];
-  for (let k = 0; k < entry.y.length; k += 1) {
-    if (!Number.isFinite(entry.y[k])) continue;
-    low = Math.min(low, entry.y[k]);
-    high = Math.max(high, entry.y[k]);
-  }
-  return low <= high ? [low, high] : [0, 0];
 }

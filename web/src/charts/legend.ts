@@ -1,6 +1,6 @@
 // The legend of a chart: what is told apart by colour and by dash, switched by buttons, with the values at the cursor.
 
-import { make, swatch } from "../dom";
+import { make, put, swatch } from "../dom";
 import { plain } from "../format";
 import { lookOf, WORDS, type Look } from "./look";
 import type { Entry } from "./series";
@@ -66,7 +66,7 @@ export function makeLegend(entries: Entry[], changed: () => void): Legend {
       for (const [kind, place] of values) {
         const entry = own.find((one) => keys[byColour](one) === kind && keys.every((key, k) => !off[k].has(key(one))));
         const value = entry ? valueOf(entry) : null;
-        place.textContent = value === null ? "" : plain(value).replace("-", "−");
+        put(place, value === null ? "" : plain(value).replace("-", "−"));
       }
     },
   };

@@ -30,7 +30,7 @@ export interface PlotOptions {
 const FONT = "12px system-ui, sans-serif";
 const SHORTEST = 2;
 
-export function makePlot(element: HTMLElement, data: [Values, ...(number | null)[][]], lines: PlotLine[], wanted: PlotOptions): uPlot {
+export function makePlot(element: HTMLElement, data: [Values, ...ArrayLike<number | null>[]], lines: PlotLine[], wanted: PlotOptions): uPlot {
   const grid = { stroke: () => colour("--grid"), width: 1 };
   const axis = { stroke: () => colour("--quiet"), font: FONT, grid, ticks: { ...grid, size: 4 } };
   const options: uPlot.Options = {

@@ -57,8 +57,11 @@ function leading(curve: Curve, chart: Chart): boolean {
 function liveEntry(curve: Curve, chart: Chart, runName: string, live: LiveRun): Entry[] {
   const values = liveValues(curve, live);
   if (values === null) return [];
-  const { x, y } = chart.abscissa === "time" ? { x: live.times, y: values } : spectrumOf(live.times, values, chart, live.span);
-  return [{ run: 0, runName, label: curve.label, role: curve.role, x, y, shown: curve.shown, ghost: false }];
+  const entry = { run: 0, runName, label: curve.label, role: curve.role, shown: curve.shown, ghost: false };
+  if (chart.abscissa === "time") return [{ ...entry, x: live.times, y: values }];
+  let found: { x: Values; y: Values } | null = null; // of a curve that is switched off no spectrum is needed
+  const spectrum = () => (found ??= spectrumOf(live.times, values, chart, live.span));
+  return [Object.defineProperties(entry as Entry, { x: { get: () => spectrum().x }, y: { get: () => spectrum().y } })];
 }
 
 /** A curve's values from the series of the live model; null where it does not have them. */
@@ -68,7 +71,8 @@ export function liveValues(curve: Curve, live: LiveRun): Float64Array | null {
   const column = columnOf(live, source.variable, source.index);
   const less = source.less ? columnOf(live, source.less.variable, source.less.index) : null;
   if (column === null || (source.less && less === null)) return null;
-  return column.map((value, k) => source.factor * (value - (less ? less[k] : 0)));
+  for (let k = 0; k < column.length; k += 1) column[k] = source.factor * (column[k] - (less ? less[k] : 0));
+  return column;
 }
 
 function columnOf(live: LiveRun, variable: string, index: number): Float64Array | null {
@@ -76,11 +80,13 @@ function columnOf(live: LiveRun, variable: string, index: number): Float64Array 
   if (series === undefined) return null;
   const width = series.shape.slice(1).reduce((product, size) => product * size, 1);
   if (index >= width) return null;
-  return Float64Array.from({ length: series.shape[0] }, (_, k) => series.data[k * width + index]);
+  const found = new Float64Array(series.shape[0]);
+  for (let k = 0; k < found.length; k += 1) found[k] = series.data[k * width + index];
+  return found;
 }
 
 /** One rising axis for all curves, with null where a curve has no value of its own. */
-export function aligned(entries: Entry[], magnitude: boolean): [Values, ...(number | null)[][]] {
+export function aligned(entries: Entry[], magnitude: boolean): [Values, ...ArrayLike<number | null>[]] {
   const axes = [...new Set(entries.map((entry) => entry.x))];
   const axis = axes.every((other) => same(other, axes[0])) ? axes[0] : union(axes);
   return [axis, ...entries.map((entry) => onAxis(entry, axis, magnitude))];
@@ -98,9 +104,10 @@ function union(axes: Values[]): number[] {
   return all.filter((value, k) => k === 0 || value > all[k - 1]);
 }
 
-function onAxis(entry: Entry, axis: Values, magnitude: boolean): (number | null)[] {
+function onAxis(entry: Entry, axis: Values, magnitude: boolean): ArrayLike<number | null> {
   const shape = (value: number) => (!magnitude ? value : value === 0 ? null : Math.abs(value));
-  if (axis === entry.x || same(axis, entry.x)) return Array.from(entry.y, (value) => shape(value));
+  const whole = axis === entry.x || same(axis, entry.x);
+  if (whole) return magnitude ? Array.from(entry.y, shape) : entry.y;
   const found: (number | null)[] = new Array<number | null>(axis.length).fill(null);
   for (let k = 0, place = 0; k < entry.x.length; k += 1) {
     while (place < axis.length && axis[place] < entry.x[k]) place += 1;
@@ -123,4 +130,22 @@ export function valueAt(entry: Entry, place: number): number | null {
   }
   if (high === low || place >= x[high]) return y[high];
   return y[low] + ((y[high] - y[low]) * (place - x[low])) / (x[high] - x[low]);
+}
+
+const EXTREMES = new WeakMap<object, [number, number]>();
+
+/** Least and largest finite value; zeros where there is none. */
+export function extremes(values: Values): [number, number] {
+  const known = EXTREMES.get(values);
+  if (known) return known;
+  let [low, high] = [Infinity, -Infinity];
+  for (let k = 0; k < values.length; k += 1) {
+    const value = values[k];
+    if (!Number.isFinite(value)) continue;
+    if (value < low) low = value;
+    if (value > high) high = value;
+  }
+  const found: [number, number] = low <= high ? [low, high] : [0, 0];
+  EXTREMES.set(values, found);
+  return found;
 }

@@ -68,20 +68,38 @@ export function transform(real: Float64Array, imaginary: Float64Array): void {
       [imaginary[k], imaginary[mirrored]] = [imaginary[mirrored], imaginary[k]];
     }
   }
-  for (let length = 2; length <= size; length *= 2) butterflies(real, imaginary, length);
+  const turns = turnsOf(size);
+  for (let length = 2; length <= size; length *= 2) butterflies(real, imaginary, length, turns);
 }
 
-function butterflies(real: Float64Array, imaginary: Float64Array, length: number): void {
+let turned = new Float64Array();
+
+/** cos and -sin of 2 pi k/size, k below size/2; those of the size before are kept, as curves of one chart share it. */
+function turnsOf(size: number): Float64Array {
+  if (turned.length === size) return turned;
+  turned = new Float64Array(size);
+  for (let k = 0; k < size / 2; k += 1) {
+    turned[2 * k] = Math.cos((2 * Math.PI * k) / size);
+    turned[2 * k + 1] = -Math.sin((2 * Math.PI * k) / size);
+  }
+  return turned;
+}
+
+function butterflies(real: Float64Array, imaginary: Float64Array, length: number, turns: Float64Array): void {
   const half = length / 2;
-  for (let k = 0; k < half; k += 1) {
-    const angle = (-2 * Math.PI * k) / length;
-    const [cos, sin] = [Math.cos(angle), Math.sin(angle)];
-    for (let one = k; one < real.length; one += length) {
+  const step = (2 * real.length) / length;
+  for (let start = 0; start < real.length; start += length) {
+    for (let k = 0; k < half; k += 1) {
+      const one = start + k;
       const other = one + half;
+      const cos = turns[step * k];
+      const sin = turns[step * k + 1];
       const re = real[other] * cos - imaginary[other] * sin;
       const im = real[other] * sin + imaginary[other] * cos;
-      [real[other], imaginary[other]] = [real[one] - re, imaginary[one] - im];
-      [real[one], imaginary[one]] = [real[one] + re, imaginary[one] + im];
+      real[other] = real[one] - re;
+      imaginary[other] = imaginary[one] - im;
+      real[one] += re;
+      imaginary[one] += im;
     }
   }
 }

@@ -1,7 +1,7 @@
 // The numbers that matter; those of the live model stand beside the page's own, with the difference.
 
 import type { Fact, LiveRun, Page } from "../contract";
-import { make } from "../dom";
+import { make, put } from "../dom";
 import { told } from "../format";
 
 export interface FactsView {
@@ -9,24 +9,32 @@ export interface FactsView {
   show(live: LiveRun | null): void;
 }
 
+/** Texts of what is there already: while a slider is dragged no element is made anew. */
+type Told = (live: LiveRun | null) => void;
+
 export function mountFacts(element: HTMLElement, page: Page): FactsView {
-  const show = (live: LiveRun | null) => {
-    element.replaceChildren(page.runs.length > 1 ? compared(page, live) : single(page.runs[0].facts, live));
-  };
+  const known: Told[] = [];
+  element.append(page.runs.length > 1 ? compared(page, known) : single(page.runs[0].facts, known));
+  const show = (live: LiveRun | null) => known.forEach((tell) => tell(live));
   show(null);
   return { show };
 }
 
-function single(facts: Fact[], live: LiveRun | null): HTMLElement {
+function single(facts: Fact[], known: Told[]): HTMLElement {
   return make("dl", { class: "facts" }, ...facts.map((fact) => {
-    const fresh = live?.facts[fact.id];
-    const value = make("dd", {}, make("strong", { text: told(fresh ? fresh.value : fact.value, fact.unit) }));
-    if (fresh && (fresh.value ?? fact.value) !== null) {
-      value.append(make("span", { class: "was", text: `${change(fact, fresh.value)} was ${told(fact.value, fact.unit)}` }));
-    }
-    if (live && !fresh) value.append(make("span", { class: "was", text: "of the original run" }));
-    const note = (fresh ? fresh.note : fact.note) || "";
-    return make("div", { "data-fact": fact.id }, make("dt", { text: fact.name }), value, note ? make("dd", { class: "note", text: note }) : null);
+    const value = make("strong");
+    const was = make("span", { class: "was" });
+    const note = make("dd", { class: "note" });
+    known.push((live) => {
+      const fresh = live?.facts[fact.id];
+      const before = fresh ? `${change(fact, fresh.value)} was ${told(fact.value, fact.unit)}` : "of the original run";
+      put(value, told(fresh ? fresh.value : fact.value, fact.unit));
+      put(was, live ? before : "");
+      put(note, (fresh ? fresh.note : fact.note) || "");
+      was.hidden = live === null || (fresh !== undefined && fresh.value === null && fact.value === null);
+      note.hidden = note.textContent === "";
+    });
+    return make("div", { "data-fact": fact.id }, make("dt", { text: fact.name }), make("dd", {}, value, was), note);
   }));
 }
 
@@ -39,16 +47,20 @@ function change(fact: Fact, value: number | null): string {
 }
 
 /** A table of all runs beside each other. */
-function compared(page: Page, live: LiveRun | null): HTMLElement {
-  const known = new Map<string, Fact>();
-  for (const fact of page.runs.flatMap((run) => run.facts)) if (!known.has(fact.id)) known.set(fact.id, fact);
+function compared(page: Page, known: Told[]): HTMLElement {
+  const all = new Map<string, Fact>();
+  for (const fact of page.runs.flatMap((run) => run.facts)) if (!all.has(fact.id)) all.set(fact.id, fact);
   const head = make("tr", {}, make("td", {}), ...page.runs.map((run) => make("th", { scope: "col", text: run.name })));
-  const rows = [...known.values()].map((fact) => make("tr", { "data-fact": fact.id }, make("th", { scope: "row", text: fact.name }),
+  const rows = [...all.values()].map((fact) => make("tr", { "data-fact": fact.id }, make("th", { scope: "row", text: fact.name }),
     ...page.runs.map((run, k) => {
+      const cell = make("td", { class: "number" });
       const own = run.facts.find((other) => other.id === fact.id);
-      const fresh = k === 0 ? live?.facts[fact.id] : undefined;
-      const value = fresh ? fresh.value : (own?.value ?? null);
-      return make("td", { class: "number", text: told(value, own?.unit ?? fact.unit), title: (fresh ?? own)?.note || undefined });
+      known.push((live) => {
+        const fresh = k === 0 ? live?.facts[fact.id] : undefined;
+        put(cell, told(fresh ? fresh.value : (own?.value ?? null), own?.unit ?? fact.unit));
+        cell.title = (fresh ?? own)?.note ?? "";
+      });
+      return cell;
     })));
   const table = make("table", {}, make("thead", {}, head), make("tbody", {}, ...rows));
   return make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Numbers of the runs" }, table);

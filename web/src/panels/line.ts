@@ -4,7 +4,7 @@ import uPlot from "uplot";
 import type { Clock } from "../clock";
 import { colour, lookOf } from "../charts/look";
 import type { LinePanel, LiveRun, Page } from "../contract";
-import { make, swatch } from "../dom";
+import { make, put, swatch } from "../dom";
 import { digits, plain, readable } from "../format";
 import type { Numbers } from "../pack";
 
@@ -17,10 +17,14 @@ export interface LineView {
 const HEIGHT = 150;
 const FONT = "12px system-ui, sans-serif";
 
+type Quantity = LinePanel["quantities"][number];
+
 interface Picture {
   plot: uPlot;
-  quantity: LinePanel["quantities"][number];
+  quantity: Quantity;
   factor: number;
+  /** Show the same quantity of another run. */
+  take(quantity: Quantity): void;
 }
 
 export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineView {
@@ -29,16 +33,24 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   let pictures: Picture[] = [];
   let seen = false;
   let stale = false;
+  let built = ""; // what the pictures are made for
   const grid = make("div", { class: "line-grid" });
   const heading = make("p", { class: "note" });
   element.append(heading, grid);
 
   function build(): void {
     stale = false;
+    const kind = panel === null ? "" : kindOf(panel);
+    if (kind === built) pictures.forEach((one, k) => one.take(panel!.quantities[k]));
+    else renew();
+    built = kind;
+    show();
+  }
+
+  function renew(): void {
     pictures.forEach(({ plot }) => plot.destroy());
     grid.replaceChildren();
     pictures = panel === null ? [] : panel.quantities.map((quantity) => picture(grid, panel!, quantity));
-    show();
   }
 
   function show(): void {
@@ -48,7 +60,7 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
     const axis = along(panel);
     for (const { plot, quantity, factor } of pictures) {
       const columns = quantity.planes.map((_, k) => row(panel!, quantity.values, frame, k, quantity.planes.length, factor));
-      plot.setData([axis, ...columns] as uPlot.AlignedData, false);
+      plot.setData([axis, ...columns] as uPlot.AlignedData);
     }
   }
 
@@ -86,6 +98,12 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   };
 }
 
+/** What must be the same for pictures to serve another run: links, places along them, quantities and planes. */
+function kindOf(panel: LinePanel): string {
+  const { links, places, quantities } = panel;
+  return JSON.stringify([links, Array.from(places.data), quantities.map(({ id, label, unit, planes }) => [id, label, unit, planes])]);
+}
+
 /** Places of all stations along the chain of bending links; a link begins where the one before ended. */
 function along(panel: LinePanel): number[] {
   const stations = panel.places.shape[1];
@@ -116,29 +134,42 @@ function nearest(times: ArrayLike<number>, time: number): number {
   return Math.abs(times[high] - time) < Math.abs(times[low] - time) ? high : low;
 }
 
-function picture(grid: HTMLElement, panel: LinePanel, quantity: LinePanel["quantities"][number]): Picture {
-  let [low, high] = [0, 0];
-  for (const value of quantity.values.data) [low, high] = [Math.min(low, value), Math.max(high, value)];
-  const unit = readable(quantity.unit, Math.max(-low, high));
+function picture(grid: HTMLElement, panel: LinePanel, quantity: Quantity): Picture {
+  let limits: [number, number] = [0, 1];
   const looks = quantity.planes.map((_, k) => lookOf("real", k, true, 1));
-  const place = make("div", { class: "plot-area", role: "img", "aria-label": `${quantity.label} along the links, between ${plain(low * unit.factor)} and ${plain(high * unit.factor)} ${unit.name}` });
+  const place = make("div", { class: "plot-area", role: "img" });
+  const unitName = make("span", { class: "unit" });
   const legend = make("div", { class: "legend" }, ...quantity.planes.map((name, k) => make("span", { class: "key" }, swatch(`var(${looks[k].property})`, looks[k].dash), make("span", { text: name }))));
-  const title = make("h4", { text: quantity.label }, make("span", { class: "unit", text: ` [${unit.name || "–"}]` }));
+  const title = make("h4", { text: quantity.label }, unitName);
   grid.append(make("figure", { class: "chart" }, make("figcaption", {}, title, legend), place));
-  const room = 0.06 * (high - low) || 1;
   const lines = { stroke: () => colour("--grid"), width: 1 };
   const axis = { stroke: () => colour("--quiet"), font: FONT, grid: lines, ticks: { ...lines, size: 4 } };
   const axisPlaces = along(panel);
   const joints = panel.links.slice(1).map((_, k) => axisPlaces[(k + 1) * panel.places.shape[1]]);
   const plot = new uPlot({
     width: Math.max(place.clientWidth, 120), height: HEIGHT, legend: { show: false }, padding: [8, 14, 0, 0], cursor: { show: false },
-    scales: { x: { time: false }, y: { range: [(low - room) * unit.factor, (high + room) * unit.factor] } },
+    scales: { x: { time: false }, y: { range: () => limits } },
     axes: [{ ...axis, label: "along the links [m]", labelSize: 18, labelFont: FONT, size: 30, values: (_, marks) => marks.map(plain) },
       { ...axis, size: (_, marks) => 16 + 7 * Math.max(2, ...(marks ?? []).map((mark) => mark.length)), values: (_, marks) => marks.map(plain) }],
     series: [{}, ...looks.map((look) => ({ stroke: () => colour(look.property), dash: look.dash, width: 1.6, points: { show: false } }))],
     hooks: { draw: [(drawn) => separators(drawn, joints)] },
   }, [axisPlaces, ...looks.map(() => axisPlaces.map(() => 0))] as uPlot.AlignedData, place);
-  return { plot, quantity, factor: unit.factor };
+  const found: Picture = { plot, quantity, factor: 1, take };
+  function take(other: Quantity): void {
+    let [low, high] = [0, 0];
+    for (const value of other.values.data) {
+      if (value < low) low = value;
+      if (value > high) high = value;
+    }
+    const unit = readable(other.unit, Math.max(-low, high));
+    const room = 0.06 * (high - low) || 1;
+    limits = [(low - room) * unit.factor, (high + room) * unit.factor];
+    [found.quantity, found.factor] = [other, unit.factor];
+    put(unitName, ` [${unit.name || "–"}]`);
+    place.setAttribute("aria-label", `${other.label} along the links, between ${plain(low * unit.factor)} and ${plain(high * unit.factor)} ${unit.name}`);
+  }
+  take(quantity);
+  return found;
 }
 
 /** Thin lines where one link ends and the next begins. */

@@ -9,6 +9,8 @@ import { RobotView, type Body, type Look } from "./robot";
 import type { Settings } from "./settings";
 import { round125 } from "./units";
 
+type Ghost = "reference" | "rigid" | "before";
+
 export interface Range {
   low: number;
   high: number;
@@ -30,7 +32,8 @@ export class RunView {
   showsSurface = true;
   private before: Motion | null = null;
   private robot!: RobotView;
-  private ghosts: { view: RobotView; of: "reference" | "rigid" | "before" }[] = [];
+  private look!: Look;
+  private readonly ghosts = new Map<Ghost, RobotView>();
   private traces: { trace: Trace; reference: boolean }[] = [];
   private arrow: Arrow | null = null;
   private surface: Mesh | null = null;
@@ -60,7 +63,7 @@ export class RunView {
     const { scene } = this.run;
     const shapes = this.motion.arrays.line.shape;
     const next = new Motion(arrays ?? scene);
-    if (String(next.arrays.line.shape.slice(1)) !== String(shapes.slice(1)) || (arrays !== null) !== this.changed) this.built = "";
+    if (String(next.arrays.line.shape.slice(1)) !== String(shapes.slice(1))) this.built = "";
     this.before = arrays === null ? null : (this.before ?? new Motion(scene));
     this.motion = next;
     this.traced = "";
@@ -73,11 +76,9 @@ export class RunView {
     motion.seek(time, settings.factor, values);
     this.robot.update(motion, motion.line, range.low, range.high);
     this.before?.seek(time, settings.factor, null);
-    for (const { view, of } of this.ghosts) {
-      const line = of === "before" ? this.before?.line : motion[of];
-      view.group.visible = of === "before" ? line !== undefined : settings[of] && line !== null;
-      if (view.group.visible && line) view.update(of === "before" && this.before ? this.before : motion, line, 0, 1);
-    }
+    this.haunt("reference", motion, settings.reference ? motion.reference : null);
+    this.haunt("rigid", motion, settings.rigid ? motion.rigid : null);
+    this.haunt("before", this.before ?? motion, this.before?.line ?? null);
     this.draw(settings);
   }
 
@@ -111,17 +112,29 @@ export class RunView {
     const joint = this.alone ? colours.joint : this.colour;
     const look: Look = { link: own, joint, gear: this.alone ? colours.gear : joint, base: colours.base, payload: joint, opacity: 1, painted, fine };
     this.robot = this.added(scene, this.motion, look, 1);
-    const ghosts = { reference: this.referenceColour, rigid: colours.rigid, before: colours.before };
-    for (const of of ["reference", "rigid", "before"] as const) {
-      if (of === "before" ? !this.before : !scene[of]) continue;
-      const faint: Look = { ...look, link: ghosts[of], opacity: 0.42, painted: "none" };
-      this.ghosts.push({ view: this.added(scene, of === "before" && this.before ? this.before : this.motion, faint, 0.85), of });
-    }
+    this.look = look;
     if (scene.contact) {
       this.arrow = new Arrow(colours.force, 0.006 * extent.reach, this.shared.scale);
       this.surface = surfaceMesh(scene.contact.surface, scene.contact.at.data, 0.12 * extent.reach, colours.surface);
       this.group.add(this.arrow.group, this.surface);
     }
+  }
+
+  /** A pale robot along a line, null: not now. It is made when it is first shown, and kept. */
+  private haunt(of: Ghost, motion: Motion, line: Float32Array | null): void {
+    const known = this.ghosts.get(of);
+    if (known) known.group.visible = line !== null;
+    if (line === null) return;
+    const view = known ?? this.ghost(of, motion);
+    view.update(motion, line, 0, 1);
+  }
+
+  private ghost(of: Ghost, motion: Motion): RobotView {
+    const { colours } = this.shared;
+    const link = { reference: this.referenceColour, rigid: colours.rigid, before: colours.before }[of];
+    const view = this.added(this.run.scene, motion, { ...this.look, link, opacity: 0.42, painted: "none" }, 0.85);
+    this.ghosts.set(of, view);
+    return view;
   }
 
   private added(body: Body, motion: Motion, look: Look, share: number): RobotView {
@@ -165,7 +178,7 @@ export class RunView {
 
   private clear(): void {
     this.robot?.dispose();
-    this.ghosts.forEach(({ view }) => view.dispose());
+    this.ghosts.forEach((view) => view.dispose());
     this.traces.forEach(({ trace }) => trace.dispose());
     this.arrow?.dispose();
     if (this.surface) {
@@ -173,7 +186,7 @@ export class RunView {
       (this.surface.material as Material).dispose();
       this.surface.removeFromParent();
     }
-    this.ghosts = [];
+    this.ghosts.clear();
     this.traces = [];
     this.traced = this.built = "";
   }
