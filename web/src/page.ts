@@ -50,18 +50,18 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   mountSave(files, page);
   transport.hidden = charts.hidden = page.runs.every((run) => run.charts.length === 0); // a robot at rest, without a run
 
-  let drawn: LiveRun["scene"] | null = null; // the picture is there before all of a run
+  let drawn: LiveRun | null = null; // picture and curves are there before all of a run
 
   function show(live: LiveRun | null): void {
     clock.setDuration(Math.max(live ? live.times[live.times.length - 1] : 0, duration));
-    if ((live && live.scene) !== drawn) {
-      drawn = live && live.scene;
-      scene.replace(0, drawn);
+    if (live?.scene !== drawn?.scene) {
+      scene.replace(0, live && live.scene);
       lineView?.show(live);
     }
-    chartsView.show(live);
+    if (!live || !drawn || !sameCurves(live, drawn)) chartsView.show(live);
     factsView.show(live);
     modesView?.show(live);
+    drawn = live;
   }
 
   if (page.live) parts.push(mountSliders(sliders, page.live, { open: openLive, show, fileName: `${fileName(page.runs[0].name)}_changed` }));
@@ -86,6 +86,11 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
       root.replaceChildren();
     },
   };
+}
+
+/** Whether a run has no curve or mark that the other has not. */
+function sameCurves(one: LiveRun, other: LiveRun): boolean {
+  return one.vibration === other.vibration && Object.entries(one.series).every(([name, series]) => series === other.series[name]);
 }
 
 function section(title: string, there: boolean): { element: HTMLElement; body: HTMLElement } {
