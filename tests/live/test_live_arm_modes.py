@@ -31,8 +31,8 @@ _LOADS = [
      "signal": {"type": "sine", "amplitude": 0.5, "frequency": 3.0, "offset": 1.0}},
     {"point": "tip", "force": [0.0, 2.0, 0.0], "frame": "world"},
 ]  # fmt: skip
-_BALL = {"shape": {"type": "ball", "center": [0.2, 0.0, -0.1], "radius": 0.6, "inside": False}, "law": "unilateral",
-         "stiffness": 800.0, "damping": 4.0, "preload": 20.0}  # fmt: skip
+_BALL = {"shape": {"type": "ball", "center": [0.0, 0.02, 0.1], "radius": 0.88, "inside": True}, "law": "unilateral",
+         "stiffness": 800.0, "damping": 4.0, "preload": 5.0}  # fmt: skip
 
 
 def drawn(live: LiveMap) -> list[list[float]]:
@@ -93,7 +93,7 @@ def test_parts_of_the_deformations_are_the_native_ones(pairs: list[tuple[dict[st
 
 @pytest.mark.parametrize("changes", [{"loads": _LOADS, "contact": None}, {"contact": _BALL}], ids=["loads", "ball"])
 def test_what_acts_on_the_points_is_in_modes_and_parts(changes: dict[str, Any], tmp_path: Path) -> None:
-    """A load that follows its point, whose stiffness is not symmetric, one that does not; a ball that is pressed."""
+    """A load that follows its point, whose stiffness is not symmetric, one that does not; a hollow ball that is pressed."""
     for run, result in both(two_links().with_(changes), tmp_path, 2):
         assert "loads" in changes or float(result.data["contact_force_normal"][0]) > 1.0
         assert_same_modes(run["vibration"]["modes"], modes_of(result), EQUAL, SHAPE)

@@ -26,8 +26,9 @@ const RINGS = 1e-9;
 
 /** What the page shows of the modes of each case about `rest` [nq], and the headline number. */
 export function told(cases: Record<string, Found[]>, rest: Float64Array, lines: Lines): { vibration: Vibration; facts: Facts } {
-  const modes = Object.entries(cases).flatMap(([name, found]) =>
-    found.filter((mode) => mode.frequency > 0).slice(0, MOST).map((mode) => shown(name, mode, rest, lines)));
+  const vibrating = Object.entries(cases).flatMap(([name, found]) =>
+    found.filter((mode) => mode.frequency > 0).slice(0, MOST).map((mode): [string, Found] => [name, mode]));
+  const modes = shown(vibrating, rest, lines);
   const marked = cases.controlled?.length ? cases.controlled : (cases.locked ?? []);
   const marks = marked.flatMap((mode) => (mode.rings && mode.damping < NO_PEAK ? [{ at: mode.rings, label: mode.element }] : []));
   return { vibration: { modes, marks: marks.sort((a, b) => a.at - b.at) }, facts: frequencyFact(cases) };
@@ -42,23 +43,29 @@ function frequencyFact({ controlled, locked }: Record<string, Found[] | undefine
   return { "frequency.first": { value, note } };
 }
 
-function shown(name: string, mode: Found, rest: Float64Array, lines: Lines): Mode {
+/** Modes with the lines of the rest and their displacements, all found in one go. */
+function shown(modes: [string, Found][], rest: Float64Array, lines: Lines): Mode[] {
   const n = rest.length;
-  const size = mode.re.reduce((most, value, k) => Math.max(most, Math.hypot(value, mode.im[k])), 0);
-  const ends = new Float64Array(5 * n);
-  for (let k = 0; k < n; k += 1) {
-    const [real, imaginary] = [(STEP * mode.re[k]) / size, (STEP * mode.im[k]) / size];
-    [0, real, imaginary, -real, -imaginary].forEach((away, row) => { ends[row * n + k] = rest[k] + away; });
-  }
-  const { data, shape } = lines(ends, 5);
-  const each = data.length / 5;
+  const ends = new Float64Array((1 + 4 * modes.length) * n);
+  ends.set(rest);
+  modes.forEach(([, { re, im }], place) => {
+    const size = re.reduce((most, value, k) => Math.max(most, Math.hypot(value, im[k])), 0);
+    for (let k = 0; k < n; k += 1) {
+      const [real, imaginary] = [(STEP * re[k]) / size, (STEP * im[k]) / size];
+      [real, imaginary, -real, -imaginary].forEach((away, row) => { ends[(1 + 4 * place + row) * n + k] = rest[k] + away; });
+    }
+  });
+  const { data, shape } = lines(ends, 1 + 4 * modes.length);
+  const each = data.length / (1 + 4 * modes.length);
   const slope = (row: number) => Float64Array.from({ length: each }, (_, k) => (data[row * each + k] - data[(row + 2) * each + k]) / (2 * STEP));
-  const [real, imaginary] = turned(slope(1), slope(2));
-  const numbers = (values: Float64Array) => ({ data: Float32Array.from(values), shape: shape.slice(1) });
-  return {
-    case: name, frequency: mode.frequency, damping: mode.damping, livesIn: mode.element,
-    rest: { data: Float32Array.from(data.subarray(0, each)), shape: shape.slice(1) }, real: numbers(real), imaginary: numbers(imaginary),
-  };
+  const numbers = (values: ArrayLike<number>) => ({ data: Float32Array.from(values), shape: shape.slice(1) });
+  return modes.map(([name, mode], place) => {
+    const [real, imaginary] = turned(slope(1 + 4 * place), slope(2 + 4 * place));
+    return {
+      case: name, frequency: mode.frequency, damping: mode.damping, livesIn: mode.element,
+      rest: numbers(data.subarray(0, each)), real: numbers(real), imaginary: numbers(imaginary),
+    };
+  });
 }
 
 /** The largest displacement of size 1 and phase 0. */
