@@ -89,13 +89,11 @@ def _written(text: str, out: Path | None, overwrite: bool) -> Path:
 
 
 def _temporary() -> Path:
-    """An empty file of its own, which stays."""
+    """The name of a page in a folder of its own, which stays and which other users cannot look into."""
     from tmodes.io.atomic import file_error
 
     try:
-        handle, name = tempfile.mkstemp(prefix="tmodes-view-", suffix=".html")
+        return Path(tempfile.mkdtemp(prefix="tmodes-view-")) / "view.html"
     except OSError as error:
         got = str(error.strerror)
         raise file_error("the temporary folder", got, "room for a page", "name a file with --out") from None
-    os.close(handle)
-    return Path(name)
