@@ -13,6 +13,8 @@ from typing import Any
 
 import pytest
 
+from studio.test_looks import ELASTICITY, stl
+from studio.test_looks import URDF as MESHED
 from tmodes.report import pack
 from tmodes.studio.door import door
 
@@ -172,12 +174,34 @@ def test_a_wrong_number_is_told_at_its_field(tab):
 
 def test_a_wrong_urdf_is_told_by_file_line_and_field(tab):
     tab.page.set_input_files(
-        "input[type=file]", [{"name": "two.urdf", "mimeType": "text/xml", "buffer": SLOW_URDF.encode()}]
+        "input[type=file] >> nth=0", [{"name": "two.urdf", "mimeType": "text/xml", "buffer": SLOW_URDF.encode()}]
     )
     tab.page.wait_for_selector(".errors p", timeout=WAIT)
     told = tab.page.inner_text(".errors")
     assert "two.urdf:3" in told
     assert "mass" in told
+
+
+def test_meshes_that_are_chosen_with_a_urdf(tab, tmp_path):
+    """A folder with all that is in it; and without the mesh a warning stands at its link, and the run is made."""
+    (home := tmp_path / "two_description").mkdir()
+    (home / "meshes").mkdir()
+    (home / ".hidden").mkdir()
+    (home / ".hidden" / "other.urdf").write_text("junk", encoding="utf-8")
+    (home / "README.md").write_text("of no use", encoding="utf-8")
+    (home / "two.urdf").write_text(MESHED.format(mesh="meshes/arm.stl"), encoding="utf-8")
+    (home / "two.yaml").write_text(ELASTICITY.format(urdf="two.urdf"), encoding="utf-8")
+    (home / "meshes" / "arm.stl").write_bytes(stl(0.25))
+    chooser, folder = (tab.page.get_by_label(name, exact=True) for name in ("Upload", "Folder"))
+    tab.fresh(lambda: folder.set_input_files(home))
+    assert not tab.page.is_visible(".doubts")
+    chooser.set_input_files([home / "two.urdf", home / "two.yaml"])
+    tab.page.wait_for_selector(".doubts", timeout=WAIT)
+    assert "two.urdf:6 · links.arm" in tab.page.inner_text(".doubts")
+    assert "not there" in tab.page.inner_text(".sheet .doubt")
+    assert tab.page.locator("details[data-path='links.0']").get_attribute("aria-invalid") is None
+    tab.fresh(lambda: folder.set_input_files(home))
+    assert tab.page.locator(".sheet .doubt").count() == 0
 
 
 def test_another_robot_with_its_own_form(tab):
