@@ -54,6 +54,7 @@ class Workshop:
         laps.take("check")
         result = self._result(sheet, progress)
         laps.take("simulate")
+        progress("shapes", 0.0)
         self._shapes.look(looks)
         result = self._shapes.on(result)
         laps.take("shapes")
