@@ -15,6 +15,7 @@ from tmodes.arm_model import ArmModel
 from tmodes.arm_result.lines import POINT_LIKE, without_elasticity
 from tmodes.chain import Chain, JointKind, RigidLink, Segment
 from tmodes.live.numbers import follow_of
+from tmodes.live.surface import surface_told
 from tmodes.live.wasm_arm import ArmFunctions, arm_module
 from tmodes.motion.loop import LoopModel
 from tmodes.motion.plan import Follow, planned, starts_at_rest
@@ -61,6 +62,7 @@ def arm_bundle(
         "turning": [node.joint.name for node in model.chain.nodes if node.joint.kind is JointKind.REVOLUTE],
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
+        "surface": pair.real.contact and surface_told(pair.real.contact.shape),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
     }

@@ -12,6 +12,7 @@ from tmodes.arm.parts import Command
 from tmodes.arm_passes import ArmPasses
 from tmodes.equations.arm.closed_loop import ClosedLoop
 from tmodes.equations.arm.parts import Parts
+from tmodes.live.surface import surface_numbers
 from tmodes.live.wasm_arm import stationed
 from tmodes.mechanism import Drive
 from tmodes.motion.plan import Follow, planned
@@ -50,7 +51,8 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
-    ``until`` [s], beyond the end of the run, to be whole. ``pose``: of the passes to these ``stations``, where asked.
+    ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``pose``, of the passes to
+    these, and ``surface``, the place of what is touched.
     """
     plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
     loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()
@@ -63,6 +65,8 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
     }
     if stations:
         found["pose"] = ArmPasses(Parts(stationed(chain, stations))).parameters
+        if arm.contact:
+            found["surface"] = surface_numbers(arm.contact.shape)
     for k, signal in enumerate(plan.each):
         schedule = signal.schedule(until if isinstance(signal, (Quintic, Trapezoid)) else arm.integration.duration)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}

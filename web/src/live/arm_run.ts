@@ -62,7 +62,7 @@ export async function runArm(
   return {
     status: failed ? failed.run.status : "finished",
     message: failed ? `${failed === real ? "real arm" : "reference"}: ${failed.run.message}` : real.run.message,
-    seconds, times, series, scene: armScene(engine, bundle, real.blocks.pose, series, times, frames), line: null,
+    seconds, times, series, scene: armScene(engine, bundle, real.blocks, series, times, frames), line: null,
     span: spanOf(times, end), facts: failed ? brokenOff(facts) : facts,
   };
 }

@@ -1,6 +1,6 @@
 // What a live bundle holds, as tmodes/live/bundle.py writes it.
 
-import type { LiveBundle } from "../contract";
+import type { LiveBundle, SceneContact } from "../contract";
 import type { Numbers } from "../pack";
 import type { Layout } from "./engine";
 
@@ -106,5 +106,7 @@ export interface ArmBundle extends Bundle {
   straight: Affine;
   links: { name: string; bends: boolean; point: number; end: Numbers }[];
   contactPoint: number;
+  /** What is touched, as the sheet says; the block `surface` of the map tells where it is: place (3) and radius. */
+  surface: SceneContact["surface"] | null;
   electric: boolean;
 }

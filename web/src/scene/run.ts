@@ -64,6 +64,7 @@ export class RunView {
     this.before = arrays === null ? null : (this.before ?? new Motion(scene));
     this.motion = next;
     this.traced = "";
+    if (this.built !== "") this.placeSurface(); // else it comes with the robot
   }
 
   update(time: number, settings: Settings, range: Range): void {
@@ -119,9 +120,27 @@ export class RunView {
     }
     if (scene.contact) {
       this.arrow = new Arrow(colours.force, 0.006 * extent.reach, this.shared.scale);
-      this.surface = surfaceMesh(scene.contact.surface, scene.contact.at.data, 0.12 * extent.reach, colours.surface);
-      this.group.add(this.arrow.group, this.surface);
+      this.group.add(this.arrow.group);
+      this.placeSurface();
     }
+  }
+
+  /** Draw the surface where these arrays have it. */
+  private placeSurface(): void {
+    const { contact } = this.run.scene;
+    if (!contact) return;
+    const { surface, at } = { ...contact, ...this.motion.arrays.contact };
+    this.dropSurface();
+    this.surface = surfaceMesh(surface ?? contact.surface, at.data, 0.12 * this.shared.extent.reach, this.shared.colours.surface);
+    this.group.add(this.surface);
+  }
+
+  private dropSurface(): void {
+    if (!this.surface) return;
+    this.surface.geometry.dispose();
+    (this.surface.material as Material).dispose();
+    this.surface.removeFromParent();
+    this.surface = null;
   }
 
   private added(body: Body, motion: Motion, look: Look, share: number): RobotView {
@@ -168,11 +187,7 @@ export class RunView {
     this.ghosts.forEach(({ view }) => view.dispose());
     this.traces.forEach(({ trace }) => trace.dispose());
     this.arrow?.dispose();
-    if (this.surface) {
-      this.surface.geometry.dispose();
-      (this.surface.material as Material).dispose();
-      this.surface.removeFromParent();
-    }
+    this.dropSurface();
     this.ghosts = [];
     this.traces = [];
     this.traced = this.built = "";
