@@ -57,12 +57,26 @@ def _first(robot: str, folder: WorkingFolder) -> str:
 
     if not robot or robot in sheet_names():
         return robot
+    _refuse_what_is_no_robot(Path(robot))
     load_sheet(robot)
     path = Path(robot).absolute()
     if path.parent.resolve() != folder.path:
         mend = f"add --folder {path.parent}"
         raise InputError("FILE", repr(robot), "a file of the working folder", mend)
     return f"./{folder.existing(path.name).name}"
+
+
+def _refuse_what_is_no_robot(path: Path) -> None:
+    from tmodes.errors import InputError
+    from tmodes.io.words import shown_path
+
+    expected = "a published robot, or a data sheet or URDF"
+    if path.suffix == ".nc" or (path / "result.nc").is_file():
+        mend = f"look at it with: tmodes view {path}"
+        raise InputError("ROBOT|FILE", f"a result ({shown_path(path)})", expected, mend)
+    if path.is_dir():
+        mend = f"to work in this folder: tmodes studio --folder {path}"
+        raise InputError("ROBOT|FILE", f"a folder ({shown_path(path)})", expected, mend)
 
 
 def _ready(address: str, folder: Path, until_stopped: ExitStack | None) -> None:

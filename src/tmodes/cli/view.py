@@ -58,9 +58,11 @@ def _refuse_too_many(results: list[Path]) -> None:
 
 
 def _refuse_taken(out: Path | None, overwrite: bool) -> None:
-    if out is not None and os.path.lexists(out) and not overwrite:
-        from tmodes.io.atomic import file_error
+    from tmodes.io.atomic import file_error
 
+    if out is not None and out.is_dir():
+        raise file_error(out, "a folder", "the name of a file", f"name the page, such as --out {out / 'view.html'}")
+    if out is not None and os.path.lexists(out) and not overwrite:
         raise file_error(out, "a file that exists", "a new name", "--overwrite replaces it, --out names another")
 
 
