@@ -301,6 +301,52 @@ def test_no_width_makes_the_page_scroll_sideways(tab, size):
     assert tab.page.evaluate("document.documentElement.scrollWidth") <= size[0]
 
 
+def studio_of_its_own(folder: Path, *more: str) -> subprocess.Popen[str]:
+    command = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open", "--folder", str(folder), *more]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+
+
+def test_a_studio_that_goes_away_and_comes_back(browser, tmp_path):
+    """The page says that nothing answers, and goes on by itself; one that was started anew has another address."""
+    if os.name == "nt":
+        pytest.skip("stops and continues a process by signals")
+    with studio_of_its_own(tmp_path) as running:
+        assert running.stdout is not None
+        address = running.stdout.readline().split()[1]
+        port = address.partition("/?")[0].rpartition(":")[2]
+        tab = Tab(browser.new_page())
+        tab.page.goto(address)
+        tab.told("New curves")
+        gone = tab.page.locator(".gone")
+        running.send_signal(signal.SIGSTOP)
+        gone.wait_for(timeout=WAIT)
+        assert "start it again" in gone.inner_text()
+        tab.page.evaluate("document.querySelector('.line').textContent = ''")
+        running.send_signal(signal.SIGCONT)
+        tab.told("New curves")
+        assert not gone.is_visible()
+        assert tab.wrong == []
+        running.terminate()
+    with studio_of_its_own(tmp_path, "--port", port) as anew:
+        assert anew.stdout is not None
+        anew.stdout.readline()
+        tab.page.locator(".gone", has_text="open the address that it printed").wait_for(timeout=WAIT)
+        anew.terminate()
+    tab.page.close()
+
+
+def test_what_is_added_has_units_and_values_that_may_be(tab):
+    """A number that nobody gave yet lies within its range, and has the unit of the joint that it moves."""
+    tab.fresh(lambda: tab.page.get_by_label("Robot", exact=True).select_option("spong1987"))
+    for path in ("drives", "drives.0", "drives.0.signal"):
+        tab.page.locator(f"details[data-path='{path}'] > summary").click()
+    kinds = tab.page.locator("details[data-path='drives.0.signal'] select").first
+    tab.fresh(lambda: kinds.select_option("trapezoid"))
+    kinds.select_option("noise")
+    deviation = tab.page.locator("details[data-path='drives.0.signal'] .field", has_text="Deviation")
+    deviation.locator(".unit", has_text="rad").wait_for(timeout=WAIT)
+
+
 def test_nothing_is_left_when_the_studio_is_killed(tmp_path):
     """Even where it cannot say goodbye, its workers end."""
     if not Path("/proc").exists():

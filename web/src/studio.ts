@@ -1,6 +1,7 @@
 // The studio: choose a robot, change its numbers, and see it move and ring at once.
 
 import { button, make, ownId } from "./dom";
+import { watch } from "./studio/alive";
 import { api, type SheetTold, type Wrong } from "./studio/api";
 import { attempt, exportControls, studyControls, type FilesHost } from "./studio/files";
 import { Form } from "./studio/form";
@@ -72,7 +73,7 @@ async function main(): Promise<void> {
   async function look(of: SheetTold): Promise<void> {
     const fresh = await api.check(of.sheet).catch(() => null);
     if (!fresh || current !== of) return;
-    of.units = fresh.units;
+    form?.tell(fresh.units);
     sliders = slidersOf({ ...fresh, sheet: of.sheet, looks: of.looks });
   }
 
@@ -120,6 +121,7 @@ async function main(): Promise<void> {
   document.body.append(skip, bar, told.element, make("div", { class: "studio" },
     make("aside", { class: "controls", "aria-label": "Numbers" }, make("h2", { text: "Drag" }), sliderPlace, make("h2", { text: "Data sheet" }), formPlace), view));
 
+  watch({ away: told.away, back: () => { if (current) runner.want(current); } });
   const first = document.body.dataset.first ?? "";
   await attempt(host, async () => {
     const list = (await api.robots()).robots;

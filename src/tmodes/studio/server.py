@@ -113,6 +113,10 @@ async def _told(read: Callable[[], tuple[Robot | Arm, str]]) -> Response:
 
 
 def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
+    @app.get("/api/alive")
+    async def alive() -> Response:
+        return _json({})
+
     @app.get("/api/robots")
     async def robots() -> Response:
         return _json({"robots": await run_in_threadpool(sheets.catalogue)})

@@ -25,7 +25,7 @@ export class Form {
     private readonly element: HTMLElement,
     private readonly forms: Forms,
     private readonly sheet: Sheet,
-    private readonly units: Record<string, string>,
+    private units: Record<string, string>,
     private readonly changed: (structure: boolean) => void,
   ) {
     this.build();
@@ -41,6 +41,15 @@ export class Form {
   /** Show what the sheet says now, of all fields that are there. */
   refresh(): void {
     for (const { field, steps } of this.fields.values()) if (document.activeElement !== field.input) field.set(at(this.sheet, steps));
+  }
+
+  /** Show the units of a sheet whose structure changed. */
+  tell(units: Record<string, string>): void {
+    this.units = units;
+    for (const { field, steps } of this.fields.values()) {
+      const known = units[steps.join(".")];
+      if (known !== undefined) field.unit?.(unitOf({}, known));
+    }
   }
 
   /** Mark the fields that are wrong, and those in doubt; what has no field of its own is marked at the group around it. */

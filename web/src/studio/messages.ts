@@ -11,6 +11,8 @@ export interface Messages {
   done(page: StudioPage, job: Job, milliseconds: number): void;
   /** What of the robot's looks cannot be shown. */
   unseen(doubts: Wrong[], go: (doubt: Wrong) => void): void;
+  /** Whether the server is away, in words. */
+  away(text: string | null): void;
   wrong(errors: Wrong[], go: (error: Wrong) => void): void;
   /** The button that ends a run: it is there while one takes long. */
   cancel(button: HTMLElement): void;
@@ -21,7 +23,8 @@ export function messages(): Messages {
   const bar = make("progress", { max: "1", "aria-label": "Progress of the run", hidden: true });
   const errors = make("div", { class: "errors", role: "alert", hidden: true });
   const doubts = make("div", { class: "doubts", hidden: true });
-  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line), errors, doubts);
+  const gone = make("p", { class: "errors gone", role: "alert", hidden: true });
+  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line), gone, errors, doubts);
   let stop: HTMLElement | null = null;
   let odd: HTMLElement[] = [];
 
@@ -66,6 +69,11 @@ export function messages(): Messages {
       const server = seconds.reduce((sum, [, value]) => sum + value, 0);
       const warnings = run.warnings.length ? ` ${run.warnings.length === 1 ? "One warning" : `${run.warnings.length} warnings`}: ${run.warnings.join(" ")}` : "";
       say(`${run.success ? "" : `${run.status}: ${run.message} `}New curves after ${Math.round(milliseconds)} ms, of which the server took ${Math.round(1000 * server)} ms.${warnings}`);
+    },
+    away(text) {
+      gone.hidden = text === null;
+      gone.textContent = text ?? "";
+      if (text !== null) busy(false);
     },
     unseen: (list, go) => doubt(list.map((one) => told(one, go))),
     wrong(list, go) {
