@@ -269,6 +269,25 @@ def test_a_study_is_kept_and_opened_again(tab):
     tab.told("Saved", WAIT)
 
 
+def test_names_that_are_none_and_what_is_typed_beside_a_slider(tab):
+    """A path is told to be no name; the word that is gone is no longer told; a unit may be typed, a word is refused."""
+    name, save = tab.page.get_by_label("Name of the study"), tab.page.get_by_role("button", name="Save", exact=True)
+    name.fill("../x")
+    save.click()
+    tab.page.locator(".errors", has_text="the plain name of a file").wait_for(timeout=WAIT)
+    name.fill("x")
+    save.click()
+    tab.told("Saved")
+    assert not tab.page.is_visible(".errors")
+    typed = tab.page.locator("[data-slider='payload.mass'] input.number")
+    typed.fill("some")
+    typed.press("Enter")
+    tab.page.locator(".errors", has_text="payload.mass").wait_for(timeout=WAIT)
+    typed.fill("450 g")
+    tab.fresh(lambda: typed.press("Enter"))
+    assert not tab.page.is_visible(".errors")
+
+
 def test_a_robot_called_script_stays_text(tab):
     tab.type("Name", "<img src=x onerror=alert(1)>")
     tab.told("New", WAIT)

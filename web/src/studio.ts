@@ -101,6 +101,7 @@ async function main(): Promise<void> {
     runner,
     load: (one, from) => void attempt(host, () => load(one, from)),
     wrong,
+    right: told.right,
     say: told.say,
   };
   let choice = 0;

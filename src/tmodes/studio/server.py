@@ -152,16 +152,17 @@ def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
     async def studies() -> Response:
         return _json({"folder": folder.path.name, "studies": await run_in_threadpool(folder.names)})
 
-    @app.get("/api/studies/{name}")
+    @app.get("/api/studies/{name:path}")
     async def study(name: str) -> Response:
         path = folder.existing(name)
         return await _told(lambda: (sheets.loaded(path, (folder.path,)), shelf.looks_of(name)))
 
-    @app.put("/api/studies/{name}")
+    @app.put("/api/studies/{name:path}")
     async def save(name: str, request: Request) -> Response:
         data = await body_of(request)
         sheet = await _checked(request, data)
         text = await run_in_threadpool(sheets.sheet_yaml, sheet)
+        request.state.sheet = None  # what may be wrong from here on is no field of it
         overwrite = data.get("overwrite") is True
         saved = await run_in_threadpool(lambda: folder.save(name, text, overwrite=overwrite))
         shelf.note(saved.name, str(data.get("looks") or ""))

@@ -10,6 +10,7 @@ export interface FilesHost {
   runner: Runner;
   load(told: SheetTold, from: string): void;
   wrong(errors: Wrong[]): void;
+  right(): void;
   say(text: string): void;
 }
 
@@ -31,6 +32,7 @@ export function studyControls(host: FilesHost): HTMLElement {
     name.value = file;
     try {
       const told = await api.save(file, wish.sheet, wish.looks, overwrite);
+      host.right();
       host.say(`Saved as ${told.saved}.`);
       replace.hidden = true;
     } catch (error) {
@@ -62,6 +64,7 @@ export function exportControls(host: FilesHost): HTMLElement {
     host.say(`Making the ${product} …`);
     const bytes = await host.runner.file(product, wish, (job) => host.say(`Making the ${product}: ${job.stage || job.state} …`));
     give(bytes, `${stem()}${ending}`, type);
+    host.right();
     host.say(`The ${product} is among your downloads.`);
   });
   return make("span", { class: "pick", role: "group", "aria-label": "Export" },

@@ -14,6 +14,8 @@ export interface Messages {
   /** Whether the server is away, in words. */
   away(text: string | null): void;
   wrong(errors: Wrong[], go: (error: Wrong) => void): void;
+  /** What was wrong with a file is mended; what is wrong at fields stays. */
+  right(): void;
   /** The button that ends a run: it is there while one takes long. */
   cancel(button: HTMLElement): void;
 }
@@ -23,10 +25,11 @@ export function messages(): Messages {
   const bar = make("progress", { max: "1", "aria-label": "Progress of the run", hidden: true });
   const errors = make("div", { class: "errors", role: "alert", hidden: true });
   const doubts = make("div", { class: "doubts", hidden: true });
-  const gone = make("p", { class: "errors gone", role: "alert", hidden: true });
+  const gone = make("p", { class: "gone", role: "alert", hidden: true });
   const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line), gone, errors, doubts);
   let stop: HTMLElement | null = null;
   let odd: HTMLElement[] = [];
+  let atFields = false;
 
   const told = (one: Wrong, go: (one: Wrong) => void) => {
     const place = [one.where, one.path].filter(Boolean).join(" · ");
@@ -76,8 +79,10 @@ export function messages(): Messages {
       if (text !== null) busy(false);
     },
     unseen: (list, go) => doubt(list.map((one) => told(one, go))),
+    right: () => { if (!atFields) errors.hidden = true; },
     wrong(list, go) {
       say("");
+      atFields = list.some((one) => one.steps !== null);
       errors.hidden = false;
       errors.replaceChildren(...list.map((error) => told(error, go)));
     },
