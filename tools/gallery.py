@@ -100,7 +100,7 @@ SHOTS: dict[str, Shot] = {
         "compare.html",
         _compare,
     ),
-    "studio": Shot((), "studio filipovic2010 --no-open", _studio),
+    "studio": Shot((), "studio filipovic2010 --no-open --folder my-robot", _studio),
 }
 
 
@@ -146,7 +146,9 @@ def _address(page: str, work: Path) -> Iterator[str]:
     if (work / page).exists():
         yield (work / page).as_uri()
         return
-    with subprocess.Popen([*TMODES, *page.split()], cwd=work, stdout=subprocess.PIPE, text=True) as server:
+    words = page.split()
+    (work / words[words.index("--folder") + 1]).mkdir(exist_ok=True)  # its name is in the picture
+    with subprocess.Popen([*TMODES, *words], cwd=work, stdout=subprocess.PIPE, text=True) as server:
         yield next(line.split()[1] for line in server.stdout or () if line.startswith("open"))
         server.terminate()
 

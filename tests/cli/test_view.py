@@ -73,7 +73,8 @@ def test_a_page_is_not_replaced_unasked(runs, tmp_path):
 
 def test_without_a_file_the_page_is_temporary_and_stays(runs, tmp_path):
     page = Path(viewed(runs[0], env=os.environ | {"TMPDIR": str(tmp_path)}).stdout.split(maxsplit=1)[1].strip())
-    assert page.parent == tmp_path
+    assert page.parent.parent == tmp_path
+    assert os.name == "nt" or page.parent.stat().st_mode & 0o777 == 0o700  # others share the temporary folder
     assert page.read_text(encoding="utf-8").startswith("<!doctype html>")
     none = viewed(runs[0], "--out", tmp_path / "no folder" / "x.html", code=4)
     assert "Mend" in none.stderr
@@ -84,6 +85,8 @@ def test_what_cannot_be_viewed(runs, tmp_path):
     assert "seal" in viewed(runs[0], tmp_path, code=4).stderr
     assert "at most 6" in viewed(*[runs[0]] * 7, code=2).stderr
     assert "got nothing" in viewed(tmp_path / "none", code=4).stderr
+    assert "tmodes run spong1987" in viewed("spong1987", code=4).stderr
+    assert "got a folder" in viewed(runs[0], "--out", tmp_path, "--overwrite", code=4).stderr
 
 
 def test_names_apart():

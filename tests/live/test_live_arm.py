@@ -15,6 +15,9 @@ from tmodes.io.urdf_shapes import LinkShape
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
+from tmodes.live.numbers import arm_numbers, whole_moves
+from tmodes.live.surface import surface_numbers, surface_told
+from tmodes.motion.plan import Follow
 from tmodes.motion.simulate import simulate_arm
 from tmodes.report.meshes import with_shapes
 from tmodes.report.pack import pack
@@ -135,6 +138,61 @@ def test_picture_is_that_of_the_result(native: ArmResult, bundle: dict[str, Any]
     (shown,) = (one["values"] for one in runs[0]["scene"]["colours"] if one["id"] == "deflection")
     true = np.linalg.norm(bent, axis=-1)
     assert np.abs(shown - true).max() < EQUAL * true.max()
+
+
+def test_the_surface_follows_its_slider(live: LiveMap, runs: list[dict[str, Any]]) -> None:
+    """The wall of each run is where the changed sheet has it, and the contact there is the native one's."""
+    assert "distance of the wall" in [slider.label for slider in live.sliders]
+    for values, run in zip([unchanged(live), *drawn(live)], runs, strict=True):
+        contact = two_links().with_(live.changes(values)).contact
+        assert contact is not None
+        shown, true = run["scene"]["contact"]["surface"], surface_told(contact.shape)
+        assert shown["kind"] == true["kind"] == "plane"
+        assert np.allclose(shown["position"], true["position"], rtol=1e-12)
+    places = {tuple(run["scene"]["contact"]["surface"]["position"]) for run in runs}
+    assert len(places) == SETTINGS + 1
+
+
+PRESSED = {
+    "links.l1.bodies.payload.mass": 0.146, "joints.j0.gear.stiffness.0": 291.5, "joints.j1.gear.stiffness.0": 300.7,
+    "real:joints.j0.gear.stiffness.0": 1.415, "real:joints.j1.gear.stiffness.0": 0.802, "contact.stiffness": 1516.0,
+    "links.*.beam.section.bending_stiffness.*": 0.264, "real:links.*.beam.section.bending_stiffness.*": 1.677,
+    "contact.shape.distance": 0.7965,
+}  # fmt: skip
+"""Pressed so hard by the wall that the arm could rest bent to the one side or to the other."""
+
+
+def test_rest_stays_on_its_branch(bundle: dict[str, Any], live: LiveMap, tmp_path: Path) -> None:
+    """Newton's method alone would leap to the other side, -0.13 in place of 0.38."""
+    values = [PRESSED.get(slider.path, slider.value) for slider in live.sliders]
+    (run,) = live_in_node(bundle, [values], tmp_path)
+    native = result_of(two_links().with_(live.changes(values))).data["q"].values[0]
+    assert native[4] > 0.3
+    assert run["series"]["q"][0] == pytest.approx(native, abs=1e-8)
+
+
+SURFACES = (
+    ({"type": "plane", "position": [0.3, 0.0, 0.1], "normal": [0.6, 0.0, 0.8]}, "contact.shape.position.2"),
+    ({"type": "ball", "center": [0.0, 0.0, -1.0], "radius": 1.0}, "contact.shape.radius"),
+)
+
+
+@pytest.mark.parametrize(("shape", "path"), SURFACES, ids=["plane", "ball"])
+def test_every_kind_of_surface_has_a_slider(shape: dict[str, Any], path: str) -> None:
+    """Both ways by three hundredths of the arm's length; numbers and picture are those of the changed sheet."""
+    arm = two_links().with_({"contact.shape": shape})
+    live = live_map(arm.pair(), (0.0, 1.0))
+    (slider,) = (one for one in live.sliders if one.path.startswith("contact.shape"))
+    assert slider.path == path
+    assert (slider.low, slider.high) == pytest.approx((slider.value - 0.027, slider.value + 0.027))
+    values = [one.high if one is slider else one.value for one in live.sliders]
+    moved = arm.with_({path: slider.high})
+    assert live.changes(values) == {path: slider.high}
+    assert moved.contact is not None
+    numbers = live.numbers(values, "real")
+    assert numbers["surface"] == pytest.approx(surface_numbers(moved.contact.shape), rel=1e-12)
+    true = arm_numbers(moved.pair().real, Follow.SHEET, whole_moves(arm, 2.5), (0.0, 1.0))
+    assert numbers["parameters"] == pytest.approx(true["parameters"], rel=1e-12)
 
 
 def test_headline_numbers_are_those_of_the_summary(native: ArmResult, runs: list[dict[str, Any]]) -> None:

@@ -13,7 +13,10 @@ from typing import Any
 
 import pytest
 
+from studio.test_looks import ELASTICITY, stl
+from studio.test_looks import URDF as MESHED
 from tmodes.report import pack
+from tmodes.studio.door import door
 
 BUILT = Path(pack.__file__).parent / "web" / "studio.js"
 LAUNCH = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
@@ -77,7 +80,7 @@ class Tab:
             self.wrong.append(told.text)
 
     def _look(self, url: str) -> None:
-        if not url.startswith(("http://127.0.0.1", "data:", "blob:")):
+        if not url.startswith(("http://127.0.0.1", "data:", "blob:")) and not url.endswith("/open.html"):
             self.wrong.append(url)
 
     def line(self) -> str:
@@ -116,6 +119,15 @@ def opened(browser: Any, address: str) -> Iterator[Tab]:
 @pytest.fixture
 def tab(browser: Any, address: str) -> Iterator[Tab]:
     yield from opened(browser, address)
+
+
+def test_the_page_that_leads_there(browser, address):
+    """What the command opens, instead of the address itself: the studio, with its token kept."""
+    with door(address) as page:
+        assert page is not None
+        for tab in opened(browser, page.as_uri()):
+            tab.told("New curves")
+            assert tab.page.url == address.partition("?")[0]
 
 
 def drag(tab: Tab, slider: str, share: float) -> None:
@@ -162,12 +174,34 @@ def test_a_wrong_number_is_told_at_its_field(tab):
 
 def test_a_wrong_urdf_is_told_by_file_line_and_field(tab):
     tab.page.set_input_files(
-        "input[type=file]", [{"name": "two.urdf", "mimeType": "text/xml", "buffer": SLOW_URDF.encode()}]
+        "input[type=file] >> nth=0", [{"name": "two.urdf", "mimeType": "text/xml", "buffer": SLOW_URDF.encode()}]
     )
     tab.page.wait_for_selector(".errors p", timeout=WAIT)
     told = tab.page.inner_text(".errors")
     assert "two.urdf:3" in told
     assert "mass" in told
+
+
+def test_meshes_that_are_chosen_with_a_urdf(tab, tmp_path):
+    """A folder with all that is in it; and without the mesh a warning stands at its link, and the run is made."""
+    (home := tmp_path / "two_description").mkdir()
+    (home / "meshes").mkdir()
+    (home / ".hidden").mkdir()
+    (home / ".hidden" / "other.urdf").write_text("junk", encoding="utf-8")
+    (home / "README.md").write_text("of no use", encoding="utf-8")
+    (home / "two.urdf").write_text(MESHED.format(mesh="meshes/arm.stl"), encoding="utf-8")
+    (home / "two.yaml").write_text(ELASTICITY.format(urdf="two.urdf"), encoding="utf-8")
+    (home / "meshes" / "arm.stl").write_bytes(stl(0.25))
+    chooser, folder = (tab.page.get_by_label(name, exact=True) for name in ("Upload", "Folder"))
+    tab.fresh(lambda: folder.set_input_files(home))
+    assert not tab.page.is_visible(".doubts")
+    chooser.set_input_files([home / "two.urdf", home / "two.yaml"])
+    tab.page.wait_for_selector(".doubts", timeout=WAIT)
+    assert "two.urdf:6 · links.arm" in tab.page.inner_text(".doubts")
+    assert "not there" in tab.page.inner_text(".sheet .doubt")
+    assert tab.page.locator("details[data-path='links.0']").get_attribute("aria-invalid") is None
+    tab.fresh(lambda: folder.set_input_files(home))
+    assert tab.page.locator(".sheet .doubt").count() == 0
 
 
 def test_another_robot_with_its_own_form(tab):
@@ -235,6 +269,25 @@ def test_a_study_is_kept_and_opened_again(tab):
     tab.told("Saved", WAIT)
 
 
+def test_names_that_are_none_and_what_is_typed_beside_a_slider(tab):
+    """A path is told to be no name; the word that is gone is no longer told; a unit may be typed, a word is refused."""
+    name, save = tab.page.get_by_label("Name of the study"), tab.page.get_by_role("button", name="Save", exact=True)
+    name.fill("../x")
+    save.click()
+    tab.page.locator(".errors", has_text="the plain name of a file").wait_for(timeout=WAIT)
+    name.fill("x")
+    save.click()
+    tab.told("Saved")
+    assert not tab.page.is_visible(".errors")
+    typed = tab.page.locator("[data-slider='payload.mass'] input.number")
+    typed.fill("some")
+    typed.press("Enter")
+    tab.page.locator(".errors", has_text="payload.mass").wait_for(timeout=WAIT)
+    typed.fill("450 g")
+    tab.fresh(lambda: typed.press("Enter"))
+    assert not tab.page.is_visible(".errors")
+
+
 def test_a_robot_called_script_stays_text(tab):
     tab.type("Name", "<img src=x onerror=alert(1)>")
     tab.told("New", WAIT)
@@ -265,6 +318,52 @@ def test_no_width_makes_the_page_scroll_sideways(tab, size):
     tab.page.set_viewport_size({"width": size[0], "height": size[1]})
     tab.page.wait_for_timeout(200)
     assert tab.page.evaluate("document.documentElement.scrollWidth") <= size[0]
+
+
+def studio_of_its_own(folder: Path, *more: str) -> subprocess.Popen[str]:
+    command = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open", "--folder", str(folder), *more]
+    return subprocess.Popen(command, stdout=subprocess.PIPE, text=True)
+
+
+def test_a_studio_that_goes_away_and_comes_back(browser, tmp_path):
+    """The page says that nothing answers, and goes on by itself; one that was started anew has another address."""
+    if os.name == "nt":
+        pytest.skip("stops and continues a process by signals")
+    with studio_of_its_own(tmp_path) as running:
+        assert running.stdout is not None
+        address = running.stdout.readline().split()[1]
+        port = address.partition("/?")[0].rpartition(":")[2]
+        tab = Tab(browser.new_page())
+        tab.page.goto(address)
+        tab.told("New curves")
+        gone = tab.page.locator(".gone")
+        running.send_signal(signal.SIGSTOP)
+        gone.wait_for(timeout=WAIT)
+        assert "start it again" in gone.inner_text()
+        tab.page.evaluate("document.querySelector('.line').textContent = ''")
+        running.send_signal(signal.SIGCONT)
+        tab.told("New curves")
+        assert not gone.is_visible()
+        assert tab.wrong == []
+        running.terminate()
+    with studio_of_its_own(tmp_path, "--port", port) as anew:
+        assert anew.stdout is not None
+        anew.stdout.readline()
+        tab.page.locator(".gone", has_text="open the address that it printed").wait_for(timeout=WAIT)
+        anew.terminate()
+    tab.page.close()
+
+
+def test_what_is_added_has_units_and_values_that_may_be(tab):
+    """A number that nobody gave yet lies within its range, and has the unit of the joint that it moves."""
+    tab.fresh(lambda: tab.page.get_by_label("Robot", exact=True).select_option("spong1987"))
+    for path in ("drives", "drives.0", "drives.0.signal"):
+        tab.page.locator(f"details[data-path='{path}'] > summary").click()
+    kinds = tab.page.locator("details[data-path='drives.0.signal'] select").first
+    tab.fresh(lambda: kinds.select_option("trapezoid"))
+    kinds.select_option("noise")
+    deviation = tab.page.locator("details[data-path='drives.0.signal'] .field", has_text="Deviation")
+    deviation.locator(".unit", has_text="rad").wait_for(timeout=WAIT)
 
 
 def test_nothing_is_left_when_the_studio_is_killed(tmp_path):

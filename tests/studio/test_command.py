@@ -84,6 +84,20 @@ def test_what_cannot_be_started(tmp_path):
     assert "address of this machine" in refused("--host", "nowhere.example")
     (tmp_path / "wrong.yaml").write_text("format: 1\n", encoding="utf-8")
     assert "wrong.yaml" in refused(tmp_path / "wrong.yaml", "--folder", tmp_path)
+    (tmp_path / "result.nc").write_bytes(b"")
+    assert f"tmodes view {tmp_path / 'result.nc'}" in refused(tmp_path / "result.nc")
+    assert f"tmodes view {tmp_path}" in refused(tmp_path)
+    (tmp_path / "result.nc").unlink()
+    assert f"--folder {tmp_path}" in refused(tmp_path)
+
+
+def test_localhost_is_this_machine(tmp_path):
+    with started("--folder", tmp_path, "--host", "localhost") as running:
+        assert running.stdout is not None
+        address = running.stdout.readline().split()[1]
+        assert address.startswith("http://127.0.0.1:")
+        assert httpx.get(address, trust_env=False).status_code == 200
+        running.terminate()
 
 
 def test_a_file_elsewhere_asks_for_its_folder(tmp_path):

@@ -6,6 +6,8 @@ import base64
 import json
 import os
 import socket
+import time
+from concurrent.futures import ThreadPoolExecutor
 
 import httpx
 import pytest
@@ -120,6 +122,44 @@ def test_a_study_names_no_file_outside(studio):
 def test_files_that_are_no_sheets(studio, content):
     (studio.folder / "junk.yaml").write_bytes(content)
     assert studio.get("/api/studies/junk.yaml", code=422)["errors"][0]["mend"]
+
+
+def test_what_would_never_be_read_is_refused_at_once(studio, sheet):
+    """A file of a gigabyte, and a pipe that nobody writes to."""
+    with (studio.folder / "huge.yaml").open("wb") as file:
+        file.truncate(2**30)
+    began = time.monotonic()
+    assert "at most" in studio.get("/api/studies/huge.yaml", code=422)["errors"][0]["expected"]
+    (studio.folder / "huge.yaml").unlink()
+    if hasattr(os, "mkfifo"):
+        os.mkfifo(studio.folder / "pipe.yaml")
+        assert "pipe.yaml" not in studio.get("/api/studies")["studies"]
+        studio.get("/api/studies/pipe.yaml", code=422)
+        studio.put("/api/studies/pipe.yaml", json={"sheet": sheet, "overwrite": True}, code=422)
+    assert time.monotonic() - began < 5.0
+
+
+def test_two_that_save_under_one_name(studio, sheet):
+    """One of them is the first, the others are told; what is there is whole."""
+    with ThreadPoolExecutor(8) as several:
+        body = {"sheet": sheet}
+        answers = [*several.map(lambda _: studio.client.put("/api/studies/race.yaml", json=body).status_code, range(8))]
+    assert sorted(answers) == [200] + [409] * 7
+    assert studio.get("/api/studies/race.yaml")["sheet"] == sheet
+
+
+def test_a_full_disk_leaves_the_old_study(studio, sheet, monkeypatch):
+    studio.put("/api/studies/full.yaml", json={"sheet": sheet})
+
+    def full(*given: object) -> None:
+        raise OSError(28, "No space left on device")
+
+    monkeypatch.setattr("tmodes.io.atomic._flush", full)
+    changed = sheet | {"gravity": 1.62}
+    refused = studio.put("/api/studies/full.yaml", json={"sheet": changed, "overwrite": True}, code=409)["errors"][0]
+    assert "free some space" in refused["message"]
+    assert studio.get("/api/studies/full.yaml")["sheet"] == sheet
+    assert not [name for name in names(studio.folder) if name.endswith(".tmp")]
 
 
 def test_too_much_is_refused(studio):

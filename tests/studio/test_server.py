@@ -63,7 +63,7 @@ def test_a_run_is_the_run_of_the_command_line(studio, sheet, tmp_path):
     told = studio.ended(job := studio.begin(sheet))
     assert told["state"] == "done", told["errors"]
     assert told["told"]["success"] is True
-    assert set(told["told"]["seconds"]) == {"check", "simulate", "data", "loops"}
+    assert set(told["told"]["seconds"]) == {"check", "simulate", "shapes", "data", "loops"}
     content = studio.client.get(f"/api/jobs/{job}/content").content
     (tmp_path / "other.nc").write_bytes(content)
     here = tmodes.run(tmodes.load_robot("filipovic2010").with_({"payload.mass": 0.7}))

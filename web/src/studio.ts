@@ -1,14 +1,16 @@
 // The studio: choose a robot, change its numbers, and see it move and ring at once.
 
 import { button, make, ownId } from "./dom";
+import { watch } from "./studio/alive";
 import { api, type SheetTold, type Wrong } from "./studio/api";
-import { attempt, exportControls, studyControls, uploadControl, type FilesHost } from "./studio/files";
+import { attempt, exportControls, studyControls, type FilesHost } from "./studio/files";
 import { Form } from "./studio/form";
 import { messages } from "./studio/messages";
 import { Runner } from "./studio/runner";
 import { Forms } from "./studio/schema";
 import { Shown } from "./studio/shown";
 import { mountSliders, type SlidersView } from "./studio/sliders";
+import { uploadControl } from "./studio/upload";
 
 const WAIT = 300;
 
@@ -35,7 +37,8 @@ async function main(): Promise<void> {
     done(page, job, milliseconds) {
       clearTimeout(slow);
       told.done(page, job, milliseconds);
-      form?.mark([]);
+      form?.mark([], job.told.unseen);
+      told.unseen(job.told.unseen ?? [], go);
       shown.show(page, job);
       view.classList.remove("stale");
     },
@@ -48,9 +51,13 @@ async function main(): Promise<void> {
     },
   });
 
+  function go(to: Wrong): void {
+    if (to.steps) form?.focus(to.steps);
+  }
+
   function wrong(errors: Wrong[]): void {
     clearTimeout(slow);
-    told.wrong(errors, (error) => { if (error.steps) form?.focus(error.steps); });
+    told.wrong(errors, go);
     form?.mark(errors);
     view.classList.add("stale");
   }
@@ -59,21 +66,21 @@ async function main(): Promise<void> {
     if (!current) return;
     sliders?.refresh();
     if (structure) void look(current);
-    runner.want(current.sheet);
+    runner.want(current);
   }
 
   /** A sheet whose structure changed has other sliders. */
   async function look(of: SheetTold): Promise<void> {
     const fresh = await api.check(of.sheet).catch(() => null);
     if (!fresh || current !== of) return;
-    of.units = fresh.units;
-    sliders = slidersOf({ ...fresh, sheet: of.sheet });
+    form?.tell(fresh.units);
+    sliders = slidersOf({ ...fresh, sheet: of.sheet, looks: of.looks });
   }
 
   function slidersOf(of: SheetTold): SlidersView {
     return mountSliders(sliderPlace, of.sliders, of.sheet, () => {
       form?.refresh();
-      runner.want(of.sheet);
+      runner.want(of);
     });
   }
 
@@ -85,15 +92,16 @@ async function main(): Promise<void> {
     sliders = slidersOf(loaded);
     document.title = `${loaded.name} – tmodes studio`;
     told.loaded(from, loaded.warnings);
-    runner.want(loaded.sheet);
+    runner.want(loaded);
   }
 
   const host: FilesHost = {
-    sheet: () => current?.sheet ?? null,
+    wish: () => current,
     name: () => current?.name ?? "robot",
     runner,
     load: (one, from) => void attempt(host, () => load(one, from)),
     wrong,
+    right: told.right,
     say: told.say,
   };
   let choice = 0;
@@ -114,6 +122,7 @@ async function main(): Promise<void> {
   document.body.append(skip, bar, told.element, make("div", { class: "studio" },
     make("aside", { class: "controls", "aria-label": "Numbers" }, make("h2", { text: "Drag" }), sliderPlace, make("h2", { text: "Data sheet" }), formPlace), view));
 
+  watch({ away: told.away, back: () => { if (current) runner.want(current); } });
   const first = document.body.dataset.first ?? "";
   await attempt(host, async () => {
     const list = (await api.robots()).robots;

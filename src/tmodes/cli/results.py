@@ -25,6 +25,11 @@ def result_file(path: Path) -> Path:
             raise file_error(path, "a folder without result.nc", "the folder of a run", mend)
         return path / "result.nc"
     if not path.exists():
+        from tmodes.robots.load import sheet_names
+
+        if str(path) in sheet_names():
+            mend = f"run it first: tmodes run {path} --out FOLDER, and name that folder"
+            raise file_error(path, "the name of a robot", "a result file, or the folder of a run", mend)
         raise file_error(path, "nothing", "a result file, or the folder of a run", mend)
     return path
 

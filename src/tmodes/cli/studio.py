@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import sys
-from contextlib import suppress
+from contextlib import ExitStack, suppress
 from importlib.util import find_spec
 from pathlib import Path
 from threading import Thread
@@ -44,7 +44,9 @@ def studio(
 
     working = WorkingFolder(folder)
     first = _first(robot, working)
-    serve(working, first, host=host, port=port, ready=lambda address: _ready(address, working.path, browser))
+    with ExitStack() as until_stopped:
+        opened = until_stopped if browser else None
+        serve(working, first, host=host, port=port, ready=lambda address: _ready(address, working.path, opened))
     print("tmodes studio: stopped", file=sys.stderr)
 
 
@@ -55,6 +57,7 @@ def _first(robot: str, folder: WorkingFolder) -> str:
 
     if not robot or robot in sheet_names():
         return robot
+    _refuse_what_is_no_robot(Path(robot))
     load_sheet(robot)
     path = Path(robot).absolute()
     if path.parent.resolve() != folder.path:
@@ -63,11 +66,29 @@ def _first(robot: str, folder: WorkingFolder) -> str:
     return f"./{folder.existing(path.name).name}"
 
 
-def _ready(address: str, folder: Path, browser: bool) -> None:
+def _refuse_what_is_no_robot(path: Path) -> None:
+    from tmodes.errors import InputError
+    from tmodes.io.words import shown_path
+
+    expected = "a published robot, or a data sheet or URDF"
+    if path.suffix == ".nc" or (path / "result.nc").is_file():
+        mend = f"look at it with: tmodes view {path}"
+        raise InputError("ROBOT|FILE", f"a result ({shown_path(path)})", expected, mend)
+    if path.is_dir():
+        mend = f"to work in this folder: tmodes studio --folder {path}"
+        raise InputError("ROBOT|FILE", f"a folder ({shown_path(path)})", expected, mend)
+
+
+def _ready(address: str, folder: Path, until_stopped: ExitStack | None) -> None:
+    """Tell the address; with ``until_stopped`` also open it, by way of a page that goes when the studio stops."""
     with suppress(OSError):  # who started it may have stopped to listen
         print(f"open    {address}\nfolder  {folder}\nstop    Ctrl-C", flush=True)
-    if browser:
-        import webbrowser
+    if until_stopped is None:
+        return
+    import webbrowser
 
+    from tmodes.studio.door import door
+
+    if page := until_stopped.enter_context(door(address)):
         # A browser in the terminal ends only when it is closed, and the page needs the server meanwhile.
-        Thread(target=webbrowser.open, args=(address,), daemon=True).start()
+        Thread(target=webbrowser.open, args=(page.as_uri(),), daemon=True).start()

@@ -58,9 +58,11 @@ def _refuse_too_many(results: list[Path]) -> None:
 
 
 def _refuse_taken(out: Path | None, overwrite: bool) -> None:
-    if out is not None and os.path.lexists(out) and not overwrite:
-        from tmodes.io.atomic import file_error
+    from tmodes.io.atomic import file_error
 
+    if out is not None and out.is_dir():
+        raise file_error(out, "a folder", "the name of a file", f"name the page, such as --out {out / 'view.html'}")
+    if out is not None and os.path.lexists(out) and not overwrite:
         raise file_error(out, "a file that exists", "a new name", "--overwrite replaces it, --out names another")
 
 
@@ -89,13 +91,11 @@ def _written(text: str, out: Path | None, overwrite: bool) -> Path:
 
 
 def _temporary() -> Path:
-    """An empty file of its own, which stays."""
+    """The name of a page in a folder of its own, which stays and which other users cannot look into."""
     from tmodes.io.atomic import file_error
 
     try:
-        handle, name = tempfile.mkstemp(prefix="tmodes-view-", suffix=".html")
+        return Path(tempfile.mkdtemp(prefix="tmodes-view-")) / "view.html"
     except OSError as error:
         got = str(error.strerror)
         raise file_error("the temporary folder", got, "room for a page", "name a file with --out") from None
-    os.close(handle)
-    return Path(name)

@@ -17,7 +17,7 @@ from tmodes.io.urdf import UrdfRobot
 from tmodes.io.urdf_values import fault, number_at, only, origin_at, text_at, triple_at
 from tmodes.io.xml_file import Element
 
-__all__ = ["LinkShape", "link_shapes"]
+__all__ = ["LinkShape", "Unseen", "link_shapes"]
 
 PLAIN = "#b4bec8"
 """The colour of what has none."""
@@ -37,13 +37,23 @@ class LinkShape(NamedTuple):
     surface: Triangles
 
 
-def link_shapes(robot: UrdfRobot) -> tuple[list[LinkShape], list[str]]:
-    """The surfaces of all links, and sentences about those that cannot be shown.
+class Unseen(NamedTuple):
+    """A shape of a link that cannot be shown, and why."""
+
+    link: str
+    error: InputError
+
+    def __str__(self) -> str:
+        return f"a shape of link {self.link} is not shown: {self.error}"
+
+
+def link_shapes(robot: UrdfRobot) -> tuple[list[LinkShape], list[Unseen]]:
+    """The surfaces of all links, and those that cannot be shown.
 
     Of each link its visual shapes; where one is a file of another format than STL and OBJ, the collision shapes.
     """
     found: list[LinkShape] = []
-    doubts: list[str] = []
+    unseen: list[Unseen] = []
     for name, element in robot.links.items():
         visual, collision = element.all("visual"), element.all("collision")
         colours = [_colour(shape, robot.root) for shape in visual]
@@ -51,13 +61,14 @@ def link_shapes(robot: UrdfRobot) -> tuple[list[LinkShape], list[str]]:
         for index, shape in enumerate(chosen[: MOST_SHAPES - len(found)]):
             colour = colours[min(index, len(colours) - 1)] if colours else PLAIN
             if sum(len(one.surface.faces) for one in found) > MOST_FACES:
-                doubts.append(f"shapes from link {name} on are not shown: expected at most {MOST_FACES:,} triangles")
-                return found, doubts
+                got, expected = "more, from this link on", f"at most {MOST_FACES:,} triangles of all links"
+                unseen.append(Unseen(name, fault(shape, f"link {name}: {shape.tag}", got, expected, "simplify them")))
+                return found, unseen
             try:
                 found.append(LinkShape(name, colour, _placed(shape, robot, f"link {name}: {shape.tag}")))
             except InputError as error:
-                doubts.append(f"a shape of link {name} is not shown: {error}")
-    return found, doubts
+                unseen.append(Unseen(name, error))
+    return found, unseen
 
 
 def _is_readable(shape: Element) -> bool:

@@ -17,6 +17,7 @@ from tmodes.chain import Chain, JointKind, RigidLink, Segment
 from tmodes.live.arm_loads import joint_limits, load_places, packed_loads, yield_strengths
 from tmodes.live.arm_vibrations import arm_vibrations
 from tmodes.live.numbers import follow_of
+from tmodes.live.surface import surface_told
 from tmodes.live.wasm_arm import ArmFunctions, arm_module
 from tmodes.motion.loop import LoopModel
 from tmodes.motion.plan import Follow, planned, starts_at_rest
@@ -64,6 +65,7 @@ def arm_bundle(
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
         "carried": _carried(pair, real, stations),
+        "surface": pair.real.contact and surface_told(pair.real.contact.shape),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
         **arm_vibrations(pair.real, real.planned.plan, model),

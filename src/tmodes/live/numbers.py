@@ -15,6 +15,7 @@ from tmodes.equations.arm.closed_loop import ClosedLoop
 from tmodes.equations.arm.parts import Parts
 from tmodes.live.arm_loads import load_places, packed_loads
 from tmodes.live.arm_vibrations import vibration_numbers
+from tmodes.live.surface import surface_numbers
 from tmodes.live.wasm_arm import stationed
 from tmodes.mechanism import Drive
 from tmodes.motion.plan import Follow, planned
@@ -54,9 +55,9 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
-    ``until`` [s], beyond the end of the run, to be whole. ``pose``: of the passes to these ``stations``, where asked,
-    ``carried`` of :func:`tmodes.live.arm_loads.packed_loads` and the blocks of
-    :func:`tmodes.live.arm_vibrations.vibration_numbers`.
+    ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``pose``, of the passes to these,
+    ``surface``, the place of what is touched, ``carried`` of :func:`tmodes.live.arm_loads.packed_loads`, and the blocks
+    of :func:`tmodes.live.arm_vibrations.vibration_numbers`.
     """
     plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
     loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()
@@ -72,6 +73,8 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
         found["pose"] = ArmPasses(Parts(stationed(chain, stations))).parameters
         found |= vibration_numbers(arm, plan.plan, model)
         found["carried"] = packed_loads(plan.plan, loop.parts, load_places(arm.integration.line_points)).numbers
+        if arm.contact:
+            found["surface"] = surface_numbers(arm.contact.shape)
     for k, signal in enumerate(plan.each):
         schedule = signal.schedule(until if isinstance(signal, (Quintic, Trapezoid)) else arm.integration.duration)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}

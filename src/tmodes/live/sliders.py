@@ -10,11 +10,12 @@ from typing import Any, NamedTuple
 
 from tmodes.arm import Arm
 from tmodes.live.sheet_numbers import SheetNumber, real_entry, sheet_numbers
+from tmodes.live.surface import steepest, stretched_length
 from tmodes.robot import Robot
 
 __all__ = ["MOST", "Knob", "Slider", "knobs_of", "sliders_of"]
 
-MOST = 14
+MOST = 16
 """Sliders of a page."""
 
 
@@ -80,7 +81,8 @@ class _Rule(NamedTuple):
     """A kind of number that is worth a slider: its path, its group, how far it goes, and whether the real one differs.
 
     ``reach``: the largest value over the present one (the least is its inverse); ``room``: how far a number that
-    may be zero goes at least.
+    may be zero goes at least; ``span``: how far one goes both ways, as a share of the arm's length. ``words``: its
+    label where the sheet's own words do not say whose it is.
     """
 
     kind: str
@@ -89,6 +91,8 @@ class _Rule(NamedTuple):
     real: bool = False
     room: float = 0.0
     log: bool = True
+    span: float = 0.0
+    words: str = ""
 
 
 _RULES = (
@@ -100,6 +104,9 @@ _RULES = (
     _Rule(r"(controller|drives\.\*\.controller)\.position_gain", "controller"),
     _Rule(r"(controller|drives\.\*\.controller)\.velocity_gain", "controller"),
     _Rule(r"(environment|contact)\.stiffness", "environment"),
+    _Rule(r"contact\.shape\.distance", "environment", span=0.03, log=False, words="distance of the wall"),
+    _Rule(r"contact\.shape\.radius", "environment", span=0.03, log=False, words="radius of the surface touched"),
+    _Rule(r"contact\.shape\.position\.\*", "environment", span=0.03, log=False, words="place of the surface along {}"),
     _Rule(r"(environment|contact)\.damping", "environment"),
     _Rule(r"(environment|contact)\.friction", "environment", 3.0, log=False),
     _Rule(r"environment\.preload", "environment", 3.0, room=20.0, log=False),
@@ -128,9 +135,11 @@ def knobs_of(sheet: Robot | Arm) -> list[Knob]:
 
 
 def _useful(sheet: Robot | Arm, number: SheetNumber, rule: _Rule) -> bool:
-    """A load of an arm is on the link with its tip; what is zero has no proportion, what is rigid stays so."""
+    """A load of an arm is on the link with its tip; a plane moves along its normal; a slider has a finite proportion."""
     if not math.isfinite(number.value):
         return False
+    if isinstance(sheet, Arm) and number.kind == "contact.shape.position.*":
+        return int(number.path[-1]) == steepest(sheet)
     if isinstance(sheet, Arm) and number.kind == "links.*.bodies.*.mass":
         tip = sheet.tip.link if sheet.tip else sheet.links[-1].name if sheet.links else ""
         return number.owner == tip and number.value > 0
@@ -140,7 +149,7 @@ def _useful(sheet: Robot | Arm, number: SheetNumber, rule: _Rule) -> bool:
 def _knobs(sheet: Robot | Arm, group: Sequence[SheetNumber], rule: _Rule) -> Iterator[Knob]:
     if len(group) <= _ALONE:
         for number in group:
-            low, high = _reach(number, rule)
+            low, high = _reach(sheet, number, rule)
             yield _knob(sheet, [number], (number.value, low, high), _log(low, rule))
         return
     least = max(max(number.least / number.value, 1 / rule.reach) for number in group)
@@ -156,7 +165,11 @@ def _knob(sheet: Robot | Arm, group: Sequence[SheetNumber], span: tuple[float, f
     return Knob(group[0].kind, targets, *span, log, tuple(reals) if len(reals) == len(group) else (), common)
 
 
-def _reach(number: SheetNumber, rule: _Rule) -> tuple[float, float]:
+def _reach(sheet: Robot | Arm, number: SheetNumber, rule: _Rule) -> tuple[float, float]:
+    if rule.span and isinstance(sheet, Arm):
+        away = rule.span * stretched_length(sheet)
+        least = number.value - away if number.least < 0 else max(number.value - away, number.value / rule.reach)
+        return least, number.value + away
     if rule.room:
         far = max(rule.reach * abs(number.value), rule.room)
         return (0.0, far) if number.value >= 0 else (-far, 0.0)  # of the other sign it buckles the arm
@@ -187,7 +200,7 @@ def sliders_of(sheet: Robot | Arm, knobs: Sequence[Knob], most: int = MOST) -> l
     for index, knob in enumerate(knobs):
         number = told[knob.targets[0][0]]
         rule = next(rule for rule in _RULES if re.fullmatch(rule.kind, knob.kind))
-        label = _label(number, knob)
+        label = rule.words.format("xyz"[int(number.path[-1])] if "{" in rule.words else "") or _label(number, knob)
         path, unit = (knob.kind, "-") if knob.together else (number.path, number.unit)
         shown = f"{label}: times the sheet's" if knob.together else label
         own = (path, shown, number.symbol, unit, rule.group, knob.start, knob.low, knob.high, knob.log)

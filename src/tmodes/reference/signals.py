@@ -170,6 +170,9 @@ class Table(DataSheet):
                 mend = "order the rows by time" + ("" if jumps else "; a jump needs `interpolation: linear`")
                 yield Misfit(f"times.{index + 1}", got, "times that rise", mend)
                 return
+        if self.times[-1] == self.times[0]:
+            mend = "give the last row a later time; a jump alone is the signal `step`"
+            yield Misfit("times", f"{self.times[0]!r} s in every row", "a last time after the first", mend)
 
     def schedule(self, until: float) -> Schedule:
         """A piece between each two rows, and the first and last value held, up to ``until`` [s]."""

@@ -12,15 +12,14 @@ from numpy.typing import NDArray
 
 from tmodes.errors import TmodesError
 from tmodes.io.atomic import file_error
-from tmodes.io.mesh_file import Triangles
-from tmodes.io.urdf_shapes import LinkShape, link_shapes
+from tmodes.io.urdf_shapes import LinkShape, Unseen, link_shapes
 from tmodes.report.mesh_thin import thinned
 from tmodes.robots.load import urdf_of
 
 if TYPE_CHECKING:
     from tmodes.arm_result import ArmResult
 
-__all__ = ["Kept", "kept_meshes", "read_shapes", "with_shapes"]
+__all__ = ["Kept", "few_shapes", "kept_meshes", "read_shapes", "seen_shapes", "with_few_shapes", "with_shapes"]
 
 MOST_TRIANGLES = 40_000
 """Triangles of a whole robot in a result: below a megabyte of its report."""
@@ -43,30 +42,51 @@ def read_shapes(
     Nothing that is wrong with them is an error: a run needs no looks.
     """
     try:
-        found = urdf_of(robot, roots=roots, trust_paths=trust_paths)
-        return link_shapes(found) if found else ([], [])
+        shapes, unseen = seen_shapes(robot, roots, trust_paths)
     except TmodesError as error:
         return [], [f"the shapes of the links are not shown: {error}"]
+    return shapes, [str(one) for one in unseen]
+
+
+def seen_shapes(
+    robot: str | os.PathLike[str], roots: Sequence[str | os.PathLike[str]] = (), trust_paths: bool = False
+) -> tuple[list[LinkShape], list[Unseen]]:
+    """The same, with what is not shown link by link; raises :class:`tmodes.errors.TmodesError` where nothing can be."""
+    found = urdf_of(robot, roots=roots, trust_paths=trust_paths)
+    return link_shapes(found) if found else ([], [])
+
+
+def few_shapes(shapes: Sequence[LinkShape]) -> list[LinkShape]:
+    """The surfaces simplified to 40,000 triangles in all; those of which nothing is left are left out."""
+    share = MOST_TRIANGLES / max(sum(len(shape.surface.faces) for shape in shapes), MOST_TRIANGLES)
+    few = (
+        shape._replace(surface=thinned(shape.surface, max(int(share * len(shape.surface.faces)), 12)))
+        for shape in shapes
+    )
+    return [shape for shape in few if len(shape.surface.faces)]
 
 
 def with_shapes(result: ArmResult, shapes: Sequence[LinkShape]) -> ArmResult:
-    """The result with the surfaces of its links, simplified to 40,000 triangles in all.
+    """The result with the surfaces of its links, simplified as by :func:`few_shapes`.
 
     Variables ``mesh_vertices`` (mesh_vertex, axis) [m], in the frame of their link, and ``mesh_faces`` (mesh_face,
     corner); the attribute ``meshes`` tells link, colour and numbers of both of each surface.
     """
-    share = MOST_TRIANGLES / max(sum(len(shape.surface.faces) for shape in shapes), MOST_TRIANGLES)
-    few = [(shape, thinned(shape.surface, max(int(share * len(shape.surface.faces)), 12))) for shape in shapes]
-    few = [(shape, surface) for shape, surface in few if len(surface.faces)]
+    return with_few_shapes(result, few_shapes(shapes))
+
+
+def with_few_shapes(result: ArmResult, few: Sequence[LinkShape]) -> ArmResult:
+    """The result with surfaces that :func:`few_shapes` simplified before; see :func:`with_shapes`."""
     if not few:
         return result
+    surfaces = [shape.surface for shape in few]
     data = result.data.assign(
-        mesh_vertices=(("mesh_vertex", "axis"), _joined([surface.vertices for _, surface in few], np.float32),
+        mesh_vertices=(("mesh_vertex", "axis"), _joined([surface.vertices for surface in surfaces], np.float32),
                        {"units": "m", "long_name": "vertices of the links' surfaces, in the frame of each link"}),
-        mesh_faces=(("mesh_face", "corner"), _joined([surface.faces for _, surface in few], np.int32),
+        mesh_faces=(("mesh_face", "corner"), _joined([surface.faces for surface in surfaces], np.int32),
                     {"units": "1", "long_name": "vertices of each triangle, counted within its surface"}),
     )  # fmt: skip
-    data.attrs["meshes"] = json.dumps([_told(shape, surface) for shape, surface in few])
+    data.attrs["meshes"] = json.dumps([_told(shape) for shape in few])
     return type(result)(data, result.timing)
 
 
@@ -94,7 +114,6 @@ def _joined(parts: list[Any], kind: Any) -> NDArray[Any]:
     return np.concatenate(parts).astype(kind)
 
 
-def _told(shape: LinkShape, surface: Triangles) -> dict[str, Any]:
-    return {
-        "link": shape.link, "colour": shape.colour, "vertices": len(surface.vertices), "faces": len(surface.faces)
-    }  # fmt: skip
+def _told(shape: LinkShape) -> dict[str, Any]:
+    vertices, faces = shape.surface
+    return {"link": shape.link, "colour": shape.colour, "vertices": len(vertices), "faces": len(faces)}

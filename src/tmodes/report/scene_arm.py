@@ -10,10 +10,10 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.arm_line import elastic_line
 from tmodes.arm import Arm
-from tmodes.arm.contact import Ball, Plane, Wall
 from tmodes.arm_model import ArmModel
 from tmodes.arm_result.lines import without_elasticity
 from tmodes.chain import JointKind, RigidLink
+from tmodes.live.surface import surface_told
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
 from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
 from tmodes.report.scene_sections import section_of
@@ -192,14 +192,4 @@ def _contact(data: Any, arm: Arm) -> dict[str, Any] | None:
         return None
     place = data["position"].sel(point=arm.contact.point).transpose("time", "axis").values
     force = data["contact_force"].transpose("time", "axis").values
-    return {"force": force, "at": place, "surface": _surface(arm.contact.shape)}
-
-
-def _surface(shape: Plane | Ball | Wall) -> dict[str, Any]:
-    match shape:
-        case Plane():
-            return {"kind": "plane", "position": list(shape.position), "normal": list(shape.normal)}
-        case Ball():
-            return {"kind": "ball", "center": list(shape.center), "radius": shape.radius, "inside": shape.inside}
-    ahead = [float(np.cos(shape.heading)), float(np.sin(shape.heading)), 0.0]
-    return {"kind": "plane", "position": [shape.distance * x for x in ahead], "normal": [-x for x in ahead]}
+    return {"force": force, "at": place, "surface": surface_told(arm.contact.shape)}

@@ -31,9 +31,9 @@ def plain_name(name: str, endings: tuple[str, ...]) -> str:
     """
     if not NAME.fullmatch(name) or RESERVED.match(name) or name.endswith((" ", ".")):
         mend = "use letters, digits, - and _ alone, without a folder"
-        raise InputError("name", shown(name), "the plain name of a file", mend)
+        raise InputError("file name", shown(name), "the plain name of a file", mend)
     if Path(name).suffix.lower() not in endings:
-        raise InputError("name", shown(name), f"a name that ends with {' or '.join(endings)}", "add the ending")
+        raise InputError("file name", shown(name), f"a name that ends with {' or '.join(endings)}", "add the ending")
     return name
 
 
@@ -61,7 +61,7 @@ class WorkingFolder:
         path = self.path / plain_name(name, ROBOT_ENDINGS)
         if not _is_plain_file(path):
             mend = "choose one of the list; links are not followed"
-            raise InputError("name", shown(name), "a file of the working folder", mend)
+            raise InputError("file name", shown(name), "a file of the working folder", mend)
         return path
 
     def save(self, name: str, text: str, *, overwrite: bool) -> Path:
@@ -72,7 +72,7 @@ class WorkingFolder:
         """
         path = self.path / plain_name(name, STUDY_ENDINGS)
         if os.path.lexists(path) and not _is_plain_file(path):
-            raise InputError("name", shown(name), "a new name, or that of a plain file", "choose another name")
+            raise InputError("file name", shown(name), "a new name, or that of a plain file", "choose another name")
         with atomic_write(path, overwrite=overwrite) as temporary:
             temporary.write_text(text, encoding="utf-8", newline="\n")
         return path

@@ -64,14 +64,18 @@ class JobBook:
         self._jobs: dict[str, Job] = {}
         self._tasks: set[asyncio.Task[None]] = set()
 
-    def begin(self, product: str, sheet: Any, client: str) -> Job:
-        """Start a job; one of the same client and product that still runs is ended, one that is over is forgotten."""
+    def begin(self, order: dict[str, Any], client: str) -> Job:
+        """Start a job; one of the same client and product that still runs is ended, one that is over is forgotten.
+
+        ``order``: ``product``, the plain data of the ``sheet``, and ``looks``, where its shapes are.
+        """
+        product = order["product"]
         for other in [one for one in self._jobs.values() if (one.client, one.product) == (client, product)]:
             self._supersede(other)
         job = Job(secrets.token_urlsafe(12), client, product)
         self._jobs[job.name] = job
         self._forget_old()
-        task = asyncio.create_task(self._run(job, sheet))
+        task = asyncio.create_task(self._run(job, order))
         self._tasks.add(task)
         task.add_done_callback(self._tasks.discard)
         return job
@@ -114,9 +118,9 @@ class JobBook:
             elif silent > ABANDONED:
                 self.cancel(job)
 
-    async def _run(self, job: Job, sheet: Any) -> None:
+    async def _run(self, job: Job, order: dict[str, Any]) -> None:
         try:
-            head, job.content = await self._pool.run(job.product, sheet, job.client, job.heard, job.cancelled)
+            head, job.content = await self._pool.run(order, job.client, job.heard, job.cancelled)
             job.state, job.told, job.errors = head["kind"], head.get("told", {}), head.get("errors", [])
         except WorkerLost:
             job.state = "error"

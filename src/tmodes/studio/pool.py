@@ -115,17 +115,17 @@ class Pool:
         self._all.clear()
 
     async def run(
-        self, product: str, sheet: Any, client: str, listen: Listener, cancelled: asyncio.Event
+        self, order: dict[str, Any], client: str, listen: Listener, cancelled: asyncio.Event
     ) -> tuple[dict[str, Any], bytes]:
         """Do one job: the last head of its worker (``kind`` done, error or cancelled) and its bytes."""
-        worker = await self._borrowed(f"{client} {product == 'curves'}")
+        worker = await self._borrowed(f"{client} {order['product'] == 'curves'}")
         self._numbers += 1
         number = self._numbers
         waiting = asyncio.create_task(_until_cancelled(worker, number, cancelled))
         try:
             if cancelled.is_set():
                 return {"kind": "cancelled"}, b""
-            worker.tell({"job": number, "product": product, "sheet": sheet})
+            worker.tell({"job": number, **order})
             while True:
                 head, content = await worker.answers()
                 if head["job"] == number and head["kind"] != "progress":

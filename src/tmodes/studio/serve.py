@@ -29,6 +29,7 @@ def serve(
     Raises :class:`tmodes.errors.InputError` for a host or port that cannot be had.
     """
     token = secrets.token_urlsafe(32)
+    host = "127.0.0.1" if host == "localhost" else host
     listening = _listening(host, port)
     own = listening.getsockname()[1]
     names = {f"{_in_address(host)}:{own}", f"localhost:{own}", f"127.0.0.1:{own}"}

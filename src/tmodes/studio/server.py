@@ -5,23 +5,26 @@ from __future__ import annotations
 import asyncio
 import json
 import os
-from collections.abc import AsyncIterator
+from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
 from typing import Any
 
 from fastapi import FastAPI, Request, Response
 from starlette.concurrency import run_in_threadpool
 
+from tmodes.arm import Arm
 from tmodes.errors import InputError, ResultFileError, TmodesError
+from tmodes.robot import Robot
 from tmodes.studio import sheets
 from tmodes.studio.folder import WorkingFolder
 from tmodes.studio.guard import Guard
 from tmodes.studio.jobs import JobBook
+from tmodes.studio.looks import Shelf, source_of
 from tmodes.studio.page import add_page
 from tmodes.studio.pool import Pool
 from tmodes.studio.requests import body_of, word_of
 from tmodes.studio.told import told_error, told_errors
-from tmodes.studio.upload import uploaded_sheet
+from tmodes.studio.upload import uploaded
 from tmodes.studio.work import PRODUCTS
 
 __all__ = ["application"]
@@ -37,20 +40,20 @@ def application(folder: WorkingFolder, token: str, hosts: frozenset[str], first:
     processes simulate, 0: two to four by the machine.
     """
     pool = Pool(workers or max(2, min(4, (os.cpu_count() or 2) - 1)))
-    book = JobBook(pool)
-    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book))
+    book, shelf = JobBook(pool), Shelf()
+    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book, shelf))
     app.add_exception_handler(TmodesError, _explained)
     app.add_exception_handler(404, _not_found)
     app.add_exception_handler(405, _not_found)
     app.add_exception_handler(RecursionError, _too_deep)
     add_page(app, first)
-    _add_sheets(app)
-    _add_studies(app, folder)
-    _add_jobs(app, book)
+    _add_sheets(app, shelf)
+    _add_studies(app, folder, shelf)
+    _add_jobs(app, book, folder, shelf)
     return Guard(app, token, hosts, f"tmodes-studio-{min(hosts, default='').rpartition(':')[2] or 'test'}")
 
 
-def _lifespan(pool: Pool, book: JobBook) -> Any:
+def _lifespan(pool: Pool, book: JobBook, shelf: Shelf) -> Any:
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         del app
@@ -61,6 +64,7 @@ def _lifespan(pool: Pool, book: JobBook) -> Any:
         with suppress(asyncio.CancelledError):
             await watch
         await pool.stop()
+        shelf.close()
 
     return lifespan
 
@@ -98,7 +102,21 @@ async def _checked(request: Request, data: dict[str, Any]) -> Any:
     return await run_in_threadpool(sheets.checked_sheet, data.get("sheet"))
 
 
-def _add_sheets(app: FastAPI) -> None:
+async def _told(read: Callable[[], tuple[Robot | Arm, str]]) -> Response:
+    """What the page gets of a sheet that is read, and where its looks come from."""
+
+    def told() -> dict[str, Any]:
+        sheet, looks = read()
+        return sheets.told_sheet(sheet) | {"looks": looks}
+
+    return _json(await run_in_threadpool(told))
+
+
+def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
+    @app.get("/api/alive")
+    async def alive() -> Response:
+        return _json({})
+
     @app.get("/api/robots")
     async def robots() -> Response:
         return _json({"robots": await run_in_threadpool(sheets.catalogue)})
@@ -107,7 +125,7 @@ def _add_sheets(app: FastAPI) -> None:
     async def robot(name: str) -> Response:
         if name not in {one["name"] for one in await run_in_threadpool(sheets.catalogue)}:
             raise InputError("robot", repr(name[:60]), "a published robot", "choose one of the list")
-        return _json(await run_in_threadpool(lambda: sheets.told_sheet(sheets.loaded(name))))
+        return await _told(lambda: (sheets.loaded(name), f"robot:{name}"))
 
     @app.get("/api/schemas/{kind}")
     async def schema(kind: str) -> Response:
@@ -126,37 +144,41 @@ def _add_sheets(app: FastAPI) -> None:
     @app.post("/api/upload")
     async def upload(request: Request) -> Response:
         data = await body_of(request)
-        return _json(await run_in_threadpool(lambda: sheets.told_sheet(uploaded_sheet(data.get("files")))))
+        return await _told(lambda: uploaded(data.get("files"), shelf))
 
 
-def _add_studies(app: FastAPI, folder: WorkingFolder) -> None:
+def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
     @app.get("/api/studies")
     async def studies() -> Response:
         return _json({"folder": folder.path.name, "studies": await run_in_threadpool(folder.names)})
 
-    @app.get("/api/studies/{name}")
+    @app.get("/api/studies/{name:path}")
     async def study(name: str) -> Response:
         path = folder.existing(name)
-        return _json(await run_in_threadpool(lambda: sheets.told_sheet(sheets.loaded(path, (folder.path,)))))
+        return await _told(lambda: (sheets.loaded(path, (folder.path,)), shelf.looks_of(name)))
 
-    @app.put("/api/studies/{name}")
+    @app.put("/api/studies/{name:path}")
     async def save(name: str, request: Request) -> Response:
         data = await body_of(request)
         sheet = await _checked(request, data)
         text = await run_in_threadpool(sheets.sheet_yaml, sheet)
+        request.state.sheet = None  # what may be wrong from here on is no field of it
         overwrite = data.get("overwrite") is True
         saved = await run_in_threadpool(lambda: folder.save(name, text, overwrite=overwrite))
+        shelf.note(saved.name, str(data.get("looks") or ""))
         return _json({"saved": saved.name})
 
 
-def _add_jobs(app: FastAPI, book: JobBook) -> None:
+def _add_jobs(app: FastAPI, book: JobBook, folder: WorkingFolder, shelf: Shelf) -> None:
     @app.post("/api/jobs")
     async def begin(request: Request) -> Response:
         data = await body_of(request)
         product = word_of(data, "product")
         if product not in PRODUCTS:
             raise InputError("product", repr(product), f"one of {', '.join(PRODUCTS)}", "ask for one of them")
-        return _json(book.begin(product, data.get("sheet"), word_of(data, "client")).as_told())
+        source = source_of(data.get("looks"), folder, shelf)
+        order = {"product": product, "sheet": data.get("sheet"), "looks": source and source._asdict()}
+        return _json(book.begin(order, word_of(data, "client")).as_told())
 
     @app.get("/api/jobs/{name}")
     async def look(name: str, wait: float = 0.0) -> Response:

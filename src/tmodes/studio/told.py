@@ -2,13 +2,20 @@
 
 from __future__ import annotations
 
+import os
+from collections.abc import Iterable, Sequence
 from typing import Any
 
 from tmodes.errors import InputError, InputErrors, TmodesError
+from tmodes.io.mesh_paths import ALLOW
+from tmodes.io.urdf_shapes import Unseen
 
-__all__ = ["told_error", "told_errors"]
+__all__ = ["as_sent", "told_error", "told_errors", "told_unseen"]
 
 MOST = 100
+
+FOLDER = "choose the folder that holds them both"
+"""How a page lets a file lie elsewhere."""
 
 
 def told_errors(error: TmodesError, data: Any = None) -> list[dict[str, Any]]:
@@ -28,6 +35,32 @@ def told_error(path: str, message: str, got: str = "", expected: str = "", mend:
     """One error as plain data."""
     return {"path": path, "message": message, "got": got, "expected": expected, "mend": mend, "where": "",
             "steps": None}  # fmt: skip
+
+
+def told_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Sequence[str]) -> list[dict[str, Any]]:
+    """Why shapes of links are not shown, each at its link of the sheet's plain ``data``; ``roots`` are not told."""
+    found = []
+    for reason in reasons:
+        error = reason.error if isinstance(reason, Unseen) else reason
+        if isinstance(error, InputError):
+            error = as_sent(error, roots)
+        [told, *_] = told_errors(error, data)
+        path = f"links.{reason.link}" if isinstance(reason, Unseen) else told["path"]
+        message = f"a shape is not shown: {told['message']}"
+        found.append(told | {"path": path, "message": message, "steps": _steps(path, data)})
+    return found[:MOST]
+
+
+def as_sent(error: InputError, roots: Sequence[str]) -> InputError:
+    """The error with files named as they are within ``roots``, and what mends it in a page instead of a terminal."""
+
+    def own(text: str) -> str:
+        for root in roots:
+            text = text.replace(f"{root}{os.sep}", "").replace(root, "the folder of the robot's file")
+        return text
+
+    mend = own(error.mend).replace(ALLOW, FOLDER).replace("or give --root", "or choose that file too")
+    return InputError(own(error.which), own(error.got), own(error.expected), mend, own(error.where))
 
 
 def _told(error: InputError, data: Any) -> dict[str, Any]:

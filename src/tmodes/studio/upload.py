@@ -1,66 +1,85 @@
-"""Files that somebody sends: hostile until they are parsed, in a folder of their own that goes away again."""
+"""Files that somebody sends: hostile until they are parsed, in a folder of their own."""
 
 from __future__ import annotations
 
 import base64
 import binascii
-import os
-import tempfile
 from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
-from typing import Any
+from typing import Any, NamedTuple
 
 from tmodes.arm import Arm
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import shown
 from tmodes.robot import Robot
+from tmodes.robots.load import urdf_of
 from tmodes.studio.folder import NAME
+from tmodes.studio.lay_out import lay_out
+from tmodes.studio.looks import Shelf, remove
+from tmodes.studio.main_file import main_file
 from tmodes.studio.sheets import loaded
+from tmodes.studio.told import as_sent
 
-__all__ = ["MOST_UPLOADED", "uploaded_sheet"]
+__all__ = ["MOST_UPLOADED", "Uploaded", "uploaded"]
 
 MOST_UPLOADED = 16 * 1024 * 1024
 """Bytes of all files of one upload together."""
 
 MOST_FILES = 100
 MOST_DEPTH = 6
-MAIN = (".yaml", ".yml", ".urdf", ".xacro", ".xml")
-"""Endings of a robot's own file; where there are several, that of the first ending in this order is meant."""
 
 
-def uploaded_sheet(files: Any) -> Robot | Arm:
-    """The checked sheet of uploaded files: ``[{"name": "ur5.urdf", "content": base64 text}, ...]``.
+class Uploaded(NamedTuple):
+    """The checked sheet of an upload, and where its looks are: the name that a :class:`Shelf` knows, or nothing."""
 
-    A YAML file is meant before a URDF, which it then names. Raises :class:`tmodes.errors.InputError` or
-    :class:`tmodes.errors.InputErrors` with the file and line of each wrong value, names as they were sent.
+    sheet: Robot | Arm
+    looks: str
+
+
+def uploaded(files: Any, shelf: Shelf) -> Uploaded:
+    """The robot of uploaded files: ``[{"name": "ur5.urdf", "content": base64 text}, ...]``.
+
+    A YAML file is meant before a URDF, which it then names. Files of a URDF whose links have shapes stay on the shelf.
+    Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` with the file and line of each wrong
+    value, names as they were sent.
     """
     contents = _decoded(files)
-    main = _main(list(contents))
-    with tempfile.TemporaryDirectory(prefix="tmodes-upload-") as folder:
-        home = Path(folder).resolve()
-        for name, content in contents.items():
-            _put(home.joinpath(*PurePosixPath(name).parts), content, name)
-        try:
-            return loaded(home / main, roots=(home,))
-        except (InputError, InputErrors) as error:
-            for one in error.errors if isinstance(error, InputErrors) else (error,):
-                for part in ("which", "got", "expected", "mend", "where"):
-                    setattr(one, part, _as_sent(getattr(one, part), home))
-            raise
+    main = main_file(contents)
+    room = shelf.room()
+    top = room / "upload"  # one folder further in: a URDF beside the folder of its meshes names them with `..`
+    roots = (top, room)
+    try:
+        paths = [_put(top.joinpath(*PurePosixPath(name).parts), content, name) for name, content in contents.items()]
+        sheet = loaded(top / main, roots=roots)
+        looks = _kept(top / main, roots, paths, shelf)
+    except (InputError, InputErrors) as error:
+        remove(room)
+        names = [*map(str, roots)]
+        if isinstance(error, InputErrors):
+            raise InputErrors([as_sent(one, names) for one in error.errors]) from None
+        raise as_sent(error, names) from None
+    if not looks:
+        remove(room)
+    return Uploaded(sheet, looks)
 
 
-def _put(path: Path, content: bytes, name: str) -> None:
+def _kept(main: Path, roots: tuple[Path, Path], paths: list[Path], shelf: Shelf) -> str:
+    """Keep the files of a URDF, its meshes where it looks for them; of other robots there is nothing to see."""
+    robot = urdf_of(main, roots=roots)
+    if robot is None or not any(one.tag == "geometry" for link in robot.links.values() for one in link.within()):
+        return ""
+    lay_out(robot, paths, roots[0])
+    return shelf.keep(roots[1], main, roots)
+
+
+def _put(path: Path, content: bytes, name: str) -> Path:
     try:
         path.parent.mkdir(parents=True, exist_ok=True)
         path.write_bytes(content)
+        return path
     except OSError as error:
         got, expected = f"{shown(name)} ({error.strerror})", "files that can lie in one folder"
         raise InputError("files", got, expected, "use short and different names, or free some space") from None
-
-
-def _as_sent(text: str, home: Path) -> str:
-    """A sentence in which files have the names that they were sent with."""
-    return text.replace(f"{home}{os.sep}", "").replace(str(home), "the folder of the upload")
 
 
 def _decoded(files: Any) -> dict[str, bytes]:
@@ -86,11 +105,3 @@ def _checked_name(file: Any) -> str:
         mend = "use plain names, in folders below that of the robot's file"
         raise InputError("files", f"the name {shown(name)}", "a relative path of plain names", mend)
     return str(PurePosixPath(*parts))
-
-
-def _main(names: list[str]) -> str:
-    found = [name for ending in MAIN for name in names if name.lower().endswith(ending) and "/" not in name]
-    if not found:
-        expected = f"a file with the ending {', '.join(MAIN)}"
-        raise InputError("files", f"{', '.join(names[:5])}", expected, "choose the robot's own file too")
-    return found[0]

@@ -12,6 +12,7 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.arm import Arm
 from tmodes.errors import InputError
+from tmodes.studio.shapes import Shapes
 from tmodes.studio.sheets import MOST_BYTES, checked_sheet, plain_sheet
 
 if TYPE_CHECKING:
@@ -37,10 +38,15 @@ class Workshop:
 
     def __init__(self) -> None:
         self._last: tuple[str, Result | ArmResult] | None = None
+        self._shapes = Shapes()
 
-    def answer(self, product: str, data: Mapping[str, Any], progress: Progress) -> Answer:
+    def answer(
+        self, product: str, data: Mapping[str, Any], progress: Progress, looks: Mapping[str, Any] | None = None
+    ) -> Answer:
         """The ``product`` (one of :data:`PRODUCTS`) of a sheet's plain data; ``seconds`` tell what each part took.
 
+        ``looks``: where the shapes of its links are, as :class:`tmodes.studio.looks.Source`; ``unseen`` tells which of
+        them cannot be shown.
         Raises :class:`tmodes.errors.TmodesError` for a sheet that is wrong or cannot run.
         """
         laps = _Laps()
@@ -48,8 +54,13 @@ class Workshop:
         laps.take("check")
         result = self._result(sheet, progress)
         laps.take("simulate")
+        progress("shapes", 0.0)
+        self._shapes.look(looks)
+        result = self._shapes.on(result)
+        laps.take("shapes")
         content = PRODUCTS[product](result, sheet.name, laps)
         told = {"status": result.status, "success": result.success, "message": result.message, "name": sheet.name}
+        told["unseen"] = self._shapes.unseen(data)
         told["seconds"] = laps.told | {"loops": _loop_seconds(result)}
         return Answer(content, told)
 

@@ -12,10 +12,11 @@ from hypothesis import strategies as st
 from pydantic import TypeAdapter, ValidationError
 from scipy.interpolate import CubicSpline
 
-from tmodes.errors import InputError
+from tmodes.errors import InputError, InputErrors
 from tmodes.reference.schedule import Schedule
 from tmodes.reference.signals import Signal, merge
 from tmodes.reference.signals_expression import FormulaError, parse_formula
+from tmodes.robots.load import load_sheet
 
 READ = TypeAdapter(Signal)
 
@@ -307,3 +308,10 @@ def test_knots_that_differ_by_round_off_are_one() -> None:
 
 def test_nothing_merged() -> None:
     assert merge([]).at(np.array([0.0, 0.5])).shape == (2, 0)
+
+
+def test_a_table_without_any_duration_is_refused() -> None:
+    """A jump and nothing else has no course to follow."""
+    table = {"type": "table", "times": [0.5, 0.5], "values": [1, 2], "interpolation": "linear"}
+    with pytest.raises(InputErrors, match="a last time after the first"):
+        load_sheet("spong1987").with_({"drives.0.signal": table})

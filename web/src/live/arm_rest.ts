@@ -10,7 +10,9 @@ const STEPS = 40;
 const SMALL = 1e-12;
 const LONGEST = 0.5;
 const STEP = 1e-6; // of the differences that make the tangent [rad]
-const PATH = 8;
+const STRAY = 0.5; // correction after a step, as a share of it: beyond it another branch may have been caught, as in analysis/equilibrium_path.py
+const LITTLE = 1e-3; // a step that is too short to leave a branch [rad, m]
+const SHORTEST = 1 / 128; // step on the way from the unchanged numbers
 
 /** Accelerations of the free coordinates and their derivatives by them, by differences: Newton needs no better. */
 function slopes(engine: Engine, blocks: Blocks, state: Float64Array, free: number[], matrix: Float64Array, right: Float64Array): void {
@@ -28,7 +30,7 @@ function slopes(engine: Engine, blocks: Blocks, state: Float64Array, free: numbe
   }
 }
 
-/** Coordinates at which nothing accelerates under `blocks`, from those near; null where none are found. */
+/** Coordinates at which nothing accelerates under `blocks`, from those near; null where none are found, or where they may be of another branch. */
 function rest(engine: Engine, bundle: ArmBundle, blocks: Blocks, near: Float64Array): Float64Array | null {
   const held = (engine.layout as unknown as { held: number[] }).held;
   const n = near.length;
@@ -38,11 +40,15 @@ function rest(engine: Engine, bundle: ArmBundle, blocks: Blocks, near: Float64Ar
   const matrix = new Float64Array(free.length ** 2);
   const right = new Float64Array(free.length);
   let before = Infinity;
+  let [first, corrected] = [0, 0];
   for (let step = 0; step < STEPS && free.length; step += 1) {
     slopes(engine, blocks, state, free, matrix, right);
     if (!solveInPlace(matrix, right)) return null;
     const size = stepped(state, free, right);
     if (!Number.isFinite(size)) return null;
+    if (step === 0) first = size;
+    else corrected += size;
+    if (first > LITTLE && corrected > STRAY * first) return null;
     if (isSmall(size, before)) return state.slice(0, n);
     before = size;
   }
@@ -66,13 +72,17 @@ export function isSmall(size: number, before: number): boolean {
 export function restFor(
   bundle: ArmBundle, values: readonly number[], run: string, near: Float64Array, at: (set: readonly number[], from: Float64Array) => Float64Array | null,
 ): Float64Array {
-  const found = at(values, near);
-  if (found) return found;
   const first = bundle.sliders.map((slider) => slider.value);
-  let here: Float64Array | null = near;
-  for (let k = 1; k <= PATH && here; k += 1) here = at(values.map((value, j) => first[j] + (value - first[j]) * (k / PATH)), here);
-  if (!here) throw new Error(`${run}: no static equilibrium; expected links and gears that carry their loads: raise a stiffness or lower a load`);
-  return here;
+  const between = (share: number) => (share === 1 ? values : values.map((value, j) => first[j] + (value - first[j]) * share));
+  let [here, step, found] = [0, 1, near];
+  while (here < 1) {
+    const next = Math.min(1, here + step);
+    const there = at(between(next), found);
+    if (there) [here, step, found] = [next, 2 * step, there];
+    else if (step > SHORTEST) step /= 2;
+    else throw new Error(`${run}: no static equilibrium; expected links and gears that carry their loads: raise a stiffness or lower a load`);
+  }
+  return found;
 }
 
 /** The first state of a run. */

@@ -66,7 +66,7 @@ export async function runArm(
   return {
     status: failed ? failed.run.status : "finished",
     message: failed ? `${failed === real ? "real arm" : "reference"}: ${failed.run.message}` : real.run.message,
-    seconds, times, series, scene: armScene(engine, bundle, real.blocks.pose, series, times, frames, colours),
+    seconds, times, series, scene: armScene(engine, bundle, real.blocks, series, times, frames, colours),
     line: linePanel(bundle, loads.links, frames.length), span: spanOf(times, end), facts: failed ? brokenOff(facts) : facts,
   };
 }

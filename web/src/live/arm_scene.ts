@@ -1,9 +1,10 @@
 // The picture of an arm at the display frames: where its links are, bent, without elasticity, and as planned.
 
-import type { LiveRun } from "../contract";
+import type { LiveRun, SceneContact } from "../contract";
 import type { Numbers } from "../pack";
 import { doubles, type Affine, type ArmBundle } from "./bundle";
 import type { Engine } from "./engine";
+import type { Blocks } from "./map";
 import { rowsOf, sizes, type SeriesOf } from "./series";
 
 const POINT = 24;
@@ -27,9 +28,10 @@ interface Pose {
   roots: Numbers; // [m, L, 4]
 }
 
-/** Scene of a run; `parameters` of the passes to the stations; `loads`: what else may colour the links. */
+/** Scene of a run, whose numbers are those of the passes to the stations and of the surface; `loads`: what else may colour the links. */
 export function armScene(
-  engine: Engine, bundle: ArmBundle, parameters: Float64Array, series: SeriesOf, times: Float64Array, frames: number[], loads: LiveRun["scene"]["colours"],
+  engine: Engine, bundle: ArmBundle, { pose: parameters, surface }: Blocks, series: SeriesOf, times: Float64Array, frames: number[],
+  loads: LiveRun["scene"]["colours"],
 ): LiveRun["scene"] {
   const at = (name: string) => rowsOf(series[name].data, series[name].shape.slice(1).reduce((a, b) => a * b, 1), frames);
   const m = frames.length;
@@ -50,8 +52,15 @@ export function armScene(
       { id: "displacement", label: "Displacement by all elasticity", unit: "m", values: { data: sizes(away, 3), shape } },
     ],
     tip: numbers("tip"), tipReference: compared ? numbers("tip_reference") : null,
-    contact: bundle.contactPoint < 0 ? null : { force: numbers("contact_force"), at: contactPlace(bundle, series, frames) },
+    contact: bundle.contactPoint < 0 ? null : { force: numbers("contact_force"), at: contactPlace(bundle, series, frames), surface: surfaceAt(bundle, surface) },
   };
+}
+
+/** The surface where it is now: `numbers` are its place and its radius. */
+function surfaceAt({ surface }: ArmBundle, numbers: Float64Array): SceneContact["surface"] | undefined {
+  const place: [number, number, number] = [numbers[0], numbers[1], numbers[2]];
+  if (surface?.kind === "plane") return { ...surface, position: place };
+  return surface ? { ...surface, center: place, radius: numbers[3] } : undefined;
 }
 
 function contactPlace(bundle: ArmBundle, series: SeriesOf, frames: number[]): Numbers {

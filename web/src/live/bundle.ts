@@ -1,6 +1,6 @@
 // What a live bundle holds, as tmodes/live/bundle.py writes it.
 
-import type { LiveBundle } from "../contract";
+import type { LiveBundle, SceneContact } from "../contract";
 import type { Numbers } from "../pack";
 import type { LoadsTold } from "./arm_loads";
 import type { Layout } from "./engine";
@@ -119,6 +119,8 @@ export interface ArmBundle extends Bundle {
   links: { name: string; bends: boolean; point: number; end: Numbers }[];
   carried: LoadsTold;
   contactPoint: number;
+  /** What is touched, as the sheet says; the block `surface` of the map tells where it is: place (3) and radius. */
+  surface: SceneContact["surface"] | null;
   electric: boolean;
   /** Loads on named points, whose wrenches are a block of numbers; `signal` -1: constant. */
   loads: { point: number; follower: boolean; signal: number }[];

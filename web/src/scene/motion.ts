@@ -5,7 +5,7 @@ import { turnAlong } from "./turn";
 
 /** The arrays of a scene, those of the page or of the live model. */
 export type Arrays = Pick<Scene, "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference" | "colours"> & {
-  contact: Pick<SceneContact, "force" | "at"> | null;
+  contact: (Pick<SceneContact, "force" | "at"> & Partial<Pick<SceneContact, "surface">>) | null;
 };
 
 export class Motion {

@@ -67,6 +67,7 @@ export class RunView {
     this.before = arrays === null ? null : (this.before ?? new Motion(scene));
     this.motion = next;
     this.traced = "";
+    if (this.built !== "") this.placeSurface(); // else it comes with the robot
   }
 
   update(time: number, settings: Settings, range: Range): void {
@@ -115,8 +116,8 @@ export class RunView {
     this.look = look;
     if (scene.contact) {
       this.arrow = new Arrow(colours.force, 0.006 * extent.reach, this.shared.scale);
-      this.surface = surfaceMesh(scene.contact.surface, scene.contact.at.data, 0.12 * extent.reach, colours.surface);
-      this.group.add(this.arrow.group, this.surface);
+      this.group.add(this.arrow.group);
+      this.placeSurface();
     }
   }
 
@@ -135,6 +136,24 @@ export class RunView {
     const view = this.added(this.run.scene, motion, { ...this.look, link, opacity: 0.42, painted: "none" }, 0.85);
     this.ghosts.set(of, view);
     return view;
+  }
+
+  /** Draw the surface where these arrays have it. */
+  private placeSurface(): void {
+    const { contact } = this.run.scene;
+    if (!contact) return;
+    const { surface, at } = { ...contact, ...this.motion.arrays.contact };
+    this.dropSurface();
+    this.surface = surfaceMesh(surface ?? contact.surface, at.data, 0.12 * this.shared.extent.reach, this.shared.colours.surface);
+    this.group.add(this.surface);
+  }
+
+  private dropSurface(): void {
+    if (!this.surface) return;
+    this.surface.geometry.dispose();
+    (this.surface.material as Material).dispose();
+    this.surface.removeFromParent();
+    this.surface = null;
   }
 
   private added(body: Body, motion: Motion, look: Look, share: number): RobotView {
@@ -181,11 +200,7 @@ export class RunView {
     this.ghosts.forEach((view) => view.dispose());
     this.traces.forEach(({ trace }) => trace.dispose());
     this.arrow?.dispose();
-    if (this.surface) {
-      this.surface.geometry.dispose();
-      (this.surface.material as Material).dispose();
-      this.surface.removeFromParent();
-    }
+    this.dropSurface();
     this.ghosts.clear();
     this.traces = [];
     this.traced = this.built = "";

@@ -39,6 +39,14 @@ export interface SheetTold {
   units: Record<string, string>;
   warnings: string[];
   sliders: Knob[];
+  /** Where the shapes of its links come from; the server knows what it means. */
+  looks: string;
+}
+
+/** What is to be simulated, and where its looks come from. */
+export interface Wish {
+  sheet: Sheet;
+  looks: string;
 }
 
 export interface Job {
@@ -46,7 +54,8 @@ export interface Job {
   state: "waiting" | "running" | "done" | "error" | "cancelled";
   stage: string;
   share: number;
-  told: { status?: string; success?: boolean; message?: string; seconds?: Record<string, number> };
+  /** `unseen`: shapes of links that cannot be shown. */
+  told: { status?: string; success?: boolean; message?: string; seconds?: Record<string, number>; unseen?: Wrong[] };
   errors: Wrong[];
 }
 
@@ -96,9 +105,9 @@ export const api = {
   yaml: (sheet: Sheet) => json<{ yaml: string }>("api/yaml", "POST", { sheet }),
   studies: () => json<{ folder: string; studies: string[] }>("api/studies"),
   study: (name: string) => json<SheetTold>(`api/studies/${named(name)}`),
-  save: (name: string, sheet: Sheet, overwrite: boolean) => json<{ saved: string }>(`api/studies/${named(name)}`, "PUT", { sheet, overwrite }),
+  save: (name: string, sheet: Sheet, looks: string, overwrite: boolean) => json<{ saved: string }>(`api/studies/${named(name)}`, "PUT", { sheet, looks, overwrite }),
   upload: (files: { name: string; content: string }[]) => json<SheetTold>("api/upload", "POST", { files }),
-  begin: (product: string, sheet: Sheet, client: string) => json<Job>("api/jobs", "POST", { product, sheet, client }),
+  begin: (product: string, wish: Wish, client: string) => json<Job>("api/jobs", "POST", { product, ...wish, client }),
   look: (job: string, wait: number) => json<Job>(`api/jobs/${named(job)}?wait=${wait}`),
   cancel: (job: string) => json<Job>(`api/jobs/${named(job)}`, "DELETE"),
   bytes: async (job: string) => new Uint8Array(await (await asked(`api/jobs/${named(job)}/content`)).arrayBuffer()),

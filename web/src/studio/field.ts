@@ -10,6 +10,8 @@ export interface Field {
   input: HTMLElement;
   /** Show another value. */
   set(value: Json | undefined): void;
+  /** Of a number: show another unit. */
+  unit?(text: string): void;
 }
 
 export type Changed = (value: Json | undefined) => void;
@@ -21,9 +23,9 @@ export function words(name: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** The unit as it is written; of a joint that may turn or slide both, where it is not known which. */
+/** The unit as it is written; of a joint that may turn or slide both, where it is not known which; of a signal its own, once that is known. */
 export function unitOf(schema: Schema, known: string | undefined): string {
-  return (known ?? schema.unit ?? "").split("|").map(pretty).join(" or ");
+  return (known ?? schema.unit ?? "").replace(/^signal$/, "").split("|").map(pretty).join(" or ");
 }
 
 /** What a field is, for a tooltip: its meaning, its symbol, its range. */
@@ -64,7 +66,8 @@ function row(name: string, schema: Schema, input: HTMLElement, after: Node | nul
 function number(name: string, schema: Schema, unit: string, optional: boolean, changed: Changed): Field {
   const input = make("input", { type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", class: "number", placeholder: optional ? "not set" : shown(schema.default) });
   input.addEventListener("change", () => changed(read(input.value)));
-  return { element: row(name, schema, input, make("span", { class: "unit", text: unit })), input, set: (value) => { input.value = shown(value); } };
+  const after = make("span", { class: "unit", text: unit });
+  return { element: row(name, schema, input, after), input, set: (value) => { input.value = shown(value); }, unit: (text) => { after.textContent = text; } };
 }
 
 /** A number as it was typed: a plain one, or text with a unit, which the server reads. */

@@ -1,52 +1,17 @@
-// Files in and out: uploads of robots, studies of the working folder, reports and data to keep.
+// Files in and out: studies of the working folder, reports and data to keep.
 
 import { button, make, ownId, save } from "../dom";
-import { api, Refused, type SheetTold, type Wrong } from "./api";
+import { api, Refused, type SheetTold, type Wish, type Wrong } from "./api";
 import type { Runner } from "./runner";
-import type { Sheet } from "./sheet";
 
 export interface FilesHost {
-  sheet(): Sheet | null;
+  wish(): Wish | null;
   name(): string;
   runner: Runner;
   load(told: SheetTold, from: string): void;
   wrong(errors: Wrong[]): void;
+  right(): void;
   say(text: string): void;
-}
-
-const MOST_UPLOADED = 16 * 1024 * 1024; // as the server has it
-const ACCEPT = ".yaml,.yml,.urdf,.xacro,.xml,.stl,.obj,.dae";
-
-/** Robots of one's own: a URDF with its elasticity file and meshes. */
-export function uploadControl(host: FilesHost): HTMLElement {
-  const id = ownId("upload");
-  const input = make("input", { id, type: "file", multiple: true, accept: ACCEPT, class: "upload" });
-  const send = async (files: FileList | null) => {
-    if (!files?.length) return;
-    const size = [...files].reduce((sum, file) => sum + file.size, 0);
-    if (size > MOST_UPLOADED) {
-      const [got, expected, mend] = [`${(size / 1e6).toFixed(0)} MB`, `at most ${(MOST_UPLOADED / 1e6).toFixed(0)} MB`, "leave out what is not needed"];
-      host.wrong([{ path: "files", message: `files: got ${got}; expected ${expected}. Mend: ${mend}`, got, expected, mend, where: "", steps: null }]);
-      return;
-    }
-    host.say(`Reading ${files.length === 1 ? files[0].name : `${files.length} files`} …`);
-    await attempt(host, async () => host.load(await api.upload(await Promise.all([...files].map(encoded))), [...files].map((file) => file.name).join(", ")));
-    input.value = "";
-  };
-  input.addEventListener("change", () => void send(input.files));
-  document.addEventListener("dragover", (event) => event.preventDefault());
-  document.addEventListener("drop", (event) => {
-    event.preventDefault();
-    void send(event.dataTransfer?.files ?? null);
-  });
-  return make("span", { class: "pick" }, make("label", { for: id, text: "Upload", class: "button", title: "A data sheet, or a URDF with its elasticity file (.yaml) and meshes; files can be dropped here too" }), input);
-}
-
-async function encoded(file: File): Promise<{ name: string; content: string }> {
-  const bytes = new Uint8Array(await file.arrayBuffer());
-  let text = "";
-  for (let k = 0; k < bytes.length; k += 0x8000) text += String.fromCharCode(...bytes.subarray(k, k + 0x8000));
-  return { name: file.name, content: btoa(text) };
 }
 
 /** Save the study into the working folder, or load one from it. */
@@ -60,13 +25,14 @@ export function studyControls(host: FilesHost): HTMLElement {
     list.replaceChildren(make("option", { value: "", text: `open from ${told.folder}/ …` }), ...told.studies.map((one) => make("option", { value: one, text: one })));
   });
   const keep = (overwrite: boolean) => attempt(host, async () => {
-    const sheet = host.sheet();
-    if (!sheet) return;
+    const wish = host.wish();
+    if (!wish) return;
     const wanted = name.value.trim() || `${host.name().replace(/[^\w.-]+/g, "_")}.yaml`;
     const file = /\.ya?ml$/i.test(wanted) ? wanted : `${wanted}.yaml`;
     name.value = file;
     try {
-      const told = await api.save(file, sheet, overwrite);
+      const told = await api.save(file, wish.sheet, wish.looks, overwrite);
+      host.right();
       host.say(`Saved as ${told.saved}.`);
       replace.hidden = true;
     } catch (error) {
@@ -93,19 +59,20 @@ export function studyControls(host: FilesHost): HTMLElement {
 export function exportControls(host: FilesHost): HTMLElement {
   const stem = () => host.name().replace(/[^\w.-]+/g, "_") || "robot";
   const file = (product: "report" | "data", ending: string, type: string) => attempt(host, async () => {
-    const sheet = host.sheet();
-    if (!sheet) return;
+    const wish = host.wish();
+    if (!wish) return;
     host.say(`Making the ${product} …`);
-    const bytes = await host.runner.file(product, sheet, (job) => host.say(`Making the ${product}: ${job.stage || job.state} …`));
+    const bytes = await host.runner.file(product, wish, (job) => host.say(`Making the ${product}: ${job.stage || job.state} …`));
     give(bytes, `${stem()}${ending}`, type);
+    host.right();
     host.say(`The ${product} is among your downloads.`);
   });
   return make("span", { class: "pick", role: "group", "aria-label": "Export" },
     button("Report", () => void file("report", ".html", "text/html"), { title: "This run as one page that needs no network" }),
     button("Data", () => void file("data", ".nc", "application/x-netcdf"), { title: "All series of this run as NetCDF (result.nc)" }),
     button("YAML", () => void attempt(host, async () => {
-      const sheet = host.sheet();
-      if (sheet) save((await api.yaml(sheet)).yaml, `${stem()}.yaml`, "application/yaml");
+      const wish = host.wish();
+      if (wish) save((await api.yaml(wish.sheet)).yaml, `${stem()}.yaml`, "application/yaml");
     }), { title: "The study as a data sheet" }));
 }
 

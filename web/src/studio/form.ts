@@ -18,13 +18,14 @@ export class Form {
   private readonly groups = new Map<string, Group>();
   private readonly opened = new Set<string>();
   private marked: (() => void)[] = [];
+  private doubts: Wrong[] = [];
 
   /** `changed` is told whether the structure changed too, so that other fields are there than before. */
   constructor(
     private readonly element: HTMLElement,
     private readonly forms: Forms,
     private readonly sheet: Sheet,
-    private readonly units: Record<string, string>,
+    private units: Record<string, string>,
     private readonly changed: (structure: boolean) => void,
   ) {
     this.build();
@@ -42,24 +43,39 @@ export class Form {
     for (const { field, steps } of this.fields.values()) if (document.activeElement !== field.input) field.set(at(this.sheet, steps));
   }
 
-  /** Mark the fields that are wrong; what has no field of its own is marked at the group around it. */
-  mark(errors: Wrong[]): void {
+  /** Show the units of a sheet whose structure changed. */
+  tell(units: Record<string, string>): void {
+    this.units = units;
+    for (const { field, steps } of this.fields.values()) {
+      const known = units[steps.join(".")];
+      if (known !== undefined) field.unit?.(unitOf({}, known));
+    }
+  }
+
+  /** Mark the fields that are wrong, and those in doubt; what has no field of its own is marked at the group around it. */
+  mark(errors: Wrong[], doubts = this.doubts): void {
     this.marked.forEach((end) => end());
     this.marked = [];
-    for (const error of errors) {
-      const input = error.steps ? this.find(error.steps) : null;
-      if (!input) continue;
-      const id = ownId("wrong");
-      const note = make("p", { class: "wrong", id, text: `${error.message}. ${error.mend}` });
-      (input.closest(".field") ?? input).after(note);
-      input.setAttribute("aria-invalid", "true");
-      input.setAttribute("aria-describedby", id);
-      this.marked.push(() => {
-        note.remove();
-        input.removeAttribute("aria-invalid");
-        input.removeAttribute("aria-describedby");
-      });
-    }
+    errors.forEach((error) => this.note(error, "wrong"));
+    const places = (of: Wrong[]) => of.map(({ path }) => path).join();
+    const fresh = places(doubts) !== places(this.doubts); // groups open once for them, not at each run
+    doubts.forEach((doubt) => this.note(doubt, "doubt", fresh));
+    this.doubts = doubts;
+  }
+
+  private note(error: Wrong, kind: "wrong" | "doubt", open = true): void {
+    const input = error.steps ? this.find(error.steps, open) : null;
+    if (!input) return;
+    const id = ownId(kind);
+    const note = make("p", { class: kind, id, text: `${error.message}. ${error.mend}` });
+    (input.closest(".field") ?? input).after(note);
+    if (kind === "wrong") input.setAttribute("aria-invalid", "true");
+    input.setAttribute("aria-describedby", id);
+    this.marked.push(() => {
+      note.remove();
+      input.removeAttribute("aria-invalid");
+      input.removeAttribute("aria-describedby");
+    });
   }
 
   focus(steps: Step[]): void {
@@ -69,12 +85,12 @@ export class Form {
   }
 
   /** The field at steps, its groups opened, or the nearest group around it. */
-  private find(steps: Step[]): HTMLElement | null {
+  private find(steps: Step[], open = true): HTMLElement | null {
     let nearest: HTMLElement | null = null;
     for (let k = 1; k <= steps.length; k += 1) {
       const path = pathOf(steps.slice(0, k));
       const group = this.groups.get(path);
-      group?.open();
+      if (open) group?.open();
       nearest = this.fields.get(path)?.field.input ?? group?.element ?? nearest;
     }
     return nearest;

@@ -9,7 +9,13 @@ export interface Messages {
   loaded(from: string, warnings: string[]): void;
   progress(stage: string, share: number): void;
   done(page: StudioPage, job: Job, milliseconds: number): void;
+  /** What of the robot's looks cannot be shown. */
+  unseen(doubts: Wrong[], go: (doubt: Wrong) => void): void;
+  /** Whether the server is away, in words. */
+  away(text: string | null): void;
   wrong(errors: Wrong[], go: (error: Wrong) => void): void;
+  /** What was wrong with a file is mended; what is wrong at fields stays. */
+  right(): void;
   /** The button that ends a run: it is there while one takes long. */
   cancel(button: HTMLElement): void;
 }
@@ -19,8 +25,22 @@ export function messages(): Messages {
   const bar = make("progress", { max: "1", "aria-label": "Progress of the run", hidden: true });
   const errors = make("div", { class: "errors", role: "alert", hidden: true });
   const doubts = make("div", { class: "doubts", hidden: true });
-  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line), errors, doubts);
+  const gone = make("p", { class: "gone", role: "alert", hidden: true });
+  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line), gone, errors, doubts);
   let stop: HTMLElement | null = null;
+  let odd: HTMLElement[] = [];
+  let atFields = false;
+
+  const told = (one: Wrong, go: (one: Wrong) => void) => {
+    const place = [one.where, one.path].filter(Boolean).join(" · ");
+    const title = one.steps ? button(place, () => go(one), { class: "place", title: "Go to the field" }) : make("strong", { text: place });
+    const mend = one.mend && !one.message.includes(one.mend) ? make("span", { class: "mend", text: ` ${one.mend}` }) : null;
+    return make("p", {}, title, make("span", { text: ` ${one.message}${mend ? "." : ""}` }), mend);
+  };
+  const doubt = (more: HTMLElement[]) => {
+    doubts.hidden = odd.length + more.length === 0;
+    doubts.replaceChildren(...odd, ...more);
+  };
 
   const busy = (yes: boolean) => {
     bar.hidden = !yes;
@@ -37,8 +57,8 @@ export function messages(): Messages {
     loaded(from, warnings) {
       say(`${from}: loaded.`);
       errors.hidden = true;
-      doubts.hidden = warnings.length === 0;
-      doubts.replaceChildren(...warnings.map((text) => make("p", { text: `Looks odd: ${text}` })));
+      odd = warnings.map((text) => make("p", { text: `Looks odd: ${text}` }));
+      doubt([]);
     },
     progress(stage, share) {
       busy(true);
@@ -53,15 +73,18 @@ export function messages(): Messages {
       const warnings = run.warnings.length ? ` ${run.warnings.length === 1 ? "One warning" : `${run.warnings.length} warnings`}: ${run.warnings.join(" ")}` : "";
       say(`${run.success ? "" : `${run.status}: ${run.message} `}New curves after ${Math.round(milliseconds)} ms, of which the server took ${Math.round(1000 * server)} ms.${warnings}`);
     },
+    away(text) {
+      gone.hidden = text === null;
+      gone.textContent = text ?? "";
+      if (text !== null) busy(false);
+    },
+    unseen: (list, go) => doubt(list.map((one) => told(one, go))),
+    right: () => { if (!atFields) errors.hidden = true; },
     wrong(list, go) {
       say("");
+      atFields = list.some((one) => one.steps !== null);
       errors.hidden = false;
-      errors.replaceChildren(...list.map((error) => {
-        const place = [error.where, error.path].filter(Boolean).join(" · ");
-        const title = error.steps ? button(place, () => go(error), { class: "place", title: "Go to the field" }) : make("strong", { text: place });
-        const mend = error.mend && !error.message.includes(error.mend) ? make("span", { class: "mend", text: ` ${error.mend}` }) : null;
-        return make("p", {}, title, make("span", { text: ` ${error.message}${mend ? "." : ""}` }), mend);
-      }));
+      errors.replaceChildren(...list.map((error) => told(error, go)));
     },
   };
 }

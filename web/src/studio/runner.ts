@@ -1,7 +1,7 @@
 // From a sheet to a page's data: one run at a time, the newest wish counts, a long run can be ended.
 
-import { api, Refused, type Job, type StudioPage, type Wrong } from "./api";
-import { copy, type Sheet } from "./sheet";
+import { api, Refused, type Job, type StudioPage, type Wish, type Wrong } from "./api";
+import { copy } from "./sheet";
 
 /** A run that takes longer is ended when something else is wanted [ms]. */
 const PATIENCE = 300;
@@ -21,16 +21,16 @@ export interface Listener {
 
 export class Runner {
   private readonly client = crypto.randomUUID();
-  private wanted: Sheet | null = null;
+  private wanted: Wish | null = null;
   private calm = 0;
   private running: { job: string | null; since: number; unwanted: boolean } | null = null;
 
   constructor(private readonly listener: Listener) {}
 
   /** Simulate this sheet as soon as may be; sheets in between are left out. */
-  want(sheet: Sheet): void {
+  want(wish: Wish): void {
     clearTimeout(this.calm);
-    this.wanted = copy(sheet);
+    this.wanted = { sheet: copy(wish.sheet), looks: wish.looks };
     if (this.running === null) void this.next();
     else if (performance.now() - this.running.since > PATIENCE) this.end();
     else setTimeout(() => this.wanted && this.running && performance.now() - this.running.since > PATIENCE && this.end(), PATIENCE + 10);
@@ -50,12 +50,12 @@ export class Runner {
 
   private async next(): Promise<void> {
     while (this.wanted !== null) {
-      const sheet = this.wanted;
+      const wish = this.wanted;
       this.wanted = null;
       const began = performance.now();
       this.running = { job: null, since: began, unwanted: false };
       try {
-        await this.run(sheet, began);
+        await this.run(wish, began);
       } catch (error) {
         this.listener.wrong(error instanceof Refused ? error.errors : [{ path: "", message: String(error), got: "", expected: "", mend: "", where: "", steps: null }]);
       }
@@ -63,9 +63,9 @@ export class Runner {
     }
   }
 
-  private async run(sheet: Sheet, began: number): Promise<void> {
+  private async run(wish: Wish, began: number): Promise<void> {
     this.listener.begun();
-    let job = await api.begin("curves", sheet, this.client);
+    let job = await api.begin("curves", wish, this.client);
     if (this.running) this.running.job = job.job;
     if (this.running?.unwanted) await api.cancel(job.job);
     while (job.state === "waiting" || job.state === "running") {
@@ -78,15 +78,15 @@ export class Runner {
     } else {
       const page = await api.page(job.job);
       this.listener.done(page, job, performance.now() - began);
-      this.calm = window.setTimeout(() => void this.modes(sheet), CALM);
+      this.calm = window.setTimeout(() => void this.modes(wish), CALM);
     }
   }
 
   /** The modes of a run that is shown, of which nothing has changed since; who lacks them misses no curve. */
-  private async modes(sheet: Sheet): Promise<void> {
+  private async modes(wish: Wish): Promise<void> {
     const calm = this.calm;
     try {
-      const job = await this.over("page", sheet, () => undefined);
+      const job = await this.over("page", wish, () => undefined);
       if (job.state !== "done") return;
       const page = await api.page(job.job);
       if (this.calm === calm && this.running === null && this.wanted === null) this.listener.whole(page);
@@ -95,8 +95,8 @@ export class Runner {
     }
   }
 
-  private async over(product: string, sheet: Sheet, progress: (job: Job) => void): Promise<Job> {
-    let job = await api.begin(product, sheet, this.client);
+  private async over(product: string, wish: Wish, progress: (job: Job) => void): Promise<Job> {
+    let job = await api.begin(product, wish, this.client);
     while (job.state === "waiting" || job.state === "running") {
       job = await api.look(job.job, POLL);
       progress(job);
@@ -105,8 +105,8 @@ export class Runner {
   }
 
   /** A file of the sheet's run: its report or its data. */
-  async file(product: "report" | "data", sheet: Sheet, progress: (job: Job) => void): Promise<Uint8Array> {
-    const job = await this.over(product, copy(sheet), progress);
+  async file(product: "report" | "data", wish: Wish, progress: (job: Job) => void): Promise<Uint8Array> {
+    const job = await this.over(product, { ...wish, sheet: copy(wish.sheet) }, progress);
     if (job.state !== "done") throw new Refused(job.errors, 422);
     return api.bytes(job.job);
   }

@@ -147,7 +147,7 @@ export class Forms {
     if (schema.default !== undefined && schema.default !== null) return schema.default;
     if (shape.kind === "word") return shape.words[0];
     if (shape.kind === "choice") return this.fresh(shape.choices[0].schema, before);
-    if (shape.kind === "number") return (shape.schema.exclusiveMinimum ?? -1) >= 0 || (shape.schema.minimum ?? 0) > 0 ? 1 : 0;
+    if (shape.kind === "number") return allowed(shape.schema);
     if (shape.kind === "yes") return false;
     if (shape.kind === "text") return "";
     if (shape.kind === "map") return {};
@@ -160,6 +160,12 @@ export class Forms {
       .map(([name, field]) => [name, name in kept && this.resolved(field).const === undefined ? kept[name] : this.fresh(field)] as const);
     return Object.fromEntries(entries);
   }
+}
+
+/** A number that a field may hold: nothing where that may be, else one, or what is nearest to it. */
+function allowed({ exclusiveMinimum = -Infinity, minimum = -Infinity, maximum = Infinity }: Schema): number {
+  if (exclusiveMinimum < 0 && minimum <= 0 && maximum >= 0) return 0;
+  return Math.max(Math.min(1, maximum), minimum);
 }
 
 /** What a node tells of itself, apart from what it is. */

@@ -44,10 +44,10 @@ function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLE
   });
   typed.addEventListener("change", () => {
     const value = read(typed.value);
-    if (typeof value === "number") {
-      apply(knob, sheet, value);
-      changed();
-    }
+    if (typeof value === "number") apply(knob, sheet, value);
+    else if (value !== undefined && !knob.together) put(sheet, knob.targets[0].steps, value); // perhaps with a unit: the server reads it
+    else typed.value = digits(valueOf(knob, sheet) ?? 1);
+    changed();
     refresh();
   });
   refresh();

@@ -1,0 +1,43 @@
+"""The surface that an arm touches: what a page draws of it, and how far its sliders go."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.arm import Arm
+from tmodes.arm.contact import Ball, Plane, Wall
+
+__all__ = ["steepest", "stretched_length", "surface_numbers", "surface_told"]
+
+
+def surface_told(shape: Plane | Ball | Wall) -> dict[str, Any]:
+    """As ``SceneContact.surface`` of ``web/src/contract.ts``; a wall is a plane."""
+    match shape:
+        case Plane():
+            return {"kind": "plane", "position": list(shape.position), "normal": list(shape.normal)}
+        case Ball():
+            return {"kind": "ball", "center": list(shape.center), "radius": shape.radius, "inside": shape.inside}
+    ahead = [float(np.cos(shape.heading)), float(np.sin(shape.heading)), 0.0]
+    return {"kind": "plane", "position": [shape.distance * x for x in ahead], "normal": [-x for x in ahead]}
+
+
+def surface_numbers(shape: Plane | Ball | Wall) -> NDArray[np.float64]:
+    """What moves of it (4,) [m]: position or center, and the radius (a plane: 0)."""
+    told = surface_told(shape)
+    return np.array([*told.get("position", told.get("center")), told.get("radius", 0.0)], dtype=float)
+
+
+def steepest(arm: Arm) -> int:
+    """The axis of the world along which the normal of the plane that it touches is longest; -1: it touches none."""
+    shape = arm.contact.shape if arm.contact else None
+    return int(np.argmax(np.abs(shape.normal))) if isinstance(shape, Plane) else -1
+
+
+def stretched_length(arm: Arm) -> float:
+    """Length of all links and of what is between them [m]."""
+    nodes = arm.chain().nodes
+    between = sum(float(np.linalg.norm(node.joint.placement.position)) for node in nodes)
+    return between + sum(getattr(node.link, "length", 0.0) for node in nodes)

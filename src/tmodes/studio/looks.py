@@ -1,0 +1,95 @@
+"""Where the looks of a robot come from: a published robot, a file of the working folder, or an upload that is kept."""
+
+from __future__ import annotations
+
+import secrets
+import shutil
+import tempfile
+from collections.abc import Sequence
+from contextlib import suppress
+from pathlib import Path
+from typing import Any, NamedTuple
+
+from tmodes.errors import InputError
+from tmodes.robots.load import sheet_names
+from tmodes.studio.folder import WorkingFolder
+
+__all__ = ["GONE", "Shelf", "Source", "remove", "source_of"]
+
+MOST_KEPT = 8
+"""Uploads that are kept, the newest ones: each at most as large as an upload may be."""
+
+GONE = "gone"
+"""In place of a file: the upload is not kept any more."""
+
+
+class Source(NamedTuple):
+    """The robot's file, or the name of a published robot; and the folders in which what it names may lie."""
+
+    file: str
+    roots: tuple[str, ...]
+
+
+class Shelf:
+    """A private folder for uploads whose links have shapes; it goes when the studio stops."""
+
+    def __init__(self) -> None:
+        self._place: Path | None = None
+        self._kept: dict[str, tuple[Path, Source]] = {}
+        self._studies: dict[str, str] = {}
+
+    def room(self) -> Path:
+        """A new empty folder; raises :class:`tmodes.errors.InputError` where there is no room for one."""
+        try:
+            if self._place is None:
+                self._place = Path(tempfile.mkdtemp(prefix="tmodes-upload-")).resolve()
+            return Path(tempfile.mkdtemp(dir=self._place))
+        except OSError as error:
+            expected, mend = "room in the temporary folder", "free some space"
+            raise InputError("files", str(error.strerror), expected, mend) from None
+
+    def keep(self, room: Path, main: Path, roots: Sequence[Path]) -> str:
+        """Keep a room; the name under which its looks can be asked for, which nobody can guess."""
+        name = secrets.token_urlsafe(12)
+        self._kept[name] = (room, Source(str(main), tuple(map(str, roots))))
+        for old in [*self._kept][:-MOST_KEPT]:
+            remove(self._kept.pop(old)[0])
+        return f"upload:{name}"
+
+    def found(self, name: str) -> Source | None:
+        """Where the upload of a name is; None where it is not kept any more."""
+        return self._kept[name][1] if name in self._kept else None
+
+    def note(self, study: str, looks: str) -> None:
+        """Remember that a study of the working folder was made of an upload; another one was not."""
+        self._studies.pop(study, None)
+        if looks.startswith("upload:"):
+            self._studies[study] = looks
+
+    def looks_of(self, study: str) -> str:
+        """Where the looks of a study of the working folder come from."""
+        return self._studies.get(study, f"study:{study}")
+
+    def close(self) -> None:
+        """Remove all uploads."""
+        self._kept.clear()
+        if self._place is not None:
+            remove(self._place)
+
+
+def remove(room: Path) -> None:
+    """Remove a folder with all that is in it."""
+    shutil.rmtree(room, ignore_errors=True)
+
+
+def source_of(looks: Any, folder: WorkingFolder, shelf: Shelf) -> Source | None:
+    """What ``robot:NAME``, ``study:FILE`` and ``upload:NAME`` mean; None for anything else: looks are no error."""
+    kind, _, name = looks.partition(":") if isinstance(looks, str) else ("", "", "")
+    if kind == "robot" and name in sheet_names():
+        return Source(name, ())
+    if kind == "study":
+        with suppress(InputError):
+            return Source(str(folder.existing(name)), (str(folder.path),))
+    if kind == "upload":
+        return shelf.found(name) or Source(GONE, ())
+    return None
