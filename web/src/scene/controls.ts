@@ -22,9 +22,12 @@ export function make<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 } // prettier-ignore
 
-/** `colours`: ids and labels of what may colour the links; `toggles`: which things may be shown or not. */
+/**
+ * `colours`: ids and labels of what may colour the links; `toggles`: which things may be shown or not; `enlarges`: there
+ * is something to enlarge; `fine`: there are qualities to choose from.
+ */
 export function makeControls(
-  settings: Settings, colours: [string, string][], toggles: (keyof Settings)[], enlarges: boolean, wishes: Wishes,
+  settings: Settings, colours: [string, string][], toggles: (keyof Settings)[], enlarges: boolean, fine: boolean, wishes: Wishes,
 ): HTMLElement {
   const bar = make("div", { className: "scene-bar", role: "toolbar", ariaLabel: "The robot in space" });
   const colour = chooser("Colour", colours, settings.colour, (id) => {
@@ -37,7 +40,7 @@ export function makeControls(
   bar.append(make("label", {}, "View", view));
   const reset = make("button", { type: "button", ariaLabel: "Reset view" }, "Reset");
   reset.addEventListener("click", () => wishes.look(view.value as View));
-  bar.append(reset, more(settings, toggles, wishes));
+  bar.append(reset, more(settings, toggles, fine, wishes));
   return bar;
 } // prettier-ignore
 
@@ -62,7 +65,7 @@ function rounded(factor: number): number {
   return factor < 10 ? Math.round(10 * factor) / 10 : Math.round(factor);
 }
 
-function more(settings: Settings, toggles: (keyof Settings)[], wishes: Wishes): HTMLElement {
+function more(settings: Settings, toggles: (keyof Settings)[], fine: boolean, wishes: Wishes): HTMLElement {
   const panel = make("div", { className: "scene-more" });
   for (const [key, label] of TOGGLES) {
     if (!toggles.includes(key)) continue;
@@ -75,11 +78,7 @@ function more(settings: Settings, toggles: (keyof Settings)[], wishes: Wishes): 
     });
     panel.append(make("label", {}, box, label));
   }
-  const quality = chooser("Quality", [["auto", "automatic"], ["low", "low"], ["high", "high"]], settings.quality, (id) => {
-    settings.quality = id as Settings["quality"];
-    wishes.quality();
-  });
-  panel.append(make("label", {}, "Quality", quality));
+  if (fine) panel.append(make("label", {}, "Quality", qualities(settings, wishes)));
   const details = make("details", {}, make("summary", {}, "Show"), panel);
   details.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
@@ -87,6 +86,13 @@ function more(settings: Settings, toggles: (keyof Settings)[], wishes: Wishes): 
     details.querySelector("summary")?.focus();
   });
   return details;
+}
+
+function qualities(settings: Settings, wishes: Wishes): HTMLSelectElement {
+  return chooser("Quality", [["auto", "automatic"], ["low", "low"], ["high", "high"]], settings.quality, (id) => {
+    settings.quality = id as Settings["quality"];
+    wishes.quality();
+  });
 }
 
 function chooser(ariaLabel: string, options: [string, string][], chosen: string, changed: (id: string) => void): HTMLSelectElement {

@@ -97,7 +97,11 @@ export function surfaceMesh(surface: SceneContact["surface"], at: ArrayLike<numb
 
 type Place = (u: number, v: number) => Vector3;
 
-function patch(surface: SceneContact["surface"], at: ArrayLike<number>, margin: number): BufferGeometry {
+/** Squares along each side of a patch. */
+export const SQUARES = 24;
+
+/** The part of a surface about places, as a grid of (SQUARES + 1)² vertices, row after row. */
+export function patch(surface: SceneContact["surface"], at: ArrayLike<number>, margin: number): BufferGeometry {
   const points: Vector3[] = [];
   for (let k = 0; k + 2 < at.length; k += 3) points.push(new Vector3(at[k], at[k + 1], at[k + 2]));
   const [place, coordinates, more] = chart(surface, points, margin);
@@ -144,7 +148,7 @@ function across(normal: Vector3): [Vector3, Vector3] {
   return [x, new Vector3().crossVectors(normal, x)];
 }
 
-function grid(place: Place, u: number[], v: number[], count = 24): BufferGeometry {
+function grid(place: Place, u: number[], v: number[], count = SQUARES): BufferGeometry {
   const positions: number[] = [];
   const faces: number[] = [];
   for (let i = 0; i <= count; i++)

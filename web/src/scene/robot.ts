@@ -7,6 +7,7 @@ import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.j
 import type { Scene, SceneJoint, SceneLink, SceneMesh } from "../contract";
 import type { Motion } from "./motion";
 import { SCALE, step } from "./palette";
+import type { Painted } from "./shown";
 import { Sweep, type SectionSizes } from "./sweep";
 
 /** What a robot is made of, whatever moves it. */
@@ -22,7 +23,7 @@ export interface Look {
   /** Below 1: a ghost, links alone. */
   opacity: number;
   /** Which links a quantity colours. */
-  painted: "none" | "bending" | "all";
+  painted: Painted;
   fine: boolean;
 }
 
@@ -142,22 +143,14 @@ export class RobotView {
 
   /** What holds the root of a link: its parent's end, else a rod from the nearest place of the parent, or a pedestal. */
   private holder(link: SceneLink, index: number, motion: Motion, meshed: Set<number>): void {
-    const { arrays, stations } = motion;
-    const root = 3 * stations * index;
     if (link.parent < 0) {
       if (meshed.has(-1) || meshed.has(index)) return;
       const shape = new CylinderGeometry(1.8 * this.widths.usual, 3 * this.widths.usual, 1, 32);
       this.pedestals.push({ object: this.add(new Mesh(this.kept(shape), this.material(this.look.base, false))), link: index });
       return;
     }
-    let place = 0;
-    let least = Infinity;
-    for (let s = 0; s < stations; s++) {
-      const there = 3 * (stations * link.parent + s);
-      const away = Math.hypot(...[0, 1, 2].map((c) => arrays.line.data[there + c] - arrays.line.data[root + c]));
-      if (away < least) [place, least] = [there, away];
-    }
-    if (least < 0.5 * this.widths.usual || (meshed.has(index) && meshed.has(link.parent))) return;
+    const { place, away } = nearest(motion, link.parent, index);
+    if (away < 0.5 * this.widths.usual || (meshed.has(index) && meshed.has(link.parent))) return;
     const shape = new CylinderGeometry(0.8 * this.widths.usual, 0.8 * this.widths.usual, 1, 16);
     const object = this.add(new Mesh(this.kept(shape), this.material(this.look.link, false)));
     this.rods.push({ object, link: index, parent: link.parent, place });
@@ -181,8 +174,21 @@ export class RobotView {
   }
 }
 
+/** Where in a frame the place of the parent is that is nearest to the root of a link in the first frame, and how near [m]. */
+export function nearest({ arrays, stations }: Motion, parent: number, link: number): { place: number; away: number } {
+  const { data } = arrays.line;
+  const root = 3 * stations * link;
+  let found = { place: 0, away: Infinity };
+  for (let s = 0; s < stations; s++) {
+    const place = 3 * (stations * parent + s);
+    const away = Math.hypot(data[place] - data[root], data[place + 1] - data[root + 1], data[place + 2] - data[root + 2]);
+    if (away < found.away) found = { place, away };
+  }
+  return found;
+}
+
 /** The half-widths of a link at `count` stations, none thinner than what is drawn. */
-function sizes(link: SceneLink, count: number, widths: Widths): SectionSizes {
+export function sizes(link: SceneLink, count: number, widths: Pick<Widths, "usual" | "least">): SectionSizes {
   const found = new Float32Array(2 * count).fill(widths.usual);
   if (link.section === null) return { shape: "round", sizes: found };
   const told = link.section.sizes;

@@ -3,16 +3,11 @@ import { Group, type Material, type Mesh } from "three";
 import type { Run } from "../contract";
 import type { Extent } from "./extent";
 import { Arrow, surfaceMesh, Trace } from "./marks";
-import { Motion, type Arrays } from "./motion";
-import { RUNS, type Palette } from "./palette";
+import type { Arrays, Motion } from "./motion";
+import type { Palette } from "./palette";
 import { RobotView, type Body, type Look } from "./robot";
 import type { Settings } from "./settings";
-import { round125 } from "./units";
-
-export interface Range {
-  low: number;
-  high: number;
-}
+import { paints, ShownRun, type Range } from "./shown";
 
 /** What all runs of a scene share. */
 export interface Shared {
@@ -23,12 +18,8 @@ export interface Shared {
   scale: number;
 }
 
-export class RunView {
+export class RunView extends ShownRun {
   readonly group = new Group();
-  motion: Motion;
-  /** Whether its surface is shown where surfaces are: another run may show the same. */
-  showsSurface = true;
-  private before: Motion | null = null;
   private robot!: RobotView;
   private ghosts: { view: RobotView; of: "reference" | "rigid" | "before" }[] = [];
   private traces: { trace: Trace; reference: boolean }[] = [];
@@ -37,61 +28,29 @@ export class RunView {
   private built = "";
   private traced = "";
 
-  /** `alone`: there is no other run, so that the robot needs no colour of its own. */
-  constructor(readonly run: Run, private readonly index: number, private readonly alone: boolean, private readonly shared: Shared) {
-    this.motion = new Motion(run.scene);
+  constructor(run: Run, index: number, alone: boolean, private readonly shared: Shared) {
+    super(run, index, alone, shared.colours);
   }
 
-  /** The colour by which this run is told from the others. */
-  get colour(): string {
-    return this.alone ? this.shared.colours.real : RUNS[this.index % RUNS.length];
-  }
-
-  get referenceColour(): string {
-    return this.alone ? this.shared.colours.reference : this.shared.colours.rigid;
-  }
-
-  get changed(): boolean {
-    return this.before !== null;
-  }
-
-  /** Other arrays, which the page's own then stand beside as a ghost; null: the page's own. */
-  replace(arrays: Arrays | null): void {
-    const { scene } = this.run;
-    const shapes = this.motion.arrays.line.shape;
-    const next = new Motion(arrays ?? scene);
-    if (String(next.arrays.line.shape.slice(1)) !== String(shapes.slice(1)) || (arrays !== null) !== this.changed) this.built = "";
-    this.before = arrays === null ? null : (this.before ?? new Motion(scene));
-    this.motion = next;
+  override replace(arrays: Arrays | null): void {
+    const shape = String(this.motion.arrays.line.shape.slice(1));
+    if ((arrays !== null) !== this.changed) this.built = "";
+    super.replace(arrays);
+    if (String(this.motion.arrays.line.shape.slice(1)) !== shape) this.built = "";
     this.traced = "";
   }
 
   update(time: number, settings: Settings, range: Range): void {
     const { motion } = this;
     this.build(settings);
-    const values = motion.arrays.colours.find(({ id }) => id === settings.colour)?.values ?? null;
-    motion.seek(time, settings.factor, values);
+    this.seek(time, settings);
     this.robot.update(motion, motion.line, range.low, range.high);
-    this.before?.seek(time, settings.factor, null);
     for (const { view, of } of this.ghosts) {
       const line = of === "before" ? this.before?.line : motion[of];
       view.group.visible = of === "before" ? line !== undefined : settings[of] && line !== null;
       if (view.group.visible && line) view.update(of === "before" && this.before ? this.before : motion, line, 0, 1);
     }
     this.draw(settings);
-  }
-
-  /** Widen a range by all values of a quantity on the links that it colours. */
-  widen(id: string, range: Range): void {
-    const { arrays, links, stations } = this.motion;
-    const told = arrays.colours.find((one) => one.id === id)?.values.data;
-    const coloured = this.run.scene.links.map((link) => link.bends || paints(id) === "all");
-    if (told === undefined) return;
-    for (let k = 0; k < told.length; k++) {
-      if (!coloured[Math.floor(k / stations) % links]) continue;
-      if (told[k] < range.low) range.low = told[k];
-      if (told[k] > range.high) range.high = told[k];
-    }
   }
 
   dispose(): void {
@@ -179,11 +138,6 @@ export class RunView {
   }
 }
 
-/** Displacement is one of all links, other quantities are of those that bend. */
-function paints(colour: string): Look["painted"] {
-  return colour === "run" ? "none" : colour === "displacement" ? "all" : "bending";
-}
-
 /** Ghosts lie inside of what they are ghosts of, as long as they are in the same place. */
 function thinner(body: Body, share: number): Body {
   const links = body.links.map((link) => {
@@ -192,17 +146,4 @@ function thinner(body: Body, share: number): Body {
     return { ...link, section: { ...link.section, sizes: { data: Float32Array.from(data, (size) => share * size), shape } } };
   });
   return { ...body, links };
-}
-
-const USUAL_FORCE = 10; // N, of runs that touch nothing: a changed one may
-
-/** The length of a newton with which the largest force of all runs is about a third of the robot's reach; 0: no contact. */
-export function forceScale(runs: Run[], reach: number): number {
-  let largest = 0;
-  for (const { scene } of runs) {
-    const force = scene.contact?.force.data ?? [];
-    for (let k = 0; k + 2 < force.length; k += 3) largest = Math.max(largest, Math.hypot(force[k], force[k + 1], force[k + 2]));
-  }
-  if (runs.every(({ scene }) => scene.contact === null)) return 0;
-  return round125((0.35 * reach) / (largest || USUAL_FORCE));
 }

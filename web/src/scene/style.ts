@@ -35,6 +35,7 @@ const RULES = `
 .scene-scale i { border-radius: 2px; }
 .scene-factor { bottom: 8px; right: 8px; font-weight: 600; }
 .scene-grid { bottom: 8px; left: 8px; color: var(--soft); }
+.scene-flat { bottom: 36px; left: 8px; color: var(--soft); max-width: 80%; }
 .scene-message { position: absolute; inset: 0; display: grid; place-content: center; padding: 2em; text-align: center; }
 @container (max-width: 520px) {
   .scene-bar { gap: 4px 8px; }

@@ -149,7 +149,7 @@ export function sectionAxes(out: Float32Array, q: Float32Array, at: number): voi
 }
 
 /** Turn the axes to a new tangent without twist: by the shortest way, which is the rotation from tangent to tangent. */
-function transport(axes: Float32Array, tx: number, ty: number, tz: number): void {
+export function transport(axes: Float32Array, tx: number, ty: number, tz: number): void {
   const size = Math.hypot(tx, ty, tz);
   if (size === 0) return;
   const x = tx / size;
