@@ -18,5 +18,10 @@ async function main(): Promise<void> {
   }
 }
 
-addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
+// Paper is white and shows all: what is folded is opened, and what is drawn takes the colours of the light scheme.
+addEventListener("beforeprint", () => {
+  document.documentElement.classList.add("printing");
+  for (const part of document.querySelectorAll("details")) part.open = true;
+});
+addEventListener("afterprint", () => document.documentElement.classList.remove("printing"));
 void main();

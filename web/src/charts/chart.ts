@@ -151,6 +151,13 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const resized = new ResizeObserver(() => {
     if (seen && place.clientWidth > 0) redraw();
   });
+  const onPaper = () => { // also what was never looked at, in the colours and the width of the paper
+    scheme += 1;
+    stale = true;
+    draw();
+  };
+  addEventListener("beforeprint", onPaper);
+  addEventListener("afterprint", onPaper);
   watch.observe(element);
   place.setAttribute("aria-label", summary(entries.filter((entry) => legend.shows(entry))));
   resized.observe(place);
@@ -170,6 +177,8 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
       redraw();
     },
     dispose() {
+      removeEventListener("beforeprint", onPaper);
+      removeEventListener("afterprint", onPaper);
       watch.disconnect();
       resized.disconnect();
       ends.forEach((end) => end());

@@ -34,10 +34,10 @@ export function makeControls(
     settings.colour = id;
     wishes.changed();
   });
-  bar.append(make("label", {}, "Colour", colour));
+  bar.append(make("label", {}, name("Colour"), colour));
   if (enlarges) bar.append(factorSlider(settings, wishes));
   const view = chooser("View", VIEWS.map((id) => [id, VIEW_NAMES[id]]), "iso", (id) => wishes.look(id as View));
-  bar.append(make("label", {}, "View", view));
+  bar.append(make("label", {}, name("View"), view));
   const reset = make("button", { type: "button", ariaLabel: "Reset view" }, "Reset");
   reset.addEventListener("click", () => wishes.look(view.value as View));
   bar.append(reset, more(settings, toggles, fine, wishes));
@@ -58,7 +58,12 @@ function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
     slider.value = "0";
     slider.dispatchEvent(new Event("input"));
   });
-  return make("label", {}, "Deformation", slider, told);
+  return make("label", { className: "scene-factor-row" }, "Deformation", slider, told);
+}
+
+/** A name that goes where there is no room for it: what it names tells the same. */
+function name(text: string): HTMLElement {
+  return make("span", { className: "scene-name" }, text);
 }
 
 function rounded(factor: number): number {

@@ -1,7 +1,7 @@
 // A run as it is shown, whatever draws it: its motion, that of itself before a change, its colours and their range.
 import type { Run } from "../contract";
 import { Motion, type Arrays } from "./motion";
-import { RUNS, type Palette } from "./palette";
+import type { Palette } from "./palette";
 import type { Settings } from "./settings";
 import { round125 } from "./units";
 
@@ -28,7 +28,7 @@ export class ShownRun {
 
   /** The colour by which this run is told from the others. */
   get colour(): string {
-    return this.alone ? this.own.real : RUNS[this.index % RUNS.length];
+    return this.alone ? this.own.real : this.own.runs[this.index % this.own.runs.length];
   }
 
   get referenceColour(): string {

@@ -37,11 +37,20 @@ const RULES = `
 .scene-grid { bottom: 8px; left: 8px; color: var(--soft); }
 .scene-flat { bottom: 36px; left: 8px; color: var(--soft); max-width: 80%; }
 .scene-message { position: absolute; inset: 0; display: grid; place-content: center; padding: 2em; text-align: center; }
-@container (max-width: 520px) {
+@container (max-width: 760px) {
   .scene-bar { gap: 4px 8px; }
   .scene-bar label { gap: 4px; }
   .scene-bar select { max-width: 11.5em; padding: 3px 4px; }
-  .scene-bar input[type=range] { width: 64px; }
+  .scene-bar .scene-name { display: none; }
+}
+@container (max-width: 520px) {
+  .scene-bar { padding: 4px 6px; gap: 4px 6px; }
+  .scene-bar select { flex: 1 1 5em; min-width: 0; }
+  .scene-bar label:has(> select) { flex: 1 1 5em; min-width: 0; }
+  .scene-bar > details { order: 1; }
+  .scene-bar > .scene-factor-row { order: 2; flex: 1 1 60%; }
+  .scene-bar > button { order: 3; }
+  .scene-bar input[type=range] { flex: 1 1 64px; min-width: 64px; }
   .scene-view { min-height: 300px; }
   .scene-note { font-size: 11px; padding: 2px 5px; }
   .scene-legend { max-width: 58%; }
@@ -50,6 +59,11 @@ const RULES = `
   .scene-scale ol { height: 64px; }
   .scene-scale li:nth-child(even) { display: none; }
   .scene-grid { max-width: 64%; }
+}
+@media (pointer: coarse), (max-width: 40rem) {
+  .scene-bar select, .scene-bar button, .scene-bar summary { min-height: 40px; min-width: 40px; }
+  .scene-more label { min-height: 40px; }
+  .scene-more input { width: 20px; height: 20px; }
 }
 @media print { .scene-bar { display: none; } }
 `;
