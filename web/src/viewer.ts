@@ -14,7 +14,13 @@ async function main(): Promise<void> {
     document.documentElement.classList.add("running");
   } catch (error) {
     const told = error instanceof Error ? error.message : String(error);
-    root.replaceChildren(make("p", { class: "status warning", role: "alert", text: `The interactive part of this page could not start: ${told}. What follows is the whole report without it.` }));
+    root.replaceChildren(
+      make("p", {
+        class: "status warning",
+        role: "alert",
+        text: `The interactive part of this page could not start: ${told}. The whole report without it follows.`,
+      }),
+    );
   }
 }
 

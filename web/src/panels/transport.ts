@@ -10,16 +10,30 @@ const ARROW = 1 / 200;
 
 export function mountTransport(element: HTMLElement, clock: Clock): { dispose(): void } {
   const play = button("", () => clock.toggle(), { class: "play" });
-  const scrub = make("input", { type: "range", min: "0", max: String(STEPS), step: "1", "aria-label": "Time", class: "scrub" });
+  const scrub = make("input", {
+    type: "range",
+    min: "0",
+    max: String(STEPS),
+    step: "1",
+    "aria-label": "Time",
+    class: "scrub",
+  });
   const shown = make("output", { class: "time", "aria-live": "off" });
   const speedName = ownId("speed");
-  const speed = make("select", { id: speedName }, ...SPEEDS.map((value) => make("option", { value: String(value), text: `${value}×`, selected: value === clock.speed })));
+  const speed = make(
+    "select",
+    { id: speedName },
+    ...SPEEDS.map((value) =>
+      make("option", { value: String(value), text: `${value}×`, selected: value === clock.speed }),
+    ),
+  );
   scrub.addEventListener("input", () => clock.seek((Number(scrub.value) / STEPS) * clock.duration));
   speed.addEventListener("change", () => { clock.speed = Number(speed.value); });
   const places = Math.max(3, Math.ceil(-Math.log10(clock.duration || 1)) + 3);
   const tell = () => {
     const share = clock.duration > 0 ? clock.time / clock.duration : 0;
-    if (document.activeElement !== scrub || Number(scrub.value) !== Math.round(share * STEPS)) scrub.value = String(Math.round(share * STEPS));
+    if (document.activeElement !== scrub || Number(scrub.value) !== Math.round(share * STEPS))
+      scrub.value = String(Math.round(share * STEPS));
     scrub.setAttribute("aria-valuetext", `${clock.time.toFixed(places)} s`);
     shown.textContent = `${clock.time.toFixed(places)} s of ${digits(clock.duration)} s`;
     const words = clock.playing ? "Pause" : "Play";

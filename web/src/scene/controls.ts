@@ -1,8 +1,14 @@
-// The scene's controls above the picture: what colours the links, how much deformation is enlarged, where one looks from.
+// The controls above the picture: what colours the links, how much elasticity is enlarged, where one looks from.
 import { VIEWS, type View } from "./cameras";
 import { LARGEST_FACTOR, TOGGLES, type Settings } from "./settings";
 
-const VIEW_NAMES: Record<View, string> = { iso: "Oblique", front: "Front", side: "Side", top: "Top", tip: "Tip (follows)" };
+const VIEW_NAMES: Record<View, string> = {
+  iso: "Oblique",
+  front: "Front",
+  side: "Side",
+  top: "Top",
+  tip: "Tip (follows)",
+};
 
 const SLIDER_STEPS = 100;
 
@@ -23,11 +29,16 @@ export function make<Tag extends keyof HTMLElementTagNameMap>(
 } // prettier-ignore
 
 /**
- * `colours`: ids and labels of what may colour the links; `toggles`: which things may be shown or not; `enlarges`: there
- * is something to enlarge; `fine`: there are qualities to choose from.
+ * `colours`: ids and labels of what may colour the links; `toggles`: which things may be shown or not; `enlarges`:
+ * there is something to enlarge; `fine`: there are qualities to choose from.
  */
 export function makeControls(
-  settings: Settings, colours: [string, string][], toggles: (keyof Settings)[], enlarges: boolean, fine: boolean, wishes: Wishes,
+  settings: Settings,
+  colours: [string, string][],
+  toggles: (keyof Settings)[],
+  enlarges: boolean,
+  fine: boolean,
+  wishes: Wishes,
 ): HTMLElement {
   const bar = make("div", { className: "scene-bar", role: "toolbar", ariaLabel: "The robot in space" });
   const colour = chooser("Colour", colours, settings.colour, (id) => {
@@ -36,7 +47,12 @@ export function makeControls(
   });
   bar.append(make("label", {}, name("Colour"), colour));
   if (enlarges) bar.append(factorSlider(settings, wishes));
-  const view = chooser("View", VIEWS.map((id) => [id, VIEW_NAMES[id]]), "iso", (id) => wishes.look(id as View));
+  const view = chooser(
+    "View",
+    VIEWS.map((id) => [id, VIEW_NAMES[id]]),
+    "iso",
+    (id) => wishes.look(id as View),
+  );
   bar.append(make("label", {}, name("View"), view));
   const reset = make("button", { type: "button", ariaLabel: "Reset view" }, "Reset");
   reset.addEventListener("click", () => wishes.look(view.value as View));
@@ -45,7 +61,14 @@ export function makeControls(
 } // prettier-ignore
 
 function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
-  const slider = make("input", { type: "range", min: "0", max: String(SLIDER_STEPS), step: "1", value: "0", ariaLabel: "Deformation" });
+  const slider = make("input", {
+    type: "range",
+    min: "0",
+    max: String(SLIDER_STEPS),
+    step: "1",
+    value: "0",
+    ariaLabel: "Deformation",
+  });
   const told = make("output", {}, "×1");
   slider.dataset.scene = "factor";
   slider.addEventListener("input", () => {
@@ -53,7 +76,8 @@ function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
     told.textContent = slider.ariaValueText = `×${settings.factor}`;
     wishes.changed();
   });
-  slider.title = "How many times the displacement of each robot from itself without elasticity is enlarged; double click: to scale";
+  slider.title =
+    "How many times the displacement of each robot from itself without elasticity is enlarged; double click: to scale";
   slider.addEventListener("dblclick", () => {
     slider.value = "0";
     slider.dispatchEvent(new Event("input"));
@@ -100,8 +124,17 @@ function qualities(settings: Settings, wishes: Wishes): HTMLSelectElement {
   });
 }
 
-function chooser(ariaLabel: string, options: [string, string][], chosen: string, changed: (id: string) => void): HTMLSelectElement {
-  const select = make("select", { ariaLabel }, ...options.map(([value, label]) => make("option", { value, textContent: label })));
+function chooser(
+  ariaLabel: string,
+  options: [string, string][],
+  chosen: string,
+  changed: (id: string) => void,
+): HTMLSelectElement {
+  const select = make(
+    "select",
+    { ariaLabel },
+    ...options.map(([value, label]) => make("option", { value, textContent: label })),
+  );
   select.value = chosen;
   select.addEventListener("change", () => changed(select.value));
   return select;

@@ -32,7 +32,13 @@ class FlatRun extends ShownRun {
   private paths: { path: Float32Array; color: string }[] = [];
   private traced = 0;
 
-  constructor(run: Run, index: number, alone: boolean, private readonly colours: Palette, private readonly extent: Extent) {
+  constructor(
+    run: Run,
+    index: number,
+    alone: boolean,
+    private readonly colours: Palette,
+    private readonly extent: Extent,
+  ) {
     super(run, index, alone, colours);
     this.robot = new FlatRobot(run.scene, this.motion, extent);
     this.surface = run.scene.contact && new FlatSurface(run.scene.contact, extent, colours.surface);
@@ -62,7 +68,10 @@ class FlatRun extends ShownRun {
 
   private look(settings: Settings): Look {
     const painted = paints(settings.colour);
-    return { ...lookOf(this.colours, this.alone ? null : this.colour, painted === "none" ? this.colour : this.colours.link), painted };
+    return {
+      ...lookOf(this.colours, this.alone ? null : this.colour, painted === "none" ? this.colour : this.colours.link),
+      painted,
+    };
   }
 
   private trace(factor: number): void {
@@ -76,7 +85,16 @@ class FlatRun extends ShownRun {
 }
 
 function lookOf({ joint, gear, base, payload }: Palette, one: string | null, link: string): Look {
-  return { link, joint: one ?? joint, gear: one ?? gear, base, payload: one ?? payload, opacity: 1, painted: "all", fine: false };
+  return {
+    link,
+    joint: one ?? joint,
+    gear: one ?? gear,
+    base,
+    payload: one ?? payload,
+    opacity: 1,
+    painted: "all",
+    fine: false,
+  };
 }
 
 export class FlatWorld extends Sight<FlatRun> {
@@ -88,7 +106,12 @@ export class FlatWorld extends Sight<FlatRun> {
     const camera = new PerspectiveCamera(32, 1, 0.01 * extent.reach, 100 * extent.reach);
     camera.up.set(0, 0, 1);
     const pen = new Pen(camera);
-    super(pen.canvas, camera, page.runs.map((run, k) => new FlatRun(run, k, page.runs.length === 1, colours, extent)), given);
+    super(
+      pen.canvas,
+      camera,
+      page.runs.map((run, k) => new FlatRun(run, k, page.runs.length === 1, colours, extent)),
+      given,
+    );
     this.sheet = { pen, camera, extent, colours, scale: this.scale };
     this.refresh();
   }

@@ -50,7 +50,14 @@ export function drawArrow(pen: Pen, force: Float32Array, at: Float32Array, scale
   pen.context.moveTo(...tail);
   pen.context.lineTo(...neck);
   pen.stroke(color, 4, 1, "butt");
-  pen.fill([tip, [neck[0] - 0.45 * head * v, neck[1] + 0.45 * head * u], [neck[0] + 0.45 * head * v, neck[1] - 0.45 * head * u]], color);
+  pen.fill(
+    [
+      tip,
+      [neck[0] - 0.45 * head * v, neck[1] + 0.45 * head * u],
+      [neck[0] + 0.45 * head * v, neck[1] - 0.45 * head * u],
+    ],
+    color,
+  );
 }
 
 /** The part of the surface about the contact, as it is once and for all. */

@@ -127,6 +127,11 @@ export class Pen {
   /** Coordinate of a place in the axes of the camera. */
   private seen(row: number, places: Places, k: number): number {
     const { view } = this;
-    return view[row] * places[k] + view[4 + row] * (places[k + 1] + this.aside) + view[8 + row] * places[k + 2] + view[12 + row];
+    return (
+      view[row] * places[k] +
+      view[4 + row] * (places[k + 1] + this.aside) +
+      view[8 + row] * places[k + 2] +
+      view[12 + row]
+    );
   }
 }

@@ -35,10 +35,14 @@ export class FlatRobot {
   draw(pen: Pen, line: Float32Array, look: Look, range: Range, eye: Vector3): void {
     const { motion, widths } = this;
     const size = 3 * motion.stations;
-    const parts = this.body.links.slice(0, motion.links).flatMap((link, k) => [
-      { depth: this.far(pen, line, k), draw: () => this.link(pen, line, k, link, look, range, eye) },
-      ...(link.parent < 0 ? [{ depth: pen.depth(line, k * size) + widths.usual, draw: () => this.stand(pen, line, k * size, look) }] : []),
-    ]);
+    const parts = this.body.links
+      .slice(0, motion.links)
+      .flatMap((link, k) => [
+        { depth: this.far(pen, line, k), draw: () => this.link(pen, line, k, link, look, range, eye) },
+        ...(link.parent < 0
+          ? [{ depth: pen.depth(line, k * size) + widths.usual, draw: () => this.stand(pen, line, k * size, look) }]
+          : []),
+      ]);
     parts.push(...this.rods.map(({ link, place }) => this.rod(pen, line, link * size, place, look)));
     for (const { link, kind, elastic } of this.body.joints) {
       if (link >= motion.links || kind === "fixed") continue;
@@ -135,11 +139,17 @@ export class FlatRobot {
     const foot = [line[root], line[root + 1], floor];
     const [above, below] = [pen.at(line, root), pen.at(foot, 0)];
     if (above === null || below === null) return;
-    const [narrow, broad] = [1.8 * usual * pen.perMeter(pen.depth(line, root)), 3 * usual * pen.perMeter(pen.depth(foot, 0))];
+    const [narrow, broad] = [
+      1.8 * usual * pen.perMeter(pen.depth(line, root)),
+      3 * usual * pen.perMeter(pen.depth(foot, 0)),
+    ];
     const length = Math.hypot(below[0] - above[0], below[1] - above[1]);
     if (length > 1) {
       const [x, y] = [(below[1] - above[1]) / length, (above[0] - below[0]) / length];
-      const corner = (from: [number, number], size: number): [number, number] => [from[0] + size * x, from[1] + size * y];
+      const corner = (from: [number, number], size: number): [number, number] => [
+        from[0] + size * x,
+        from[1] + size * y,
+      ];
       pen.fill([corner(above, narrow), corner(below, broad), corner(below, -broad), corner(above, -narrow)], look.base);
     }
     pen.dot(line, root, 1.8 * usual, look.base, look.base);

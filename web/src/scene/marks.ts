@@ -1,7 +1,7 @@
 // What is drawn about a robot: the ways of the tips, the force at a contact and the surface that is touched.
 import {
-  BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, DoubleSide, Group, Line, LineDashedMaterial, Mesh,
-  MeshBasicMaterial, MeshLambertMaterial, Quaternion, Vector3,
+  BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, DoubleSide, Group, Line, LineBasicMaterial,
+  LineDashedMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Vector3,
 } from "three"; // prettier-ignore
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
@@ -10,15 +10,17 @@ import type { SceneContact } from "../contract";
 
 const UP = new Vector3(0, 1, 0);
 
-/** The way of a tip: full until now, dashed and faint from now on. */
+/** The way of a tip: full until now, dashed and faint from now on; thin where lines of some width are drawn slowly. */
 export class Trace {
   readonly group = new Group();
-  private readonly past: Line2;
+  private readonly past: Line2 | Line<BufferGeometry, LineBasicMaterial>;
   private readonly rest: Line<BufferGeometry, LineDashedMaterial>;
   private length = 0;
 
-  constructor(path: Float32Array, color: string, dash: number) {
-    this.past = new Line2(new LineGeometry(), new LineMaterial({ color, linewidth: 2.5 }));
+  constructor(path: Float32Array, color: string, dash: number, wide: boolean) {
+    this.past = wide
+      ? new Line2(new LineGeometry(), new LineMaterial({ color, linewidth: 2.5 }))
+      : new Line(new BufferGeometry(), new LineBasicMaterial({ color }));
     const faint = new LineDashedMaterial({ color, transparent: true, opacity: 0.7, dashSize: dash, gapSize: dash });
     this.rest = new Line(new BufferGeometry(), faint);
     this.past.frustumCulled = this.rest.frustumCulled = false;
@@ -31,24 +33,33 @@ export class Trace {
     this.length = path.length / 3;
     this.rest.geometry.dispose();
     this.past.geometry.dispose();
-    this.past.geometry = new LineGeometry(); // one that was drawn keeps the number of points that it had
     const along = new Float32Array(this.length);
     for (let k = 1; k < along.length; k++)
-      along[k] = along[k - 1] + Math.hypot(path[3 * k] - path[3 * k - 3], path[3 * k + 1] - path[3 * k - 2], path[3 * k + 2] - path[3 * k - 1]);
+      along[k] =
+        along[k - 1] +
+        Math.hypot(path[3 * k] - path[3 * k - 3], path[3 * k + 1] - path[3 * k - 2], path[3 * k + 2] - path[3 * k - 1]);
     this.rest.geometry.setAttribute("position", new BufferAttribute(path, 3));
     this.rest.geometry.setAttribute("lineDistance", new BufferAttribute(along, 1));
     this.past.visible = this.length > 1;
-    if (this.past.visible) this.past.geometry.setPositions(path);
+    if (!(this.past instanceof Line2))
+      this.past.geometry.setAttribute("position", this.rest.geometry.attributes.position);
+    else if (this.past.visible) {
+      this.past.geometry = new LineGeometry(); // one that was drawn keeps the number of points that it had
+      this.past.geometry.setPositions(path);
+    }
   }
 
   /** The frame up to which it is past. */
   seek(frame: number): void {
-    this.past.geometry.instanceCount = Math.min(frame, this.length - 1);
+    if (this.past instanceof Line2) this.past.geometry.instanceCount = Math.min(frame, this.length - 1);
+    else this.past.geometry.setDrawRange(0, frame + 1);
     this.rest.geometry.setDrawRange(frame, this.length - frame);
   }
 
   dispose(): void {
-    [this.past.geometry, this.past.material, this.rest.geometry, this.rest.material].forEach((thing) => thing.dispose());
+    [this.past.geometry, this.past.material, this.rest.geometry, this.rest.material].forEach((thing) =>
+      thing.dispose(),
+    );
     this.group.removeFromParent();
   }
 }
@@ -90,8 +101,19 @@ export class Arrow {
 }
 
 /** The part of the surface about the places of contact [k, 3], `margin` m larger than they need. */
-export function surfaceMesh(surface: SceneContact["surface"], at: ArrayLike<number>, margin: number, color: string): Mesh {
-  const material = new MeshLambertMaterial({ color, transparent: true, opacity: 0.28, side: DoubleSide, depthWrite: false });
+export function surfaceMesh(
+  surface: SceneContact["surface"],
+  at: ArrayLike<number>,
+  margin: number,
+  color: string,
+): Mesh {
+  const material = new MeshLambertMaterial({
+    color,
+    transparent: true,
+    opacity: 0.28,
+    side: DoubleSide,
+    depthWrite: false,
+  });
   return new Mesh(patch(surface, at, margin), material);
 }
 
@@ -108,13 +130,20 @@ export function patch(surface: SceneContact["surface"], at: ArrayLike<number>, m
   const found = points.map(coordinates);
   const [u, v] = [0, 1].map((c) => {
     const values = found.map((pair) => pair[c]);
-    return [values.reduce((a, b) => Math.min(a, b), Infinity) - more[c], values.reduce((a, b) => Math.max(a, b), -Infinity) + more[c]];
+    return [
+      values.reduce((a, b) => Math.min(a, b), Infinity) - more[c],
+      values.reduce((a, b) => Math.max(a, b), -Infinity) + more[c],
+    ];
   });
   return grid(place, u, v);
 }
 
 /** A map of the surface: place of two coordinates, coordinates of a place, and the margin in them. */
-function chart(surface: SceneContact["surface"], points: Vector3[], margin: number): [Place, (p: Vector3) => [number, number], [number, number]] {
+function chart(
+  surface: SceneContact["surface"],
+  points: Vector3[],
+  margin: number,
+): [Place, (p: Vector3) => [number, number], [number, number]] {
   if (surface.kind === "plane") {
     const origin = new Vector3(...surface.position);
     const [x, y] = across(new Vector3(...surface.normal).normalize());
@@ -123,7 +152,10 @@ function chart(surface: SceneContact["surface"], points: Vector3[], margin: numb
   }
   const center = new Vector3(...surface.center);
   const axis = surface.kind === "cylinder" ? new Vector3(...surface.axis).normalize() : new Vector3(0, 0, 1);
-  const mean = points.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(Math.max(points.length, 1)).sub(center);
+  const mean = points
+    .reduce((sum, p) => sum.add(p), new Vector3())
+    .divideScalar(Math.max(points.length, 1))
+    .sub(center);
   const ahead = mean.addScaledVector(axis, -mean.dot(axis));
   if (ahead.length() < 1e-6 * surface.radius) ahead.copy(across(axis)[0]);
   ahead.normalize();
@@ -132,13 +164,19 @@ function chart(surface: SceneContact["surface"], points: Vector3[], margin: numb
   const ball = surface.kind === "ball";
   const place: Place = (u, v) => {
     const flat = ball ? radius * Math.cos(v) : radius;
-    const p = center.clone().addScaledVector(ahead, flat * Math.cos(u)).addScaledVector(aside, flat * Math.sin(u));
+    const p = center
+      .clone()
+      .addScaledVector(ahead, flat * Math.cos(u))
+      .addScaledVector(aside, flat * Math.sin(u));
     return p.addScaledVector(axis, ball ? radius * Math.sin(v) : v);
   };
   const coordinates = (p: Vector3): [number, number] => {
     const d = p.clone().sub(center);
     const up = d.dot(axis);
-    return [Math.atan2(d.dot(aside), d.dot(ahead)), ball ? Math.asin(Math.max(-1, Math.min(1, up / (d.length() || 1)))) : up];
+    return [
+      Math.atan2(d.dot(aside), d.dot(ahead)),
+      ball ? Math.asin(Math.max(-1, Math.min(1, up / (d.length() || 1)))) : up,
+    ];
   };
   return [place, coordinates, [margin / radius, ball ? margin / radius : margin]];
 }

@@ -47,7 +47,11 @@ export class Notes {
     const bar = swatch(gradient());
     const name = unit.name.replaceAll(" ", "\u00a0");
     const title = make("b", {}, name ? `${told.label} [${name}]` : told.label);
-    this.scale.replaceChildren(title, make("ol", {}, ...ticks.map((tick) => make("li", {}, digits(unit.factor * tick)))), bar);
+    this.scale.replaceChildren(
+      title,
+      make("ol", {}, ...ticks.map((tick) => make("li", {}, digits(unit.factor * tick)))),
+      bar,
+    );
   }
 
   enlarged(words: string): void {

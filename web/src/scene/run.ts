@@ -1,4 +1,4 @@
-// One run in space: its robot, the ghosts of its reference, its rigid plan and of itself before a change, tips, contact.
+// One run in space: its robot, ghosts of its reference, of its rigid plan and of itself before a change, tips, contact.
 import { Group, type Material, type Mesh } from "three";
 import type { Run } from "../contract";
 import type { Extent } from "./extent";
@@ -8,6 +8,8 @@ import type { Palette } from "./palette";
 import { RobotView, type Body, type Look } from "./robot";
 import type { Settings } from "./settings";
 import { paints, ShownRun, type Range } from "./shown";
+
+type Ghost = "reference" | "rigid" | "before";
 
 /** What all runs of a scene share. */
 export interface Shared {
@@ -21,7 +23,8 @@ export interface Shared {
 export class RunView extends ShownRun {
   readonly group = new Group();
   private robot!: RobotView;
-  private ghosts: { view: RobotView; of: "reference" | "rigid" | "before" }[] = [];
+  private look!: Look;
+  private readonly ghosts = new Map<Ghost, RobotView>();
   private traces: { trace: Trace; reference: boolean }[] = [];
   private arrow: Arrow | null = null;
   private surface: Mesh | null = null;
@@ -34,7 +37,6 @@ export class RunView extends ShownRun {
 
   override replace(arrays: Arrays | null): void {
     const shape = String(this.motion.arrays.line.shape.slice(1));
-    if ((arrays !== null) !== this.changed) this.built = "";
     super.replace(arrays);
     if (String(this.motion.arrays.line.shape.slice(1)) !== shape) this.built = "";
     this.traced = "";
@@ -45,11 +47,9 @@ export class RunView extends ShownRun {
     this.build(settings);
     this.seek(time, settings);
     this.robot.update(motion, motion.line, range.low, range.high);
-    for (const { view, of } of this.ghosts) {
-      const line = of === "before" ? this.before?.line : motion[of];
-      view.group.visible = of === "before" ? line !== undefined : settings[of] && line !== null;
-      if (view.group.visible && line) view.update(of === "before" && this.before ? this.before : motion, line, 0, 1);
-    }
+    this.haunt("reference", motion, settings.reference ? motion.reference : null);
+    this.haunt("rigid", motion, settings.rigid ? motion.rigid : null);
+    this.haunt("before", this.before ?? motion, this.before?.line ?? null);
     this.draw(settings);
   }
 
@@ -68,19 +68,40 @@ export class RunView extends ShownRun {
     const { extent, colours, fine } = this.shared;
     const own = painted === "none" ? this.colour : colours.link;
     const joint = this.alone ? colours.joint : this.colour;
-    const look: Look = { link: own, joint, gear: this.alone ? colours.gear : joint, base: colours.base, payload: joint, opacity: 1, painted, fine };
+    const look: Look = {
+      link: own,
+      joint,
+      gear: this.alone ? colours.gear : joint,
+      base: colours.base,
+      payload: joint,
+      opacity: 1,
+      painted,
+      fine,
+    };
     this.robot = this.added(scene, this.motion, look, 1);
-    const ghosts = { reference: this.referenceColour, rigid: colours.rigid, before: colours.before };
-    for (const of of ["reference", "rigid", "before"] as const) {
-      if (of === "before" ? !this.before : !scene[of]) continue;
-      const faint: Look = { ...look, link: ghosts[of], opacity: 0.42, painted: "none" };
-      this.ghosts.push({ view: this.added(scene, of === "before" && this.before ? this.before : this.motion, faint, 0.85), of });
-    }
+    this.look = look;
     if (scene.contact) {
       this.arrow = new Arrow(colours.force, 0.006 * extent.reach, this.shared.scale);
       this.surface = surfaceMesh(scene.contact.surface, scene.contact.at.data, 0.12 * extent.reach, colours.surface);
       this.group.add(this.arrow.group, this.surface);
     }
+  }
+
+  /** A pale robot along a line, null: not now. It is made when it is first shown, and kept. */
+  private haunt(of: Ghost, motion: Motion, line: Float32Array | null): void {
+    const known = this.ghosts.get(of);
+    if (known) known.group.visible = line !== null;
+    if (line === null) return;
+    const view = known ?? this.ghost(of, motion);
+    view.update(motion, line, 0, 1);
+  }
+
+  private ghost(of: Ghost, motion: Motion): RobotView {
+    const { colours } = this.shared;
+    const link = { reference: this.referenceColour, rigid: colours.rigid, before: colours.before }[of];
+    const view = this.added(this.run.scene, motion, { ...this.look, link, opacity: 0.42, painted: "none" }, 0.85);
+    this.ghosts.set(of, view);
+    return view;
   }
 
   private added(body: Body, motion: Motion, look: Look, share: number): RobotView {
@@ -115,7 +136,7 @@ export class RunView extends ShownRun {
       if (known) known.trace.lay(path);
       else if (first) {
         const colour = reference ? this.referenceColour : this.colour;
-        const trace = new Trace(path, colour, 0.012 * this.shared.extent.reach);
+        const trace = new Trace(path, colour, 0.012 * this.shared.extent.reach, this.shared.fine);
         this.traces.push({ trace, reference });
         this.group.add(trace.group);
       }
@@ -124,7 +145,7 @@ export class RunView extends ShownRun {
 
   private clear(): void {
     this.robot?.dispose();
-    this.ghosts.forEach(({ view }) => view.dispose());
+    this.ghosts.forEach((view) => view.dispose());
     this.traces.forEach(({ trace }) => trace.dispose());
     this.arrow?.dispose();
     if (this.surface) {
@@ -132,7 +153,7 @@ export class RunView extends ShownRun {
       (this.surface.material as Material).dispose();
       this.surface.removeFromParent();
     }
-    this.ghosts = [];
+    this.ghosts.clear();
     this.traces = [];
     this.traced = this.built = "";
   }
@@ -143,7 +164,10 @@ function thinner(body: Body, share: number): Body {
   const links = body.links.map((link) => {
     if (link.section === null) return link;
     const { data, shape } = link.section.sizes;
-    return { ...link, section: { ...link.section, sizes: { data: Float32Array.from(data, (size) => share * size), shape } } };
+    return {
+      ...link,
+      section: { ...link.section, sizes: { data: Float32Array.from(data, (size) => share * size), shape } },
+    };
   });
   return { ...body, links };
 }

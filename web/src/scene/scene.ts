@@ -47,7 +47,15 @@ class Mounted implements SceneView {
     const many = runs.length > 1;
     this.settings = {
       colour: many ? "run" : (runs[0].scene.colours[0]?.id ?? "run"),
-      factor: 1, reference: !many, rigid: false, traces: true, force: true, surface: true, floor: true, apart: false, quality: "auto",
+      factor: 1,
+      reference: !many,
+      rigid: false,
+      traces: true,
+      force: true,
+      surface: true,
+      floor: true,
+      apart: false,
+      quality: "auto",
     }; // prettier-ignore
     this.replaced = runs.map(() => null);
     this.extent = extentOf(page);
@@ -114,7 +122,8 @@ class Mounted implements SceneView {
   private made(): Sight {
     const { page, extent, settings, ask } = this;
     const given = { page, extent, colours: palette(this.dark.matches), settings, ask };
-    const world = (this.best && inSpace(given, settings.quality === "auto" ? this.best : settings.quality)) ?? new FlatWorld(given);
+    const world =
+      (this.best && inSpace(given, settings.quality === "auto" ? this.best : settings.quality)) ?? new FlatWorld(given);
     world.canvas.addEventListener("webglcontextlost", this.lost);
     world.canvas.addEventListener("webglcontextrestored", this.found);
     this.view.prepend(world.canvas);

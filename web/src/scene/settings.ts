@@ -18,7 +18,10 @@ export interface Settings {
 
 export const LARGEST_FACTOR = 200;
 
-export const TOGGLES: [keyof Settings & ("reference" | "rigid" | "traces" | "force" | "surface" | "floor" | "apart"), string][] = [
+export const TOGGLES: [
+  keyof Settings & ("reference" | "rigid" | "traces" | "force" | "surface" | "floor" | "apart"),
+  string,
+][] = [
   ["reference", "Reference (ghost)"],
   ["rigid", "Rigid plan (ghost)"],
   ["traces", "Paths of the tips"],

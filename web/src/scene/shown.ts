@@ -22,7 +22,12 @@ export class ShownRun {
   protected before: Motion | null = null;
 
   /** `alone`: there is no other run, so that the robot needs no colour of its own. */
-  constructor(readonly run: Run, private readonly index: number, protected readonly alone: boolean, private readonly own: Palette) {
+  constructor(
+    readonly run: Run,
+    private readonly index: number,
+    protected readonly alone: boolean,
+    private readonly own: Palette,
+  ) {
     this.motion = new Motion(run.scene);
   }
 
@@ -76,12 +81,13 @@ export function paints(colour: string): Painted {
 
 const USUAL_FORCE = 10; // N, of runs that touch nothing: a changed one may
 
-/** The length of a newton with which the largest force of all runs is about a third of the robot's reach; 0: no contact. */
+/** The length of a newton with which the largest force of all runs is about a third of the reach; 0: no contact. */
 export function forceScale(runs: Run[], reach: number): number {
   let largest = 0;
   for (const { scene } of runs) {
     const force = scene.contact?.force.data ?? [];
-    for (let k = 0; k + 2 < force.length; k += 3) largest = Math.max(largest, Math.hypot(force[k], force[k + 1], force[k + 2]));
+    for (let k = 0; k + 2 < force.length; k += 3)
+      largest = Math.max(largest, Math.hypot(force[k], force[k + 1], force[k + 2]));
   }
   if (runs.every(({ scene }) => scene.contact === null)) return 0;
   return round125((0.35 * reach) / (largest || USUAL_FORCE));

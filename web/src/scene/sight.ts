@@ -24,7 +24,12 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
   protected range: Range = { low: 0, high: 1 };
   private shown: Mode | null = null;
 
-  constructor(readonly canvas: HTMLCanvasElement, camera: PerspectiveCamera, protected readonly runs: Kind[], protected readonly given: Scenery) {
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    camera: PerspectiveCamera,
+    protected readonly runs: Kind[],
+    protected readonly given: Scenery,
+  ) {
     const { page, extent, ask } = given;
     this.scale = forceScale(page.runs, extent.reach);
     this.cameras = new Cameras(camera, canvas, extent.reach, ask);
@@ -124,7 +129,10 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     const damping = `damping ${digits(100 * mode.damping)} %`;
     const how = `motors ${mode.case}; slowed, not to scale`;
     const label = `Mode ${digits(mode.frequency)} Hz, ${damping}, ${mode.livesIn}; ${how}`;
-    return [{ colour: this.given.colours.rigid, label: "At rest" }, { colour: "transparent", label }];
+    return [
+      { colour: this.given.colours.rigid, label: "At rest" },
+      { colour: "transparent", label },
+    ];
   }
 
   /** What is drawn thicker than it is, or of a thickness that nobody told. */

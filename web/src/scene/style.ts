@@ -3,7 +3,8 @@
 const RULES = `
 .scene { --ink: #1d2329; --soft: #4d5863; --chip: rgba(255, 255, 255, 0.82); --line: #c6ccd3; --field: #ffffff;
   --sky: #f4f7fa; --earth: #e3e8ed; --strong: #005a8f;
-  container-type: inline-size; display: flex; flex-direction: column; min-width: 0; min-height: 0; height: 100%; color: var(--ink);
+  container-type: inline-size; display: flex; flex-direction: column; min-width: 0; min-height: 0; height: 100%;
+  color: var(--ink);
   font: 13px/1.35 system-ui, sans-serif; }
 @media (prefers-color-scheme: dark) { .scene { --ink: #e8ecf0; --soft: #b3bdc7; --chip: rgba(20, 25, 31, 0.8);
   --line: #46515c; --field: #1b2127; --sky: #1b222a; --earth: #12171d; --strong: #7cc4f2; } }
@@ -18,8 +19,9 @@ const RULES = `
 .scene-bar output { min-width: 2.6em; font-variant-numeric: tabular-nums; }
 .scene :focus-visible { outline: 2px solid var(--strong); outline-offset: 1px; }
 .scene details { position: relative; }
-.scene-more { position: absolute; z-index: 3; top: calc(100% + 4px); right: 0; display: grid; gap: 4px; padding: 8px 10px;
-  background: var(--field); border: 1px solid var(--line); border-radius: 6px; box-shadow: 0 4px 14px rgba(0, 0, 0, 0.2); }
+.scene-more { position: absolute; z-index: 3; top: calc(100% + 4px); right: 0; display: grid; gap: 4px;
+  padding: 8px 10px; background: var(--field); border: 1px solid var(--line); border-radius: 6px;
+  box-shadow: 0 4px 14px rgba(0, 0, 0, 0.2); }
 .scene-view { position: relative; flex: 1 1 auto; min-height: 220px; overflow: hidden; border-radius: 6px;
   background: linear-gradient(var(--sky), var(--earth)); }
 .scene-view canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; }
@@ -30,7 +32,8 @@ const RULES = `
 .scene-legend i { flex: none; width: 16px; height: 8px; border-radius: 2px; }
 .scene-scale { top: 8px; right: 8px; display: grid; grid-template-columns: auto 12px; gap: 4px 6px; max-width: 40%; }
 .scene-scale b { grid-column: 1 / 3; font-weight: 600; text-align: right; max-width: 15em; }
-.scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; flex-direction: column; justify-content: space-between;
+.scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; flex-direction: column;
+  justify-content: space-between;
   height: 110px; text-align: right; font-variant-numeric: tabular-nums; line-height: 1; }
 .scene-scale i { border-radius: 2px; }
 .scene-factor { bottom: 8px; right: 8px; font-weight: 600; }
