@@ -42,6 +42,7 @@ def driven(kinds: tuple[str, ...], duration: float) -> ArmResult:
     return assemble_arm(simulate_arm(arm), arm)
 
 
+COLOURS = {"turns": "var(--blue)", "slides": "var(--red)", "both": "var(--green)"}
 RUNS = {"turns": (("revolute",), 0.2), "slides": (("prismatic",), 0.3), "both": (("revolute", "prismatic"), 0.25)}
 
 
@@ -90,15 +91,17 @@ def test_numbers_of_one_name_keep_their_own_units(window: Window, told: dict[str
         assert float(cell.split()[0]) == pytest.approx(factor * fact["value"], rel=1e-3)
 
 
-def test_every_chart_is_drawn_for_those_that_have_it(window: Window, told: dict[str, Any]) -> None:
+def test_a_run_has_its_colour_in_every_chart(window: Window, told: dict[str, Any]) -> None:
     window.page.get_by_role("tab", name="Motors").click()
     for chart in window.page.locator(".chart-grid .chart").all():
         name = chart.get_attribute("data-chart")
         having = [run["name"] for run in told["runs"] if name in {one["id"] for one in run["charts"]}]
         rows = chart.locator(".legend-row").first
-        if rows.get_attribute("aria-label") == "Runs":
-            named = [one.inner_text().split("\n")[0].strip() for one in rows.locator(".toggle, .key").all()]
-            assert named == having
+        assert rows.get_attribute("aria-label") == "Runs"
+        toggles = rows.locator(".toggle").all()
+        assert [one.inner_text().split("\n")[0].strip() for one in toggles] == having
+        drawn = [one.locator("line").evaluate("line => line.style.stroke") for one in toggles]
+        assert drawn == [COLOURS[name] for name in having]
     window.page.get_by_role("tab", name="Overview").click()
     assert window.said == []
 

@@ -51,7 +51,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const heading = make("h4", { id: title, text: chart.title }, make("span", { class: "unit", text: unit ? ` [${unit}]` : "" }));
   const thinning = make("p", { class: "note", hidden: !timed || drawnShare(thinnest(set)) >= 1, text: drawnBy(thinnest(set)) });
   const marksNote = make("p", { class: "note", hidden: true, text: "The marked frequencies are of the run as it was." });
-  const legend: Legend = makeLegend(entries, redraw);
+  const legend: Legend = makeLegend(entries, set.compared, redraw);
   const element = make("figure", { class: "chart", "aria-labelledby": title, "data-chart": chart.id },
     make("figcaption", {}, heading, readout, tools), place, legend.element, thinning, marksNote);
 
