@@ -216,3 +216,22 @@ def test_a_context_that_comes_back_is_used_again(drawn: Any, pages: Callable[[st
     assert differing(first, window.picture()) == 0
     window.said[:] = [line for line in window.said if "Context" not in line]
     window.close()
+
+
+def test_lines_can_be_chosen_where_there_is_webgl(drawn: Any, pages: Callable[[str], Path]) -> None:
+    """They are quicker to draw where a program does it; what is chosen otherwise stays."""
+    window = look(drawn, pages("robot"))
+    window.enlarge(70)
+    first = window.picture()
+    window.do("document.querySelector('details').open = true")
+    window.page.get_by_label("Quality").select_option("lines")
+    window.do("document.querySelector('details').open = false")
+    assert window.page.locator(".scene-flat").text_content() == "Drawn in lines"
+    lines = window.picture()
+    assert differing(first, lines) > 300
+    assert window.page.locator(".scene-factor").text_content() == f"Deformation × {round(200**0.7)}"
+    window.do("document.querySelector('details').open = true")
+    window.page.get_by_label("Quality").select_option("auto")
+    window.do("document.querySelector('details').open = false")
+    assert differing(first, window.picture()) < 0.1 * differing(first, lines)
+    window.close()

@@ -206,7 +206,8 @@ export interface LiveRun {
   /** New arrays for the scene's fields, at its own display times; links, joints and meshes stay. */
   scene: Pick<Scene, "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference"> & {
     colours: Scene["colours"];
-    contact: Pick<SceneContact, "force" | "at"> | null;
+    /** `surface`: where it is, if that changed. */
+    contact: (Pick<SceneContact, "force" | "at"> & Partial<Pick<SceneContact, "surface">>) | null;
   };
   line: LinePanel | null;
   /** First and last time [s] of what its spectra are of; without it those of the charts serve. */

@@ -118,7 +118,8 @@ function more(settings: Settings, toggles: (keyof Settings)[], fine: boolean, wi
 }
 
 function qualities(settings: Settings, wishes: Wishes): HTMLSelectElement {
-  return chooser("Quality", [["auto", "automatic"], ["low", "low"], ["high", "high"]], settings.quality, (id) => {
+  const known: [string, string][] = [["auto", "automatic"], ["low", "low"], ["high", "high"], ["lines", "lines alone"]];
+  return chooser("Quality", known, settings.quality, (id) => {
     settings.quality = id as Settings["quality"];
     wishes.quality();
   });

@@ -28,7 +28,7 @@ interface Sheet {
 class FlatRun extends ShownRun {
   private robot: FlatRobot;
   private was: FlatRobot | null = null;
-  private readonly surface: FlatSurface | null;
+  private surface: FlatSurface | null;
   private paths: { path: Float32Array; color: string }[] = [];
   private traced = 0;
 
@@ -41,14 +41,23 @@ class FlatRun extends ShownRun {
   ) {
     super(run, index, alone, colours);
     this.robot = new FlatRobot(run.scene, this.motion, extent);
-    this.surface = run.scene.contact && new FlatSurface(run.scene.contact, extent, colours.surface);
+    this.surface = this.touched();
   }
 
   override replace(arrays: Arrays | null): void {
     super.replace(arrays);
     this.robot = new FlatRobot(this.run.scene, this.motion, this.extent);
     this.was = this.before && new FlatRobot(this.run.scene, this.before, this.extent);
+    this.surface = this.touched();
     this.traced = 0;
+  }
+
+  /** The surface where these arrays have it. */
+  private touched(): FlatSurface | null {
+    const { contact } = this.run.scene;
+    if (contact === null) return null;
+    const { surface, at } = { ...contact, ...this.motion.arrays.contact };
+    return new FlatSurface({ surface: surface ?? contact.surface, at }, this.extent, this.colours.surface);
   }
 
   draw({ pen, camera, scale, colours }: Sheet, time: number, settings: Settings, range: Range): void {
@@ -101,7 +110,8 @@ export class FlatWorld extends Sight<FlatRun> {
   private readonly sheet: Sheet;
   private mode: { swinging: Swinging; robot: FlatRobot } | null = null;
 
-  constructor(given: Scenery) {
+  /** `wanted`: somebody chose it, it is not for want of WebGL. */
+  constructor(given: Scenery, private readonly wanted: boolean) {
     const { page, extent, colours } = given;
     const camera = new PerspectiveCamera(32, 1, 0.01 * extent.reach, 100 * extent.reach);
     camera.up.set(0, 0, 1);
@@ -140,7 +150,8 @@ export class FlatWorld extends Sight<FlatRun> {
   override tell(notes: Notes): void {
     super.tell(notes);
     const meshed = this.runs.some(({ run }) => run.scene.meshes.length > 0);
-    notes.flat(`Drawn in lines, without WebGL${meshed ? "; the surfaces of the parts (meshes) are left out" : ""}`);
+    const left = meshed ? "; the surfaces of the parts (meshes) are left out" : "";
+    notes.flat(`Drawn in lines${this.wanted ? "" : ", without WebGL"}${left}`);
   }
 
   /** The farther first: the nearer is drawn over it. */

@@ -1,5 +1,5 @@
 // What is drawn about a robot of lines: floor, surface that is touched, ways of the tips, force at the contact.
-import type { Run } from "../contract";
+import type { SceneContact } from "../contract";
 import type { Extent } from "./extent";
 import type { Pen } from "./flat_pen";
 import { patch, SQUARES } from "./marks";
@@ -64,7 +64,7 @@ export function drawArrow(pen: Pen, force: Float32Array, at: Float32Array, scale
 export class FlatSurface {
   private readonly places: Float32Array;
 
-  constructor(contact: NonNullable<Run["scene"]["contact"]>, extent: Extent, private readonly color: string) {
+  constructor(contact: Pick<SceneContact, "at" | "surface">, extent: Extent, private readonly color: string) {
     const found = patch(contact.surface, contact.at.data, 0.12 * extent.reach);
     this.places = Float32Array.from(found.getAttribute("position").array);
   }

@@ -7,7 +7,7 @@ import { turnAlong } from "./turn";
 export type Arrays = Pick<
   Scene,
   "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference" | "colours"
-> & { contact: Pick<SceneContact, "force" | "at"> | null };
+> & { contact: (Pick<SceneContact, "force" | "at"> & Partial<Pick<SceneContact, "surface">>) | null };
 
 export class Motion {
   readonly links: number;

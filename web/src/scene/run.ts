@@ -40,6 +40,7 @@ export class RunView extends ShownRun {
     super.replace(arrays);
     if (String(this.motion.arrays.line.shape.slice(1)) !== shape) this.built = "";
     this.traced = "";
+    if (this.built !== "") this.placeSurface(); // else it comes with the robot
   }
 
   update(time: number, settings: Settings, range: Range): void {
@@ -82,9 +83,28 @@ export class RunView extends ShownRun {
     this.look = look;
     if (scene.contact) {
       this.arrow = new Arrow(colours.force, 0.006 * extent.reach, this.shared.scale);
-      this.surface = surfaceMesh(scene.contact.surface, scene.contact.at.data, 0.12 * extent.reach, colours.surface);
-      this.group.add(this.arrow.group, this.surface);
+      this.group.add(this.arrow.group);
+      this.placeSurface();
     }
+  }
+
+  /** Draw the surface where these arrays have it. */
+  private placeSurface(): void {
+    const { contact } = this.run.scene;
+    if (!contact) return;
+    const { extent, colours } = this.shared;
+    const { surface, at } = { ...contact, ...this.motion.arrays.contact };
+    this.dropSurface();
+    this.surface = surfaceMesh(surface ?? contact.surface, at.data, 0.12 * extent.reach, colours.surface);
+    this.group.add(this.surface);
+  }
+
+  private dropSurface(): void {
+    if (!this.surface) return;
+    this.surface.geometry.dispose();
+    (this.surface.material as Material).dispose();
+    this.surface.removeFromParent();
+    this.surface = null;
   }
 
   /** A pale robot along a line, null: not now. It is made when it is first shown, and kept. */
@@ -148,11 +168,7 @@ export class RunView extends ShownRun {
     this.ghosts.forEach((view) => view.dispose());
     this.traces.forEach(({ trace }) => trace.dispose());
     this.arrow?.dispose();
-    if (this.surface) {
-      this.surface.geometry.dispose();
-      (this.surface.material as Material).dispose();
-      this.surface.removeFromParent();
-    }
+    this.dropSurface();
     this.ghosts.clear();
     this.traces = [];
     this.traced = this.built = "";

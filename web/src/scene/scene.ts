@@ -122,8 +122,9 @@ class Mounted implements SceneView {
   private made(): Sight {
     const { page, extent, settings, ask } = this;
     const given = { page, extent, colours: palette(this.dark.matches), settings, ask };
-    const world =
-      (this.best && inSpace(given, settings.quality === "auto" ? this.best : settings.quality)) ?? new FlatWorld(given);
+    const { quality } = settings;
+    const solid = quality === "lines" ? null : this.best && (quality === "auto" ? this.best : quality);
+    const world = (solid && inSpace(given, solid)) ?? new FlatWorld(given, quality === "lines");
     world.canvas.addEventListener("webglcontextlost", this.lost);
     world.canvas.addEventListener("webglcontextrestored", this.found);
     this.view.prepend(world.canvas);

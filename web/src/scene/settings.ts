@@ -13,7 +13,7 @@ export interface Settings {
   floor: boolean;
   /** Several robots beside each other instead of one in the other. */
   apart: boolean;
-  quality: "auto" | "low" | "high";
+  quality: "auto" | "low" | "high" | "lines";
 }
 
 export const LARGEST_FACTOR = 200;
