@@ -147,6 +147,21 @@ def test_a_changed_run_stands_beside_the_page_s_own(robot: Window) -> None:
     assert differing(first, robot.picture()) == 0
 
 
+def test_a_surface_that_moved_is_drawn_where_it_is(robot: Window) -> None:
+    robot.do("""void (window.moved = (up) => {
+      const { scene } = page.runs[0];
+      const surface = structuredClone(scene.contact.surface);
+      (surface.center ?? surface.position)[0] += up;
+      view.replace(0, { ...scene, contact: { ...scene.contact, surface } });
+    })""")
+    robot.do("moved(0)")
+    first = robot.picture()
+    robot.do("moved(0.1)")
+    assert differing(first, robot.picture()) > 100
+    robot.do("moved(0)")
+    assert differing(first, robot.picture()) == 0
+
+
 def test_it_tells_what_it_leaves_out(robot: Window) -> None:
     told = robot.page.locator(".scene-flat")
     assert told.text_content() == "Drawn in lines, without WebGL"

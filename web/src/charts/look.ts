@@ -46,7 +46,17 @@ export function lookOf(role: Role, place: number, several: boolean, roles: numbe
   return { property: COLOURS[place % COLOURS.length], dash };
 }
 
-/** The colours as the page has them now, light or dark. */
+const known = new Map<string, string>();
+let scheme: MediaQueryList | null = null;
+let wasDark = false;
+
+/** The colours as the page has them now, light or dark; asked of the page once, as that makes it settle its styles. */
 export function colour(property: string): string {
-  return getComputedStyle(document.documentElement).getPropertyValue(property).trim() || "#808080";
+  scheme ??= matchMedia("(prefers-color-scheme: dark)");
+  const dark = scheme.matches && !document.documentElement.classList.contains("printing");
+  if (dark !== wasDark) known.clear();
+  wasDark = dark;
+  const told = known.get(property) ?? getComputedStyle(document.documentElement).getPropertyValue(property).trim();
+  known.set(property, told);
+  return told || "#808080";
 }

@@ -18,7 +18,8 @@ export function mountTransport(element: HTMLElement, clock: Clock): { dispose():
     "aria-label": "Time",
     class: "scrub",
   });
-  const shown = make("output", { class: "time", "aria-live": "off" });
+  const [now, end] = [make("span"), make("span")]; // a number and its unit stay in one line
+  const shown = make("output", { class: "time", "aria-live": "off" }, now, document.createTextNode(" "), end);
   const speedName = ownId("speed");
   const speed = make(
     "select",
@@ -35,7 +36,8 @@ export function mountTransport(element: HTMLElement, clock: Clock): { dispose():
     if (document.activeElement !== scrub || Number(scrub.value) !== Math.round(share * STEPS))
       scrub.value = String(Math.round(share * STEPS));
     scrub.setAttribute("aria-valuetext", `${clock.time.toFixed(places)} s`);
-    shown.textContent = `${clock.time.toFixed(places)} s of ${digits(clock.duration)} s`;
+    now.textContent = `${clock.time.toFixed(places)} s`;
+    end.textContent = `of ${digits(clock.duration)} s`;
     const words = clock.playing ? "Pause" : "Play";
     if (play.getAttribute("aria-label") !== words) {
       play.setAttribute("aria-label", words);
@@ -57,11 +59,11 @@ export function mountTransport(element: HTMLElement, clock: Clock): { dispose():
   };
   document.addEventListener("keydown", keys);
   element.append(play, scrub, shown, make("label", { for: speedName, text: "speed" }), speed);
-  const end = clock.subscribe(tell);
+  const unsubscribe = clock.subscribe(tell);
   tell();
   return {
     dispose() {
-      end();
+      unsubscribe();
       document.removeEventListener("keydown", keys);
       element.replaceChildren();
     },

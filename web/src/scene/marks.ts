@@ -1,7 +1,7 @@
 // What is drawn about a robot: the ways of the tips, the force at a contact and the surface that is touched.
 import {
-  BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, DoubleSide, Group, Line, LineBasicMaterial,
-  LineDashedMaterial, Mesh, MeshBasicMaterial, MeshLambertMaterial, Quaternion, Vector3,
+  BufferAttribute, BufferGeometry, ConeGeometry, CylinderGeometry, DoubleSide, Group, Line, LineDashedMaterial, Mesh,
+  MeshBasicMaterial, MeshLambertMaterial, Quaternion, Vector3,
 } from "three"; // prettier-ignore
 import { Line2 } from "three/examples/jsm/lines/Line2.js";
 import { LineGeometry } from "three/examples/jsm/lines/LineGeometry.js";
@@ -10,17 +10,15 @@ import type { SceneContact } from "../contract";
 
 const UP = new Vector3(0, 1, 0);
 
-/** The way of a tip: full until now, dashed and faint from now on; thin where lines of some width are drawn slowly. */
+/** The way of a tip: full until now, dashed and faint from now on. */
 export class Trace {
   readonly group = new Group();
-  private readonly past: Line2 | Line<BufferGeometry, LineBasicMaterial>;
+  private readonly past: Line2;
   private readonly rest: Line<BufferGeometry, LineDashedMaterial>;
   private length = 0;
 
-  constructor(path: Float32Array, color: string, dash: number, wide: boolean) {
-    this.past = wide
-      ? new Line2(new LineGeometry(), new LineMaterial({ color, linewidth: 2.5 }))
-      : new Line(new BufferGeometry(), new LineBasicMaterial({ color }));
+  constructor(path: Float32Array, color: string, dash: number) {
+    this.past = new Line2(new LineGeometry(), new LineMaterial({ color, linewidth: 2.5 }));
     const faint = new LineDashedMaterial({ color, transparent: true, opacity: 0.7, dashSize: dash, gapSize: dash });
     this.rest = new Line(new BufferGeometry(), faint);
     this.past.frustumCulled = this.rest.frustumCulled = false;
@@ -33,6 +31,7 @@ export class Trace {
     this.length = path.length / 3;
     this.rest.geometry.dispose();
     this.past.geometry.dispose();
+    this.past.geometry = new LineGeometry(); // one that was drawn keeps the number of points that it had
     const along = new Float32Array(this.length);
     for (let k = 1; k < along.length; k++)
       along[k] =
@@ -41,18 +40,12 @@ export class Trace {
     this.rest.geometry.setAttribute("position", new BufferAttribute(path, 3));
     this.rest.geometry.setAttribute("lineDistance", new BufferAttribute(along, 1));
     this.past.visible = this.length > 1;
-    if (!(this.past instanceof Line2))
-      this.past.geometry.setAttribute("position", this.rest.geometry.attributes.position);
-    else if (this.past.visible) {
-      this.past.geometry = new LineGeometry(); // one that was drawn keeps the number of points that it had
-      this.past.geometry.setPositions(path);
-    }
+    if (this.past.visible) this.past.geometry.setPositions(path);
   }
 
   /** The frame up to which it is past. */
   seek(frame: number): void {
-    if (this.past instanceof Line2) this.past.geometry.instanceCount = Math.min(frame, this.length - 1);
-    else this.past.geometry.setDrawRange(0, frame + 1);
+    this.past.geometry.instanceCount = Math.min(frame, this.length - 1);
     this.rest.geometry.setDrawRange(frame, this.length - frame);
   }
 

@@ -156,7 +156,7 @@ export class RunView extends ShownRun {
       if (known) known.trace.lay(path);
       else if (first) {
         const colour = reference ? this.referenceColour : this.colour;
-        const trace = new Trace(path, colour, 0.012 * this.shared.extent.reach, this.shared.fine);
+        const trace = new Trace(path, colour, 0.012 * this.shared.extent.reach);
         this.traces.push({ trace, reference });
         this.group.add(trace.group);
       }
