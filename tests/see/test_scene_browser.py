@@ -34,7 +34,6 @@ POLICY = (
     "worker-src blob:; connect-src 'none'"
 )
 OPTIONS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader"]
-OFF = ["--no-sandbox", "--disable-gpu", "--disable-3d-apis"]
 SIZE = (460, 340)
 NASTY = "<script>alert(1)</script>"
 
@@ -344,13 +343,3 @@ def test_enlarging_is_linear_about_the_rigid_robot(browser: Any, pages: Callable
     end = slice(len(once) - 3, len(once))
     assert far - tip == pytest.approx(enlarged[end] - once[end], abs=1e-4)
     window.close()
-
-
-def test_without_webgl_it_says_so(engine: Any, chromium: str, pages: Callable[[str], Path]) -> None:
-    opened = engine.chromium.launch(executable_path=chromium, args=OFF)
-    window = look(opened, pages("robot"))
-    assert "WebGL" in window.page.locator(".scene-message").inner_text()
-    window.do("view.dispose()")
-    assert window.do("place.childElementCount") == 0
-    window.close()
-    opened.close()

@@ -27,7 +27,9 @@ export function digits(value: number, count = 4): string {
 export function powerOfTen(value: number): string {
   if (value === 0) return "0";
   const [number, power] = value.toExponential(1).split("e");
-  const raised = [...String(Number(power))].map((letter) => (letter === "-" ? "⁻" : SUPERSCRIPT[Number(letter)])).join("");
+  const raised = [...String(Number(power))]
+    .map((letter) => (letter === "-" ? "⁻" : SUPERSCRIPT[Number(letter)]))
+    .join("");
   return `${number}\u00a0×\u00a010${raised}`;
 }
 

@@ -14,9 +14,20 @@ async function main(): Promise<void> {
     document.documentElement.classList.add("running");
   } catch (error) {
     const told = error instanceof Error ? error.message : String(error);
-    root.replaceChildren(make("p", { class: "status warning", role: "alert", text: `The interactive part of this page could not start: ${told}. What follows is the whole report without it.` }));
+    root.replaceChildren(
+      make("p", {
+        class: "status warning",
+        role: "alert",
+        text: `The interactive part of this page could not start: ${told}. The whole report without it follows.`,
+      }),
+    );
   }
 }
 
-addEventListener("beforeprint", () => document.querySelectorAll("details").forEach((part) => { part.open = true; }));
+// Paper is white and shows all: what is folded is opened, and what is drawn takes the colours of the light scheme.
+addEventListener("beforeprint", () => {
+  document.documentElement.classList.add("printing");
+  for (const part of document.querySelectorAll("details")) part.open = true;
+});
+addEventListener("afterprint", () => document.documentElement.classList.remove("printing"));
 void main();

@@ -55,7 +55,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   const heading = make("h4", { id: title, text: chart.title }, make("span", { class: "unit", text: unit ? ` [${unit}]` : "" }));
   const thinning = make("p", { class: "note", hidden: !timed || drawnShare(thinnest(set)) >= 1, text: drawnBy(thinnest(set)) });
   const marksNote = make("p", { class: "note", hidden: true, text: "The marked frequencies are of the run as it was." });
-  const legend: Legend = makeLegend(entries, redraw);
+  const legend: Legend = makeLegend(entries, set.compared, redraw);
   const element = make("figure", { class: "chart", "aria-labelledby": title, "data-chart": chart.id },
     make("figcaption", {}, heading, readout, tools), place, legend.element, thinning, marksNote);
 
@@ -173,6 +173,13 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     width = place.clientWidth;
     if (seen && width > 0) redraw();
   });
+  const onPaper = () => { // also what was never looked at, in the colours and the width of the paper
+    scheme += 1;
+    stale = true;
+    draw();
+  };
+  addEventListener("beforeprint", onPaper);
+  addEventListener("afterprint", onPaper);
   watch.observe(element);
   place.setAttribute("aria-label", summary(entries.filter((entry) => legend.shows(entry))));
   resized.observe(place);
@@ -192,6 +199,8 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
       redraw();
     },
     dispose() {
+      removeEventListener("beforeprint", onPaper);
+      removeEventListener("afterprint", onPaper);
       watch.disconnect();
       resized.disconnect();
       ends.forEach((end) => end());

@@ -17,17 +17,21 @@ export interface Legend {
 
 type Key = (entry: Entry) => string;
 
-/** `changed` is called after a switch. What is switched: runs, labels, roles, each where there are several of them. */
-export function makeLegend(entries: Entry[], changed: () => void): Legend {
+/**
+ * `changed` is called after a switch. What is switched: runs, labels, roles, each where there are several of them.
+ * `compared`: the page has several runs, whose colours tell them apart, also where only one has this chart.
+ */
+export function makeLegend(entries: Entry[], compared: boolean, changed: () => void): Legend {
   let own = entries.filter((entry) => !entry.ghost);
   const keys: Key[] = [(entry) => String(entry.run), (entry) => entry.label, (entry) => entry.role];
   const kinds = keys.map((key) => [...new Set(own.map(key))]);
   const off = keys.map((key, k) => new Set(kinds[k].filter((kind) => !own.some((entry) => entry.shown && key(entry) === kind))));
-  const byColour = kinds[0].length > 1 ? 0 : kinds[1].length > 1 ? 1 : 2;
+  const byColour = compared ? 0 : kinds[1].length > 1 ? 1 : 2;
   const dashed = kinds[2].length;
   const look = (entry: Entry) => {
     const roles = byColour === 0 && kinds[1].length > 1 && dashed === 1 ? kinds[1].length : dashed;
-    const found = lookOf(entry.role, kinds[byColour].indexOf(keys[byColour](entry)), byColour < 2, roles);
+    const place = byColour === 0 ? entry.run : kinds[byColour].indexOf(keys[byColour](entry));
+    const found = lookOf(entry.role, place, byColour < 2, roles);
     return byColour === 0 && dashed === 1 ? { ...found, dash: lookOf("real", kinds[1].indexOf(entry.label), true, 1).dash } : found;
   };
   const element = make("div", { class: "legend" });

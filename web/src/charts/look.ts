@@ -53,8 +53,9 @@ let wasDark = false;
 /** The colours as the page has them now, light or dark; asked of the page once, as that makes it settle its styles. */
 export function colour(property: string): string {
   scheme ??= matchMedia("(prefers-color-scheme: dark)");
-  if (scheme.matches !== wasDark) known.clear();
-  wasDark = scheme.matches;
+  const dark = scheme.matches && !document.documentElement.classList.contains("printing");
+  if (dark !== wasDark) known.clear();
+  wasDark = dark;
   const told = known.get(property) ?? getComputedStyle(document.documentElement).getPropertyValue(property).trim();
   known.set(property, told);
   return told || "#808080";

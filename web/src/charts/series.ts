@@ -21,6 +21,8 @@ export interface Entry {
 export interface ChartSet {
   chart: Chart;
   runs: { run: number; name: string; chart: Chart }[];
+  /** Whether the page has several runs, all of which may or may not have this chart. */
+  compared: boolean;
 }
 
 export function chartSets(page: Page): ChartSet[] {
@@ -29,7 +31,7 @@ export function chartSets(page: Page): ChartSet[] {
     one.charts.forEach((chart) => {
       const known = sets.get(chart.id);
       if (known) known.runs.push({ run, name: one.name, chart });
-      else sets.set(chart.id, { chart, runs: [{ run, name: one.name, chart }] });
+      else sets.set(chart.id, { chart, runs: [{ run, name: one.name, chart }], compared: page.runs.length > 1 });
     }),
   );
   return [...sets.values()];

@@ -7,7 +7,9 @@ export function mountSave(element: HTMLElement, page: Page): void {
   for (const run of page.runs) {
     if (!run.sheet) continue;
     const words = page.runs.length > 1 ? `Save the YAML of ${run.name}` : "Save the YAML of this run";
-    element.append(button(words, () => save(run.sheet, `${fileName(run.name)}.yaml`, "application/yaml"), { class: "save-yaml" }));
+    element.append(
+      button(words, () => save(run.sheet, `${fileName(run.name)}.yaml`, "application/yaml"), { class: "save-yaml" }),
+    );
   }
 }
 

@@ -17,8 +17,18 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
   const name = ownId("slider");
   const unit = pretty(slider.unit);
   const range = make("input", { type: "range", id: name, min: "0", max: String(STEPS), step: "1" });
-  const number = make("input", { type: "number", "aria-label": `${slider.label}${unit ? `, in ${unit}` : ""}`, step: "any", min: String(slider.min), max: String(slider.max) });
-  const back = button("↺", undo, { class: "tool", "aria-label": `${slider.label}: back to ${digits(slider.value, 6)} ${unit}`, title: "back to the run's own" });
+  const number = make("input", {
+    type: "number",
+    "aria-label": `${slider.label}${unit ? `, in ${unit}` : ""}`,
+    step: "any",
+    min: String(slider.min),
+    max: String(slider.max),
+  });
+  const back = button("↺", undo, {
+    class: "tool",
+    "aria-label": `${slider.label}: back to ${digits(slider.value, 6)} ${unit}`,
+    title: "back to the run's own",
+  });
   let value = slider.value;
 
   function tell(typing = false): void {
@@ -48,7 +58,12 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
     if (number.value !== "" && Number.isFinite(number.valueAsNumber)) give(number.valueAsNumber, true);
   });
   number.addEventListener("change", () => tell());
-  const words = make("label", { for: name }, make("span", { text: slider.label }), make("i", { text: slider.symbol ? ` ${slider.symbol}` : "" }));
+  const words = make(
+    "label",
+    { for: name },
+    make("span", { text: slider.label }),
+    make("i", { text: slider.symbol ? ` ${slider.symbol}` : "" }),
+  );
   const element = make("div", { class: "slider", "data-path": slider.path }, words,
     make("div", { class: "slider-row" }, range, number, make("span", { class: "unit", text: unit }), back));
   tell();

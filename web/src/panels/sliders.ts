@@ -23,7 +23,11 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
     put(null);
     rows[0]?.element.querySelector("input")?.focus(); // the button itself has nothing to do now
   }, { disabled: true });
-  const keep = button("Save YAML", () => live && save(live.sheet(values()), `${options.fileName}.yaml`, "application/yaml"), { disabled: true });
+  const keep = button(
+    "Save YAML",
+    () => live && save(live.sheet(values()), `${options.fileName}.yaml`, "application/yaml"),
+    { disabled: true },
+  );
   const rows = bundle.sliders.map((slider) => makeSlider(slider, changed));
   let live: Live | null = null;
   let closed = false;
@@ -92,7 +96,13 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
     bar.value = 0;
   }
 
-  element.append(make("div", { class: "bar" }, make("h3", { text: "What if" }), reset, keep), status, bar, ...grouped(rows), ...notes(bundle));
+  element.append(
+    make("div", { class: "bar" }, make("h3", { text: "What if" }), reset, keep),
+    status,
+    bar,
+    ...grouped(rows),
+    ...notes(bundle),
+  );
   void options.open(bundle).then(
     (opened) => {
       if (closed) return opened.close();
@@ -102,7 +112,8 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
       if (!unchanged()) changed();
     },
     (error: unknown) => {
-      status.textContent = `Nothing can be changed here, the robot's equations could not be started: ${error instanceof Error ? error.message : String(error)}`;
+      const told = error instanceof Error ? error.message : String(error);
+      status.textContent = `Nothing can be changed here, the robot's equations could not be started: ${told}`;
       rows.forEach((row) => row.element.remove());
       reset.remove();
     },
@@ -130,7 +141,9 @@ function notes(bundle: LiveBundle): HTMLElement[] {
   const left = Array.isArray(bundle.leftOut) ? (bundle.leftOut as { path?: unknown; reason?: unknown }[]) : [];
   const words = [
     ...(typeof settings?.note === "string" && settings.note ? [settings.note] : []),
-    ...(left.length ? [`Not offered: ${left.map(({ path, reason }) => `${String(path)} (${String(reason)})`).join("; ")}.`] : []),
+    ...(left.length
+      ? [`Not offered: ${left.map(({ path, reason }) => `${String(path)} (${String(reason)})`).join("; ")}.`]
+      : []),
   ];
   return words.map((text) => make("p", { class: "note", text }));
 }

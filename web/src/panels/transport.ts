@@ -10,18 +10,34 @@ const ARROW = 1 / 200;
 
 export function mountTransport(element: HTMLElement, clock: Clock): { dispose(): void } {
   const play = button("", () => clock.toggle(), { class: "play" });
-  const scrub = make("input", { type: "range", min: "0", max: String(STEPS), step: "1", "aria-label": "Time", class: "scrub" });
-  const shown = make("output", { class: "time", "aria-live": "off" });
+  const scrub = make("input", {
+    type: "range",
+    min: "0",
+    max: String(STEPS),
+    step: "1",
+    "aria-label": "Time",
+    class: "scrub",
+  });
+  const [now, end] = [make("span"), make("span")]; // a number and its unit stay in one line
+  const shown = make("output", { class: "time", "aria-live": "off" }, now, document.createTextNode(" "), end);
   const speedName = ownId("speed");
-  const speed = make("select", { id: speedName }, ...SPEEDS.map((value) => make("option", { value: String(value), text: `${value}×`, selected: value === clock.speed })));
+  const speed = make(
+    "select",
+    { id: speedName },
+    ...SPEEDS.map((value) =>
+      make("option", { value: String(value), text: `${value}×`, selected: value === clock.speed }),
+    ),
+  );
   scrub.addEventListener("input", () => clock.seek((Number(scrub.value) / STEPS) * clock.duration));
   speed.addEventListener("change", () => { clock.speed = Number(speed.value); });
   const places = Math.max(3, Math.ceil(-Math.log10(clock.duration || 1)) + 3);
   const tell = () => {
     const share = clock.duration > 0 ? clock.time / clock.duration : 0;
-    if (document.activeElement !== scrub || Number(scrub.value) !== Math.round(share * STEPS)) scrub.value = String(Math.round(share * STEPS));
+    if (document.activeElement !== scrub || Number(scrub.value) !== Math.round(share * STEPS))
+      scrub.value = String(Math.round(share * STEPS));
     scrub.setAttribute("aria-valuetext", `${clock.time.toFixed(places)} s`);
-    shown.textContent = `${clock.time.toFixed(places)} s of ${digits(clock.duration)} s`;
+    now.textContent = `${clock.time.toFixed(places)} s`;
+    end.textContent = `of ${digits(clock.duration)} s`;
     const words = clock.playing ? "Pause" : "Play";
     if (play.getAttribute("aria-label") !== words) {
       play.setAttribute("aria-label", words);
@@ -43,11 +59,11 @@ export function mountTransport(element: HTMLElement, clock: Clock): { dispose():
   };
   document.addEventListener("keydown", keys);
   element.append(play, scrub, shown, make("label", { for: speedName, text: "speed" }), speed);
-  const end = clock.subscribe(tell);
+  const unsubscribe = clock.subscribe(tell);
   tell();
   return {
     dispose() {
-      end();
+      unsubscribe();
       document.removeEventListener("keydown", keys);
       element.replaceChildren();
     },

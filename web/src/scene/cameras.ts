@@ -138,9 +138,15 @@ export class Cameras {
     const corner = new Vector3();
     let distance = 0.3 * this.reach;
     for (let k = 0; k < 8; k++) {
-      corner.set(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z).sub(target);
+      corner
+        .set(k & 1 ? box.max.x : box.min.x, k & 2 ? box.max.y : box.min.y, k & 4 ? box.max.z : box.min.z)
+        .sub(target);
       const ahead = corner.dot(direction);
-      distance = Math.max(distance, Math.abs(corner.dot(right)) / (tall * camera.aspect) + ahead, Math.abs(corner.dot(up)) / tall + ahead);
+      distance = Math.max(
+        distance,
+        Math.abs(corner.dot(right)) / (tall * camera.aspect) + ahead,
+        Math.abs(corner.dot(up)) / tall + ahead,
+      );
     }
     return 1.18 * distance;
   }

@@ -1,8 +1,14 @@
-// The scene's controls above the picture: what colours the links, how much deformation is enlarged, where one looks from.
+// The controls above the picture: what colours the links, how much elasticity is enlarged, where one looks from.
 import { VIEWS, type View } from "./cameras";
 import { LARGEST_FACTOR, TOGGLES, type Settings } from "./settings";
 
-const VIEW_NAMES: Record<View, string> = { iso: "Oblique", front: "Front", side: "Side", top: "Top", tip: "Tip (follows)" };
+const VIEW_NAMES: Record<View, string> = {
+  iso: "Oblique",
+  front: "Front",
+  side: "Side",
+  top: "Top",
+  tip: "Tip (follows)",
+};
 
 const SLIDER_STEPS = 100;
 
@@ -22,27 +28,47 @@ export function make<Tag extends keyof HTMLElementTagNameMap>(
   return element;
 } // prettier-ignore
 
-/** `colours`: ids and labels of what may colour the links; `toggles`: which things may be shown or not. */
+/**
+ * `colours`: ids and labels of what may colour the links; `toggles`: which things may be shown or not; `enlarges`:
+ * there is something to enlarge; `fine`: there are qualities to choose from.
+ */
 export function makeControls(
-  settings: Settings, colours: [string, string][], toggles: (keyof Settings)[], enlarges: boolean, wishes: Wishes,
+  settings: Settings,
+  colours: [string, string][],
+  toggles: (keyof Settings)[],
+  enlarges: boolean,
+  fine: boolean,
+  wishes: Wishes,
 ): HTMLElement {
   const bar = make("div", { className: "scene-bar", role: "toolbar", ariaLabel: "The robot in space" });
   const colour = chooser("Colour", colours, settings.colour, (id) => {
     settings.colour = id;
     wishes.changed();
   });
-  bar.append(make("label", {}, "Colour", colour));
+  bar.append(make("label", {}, name("Colour"), colour));
   if (enlarges) bar.append(factorSlider(settings, wishes));
-  const view = chooser("View", VIEWS.map((id) => [id, VIEW_NAMES[id]]), "iso", (id) => wishes.look(id as View));
-  bar.append(make("label", {}, "View", view));
+  const view = chooser(
+    "View",
+    VIEWS.map((id) => [id, VIEW_NAMES[id]]),
+    "iso",
+    (id) => wishes.look(id as View),
+  );
+  bar.append(make("label", {}, name("View"), view));
   const reset = make("button", { type: "button", ariaLabel: "Reset view" }, "Reset");
   reset.addEventListener("click", () => wishes.look(view.value as View));
-  bar.append(reset, more(settings, toggles, wishes));
+  bar.append(reset, more(settings, toggles, fine, wishes));
   return bar;
 } // prettier-ignore
 
 function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
-  const slider = make("input", { type: "range", min: "0", max: String(SLIDER_STEPS), step: "1", value: "0", ariaLabel: "Deformation" });
+  const slider = make("input", {
+    type: "range",
+    min: "0",
+    max: String(SLIDER_STEPS),
+    step: "1",
+    value: "0",
+    ariaLabel: "Deformation",
+  });
   const told = make("output", {}, "×1");
   slider.dataset.scene = "factor";
   slider.addEventListener("input", () => {
@@ -50,19 +76,25 @@ function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
     told.textContent = slider.ariaValueText = `×${settings.factor}`;
     wishes.changed();
   });
-  slider.title = "How many times the displacement of each robot from itself without elasticity is enlarged; double click: to scale";
+  slider.title =
+    "How many times the displacement of each robot from itself without elasticity is enlarged; double click: to scale";
   slider.addEventListener("dblclick", () => {
     slider.value = "0";
     slider.dispatchEvent(new Event("input"));
   });
-  return make("label", {}, "Deformation", slider, told);
+  return make("label", { className: "scene-factor-row" }, "Deformation", slider, told);
+}
+
+/** A name that goes where there is no room for it: what it names tells the same. */
+function name(text: string): HTMLElement {
+  return make("span", { className: "scene-name" }, text);
 }
 
 function rounded(factor: number): number {
   return factor < 10 ? Math.round(10 * factor) / 10 : Math.round(factor);
 }
 
-function more(settings: Settings, toggles: (keyof Settings)[], wishes: Wishes): HTMLElement {
+function more(settings: Settings, toggles: (keyof Settings)[], fine: boolean, wishes: Wishes): HTMLElement {
   const panel = make("div", { className: "scene-more" });
   for (const [key, label] of TOGGLES) {
     if (!toggles.includes(key)) continue;
@@ -75,11 +107,7 @@ function more(settings: Settings, toggles: (keyof Settings)[], wishes: Wishes): 
     });
     panel.append(make("label", {}, box, label));
   }
-  const quality = chooser("Quality", [["auto", "automatic"], ["low", "low"], ["high", "high"]], settings.quality, (id) => {
-    settings.quality = id as Settings["quality"];
-    wishes.quality();
-  });
-  panel.append(make("label", {}, "Quality", quality));
+  if (fine) panel.append(make("label", {}, "Quality", qualities(settings, wishes)));
   const details = make("details", {}, make("summary", {}, "Show"), panel);
   details.addEventListener("keydown", (event) => {
     if (event.key !== "Escape") return;
@@ -89,8 +117,25 @@ function more(settings: Settings, toggles: (keyof Settings)[], wishes: Wishes): 
   return details;
 }
 
-function chooser(ariaLabel: string, options: [string, string][], chosen: string, changed: (id: string) => void): HTMLSelectElement {
-  const select = make("select", { ariaLabel }, ...options.map(([value, label]) => make("option", { value, textContent: label })));
+function qualities(settings: Settings, wishes: Wishes): HTMLSelectElement {
+  const known: [string, string][] = [["auto", "automatic"], ["low", "low"], ["high", "high"], ["lines", "lines alone"]];
+  return chooser("Quality", known, settings.quality, (id) => {
+    settings.quality = id as Settings["quality"];
+    wishes.quality();
+  });
+}
+
+function chooser(
+  ariaLabel: string,
+  options: [string, string][],
+  chosen: string,
+  changed: (id: string) => void,
+): HTMLSelectElement {
+  const select = make(
+    "select",
+    { ariaLabel },
+    ...options.map(([value, label]) => make("option", { value, textContent: label })),
+  );
   select.value = chosen;
   select.addEventListener("change", () => changed(select.value));
   return select;

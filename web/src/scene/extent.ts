@@ -29,7 +29,8 @@ export function extentOf(page: Page): Extent {
   const span = Math.max(reach, box.getSize(point).length() / 2);
   const usual = Math.min(Math.max(widest, 0.012 * reach), 0.022 * reach);
   const floor = floorBelow(box, page, reach);
-  for (const { scene } of page.runs) if (scene.line.data.length) box.expandByPoint(point.fromArray(scene.line.data).setZ(floor));
+  for (const { scene } of page.runs)
+    if (scene.line.data.length) box.expandByPoint(point.fromArray(scene.line.data).setZ(floor));
   return { box, reach, cell: round125(span / 5), usual, least: 0.006 * reach, floor };
 }
 

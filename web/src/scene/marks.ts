@@ -34,7 +34,9 @@ export class Trace {
     this.past.geometry = new LineGeometry(); // one that was drawn keeps the number of points that it had
     const along = new Float32Array(this.length);
     for (let k = 1; k < along.length; k++)
-      along[k] = along[k - 1] + Math.hypot(path[3 * k] - path[3 * k - 3], path[3 * k + 1] - path[3 * k - 2], path[3 * k + 2] - path[3 * k - 1]);
+      along[k] =
+        along[k - 1] +
+        Math.hypot(path[3 * k] - path[3 * k - 3], path[3 * k + 1] - path[3 * k - 2], path[3 * k + 2] - path[3 * k - 1]);
     this.rest.geometry.setAttribute("position", new BufferAttribute(path, 3));
     this.rest.geometry.setAttribute("lineDistance", new BufferAttribute(along, 1));
     this.past.visible = this.length > 1;
@@ -48,7 +50,9 @@ export class Trace {
   }
 
   dispose(): void {
-    [this.past.geometry, this.past.material, this.rest.geometry, this.rest.material].forEach((thing) => thing.dispose());
+    [this.past.geometry, this.past.material, this.rest.geometry, this.rest.material].forEach((thing) =>
+      thing.dispose(),
+    );
     this.group.removeFromParent();
   }
 }
@@ -90,27 +94,49 @@ export class Arrow {
 }
 
 /** The part of the surface about the places of contact [k, 3], `margin` m larger than they need. */
-export function surfaceMesh(surface: SceneContact["surface"], at: ArrayLike<number>, margin: number, color: string): Mesh {
-  const material = new MeshLambertMaterial({ color, transparent: true, opacity: 0.28, side: DoubleSide, depthWrite: false });
+export function surfaceMesh(
+  surface: SceneContact["surface"],
+  at: ArrayLike<number>,
+  margin: number,
+  color: string,
+): Mesh {
+  const material = new MeshLambertMaterial({
+    color,
+    transparent: true,
+    opacity: 0.28,
+    side: DoubleSide,
+    depthWrite: false,
+  });
   return new Mesh(patch(surface, at, margin), material);
 }
 
 type Place = (u: number, v: number) => Vector3;
 
-function patch(surface: SceneContact["surface"], at: ArrayLike<number>, margin: number): BufferGeometry {
+/** Squares along each side of a patch. */
+export const SQUARES = 24;
+
+/** The part of a surface about places, as a grid of (SQUARES + 1)² vertices, row after row. */
+export function patch(surface: SceneContact["surface"], at: ArrayLike<number>, margin: number): BufferGeometry {
   const points: Vector3[] = [];
   for (let k = 0; k + 2 < at.length; k += 3) points.push(new Vector3(at[k], at[k + 1], at[k + 2]));
   const [place, coordinates, more] = chart(surface, points, margin);
   const found = points.map(coordinates);
   const [u, v] = [0, 1].map((c) => {
     const values = found.map((pair) => pair[c]);
-    return [values.reduce((a, b) => Math.min(a, b), Infinity) - more[c], values.reduce((a, b) => Math.max(a, b), -Infinity) + more[c]];
+    return [
+      values.reduce((a, b) => Math.min(a, b), Infinity) - more[c],
+      values.reduce((a, b) => Math.max(a, b), -Infinity) + more[c],
+    ];
   });
   return grid(place, u, v);
 }
 
 /** A map of the surface: place of two coordinates, coordinates of a place, and the margin in them. */
-function chart(surface: SceneContact["surface"], points: Vector3[], margin: number): [Place, (p: Vector3) => [number, number], [number, number]] {
+function chart(
+  surface: SceneContact["surface"],
+  points: Vector3[],
+  margin: number,
+): [Place, (p: Vector3) => [number, number], [number, number]] {
   if (surface.kind === "plane") {
     const origin = new Vector3(...surface.position);
     const [x, y] = across(new Vector3(...surface.normal).normalize());
@@ -119,7 +145,10 @@ function chart(surface: SceneContact["surface"], points: Vector3[], margin: numb
   }
   const center = new Vector3(...surface.center);
   const axis = surface.kind === "cylinder" ? new Vector3(...surface.axis).normalize() : new Vector3(0, 0, 1);
-  const mean = points.reduce((sum, p) => sum.add(p), new Vector3()).divideScalar(Math.max(points.length, 1)).sub(center);
+  const mean = points
+    .reduce((sum, p) => sum.add(p), new Vector3())
+    .divideScalar(Math.max(points.length, 1))
+    .sub(center);
   const ahead = mean.addScaledVector(axis, -mean.dot(axis));
   if (ahead.length() < 1e-6 * surface.radius) ahead.copy(across(axis)[0]);
   ahead.normalize();
@@ -128,13 +157,19 @@ function chart(surface: SceneContact["surface"], points: Vector3[], margin: numb
   const ball = surface.kind === "ball";
   const place: Place = (u, v) => {
     const flat = ball ? radius * Math.cos(v) : radius;
-    const p = center.clone().addScaledVector(ahead, flat * Math.cos(u)).addScaledVector(aside, flat * Math.sin(u));
+    const p = center
+      .clone()
+      .addScaledVector(ahead, flat * Math.cos(u))
+      .addScaledVector(aside, flat * Math.sin(u));
     return p.addScaledVector(axis, ball ? radius * Math.sin(v) : v);
   };
   const coordinates = (p: Vector3): [number, number] => {
     const d = p.clone().sub(center);
     const up = d.dot(axis);
-    return [Math.atan2(d.dot(aside), d.dot(ahead)), ball ? Math.asin(Math.max(-1, Math.min(1, up / (d.length() || 1)))) : up];
+    return [
+      Math.atan2(d.dot(aside), d.dot(ahead)),
+      ball ? Math.asin(Math.max(-1, Math.min(1, up / (d.length() || 1)))) : up,
+    ];
   };
   return [place, coordinates, [margin / radius, ball ? margin / radius : margin]];
 }
@@ -144,7 +179,7 @@ function across(normal: Vector3): [Vector3, Vector3] {
   return [x, new Vector3().crossVectors(normal, x)];
 }
 
-function grid(place: Place, u: number[], v: number[], count = 24): BufferGeometry {
+function grid(place: Place, u: number[], v: number[], count = SQUARES): BufferGeometry {
   const positions: number[] = [];
   const faces: number[] = [];
   for (let i = 0; i <= count; i++)

@@ -9,16 +9,13 @@ import { turnAlong } from "./turn";
 /** Seconds of a swing on the screen, whatever the frequency. */
 export const SWING = 1.6;
 
-export class ModeView {
-  readonly group = new Group();
-  private readonly motion: Motion;
-  private readonly robot: RobotView;
-  private readonly rest: RobotView;
-  private readonly size: number;
+/** The lines of a mode, whatever draws them. */
+export class Swinging {
+  readonly motion: Motion;
   private readonly roots: Float32Array;
 
-  /** `amplitude`: the largest displacement as a share of the robot's reach. */
-  constructor(private readonly mode: Mode, scene: Scene, amplitude: number, shared: Shared) {
+  /** `size`: the largest displacement [m]. */
+  constructor(private readonly mode: Mode, scene: Scene, private readonly size: number) {
     const [links, stations] = mode.rest.shape;
     const once = { data: mode.rest.data, shape: [1, links, stations, 3] };
     const roots = { data: scene.roots.data.slice(0, 4 * links), shape: [1, links, 4] };
@@ -29,13 +26,6 @@ export class ModeView {
     }); // prettier-ignore
     this.motion.seek(0, 1, null);
     this.roots = this.motion.roots.slice();
-    this.size = amplitude * shared.extent.reach;
-    const { colours, extent, fine } = shared;
-    const look = { link: colours.link, joint: colours.joint, gear: colours.gear, base: colours.base, payload: colours.payload, opacity: 1, painted: "all", fine } as const;
-    this.robot = new RobotView(scene, this.motion, look, extent);
-    this.rest = new RobotView(scene, this.motion, { ...look, link: colours.rigid, opacity: 0.35, painted: "none" }, { ...extent, usual: 0.8 * extent.usual });
-    this.group.add(this.robot.group, this.rest.group);
-    this.rest.update(this.motion, this.motion.line, 0, 1);
   }
 
   /** At a phase [rad]: the displacement is the real part of (real + i imaginary) e^(i phase). */
@@ -56,7 +46,33 @@ export class ModeView {
     for (let c = 0; c < 3; c++) motion.tip[c] = line[line.length - 3 + c];
     motion.roots.set(this.roots);
     turnAlong(motion.roots, mode.rest.data, line, motion.stations);
-    this.robot.update(motion, line, 0, 1);
+  }
+}
+
+export class ModeView {
+  readonly group = new Group();
+  private readonly swinging: Swinging;
+  private readonly robot: RobotView;
+  private readonly rest: RobotView;
+
+  /** `amplitude`: the largest displacement as a share of the robot's reach. */
+  constructor(mode: Mode, scene: Scene, amplitude: number, shared: Shared) {
+    const { colours, extent, fine } = shared;
+    this.swinging = new Swinging(mode, scene, amplitude * extent.reach);
+    const { motion } = this.swinging;
+    const { link, joint, gear, base, payload, rigid } = colours;
+    const look = { link, joint, gear, base, payload, opacity: 1, painted: "all", fine } as const;
+    const faint = { ...look, link: rigid, opacity: 0.35, painted: "none" } as const;
+    this.robot = new RobotView(scene, motion, look, extent);
+    this.rest = new RobotView(scene, motion, faint, { ...extent, usual: 0.8 * extent.usual });
+    this.group.add(this.robot.group, this.rest.group);
+    this.rest.update(motion, motion.line, 0, 1);
+  }
+
+  swing(phase: number): void {
+    const { motion } = this.swinging;
+    this.swinging.swing(phase);
+    this.robot.update(motion, motion.line, 0, 1);
   }
 
   dispose(): void {

@@ -1,12 +1,13 @@
-// One run at any time: its arrays between two display frames, with what is elastic shown enlarged. Nothing is allocated.
+// One run at any time: its arrays between two display frames, with what is elastic shown enlarged. No memory is taken.
 import type { Scene, SceneContact } from "../contract";
 import type { Numbers } from "../pack";
 import { turnAlong } from "./turn";
 
 /** The arrays of a scene, those of the page or of the live model. */
-export type Arrays = Pick<Scene, "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference" | "colours"> & {
-  contact: (Pick<SceneContact, "force" | "at"> & Partial<Pick<SceneContact, "surface">>) | null;
-};
+export type Arrays = Pick<
+  Scene,
+  "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference" | "colours"
+> & { contact: (Pick<SceneContact, "force" | "at"> & Partial<Pick<SceneContact, "surface">>) | null };
 
 export class Motion {
   readonly links: number;

@@ -15,11 +15,12 @@ export class Notes {
   private readonly scale = note("scene-scale");
   private readonly factor = note("scene-factor");
   private readonly grid = note("scene-grid");
+  private readonly way = note("scene-flat");
   private readonly live = make("span");
   private shown = "";
 
   constructor(place: HTMLElement) {
-    place.append(this.legend, this.scale, this.factor, this.grid);
+    place.append(this.legend, this.scale, this.factor, this.grid, this.way);
   }
 
   /** The entries of the legend, and a line whose words change with time. */
@@ -46,12 +47,22 @@ export class Notes {
     const bar = swatch(gradient());
     const name = unit.name.replaceAll(" ", "\u00a0");
     const title = make("b", {}, name ? `${told.label} [${name}]` : told.label);
-    this.scale.replaceChildren(title, make("ol", {}, ...ticks.map((tick) => make("li", {}, digits(unit.factor * tick)))), bar);
+    this.scale.replaceChildren(
+      title,
+      make("ol", {}, ...ticks.map((tick) => make("li", {}, digits(unit.factor * tick)))),
+      bar,
+    );
   }
 
   enlarged(words: string): void {
     this.factor.hidden = words === "";
     this.factor.textContent = words;
+  }
+
+  /** How it is drawn, where that is not as usual. */
+  flat(words: string): void {
+    this.way.hidden = words === "";
+    this.way.textContent = words;
   }
 
   floor(words: string): void {

@@ -1,9 +1,8 @@
 // Colours of the scene: Okabe and Ito's, which the colour-blind tell apart, and viridis for quantities.
 
-/** Of runs side by side, in order. */
-export const RUNS = ["#0072b2", "#d55e00", "#009e73", "#cc79a7", "#e69f00", "#56b4e9"];
-
 export interface Palette {
+  /** Of runs side by side, in order: those of their curves in the charts. */
+  runs: string[];
   link: string;
   joint: string;
   gear: string;
@@ -22,12 +21,14 @@ export interface Palette {
 }
 
 const LIGHT: Palette = {
+  runs: ["#0072b2", "#d55e00", "#00875f", "#a2488f", "#8c6a00", "#2a7fb8"],
   link: "#9aa5b1", joint: "#4a5562", gear: "#c76a00", base: "#39434e", payload: "#2b333c", grid: "#c3cad1",
   gridStrong: "#8e99a4", surface: "#009e73", force: "#b3261e", reference: "#d55e00", rigid: "#6b7681",
   before: "#7a4ea3", real: "#0072b2", sky: "#ffffff", ground: "#b9c0c8",
 }; // prettier-ignore
 
 const DARK: Palette = {
+  runs: ["#4fb0ea", "#ff8f45", "#3ecf9b", "#e08acb", "#d9b13a", "#9fd3f5"],
   link: "#8b96a3", joint: "#a9b4c0", gear: "#e69f00", base: "#6d7986", payload: "#cfd6dd", grid: "#39424c",
   gridStrong: "#5c6874", surface: "#2fbf95", force: "#ff7b70", reference: "#ff8c42", rigid: "#a3adb7",
   before: "#c79be8", real: "#56b4e9", sky: "#ffffff", ground: "#5a6570",

@@ -7,6 +7,7 @@ import { toCreasedNormals } from "three/examples/jsm/utils/BufferGeometryUtils.j
 import type { Scene, SceneJoint, SceneLink, SceneMesh } from "../contract";
 import type { Motion } from "./motion";
 import { SCALE, step } from "./palette";
+import type { Painted } from "./shown";
 import { Sweep, type SectionSizes } from "./sweep";
 
 /** What a robot is made of, whatever moves it. */
@@ -22,7 +23,7 @@ export interface Look {
   /** Below 1: a ghost, links alone. */
   opacity: number;
   /** Which links a quantity colours. */
-  painted: "none" | "bending" | "all";
+  painted: Painted;
   fine: boolean;
 }
 
@@ -53,7 +54,12 @@ export class RobotView {
   private readonly to = new Vector3();
   private readonly quaternion = new Quaternion();
 
-  constructor(body: Body, motion: Motion, private readonly look: Look, private readonly widths: Widths) {
+  constructor(
+    body: Body,
+    motion: Motion,
+    private readonly look: Look,
+    private readonly widths: Widths,
+  ) {
     const plain = this.material(look.link, false);
     const painted = look.painted === "none" ? plain : this.material("#ffffff", true);
     const meshed = new Set(body.meshes.map((mesh) => mesh.link));
@@ -65,7 +71,9 @@ export class RobotView {
     });
     body.meshes.filter(({ link }) => link < motion.links).forEach((mesh) => this.surface(mesh, body.links));
     if (look.opacity < 1) return;
-    body.joints.filter(({ link }) => link < motion.links).forEach((joint) => this.housing(joint, body.links[joint.link], meshed.has(joint.link)));
+    body.joints
+      .filter(({ link }) => link < motion.links)
+      .forEach((joint) => this.housing(joint, body.links[joint.link], meshed.has(joint.link)));
     body.links.slice(0, motion.links).forEach((link, k) => this.holder(link, k, motion, meshed));
     const ball = new SphereGeometry((meshed.size > 0 ? 0.5 : 1.5) * widths.usual, 24, 16);
     this.payload = this.add(new Mesh(this.kept(ball), this.material(look.payload, false)));
@@ -105,7 +113,9 @@ export class RobotView {
     const behind = { polygonOffset: opacity < 1, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
     const ghost = { transparent: opacity < 1, opacity, depthWrite: opacity >= 1, ...behind };
     const told = { color, vertexColors, ...ghost };
-    return this.kept(fine ? new MeshStandardMaterial({ ...told, roughness: 0.5, metalness: 0.1 }) : new MeshLambertMaterial(told));
+    return this.kept(
+      fine ? new MeshStandardMaterial({ ...told, roughness: 0.5, metalness: 0.1 }) : new MeshLambertMaterial(told),
+    );
   }
 
   private kept<Thing extends BufferGeometry | Material>(thing: Thing): Thing {
@@ -123,8 +133,13 @@ export class RobotView {
   private housing(joint: SceneJoint, link: SceneLink | undefined, meshed: boolean): void {
     if (link === undefined || meshed || joint.kind === "fixed") return;
     const wide = 1.5 * this.widths.usual;
-    const shape = joint.kind === "revolute" ? new CylinderGeometry(wide, wide, 2.2 * wide, this.look.fine ? 32 : 14) : new BoxGeometry(2 * wide, 2.2 * wide, 2 * wide);
-    const object = this.add(new Mesh(this.kept(shape), this.material(joint.elastic ? this.look.gear : this.look.joint, false)));
+    const shape =
+      joint.kind === "revolute"
+        ? new CylinderGeometry(wide, wide, 2.2 * wide, this.look.fine ? 32 : 14)
+        : new BoxGeometry(2 * wide, 2.2 * wide, 2 * wide);
+    const object = this.add(
+      new Mesh(this.kept(shape), this.material(joint.elastic ? this.look.gear : this.look.joint, false)),
+    );
     const axis = new Vector3(...joint.axis).normalize();
     this.placed.push({ object, link: joint.link, turn: new Quaternion().setFromUnitVectors(UP, axis) });
   }
@@ -140,24 +155,19 @@ export class RobotView {
     if (this.look.painted === "all" && mesh.link >= 0) this.tinted.push({ material, link: mesh.link });
   }
 
-  /** What holds the root of a link: its parent's end, else a rod from the nearest place of the parent, or a pedestal. */
+  /** What holds the root of a link: its parent's end, a rod from the nearest place of the parent, or a pedestal. */
   private holder(link: SceneLink, index: number, motion: Motion, meshed: Set<number>): void {
-    const { arrays, stations } = motion;
-    const root = 3 * stations * index;
     if (link.parent < 0) {
       if (meshed.has(-1) || meshed.has(index)) return;
       const shape = new CylinderGeometry(1.8 * this.widths.usual, 3 * this.widths.usual, 1, 32);
-      this.pedestals.push({ object: this.add(new Mesh(this.kept(shape), this.material(this.look.base, false))), link: index });
+      this.pedestals.push({
+        object: this.add(new Mesh(this.kept(shape), this.material(this.look.base, false))),
+        link: index,
+      });
       return;
     }
-    let place = 0;
-    let least = Infinity;
-    for (let s = 0; s < stations; s++) {
-      const there = 3 * (stations * link.parent + s);
-      const away = Math.hypot(...[0, 1, 2].map((c) => arrays.line.data[there + c] - arrays.line.data[root + c]));
-      if (away < least) [place, least] = [there, away];
-    }
-    if (least < 0.5 * this.widths.usual || (meshed.has(index) && meshed.has(link.parent))) return;
+    const { place, away } = nearest(motion, link.parent, index);
+    if (away < 0.5 * this.widths.usual || (meshed.has(index) && meshed.has(link.parent))) return;
     const shape = new CylinderGeometry(0.8 * this.widths.usual, 0.8 * this.widths.usual, 1, 16);
     const object = this.add(new Mesh(this.kept(shape), this.material(this.look.link, false)));
     this.rods.push({ object, link: index, parent: link.parent, place });
@@ -181,8 +191,25 @@ export class RobotView {
   }
 }
 
+/** Where in a frame that place of the parent is which is nearest to a link's root in the first frame; how near [m]. */
+export function nearest({ arrays, stations }: Motion, parent: number, link: number): { place: number; away: number } {
+  const { data } = arrays.line;
+  const root = 3 * stations * link;
+  let found = { place: 0, away: Infinity };
+  for (let s = 0; s < stations; s++) {
+    const place = 3 * (stations * parent + s);
+    const away = Math.hypot(
+      data[place] - data[root],
+      data[place + 1] - data[root + 1],
+      data[place + 2] - data[root + 2],
+    );
+    if (away < found.away) found = { place, away };
+  }
+  return found;
+}
+
 /** The half-widths of a link at `count` stations, none thinner than what is drawn. */
-function sizes(link: SceneLink, count: number, widths: Widths): SectionSizes {
+export function sizes(link: SceneLink, count: number, widths: Pick<Widths, "usual" | "least">): SectionSizes {
   const found = new Float32Array(2 * count).fill(widths.usual);
   if (link.section === null) return { shape: "round", sizes: found };
   const told = link.section.sizes;

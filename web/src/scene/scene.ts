@@ -3,28 +3,23 @@ import type { Clock } from "../clock";
 import type { LiveRun, Mode, Page, SceneView } from "../contract";
 import { make, makeControls } from "./controls";
 import { extentOf } from "./extent";
+import { FlatWorld } from "./flat";
 import { Notes } from "./notes";
+import { palette } from "./palette";
 import type { Settings } from "./settings";
-import { suitable } from "./stage";
+import type { Scenery, Sight } from "./sight";
+import { suitable, type Quality } from "./stage";
 import { useStyle } from "./style";
 import { World } from "./world";
 
-const NO_WEBGL =
-  "This browser draws nothing in 3D (WebGL is missing or switched off), so the robot is not shown here. " +
-  "All curves and numbers of the page are complete without it.";
+const PATIENCE = 2000; // ms: a context that is lost comes back by then, or the robot is drawn without it
 
 export function mountScene(element: HTMLElement, page: Page, clock: Clock): SceneView {
   useStyle();
   const frame = make("div", { className: "scene" });
   const view = make("div", { className: "scene-view" });
   element.append(frame);
-  const best = page.runs.length > 0 ? suitable() : null;
-  if (best === null) {
-    frame.append(view);
-    view.append(make("p", { className: "scene-message", role: "note" }, NO_WEBGL));
-    return { replace: () => {}, showMode: () => {}, resize: () => {}, dispose: () => frame.remove() };
-  }
-  return new Mounted(frame, view, page, clock, best);
+  return new Mounted(frame, view, page, clock, suitable());
 }
 
 class Mounted implements SceneView {
@@ -35,7 +30,8 @@ class Mounted implements SceneView {
   private readonly dark = window.matchMedia("(prefers-color-scheme: dark)");
   private readonly still = window.matchMedia("(prefers-reduced-motion: reduce)");
   private readonly extent;
-  private world: World;
+  private world: Sight;
+  private waiting = 0;
   private mode: { mode: Mode; amplitude: number } | null = null;
   private asked = 0;
 
@@ -44,13 +40,22 @@ class Mounted implements SceneView {
     private readonly view: HTMLElement,
     private readonly page: Page,
     private readonly clock: Clock,
-    private readonly best: "low" | "high",
+    /** The quality that suits the machine; null: there is no WebGL. */
+    private best: Quality | null,
   ) {
     const { runs } = page;
     const many = runs.length > 1;
     this.settings = {
       colour: many ? "run" : (runs[0].scene.colours[0]?.id ?? "run"),
-      factor: 1, reference: !many, rigid: false, traces: true, force: true, surface: true, floor: true, apart: false, quality: "auto",
+      factor: 1,
+      reference: !many,
+      rigid: false,
+      traces: true,
+      force: true,
+      surface: true,
+      floor: true,
+      apart: false,
+      quality: "auto",
     }; // prettier-ignore
     this.replaced = runs.map(() => null);
     this.extent = extentOf(page);
@@ -86,7 +91,9 @@ class Mounted implements SceneView {
 
   dispose(): void {
     cancelAnimationFrame(this.asked);
+    window.clearTimeout(this.waiting);
     this.ends.forEach((end) => end());
+    this.world.canvas.removeEventListener("webglcontextlost", this.lost); // it loses it now
     this.world.dispose();
     this.frame.remove();
   }
@@ -102,19 +109,41 @@ class Mounted implements SceneView {
       ["apart", runs.length > 1],
     ]; // prettier-ignore
     const toggles = there.filter(([, is]) => is).map(([key]) => key);
-    return makeControls(this.settings, colours, toggles, any((scene) => scene.rigid), {
+    return makeControls(this.settings, colours, toggles, any((scene) => scene.rigid), this.best !== null, {
       changed: () => this.refresh(),
       look: (view) => this.world.look(view, !this.still.matches),
-      quality: this.remake,
+      quality: () => {
+        this.best ??= suitable();
+        this.remake();
+      },
     });
   }
 
-  private made(): World {
-    const { quality } = this.settings;
-    const world = new World(this.page, this.extent, quality === "auto" ? this.best : quality, this.dark.matches, this.settings, this.ask);
+  private made(): Sight {
+    const { page, extent, settings, ask } = this;
+    const given = { page, extent, colours: palette(this.dark.matches), settings, ask };
+    const { quality } = settings;
+    const solid = quality === "lines" ? null : this.best && (quality === "auto" ? this.best : quality);
+    const world = (solid && inSpace(given, solid)) ?? new FlatWorld(given, quality === "lines");
+    world.canvas.addEventListener("webglcontextlost", this.lost);
+    world.canvas.addEventListener("webglcontextrestored", this.found);
     this.view.prepend(world.canvas);
     return world;
   }
+
+  private readonly lost = (event: Event) => {
+    if (event.target !== this.world.canvas) return; // of one that has gone
+    window.clearTimeout(this.waiting);
+    this.waiting = window.setTimeout(() => {
+      this.best = null;
+      this.remake();
+    }, PATIENCE);
+  };
+
+  private readonly found = () => {
+    window.clearTimeout(this.waiting);
+    this.ask();
+  };
 
   /** All anew, in other colours or another quality, looked at from the same place. */
   private readonly remake = () => {
@@ -145,4 +174,13 @@ class Mounted implements SceneView {
     this.notes.tell(this.world.words());
     if (this.mode && !this.still.matches) this.ask();
   };
+}
+
+/** Drawn by WebGL; null where the browser has none after all. */
+function inSpace(given: Scenery, quality: Quality): World | null {
+  try {
+    return new World(given, quality);
+  } catch {
+    return null;
+  }
 }

@@ -13,12 +13,15 @@ export interface Settings {
   floor: boolean;
   /** Several robots beside each other instead of one in the other. */
   apart: boolean;
-  quality: "auto" | "low" | "high";
+  quality: "auto" | "low" | "high" | "lines";
 }
 
 export const LARGEST_FACTOR = 200;
 
-export const TOGGLES: [keyof Settings & ("reference" | "rigid" | "traces" | "force" | "surface" | "floor" | "apart"), string][] = [
+export const TOGGLES: [
+  keyof Settings & ("reference" | "rigid" | "traces" | "force" | "surface" | "floor" | "apart"),
+  string,
+][] = [
   ["reference", "Reference (ghost)"],
   ["rigid", "Rigid plan (ghost)"],
   ["traces", "Paths of the tips"],

@@ -28,8 +28,15 @@ export class Stage {
 
   constructor(readonly quality: Quality, private readonly extent: Extent) {
     const fine = quality === "high";
-    this.renderer = new WebGLRenderer({ canvas: this.canvas, antialias: fine, alpha: true, powerPreference: "low-power" });
-    this.renderer.setPixelRatio(fine ? Math.min(window.devicePixelRatio, 2) : 0.75 * Math.min(window.devicePixelRatio, 1));
+    this.renderer = new WebGLRenderer({
+      canvas: this.canvas,
+      antialias: fine,
+      alpha: true,
+      powerPreference: "low-power",
+    });
+    this.renderer.setPixelRatio(
+      fine ? Math.min(window.devicePixelRatio, 2) : 0.75 * Math.min(window.devicePixelRatio, 1),
+    );
     this.renderer.shadowMap.enabled = fine;
     this.renderer.shadowMap.type = PCFShadowMap;
     this.camera.up.set(0, 0, 1);
@@ -77,7 +84,7 @@ export class Stage {
     this.undress();
     this.light.dispose();
     this.renderer.dispose();
-    this.renderer.forceContextLoss();
+    if (!this.renderer.getContext().isContextLost()) this.renderer.forceContextLoss();
     this.canvas.remove();
   }
 

@@ -3,7 +3,8 @@
 const RULES = `
 .scene { --ink: #1d2329; --soft: #4d5863; --chip: rgba(255, 255, 255, 0.82); --line: #c6ccd3; --field: #ffffff;
   --sky: #f4f7fa; --earth: #e3e8ed; --strong: #005a8f;
-  container-type: inline-size; display: flex; flex-direction: column; min-width: 0; min-height: 0; height: 100%; color: var(--ink);
+  container-type: inline-size; display: flex; flex-direction: column; min-width: 0; min-height: 0; height: 100%;
+  color: var(--ink);
   font: 13px/1.35 system-ui, sans-serif; }
 @media (prefers-color-scheme: dark) { .scene { --ink: #e8ecf0; --soft: #b3bdc7; --chip: rgba(20, 25, 31, 0.8);
   --line: #46515c; --field: #1b2127; --sky: #1b222a; --earth: #12171d; --strong: #7cc4f2; } }
@@ -18,8 +19,9 @@ const RULES = `
 .scene-bar output { min-width: 2.6em; font-variant-numeric: tabular-nums; }
 .scene :focus-visible { outline: 2px solid var(--strong); outline-offset: 1px; }
 .scene details { position: relative; }
-.scene-more { position: absolute; z-index: 3; top: calc(100% + 4px); right: 0; display: grid; gap: 4px; padding: 8px 10px;
-  background: var(--field); border: 1px solid var(--line); border-radius: 6px; box-shadow: 0 4px 14px rgba(0, 0, 0, 0.2); }
+.scene-more { position: absolute; z-index: 3; top: calc(100% + 4px); right: 0; display: grid; gap: 4px;
+  padding: 8px 10px; background: var(--field); border: 1px solid var(--line); border-radius: 6px;
+  box-shadow: 0 4px 14px rgba(0, 0, 0, 0.2); }
 .scene-view { position: relative; flex: 1 1 auto; min-height: 220px; overflow: hidden; border-radius: 6px;
   background: linear-gradient(var(--sky), var(--earth)); }
 .scene-view canvas { position: absolute; inset: 0; width: 100%; height: 100%; display: block; touch-action: none; }
@@ -30,17 +32,28 @@ const RULES = `
 .scene-legend i { flex: none; width: 16px; height: 8px; border-radius: 2px; }
 .scene-scale { top: 8px; right: 8px; display: grid; grid-template-columns: auto 12px; gap: 4px 6px; max-width: 40%; }
 .scene-scale b { grid-column: 1 / 3; font-weight: 600; text-align: right; max-width: 15em; }
-.scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; flex-direction: column; justify-content: space-between;
+.scene-scale ol { list-style: none; margin: 0; padding: 0; display: flex; flex-direction: column;
+  justify-content: space-between;
   height: 110px; text-align: right; font-variant-numeric: tabular-nums; line-height: 1; }
 .scene-scale i { border-radius: 2px; }
 .scene-factor { bottom: 8px; right: 8px; font-weight: 600; }
 .scene-grid { bottom: 8px; left: 8px; color: var(--soft); }
+.scene-flat { bottom: 36px; left: 8px; color: var(--soft); max-width: 80%; }
 .scene-message { position: absolute; inset: 0; display: grid; place-content: center; padding: 2em; text-align: center; }
-@container (max-width: 520px) {
+@container (max-width: 760px) {
   .scene-bar { gap: 4px 8px; }
   .scene-bar label { gap: 4px; }
   .scene-bar select { max-width: 11.5em; padding: 3px 4px; }
-  .scene-bar input[type=range] { width: 64px; }
+  .scene-bar .scene-name { display: none; }
+}
+@container (max-width: 520px) {
+  .scene-bar { padding: 4px 6px; gap: 4px 6px; }
+  .scene-bar select { flex: 1 1 5em; min-width: 0; }
+  .scene-bar label:has(> select) { flex: 1 1 5em; min-width: 0; }
+  .scene-bar > details { order: 1; }
+  .scene-bar > .scene-factor-row { order: 2; flex: 1 1 60%; }
+  .scene-bar > button { order: 3; }
+  .scene-bar input[type=range] { flex: 1 1 64px; min-width: 64px; }
   .scene-view { min-height: 300px; }
   .scene-note { font-size: 11px; padding: 2px 5px; }
   .scene-legend { max-width: 58%; }
@@ -49,6 +62,11 @@ const RULES = `
   .scene-scale ol { height: 64px; }
   .scene-scale li:nth-child(even) { display: none; }
   .scene-grid { max-width: 64%; }
+}
+@media (pointer: coarse), (max-width: 40rem) {
+  .scene-bar select, .scene-bar button, .scene-bar summary { min-height: 40px; min-width: 40px; }
+  .scene-more label { min-height: 40px; }
+  .scene-more input { width: 20px; height: 20px; }
 }
 @media print { .scene-bar { display: none; } }
 `;

@@ -65,7 +65,12 @@ export class Sweep {
     for (let s = 0; s < stations; s++) {
       const before = from + 3 * Math.max(s - 1, 0);
       const after = from + 3 * Math.min(s + 1, stations - 1);
-      transport(axes, line[after] - line[before], line[after + 1] - line[before + 1], line[after + 2] - line[before + 2]);
+      transport(
+        axes,
+        line[after] - line[before],
+        line[after + 1] - line[before + 1],
+        line[after + 2] - line[before + 2],
+      );
       this.ring(s, s, line, from + 3 * s, 0);
       if (s === 0) this.ring(stations, s, line, from, -1);
       if (s === stations - 1) this.ring(stations + 1, s, line, from + 3 * s, 1);
@@ -149,7 +154,7 @@ export function sectionAxes(out: Float32Array, q: Float32Array, at: number): voi
 }
 
 /** Turn the axes to a new tangent without twist: by the shortest way, which is the rotation from tangent to tangent. */
-function transport(axes: Float32Array, tx: number, ty: number, tz: number): void {
+export function transport(axes: Float32Array, tx: number, ty: number, tz: number): void {
   const size = Math.hypot(tx, ty, tz);
   if (size === 0) return;
   const x = tx / size;

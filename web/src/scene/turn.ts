@@ -14,7 +14,15 @@ export function turnAlong(roots: Float32Array, from: ArrayLike<number>, to: Arra
     const by = to[a + 4] - to[a + 1];
     const bz = to[a + 5] - to[a + 2];
     const sizes = Math.hypot(ax, ay, az) * Math.hypot(bx, by, bz);
-    if (sizes > 0) turn(roots, 4 * link, ay * bz - az * by, az * bx - ax * bz, ax * by - ay * bx, sizes + ax * bx + ay * by + az * bz);
+    if (sizes > 0)
+      turn(
+        roots,
+        4 * link,
+        ay * bz - az * by,
+        az * bx - ax * bz,
+        ax * by - ay * bx,
+        sizes + ax * bx + ay * by + az * bz,
+      );
   }
 }
 

@@ -18,7 +18,9 @@ const PREFIXES: Record<string, [number, number, string][]> = {
 /** The unit in which values up to `largest` (in `unit`) read well. */
 export function readable(unit: string, largest: number): Unit {
   const found = (PREFIXES[unit] ?? []).find(([below]) => Math.abs(largest) < below);
-  return found === undefined || largest === 0 ? { factor: 1, name: unit === "1" ? "" : unit } : { factor: found[1], name: found[2] };
+  return found === undefined || largest === 0
+    ? { factor: 1, name: unit === "1" ? "" : unit }
+    : { factor: found[1], name: found[2] };
 }
 
 /** A number in three digits. */

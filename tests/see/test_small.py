@@ -1,0 +1,155 @@
+"""The page on a phone, by keyboard alone, on paper, and for who wants nothing to move."""
+
+from __future__ import annotations
+
+from itertools import pairwise
+from pathlib import Path
+from typing import Any
+
+import numpy as np
+import pytest
+
+from result.synthetic import synthetic_result
+from see.looking import SIZES, Window, look
+from tmodes.report.data import page_data
+from tmodes.report.viewer import viewer_document
+
+PHONE = (400, 800)
+TOUCH = 40
+"""Least side of what a finger meets [px]."""
+SMALL = """() => [...document.querySelectorAll('.app button, .app select, .app summary, .app input')]
+  .filter((one) => one.checkVisibility() && one.type !== 'checkbox')
+  .map((one) => [one.outerHTML.slice(0, 60), one.getBoundingClientRect()])
+  .filter(([, box]) => Math.min(box.width, box.height) < %d).map(([text]) => text)"""
+FOCUS = """() => {
+  const one = document.activeElement;
+  if (one === document.body) return null;
+  const box = one.getBoundingClientRect();
+  const x = Math.min(Math.max(box.x + Math.min(box.width / 2, 20), 0), innerWidth - 1);
+  const there = document.elementFromPoint(x, Math.max(box.y, 0) + Math.min(box.height / 2, 20));
+  const whole = box.height > innerHeight / 2; // a region that scrolls
+  const seen = there !== null && (one.contains(there) || there.contains(one));
+  return [one.outerHTML.slice(0, 80), seen || whole, getComputedStyle(one).outlineStyle];
+}"""
+PAPER = """() => [...document.querySelectorAll('.chart-grid canvas')].map((canvas) => {
+  const { data } = canvas.getContext('2d').getImageData(0, 0, canvas.width, canvas.height);
+  const sums = [0, 0, 0, 0];
+  for (let k = 0; k < data.length; k += 4) {
+    for (let c = 0; c < 3; c += 1) sums[c] += data[k + c] * data[k + 3];
+    sums[3] += data[k + 3];
+  }
+  return [...sums.slice(0, 3).map((sum) => sum / sums[3]), sums[3] / 2550];
+})"""
+"""Of the charts that are drawn: mean red, green and blue of their lines, and how much of them there is."""
+
+
+@pytest.fixture(scope="module")
+def compared(tmp_path_factory: pytest.TempPathFactory) -> Path:
+    """A page of three runs beside each other."""
+    runs = [synthetic_result(duration=duration, samples=501) for duration in (2.0, 1.0, 1.5)]
+    path = tmp_path_factory.mktemp("compared") / "three.html"
+    path.write_text(viewer_document(page_data(runs, names=["one", "two", "three"])), encoding="utf-8")
+    return path
+
+
+def phone(browser: Any, report: Path) -> Window:
+    return look(browser, report, PHONE, has_touch=True, is_mobile=True)
+
+
+@pytest.mark.parametrize("which", ["good", "compared"])
+def test_on_a_phone_all_that_is_touched_is_large(
+    browser: Any, reports: dict[str, Path], compared: Path, which: str
+) -> None:
+    window = phone(browser, compared if which == "compared" else reports["good"])
+    window.page.get_by_text("Show", exact=True).first.click()
+    assert window.page.evaluate(SMALL % TOUCH) == []
+    assert window.page.evaluate("document.documentElement.scrollWidth") == PHONE[0]
+    assert window.said == []
+    window.page.context.close()
+
+
+def test_on_a_phone_the_time_takes_one_row(browser: Any, reports: dict[str, Path]) -> None:
+    window = phone(browser, reports["good"])
+    parts = window.page.locator(".transport > :is(button, input, output, select)")
+    boxes = [part.bounding_box() for part in parts.all()]
+    assert len(boxes) == 4
+    assert all(one["x"] + one["width"] <= other["x"] for one, other in pairwise(boxes))
+    middles = [box["y"] + box["height"] / 2 for box in boxes]
+    assert max(middles) - min(middles) < 6
+    assert window.page.locator(".transport").bounding_box()["height"] < 56
+    assert boxes[1]["width"] > 80
+    window.page.context.close()
+
+
+@pytest.mark.parametrize("size", SIZES)
+def test_what_has_the_focus_is_seen(browser: Any, reports: dict[str, Path], size: tuple[int, int]) -> None:
+    """Tab by tab through the whole page: nothing is under the bar of time, and a line is drawn about it."""
+    page = look(browser, reports["good"], size).page
+    found = []
+    while len(found) < 300:
+        page.keyboard.press("Tab")
+        told = page.evaluate(FOCUS)
+        if told is None:
+            break
+        found.append(told)
+    assert 40 < len(found) < 300
+    assert [name for name, seen, _ in found if not seen] == []
+    assert [name for name, _, line in found if line == "none"] == []
+    page.context.close()
+
+
+def test_nothing_moves_by_itself(browser: Any, reports: dict[str, Path]) -> None:
+    window = look(browser, reports["good"])
+    window.page.emulate_media(reduced_motion="no-preference")
+    window.page.reload()
+    window.page.wait_for_selector("html.running")
+    window.page.wait_for_timeout(400)
+    assert window.page.locator(".transport .play").get_attribute("aria-label") == "Play"
+    assert window.page.locator(".time").inner_text().startswith("0.000 s")
+    window.page.context.close()
+
+
+def test_another_view_is_there_at_once_where_motion_is_not_wanted(browser: Any, reports: dict[str, Path]) -> None:
+    page = look(browser, reports["good"]).page
+    page.get_by_label("View", exact=True).select_option("top")
+    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    first = page.locator(".scene-view").screenshot()
+    page.wait_for_timeout(500)
+    assert page.locator(".scene-view").screenshot() == first
+    page.context.close()
+
+
+def test_runs_compared_have_their_charts_on_paper(browser: Any, compared: Path) -> None:
+    """All are drawn, also those never looked at; as in the light scheme though the screen is dark, until it is done."""
+    shown, printed = [], []
+    for scheme in ("light", "dark"):
+        page = look(browser, compared, (1280, 500), scheme).page
+        page.wait_for_selector(".chart-grid canvas")
+        before = page.evaluate(PAPER)
+        assert len(before) < page.locator(".chart-grid .chart").count()
+        shown.append(before)
+        page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        page.emulate_media(media="print")
+        printed.append(page.evaluate(PAPER))
+        assert len(printed[-1]) == page.locator(".chart-grid .chart").count() > 4
+        assert page.locator(".scene-view").is_hidden()
+        assert page.locator(".facts-panel table").is_visible()
+        page.emulate_media(media="screen")
+        page.evaluate("dispatchEvent(new Event('afterprint'))")
+        assert np.abs(np.array(page.evaluate(PAPER)[: len(before)]) - before)[:, :3].max() < 3.0
+        page.context.close()
+    assert np.abs(np.subtract(*shown))[:, :3].max() > 10.0
+    light, dark = map(np.array, printed)
+    assert np.abs(light - dark)[:, :3].max() < 3.0  # edges are smoothed by chance
+    assert light[:, 3].min() > 100
+
+
+def test_on_paper_the_report_has_its_figures_two_to_a_page(browser: Any, reports: dict[str, Path]) -> None:
+    page = look(browser, reports["good"], (720, 1000)).page
+    page.evaluate("dispatchEvent(new Event('beforeprint'))")
+    page.emulate_media(media="print")
+    assert page.locator("#viewer").is_hidden()
+    heights = [one.bounding_box()["height"] for one in page.locator("#figures figure").all()]
+    assert len(heights) == 10
+    assert max(heights) < 500  # of the 1030 px of a sheet of A4 within its margins
+    page.context.close()

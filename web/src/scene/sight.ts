@@ -1,0 +1,147 @@
+// What all ways to draw a scene have in common: the runs, the camera, what colours mean, what the notes over it say.
+import { Vector3, type PerspectiveCamera } from "three";
+import type { LiveRun, Mode, Page } from "../contract";
+import { Cameras, type View } from "./cameras";
+import type { Extent } from "./extent";
+import type { Entry, Notes } from "./notes";
+import type { Palette } from "./palette";
+import type { Settings } from "./settings";
+import { forceScale, type Range, type ShownRun } from "./shown";
+import { digits, readable } from "./units";
+
+export interface Scenery {
+  page: Page;
+  extent: Extent;
+  colours: Palette;
+  settings: Settings;
+  /** Ask for a picture. */
+  ask: () => void;
+}
+
+export abstract class Sight<Kind extends ShownRun = ShownRun> {
+  readonly cameras: Cameras;
+  protected readonly scale: number;
+  protected range: Range = { low: 0, high: 1 };
+  private shown: Mode | null = null;
+
+  constructor(
+    readonly canvas: HTMLCanvasElement,
+    camera: PerspectiveCamera,
+    protected readonly runs: Kind[],
+    protected readonly given: Scenery,
+  ) {
+    const { page, extent, ask } = given;
+    this.scale = forceScale(page.runs, extent.reach);
+    this.cameras = new Cameras(camera, canvas, extent.reach, ask);
+    canvas.tabIndex = 0;
+    canvas.setAttribute("role", "img");
+    const keys = "Arrow keys turn the view, with Shift they move it, + and - zoom.";
+    canvas.setAttribute("aria-label", `The robot in space: ${page.runs.map(({ name }) => name).join(", ")}. ${keys}`);
+    canvas.title = `Drag to turn, right button to move, click and wheel to zoom. ${keys}`;
+  }
+
+  abstract draw(time: number, seconds: number): void;
+
+  abstract resize(width: number, height: number): void;
+
+  replace(run: number, scene: LiveRun["scene"] | null): void {
+    this.runs[run]?.replace(scene);
+  }
+
+  showMode(mode: Mode | null, _amplitude: number): void {
+    this.shown = mode;
+  }
+
+  /** Take over what has been chosen. */
+  refresh(): void {
+    const { runs } = this;
+    const { settings, extent } = this.given;
+    const range = { low: Infinity, high: -Infinity };
+    runs.forEach((run) => run.widen(settings.colour, range));
+    this.range = range.low <= range.high ? range : { low: 0, high: 0 };
+    const { box, reach } = extent;
+    const wide = settings.apart ? Math.max(0.4 * reach, box.max.y - box.min.y + 0.15 * reach) : 0;
+    const surfaces = runs.map(({ run }) => JSON.stringify(run.scene.contact?.surface));
+    runs.forEach((run, k) => {
+      run.aside = (k - (runs.length - 1) / 2) * wide;
+      run.showsSurface = settings.apart || surfaces.indexOf(surfaces[k]) === k;
+    });
+    this.cameras.box.copy(box).expandByVector(new Vector3(0, ((runs.length - 1) / 2) * wide, 0));
+  }
+
+  look(view: View, glide: boolean): void {
+    this.cameras.show(view, this.runs[0].motion.tip, glide);
+  }
+
+  /** Look from where another one looks. */
+  takeView(other: Sight): void {
+    this.cameras.take(other.cameras);
+  }
+
+  /** Write legend, scale, enlargement and grid. */
+  tell(notes: Notes): void {
+    const { settings, extent } = this.given;
+    const { shown } = this;
+    const told = this.runs.flatMap(({ run }) => run.scene.colours).find(({ id }) => id === settings.colour);
+    notes.list(shown ? this.modeEntries(shown) : this.entries(), !shown && this.forceShown());
+    if (shown) notes.range({ label: "Displacement, share of the largest", unit: "", low: 0, high: 1 });
+    else notes.range(told ? { label: told.label, unit: told.unit, ...this.range } : null);
+    notes.enlarged(settings.factor === 1 || shown ? "" : `Deformation × ${settings.factor}`);
+    const height = extent.floor === 0 ? "" : `, at z = ${digits(extent.floor)} m`;
+    notes.flat("");
+    notes.floor(settings.floor ? `Grid ${digits(extent.cell)} m${height}${this.thick()}` : "");
+  }
+
+  /** The force at the tip, in words. */
+  words(): string {
+    if (!this.forceShown()) return "";
+    const size = (force: Float32Array) => digits(Math.hypot(...force));
+    const forces = this.runs.filter(({ run }) => run.scene.contact).map(({ motion }) => `${size(motion.force)} N`);
+    return `Contact force ${forces.join(", ")} (arrow: ${digits(0.1 / this.scale)} N per 0.1 m)`;
+  }
+
+  dispose(): void {
+    this.cameras.dispose();
+    this.canvas.remove();
+  }
+
+  private forceShown(): boolean {
+    return this.given.settings.force && this.scale > 0;
+  }
+
+  private entries(): Entry[] {
+    const { runs } = this;
+    const { settings, colours } = this.given;
+    const alone = runs.length === 1;
+    const entries: Entry[] = [];
+    if (!alone) entries.push(...runs.map((run) => ({ colour: run.colour, label: run.run.name })));
+    else if (settings.traces) entries.push({ colour: colours.real, label: "Path of the tip" });
+    const has = (key: "reference" | "rigid") => settings[key] && runs.some(({ run }) => run.scene[key]);
+    const led = settings.traces && runs.some(({ run }) => run.scene.tipReference);
+    if (has("reference")) entries.push({ colour: runs[0].referenceColour, label: "Reference" });
+    else if (led) entries.push({ colour: runs[0].referenceColour, label: "Path of the reference" });
+    if (has("rigid")) entries.push({ colour: colours.rigid, label: "Without any elasticity" });
+    if (runs.some(({ changed }) => changed)) entries.push({ colour: colours.before, label: "The run as it was" });
+    return entries;
+  }
+
+  private modeEntries(mode: Mode): Entry[] {
+    const damping = `damping ${digits(100 * mode.damping)} %`;
+    const how = `motors ${mode.case}; slowed, not to scale`;
+    const label = `Mode ${digits(mode.frequency)} Hz, ${damping}, ${mode.livesIn}; ${how}`;
+    return [
+      { colour: this.given.colours.rigid, label: "At rest" },
+      { colour: "transparent", label },
+    ];
+  }
+
+  /** What is drawn thicker than it is, or of a thickness that nobody told. */
+  private thick(): string {
+    const { least } = this.given.extent;
+    const sections = this.runs.flatMap(({ run }) => run.scene.links.map(({ section }) => section));
+    const thin = sections.some((section) => section && Math.min(...section.sizes.data) < least);
+    const unit = readable("m", 2 * least);
+    if (thin) return `; links are drawn at least ${digits(2 * least * unit.factor)} ${unit.name} thick`;
+    return sections.some((section) => section?.guessed) ? "; thickness of links by their stiffness and mass" : "";
+  }
+}
