@@ -93,7 +93,7 @@ def test_parts_of_the_deformations_are_the_native_ones(pairs: list[tuple[dict[st
 
 @pytest.mark.parametrize("changes", [{"loads": _LOADS, "contact": None}, {"contact": _BALL}], ids=["loads", "ball"])
 def test_what_acts_on_the_points_is_in_modes_and_parts(changes: dict[str, Any], tmp_path: Path) -> None:
-    """A load that follows its point, whose stiffness is not symmetric, one that does not; a hollow ball that is pressed."""
+    """A load that follows its point, whose stiffness is not symmetric, a dead one; a hollow ball that is pressed."""
     for run, result in both(two_links().with_(changes), tmp_path, 2):
         assert "loads" in changes or float(result.data["contact_force_normal"][0]) > 1.0
         assert_same_modes(run["vibration"]["modes"], modes_of(result), EQUAL, SHAPE)
