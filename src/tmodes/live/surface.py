@@ -26,8 +26,14 @@ def surface_told(shape: Plane | Ball | Wall) -> dict[str, Any]:
 
 def surface_numbers(shape: Plane | Ball | Wall) -> NDArray[np.float64]:
     """What moves of it (4,) [m]: position or center, and the radius (a plane: 0)."""
-    told = surface_told(shape)
-    return np.array([*told.get("position", told.get("center")), told.get("radius", 0.0)], dtype=float)
+    match shape:
+        case Plane():
+            place, radius = shape.position, 0.0
+        case Ball():
+            place, radius = shape.center, shape.radius
+        case Wall():
+            place, radius = surface_told(shape)["position"], 0.0
+    return np.array([*place, radius], dtype=float)
 
 
 def steepest(arm: Arm) -> int:
