@@ -59,8 +59,13 @@ class Bench:
 
 
 def _ms(values: Sequence[float]) -> str:
-    """Median and range."""
-    return f"{1e3 * statistics.median(values):.3g} ({1e3 * min(values):.3g} – {1e3 * max(values):.3g})"
+    """Median and range [ms]."""
+    median, least, most = (f"{1e3 * x:,.0f}" if x > 0.1 else f"{1e3 * x:.3g}" for x in _spread(values))
+    return f"{median} ({least} – {most})"
+
+
+def _spread(values: Sequence[float]) -> tuple[float, float, float]:
+    return statistics.median(values), min(values), max(values)
 
 
 def sliders(bench: Bench) -> Rows:
@@ -68,7 +73,11 @@ def sliders(bench: Bench) -> Rows:
     yield f"Slider moved {bench.count} times [ms]: median (range)", "seed's robot, 2 s", "54 coordinates, 1 s"
     names = ("seed", "stiff")
     alone = [_in_node(bench, name) for name in names]
-    for label, key in (("model in Node, time loops", "loops"), ("model in Node, with all that is shown", "total")):
+    for label, key in (
+        ("model in Node, time loops", "loops"),
+        ("model in Node, with all that is shown", "total"),
+        ("the same, time of all processors", "processor"),
+    ):
         yield label, *(_ms([run[key] for run in runs]) for runs in alone)
     found = [_in_browser(bench, name) for name in names]
     for label, what in (

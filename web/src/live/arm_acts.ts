@@ -49,7 +49,7 @@ export function actsAt(
       add(found.stiffness, product(rows, product(crossed(wrench.subarray(start, start + 3)), turn, 3, 3, n), n, 3, n, true), 1);
     }
   });
-  if (bundle.touch) press(bundle.touch, blocks.touch, points, jacobian(bundle.touch.point, 18), found, n);
+  if (bundle.touch) press(placed(bundle.touch, blocks.surface), blocks.touch, points, jacobian(bundle.touch.point, 18), found, n);
   return found;
 }
 
@@ -59,6 +59,14 @@ function add(into: Float64Array, what: Float64Array, factor: number): void {
 
 function crossed([x, y, z]: Float64Array): Float64Array {
   return Float64Array.of(0, -z, y, z, 0, -x, -y, x, 0);
+}
+
+/** The surface where the sliders have it: `place` is a point of a plane or the center of a ball, and its radius. */
+function placed(surface: Surface, place: Float64Array): Surface {
+  const [x, y, z, radius] = place;
+  if (surface.radius) return { ...surface, axis: [x, y, z], radius };
+  const [nx, ny, nz] = surface.axis;
+  return { ...surface, distance: -(nx * x + ny * y + nz * z) };
 }
 
 /** A surface that is pressed; `numbers`: mass, damping, stiffness, preload. */

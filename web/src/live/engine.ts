@@ -66,6 +66,8 @@ type Compiled = (...values: (number | bigint)[]) => void;
 
 /** One module at work. A call is given copies and gives copies: nothing stays in its memory from call to call. */
 export class Engine {
+  private outputs = new Float64Array();
+
   private constructor(
     readonly layout: Layout,
     private readonly functions: Record<string, Compiled>,
@@ -128,17 +130,23 @@ export class Engine {
 
   private program(told: SampleLayout, parameters: Float64Array, inputs: Samples, count: number): Float64Array {
     const rows = Object.entries(told.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
-    const out = new Float64Array(count * total(told.outputs));
+    const out = this.room(count * total(told.outputs));
     this.call(told.export, [count, parameters, ...rows, { into: out }]);
     return out;
   }
 
   private schedule(told: SampleLayout, parameters: Float64Array, sides: Samples[], count: number): Float64Array {
     const packed = packedRows(told.inputs, sides, count);
-    const out = new Float64Array(count * sides.length * total(told.outputs));
+    const out = this.room(count * sides.length * total(told.outputs));
     const workspace = new Float64Array(told.workspace);
     this.call(told.export, [count, 0, parameters, workspace, packed, { into: out }]);
     return out;
+  }
+
+  /** Room for outputs until the next call: a page that runs again and again asks for no new memory each time. */
+  private room(size: number): Float64Array {
+    if (this.outputs.length < size) this.outputs = new Float64Array(size);
+    return this.outputs.subarray(0, size);
   }
 
   private reserve(end: number): void {

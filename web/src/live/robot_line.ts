@@ -14,11 +14,14 @@ export interface Lines {
   parts: Samples[];
 }
 
+let given = new Float64Array(); // what a call is given: copied by it, and used again by the next one
+
 /** Coordinates, rates, accelerations and tip force [n, 21] to lines; parameters of the robot whose lines they are. */
 export function linesAt(engine: Engine, parameters: Float64Array, motion: Float64Array, stations: Float64Array): Lines {
   const [count, points] = [motion.length / MOTION, stations.length];
-  const station = new Float64Array(count * points);
-  const repeated = new Float64Array(count * points * MOTION);
+  if (given.length < count * points * (MOTION + 1)) given = new Float64Array(count * points * (MOTION + 1));
+  const station = given.subarray(0, count * points);
+  const repeated = given.subarray(station.length, station.length * (MOTION + 1));
   for (let k = 0; k < count; k += 1) {
     for (let s = 0; s < points; s += 1) {
       const row = k * points + s;

@@ -4,7 +4,7 @@ import type { LiveRun } from "../contract";
 import { doubles, type RobotBundle } from "./bundle";
 import { damped, undamped } from "./eigen";
 import type { Engine } from "./engine";
-import { integrate, type Watch } from "./engine_run";
+import { Cancelled, integrate, type Watch } from "./engine_run";
 import { BAND, figures, settled, type Facts } from "./facts";
 import { product } from "./linear";
 import { addControl } from "./robot_modes";
@@ -26,14 +26,19 @@ export async function withSettling(
 ): Promise<LiveRun> {
   if (run.status !== "finished") return run;
   const quiet = { ...watch, progress: () => undefined };
-  const facts = await settling(engine, bundle, reference, real, run.series.deviation.data, quiet);
-  return { ...run, facts: { ...run.facts, ...facts } };
+  try {
+    const facts = await settling(engine, bundle, reference, real, run.series.deviation.data, quiet);
+    return { ...run, facts: { ...run.facts, ...facts } };
+  } catch (problem) {
+    if (problem instanceof Cancelled) throw problem;
+    const why = problem instanceof Error ? problem.message : String(problem);
+    return { ...run, facts: { ...run.facts, ...unseen(why) } };
+  }
 }
 
 async function settling(
   engine: Engine, bundle: RobotBundle, reference: Regime, real: Regime, deviation: Float64Array, watch: Watch,
 ): Promise<Facts> {
-  const unseen = (why: string): Facts => ({ settling: { value: null, note: `not seen: ${why}` } });
   const times = real.run.times;
   const end = real.numbers.end[0];
   const last = times[times.length - 1];
@@ -53,13 +58,19 @@ async function settling(
   return { settling: { value, note: limit } };
 }
 
+function unseen(why: string): Facts {
+  return { settling: { value: null, note: `not seen: ${why}` } };
+}
+
 function joined(first: Float64Array, second: Float64Array): Float64Array {
   return Float64Array.from([...first, ...second]);
 }
 
 /** Smallest decay rate [1/s] of the vibrations about rest that ring; 1 where none does. */
 function slowestDecay(engine: Engine, bundle: RobotBundle, { name, numbers, run }: Regime, state: string): number {
-  const columns = doubles(bundle.modes.cases.find((one) => one.name === state)!.columns);
+  const free = bundle.modes.cases.find((one) => one.name === state);
+  if (!free) return 1;
+  const columns = doubles(free.columns);
   const m = columns.length / N;
   if (!m) return 1;
   const { linear } = engine.sample(`${name}.linear`, numbers.parameters, { phi: run.states.slice(0, N) }, 1);
