@@ -140,7 +140,13 @@ export interface SceneContact {
   surface:
     | { kind: "plane"; position: [number, number, number]; normal: [number, number, number] }
     | { kind: "ball"; center: [number, number, number]; radius: number; inside: boolean }
-    | { kind: "cylinder"; center: [number, number, number]; axis: [number, number, number]; radius: number; inside: boolean };
+    | {
+        kind: "cylinder";
+        center: [number, number, number];
+        axis: [number, number, number];
+        radius: number;
+        inside: boolean;
+      };
 }
 
 /** A surface of a link, in the axes of its root (link -1: of the base, in the world); `vertices` [k, 3] m, `faces` [f, 3]. */

@@ -36,7 +36,8 @@ export function swatch(color: string, dash: number[], width = 2): SVGSVGElement 
   const told = { x1: 0, y1: 5, x2: 26, y2: 5, "stroke-width": width, "stroke-dasharray": dash.join(" ") };
   for (const [key, value] of Object.entries(told)) line.setAttribute(key, String(value));
   line.style.stroke = color;
-  for (const [key, value] of Object.entries({ width: 26, height: 10, "aria-hidden": "true" })) svg.setAttribute(key, String(value));
+  for (const [key, value] of Object.entries({ width: 26, height: 10, "aria-hidden": "true" }))
+    svg.setAttribute(key, String(value));
   svg.append(line);
   return svg;
 }

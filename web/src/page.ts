@@ -29,7 +29,12 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const duration = Math.max(...page.runs.map((run) => run.duration));
   const clock = makeClock(duration);
   const stage = make("div", { class: "scene" });
-  const facts = make("div", { class: "facts-panel", role: "region", tabindex: "0", "aria-label": "Numbers that matter" });
+  const facts = make("div", {
+    class: "facts-panel",
+    role: "region",
+    tabindex: "0",
+    "aria-label": "Numbers that matter",
+  });
   const sliders = make("div", { class: "sliders-panel", role: "region", tabindex: "0", "aria-label": "Settings" });
   const side = make("div", { class: "side" }, sliders, facts);
   const transport = make("div", { class: "transport", role: "group", "aria-label": "Time" });
@@ -39,7 +44,13 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const modes = section(`Modes of vibration${of}`, page.runs[0].modes.length > 0);
   const files = make("div", { class: "bar files" });
   root.classList.add("app");
-  root.append(make("div", { class: "stage" }, stage, side), transport, charts, make("div", { class: "lower" }, line.element, modes.element), files);
+  root.append(
+    make("div", { class: "stage" }, stage, side),
+    transport,
+    charts,
+    make("div", { class: "lower" }, line.element, modes.element),
+    files,
+  );
 
   const scene = mountScene(stage, page, clock);
   const parts: { dispose(): void }[] = [scene, mountTransport(transport, clock)];
@@ -64,8 +75,12 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
     drawn = live;
   }
 
-  if (page.live) parts.push(mountSliders(sliders, page.live, { open: openLive, show, fileName: `${fileName(page.runs[0].name)}_changed` }));
-  else if (page.notLive) sliders.append(make("p", { class: "note", text: `Nothing can be changed in this page: ${page.notLive}.` }));
+  if (page.live)
+    parts.push(
+      mountSliders(sliders, page.live, { open: openLive, show, fileName: `${fileName(page.runs[0].name)}_changed` }),
+    );
+  else if (page.notLive)
+    sliders.append(make("p", { class: "note", text: `Nothing can be changed in this page: ${page.notLive}.` }));
 
   return {
     clock,
@@ -77,7 +92,9 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
       modes.body.replaceChildren();
       modes.element.hidden = found.length === 0;
       const [first, ...others] = page.runs;
-      modesView = found.length ? mountModes(modes.body, { ...page, runs: [{ ...first, modes: found }, ...others] }, scene, clock) : null;
+      modesView = found.length
+        ? mountModes(modes.body, { ...page, runs: [{ ...first, modes: found }, ...others] }, scene, clock)
+        : null;
     },
     dispose() {
       clock.pause();
@@ -90,10 +107,21 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
 
 /** Whether a run has no curve or mark that the other has not. */
 function sameCurves(one: LiveRun, other: LiveRun): boolean {
-  return one.vibration === other.vibration && Object.entries(one.series).every(([name, series]) => series === other.series[name]);
+  return (
+    one.vibration === other.vibration &&
+    Object.entries(one.series).every(([name, series]) => series === other.series[name])
+  );
 }
 
 function section(title: string, there: boolean): { element: HTMLElement; body: HTMLElement } {
   const body = make("div", {});
-  return { element: make("section", { class: "panel", hidden: !there, "aria-label": title }, make("h3", { text: title }), body), body };
+  return {
+    element: make(
+      "section",
+      { class: "panel", hidden: !there, "aria-label": title },
+      make("h3", { text: title }),
+      body,
+    ),
+    body,
+  };
 }

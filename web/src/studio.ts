@@ -114,19 +114,45 @@ async function main(): Promise<void> {
   const cancel = button("Cancel", () => void runner.cancel(), { class: "warn", hidden: true });
   told.cancel(cancel);
 
-  const bar = make("header", { class: "bar top" },
+  const bar = make(
+    "header",
+    { class: "bar top" },
     make("strong", { text: "tmodes studio", class: "brand" }),
-    make("span", { class: "pick" }, make("label", { for: robots.id, text: "Robot" }), robots), uploadControl(host), studyControls(host), exportControls(host),
-    button("Keep as ghost", () => shown.keep(), { title: "Compare the runs to come with the one that is shown" }), cancel);
+    make("span", { class: "pick" }, make("label", { for: robots.id, text: "Robot" }), robots),
+    uploadControl(host),
+    studyControls(host),
+    exportControls(host),
+    button("Keep as ghost", () => shown.keep(), { title: "Compare the runs to come with the one that is shown" }),
+    cancel,
+  );
   const skip = make("a", { href: "#main", class: "skip", text: "Skip to the view" });
-  document.body.append(skip, bar, told.element, make("div", { class: "studio" },
-    make("aside", { class: "controls", "aria-label": "Numbers" }, make("h2", { text: "Drag" }), sliderPlace, make("h2", { text: "Data sheet" }), formPlace), view));
+  document.body.append(
+    skip,
+    bar,
+    told.element,
+    make(
+      "div",
+      { class: "studio" },
+      make(
+        "aside",
+        { class: "controls", "aria-label": "Numbers" },
+        make("h2", { text: "Drag" }),
+        sliderPlace,
+        make("h2", { text: "Data sheet" }),
+        formPlace,
+      ),
+      view,
+    ),
+  );
 
   watch({ away: told.away, back: () => { if (current) runner.want(current); } });
   const first = document.body.dataset.first ?? "";
   await attempt(host, async () => {
     const list = (await api.robots()).robots;
-    robots.replaceChildren(...(first.startsWith("./") ? [make("option", { value: first, text: first.slice(2) })] : []), ...list.map((one) => make("option", { value: one.name, text: one.name, title: one.title })));
+    robots.replaceChildren(
+      ...(first.startsWith("./") ? [make("option", { value: first, text: first.slice(2) })] : []),
+      ...list.map((one) => make("option", { value: one.name, text: one.name, title: one.title })),
+    );
     const wanted = first || (list.find((one) => one.kind === "robot") ?? list[0]).name;
     robots.value = wanted;
     await choose(wanted);

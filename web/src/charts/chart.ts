@@ -49,12 +49,35 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
 
   const place = make("div", { class: "plot-area", role: "img" });
   const readout = make("span", { class: "readout" });
-  const logButton = button("log", () => setLog(!log), { class: "tool", "aria-pressed": String(log), title: "Logarithmic ordinate, of the size of the values", hidden: chart.log === "no" });
+  const logButton = button("log", () => setLog(!log), {
+    class: "tool",
+    "aria-pressed": String(log),
+    title: "Logarithmic ordinate, of the size of the values",
+    hidden: chart.log === "no",
+  });
   const resetButton = button("reset zoom", () => zoom.set(null), { class: "tool", hidden: true });
-  const tools = make("div", { class: "tools" }, resetButton, logButton, button("CSV", saveData, { class: "tool", title: "Save the data of this chart as CSV" }));
-  const heading = make("h4", { id: title, text: chart.title }, make("span", { class: "unit", text: unit ? ` [${unit}]` : "" }));
-  const thinning = make("p", { class: "note", hidden: !timed || drawnShare(thinnest(set)) >= 1, text: drawnBy(thinnest(set)) });
-  const marksNote = make("p", { class: "note", hidden: true, text: "The marked frequencies are of the run as it was." });
+  const tools = make(
+    "div",
+    { class: "tools" },
+    resetButton,
+    logButton,
+    button("CSV", saveData, { class: "tool", title: "Save the data of this chart as CSV" }),
+  );
+  const heading = make(
+    "h4",
+    { id: title, text: chart.title },
+    make("span", { class: "unit", text: unit ? ` [${unit}]` : "" }),
+  );
+  const thinning = make("p", {
+    class: "note",
+    hidden: !timed || drawnShare(thinnest(set)) >= 1,
+    text: drawnBy(thinnest(set)),
+  });
+  const marksNote = make("p", {
+    class: "note",
+    hidden: true,
+    text: "The marked frequencies are of the run as it was.",
+  });
   const legend: Legend = makeLegend(entries, set.compared, redraw);
   const element = make("figure", { class: "chart", "aria-labelledby": title, "data-chart": chart.id },
     make("figcaption", {}, heading, readout, tools), place, legend.element, thinning, marksNote);
@@ -90,7 +113,11 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     if (!stale || width === 0) return;
     stale = false;
     const shown = known().filter((entry) => legend.shows(entry));
-    const lines = shown.map((entry) => ({ ...legend.look(entry), width: entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3, ghost: entry.ghost }));
+    const lines = shown.map((entry) => ({
+      ...legend.look(entry),
+      width: entry.ghost ? 1 : entry.role === "real" ? 1.6 : 1.3,
+      ghost: entry.ghost,
+    }));
     const data = aligned(shown, log);
     largest = Math.max(0, ...shown.map((entry) => Math.max(...extremes(entry.y).map(Math.abs))));
     const kind = JSON.stringify([lines, marks, log, width, scheme]);
@@ -161,7 +188,15 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   }
 
   function saveData(): void {
-    save(csvOf(known().filter((entry) => legend.shows(entry)), timed ? "time [s]" : "frequency [Hz]", unit), `${chart.id}.csv`, "text/csv");
+    save(
+      csvOf(
+        known().filter((entry) => legend.shows(entry)),
+        timed ? "time [s]" : "frequency [Hz]",
+        unit,
+      ),
+      `${chart.id}.csv`,
+      "text/csv",
+    );
   }
 
   const watch = new IntersectionObserver((found) => {
@@ -183,7 +218,12 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   watch.observe(element);
   place.setAttribute("aria-label", summary(entries.filter((entry) => legend.shows(entry))));
   resized.observe(place);
-  const ends = [clock.subscribe(() => { if (seen && timed) follow(); }), zoom.subscribe(() => timed && stretch(zoom.range))];
+  const ends = [
+    clock.subscribe(() => {
+      if (seen && timed) follow();
+    }),
+    zoom.subscribe(() => timed && stretch(zoom.range)),
+  ];
 
   return {
     element,
@@ -211,7 +251,9 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
 
 /** Of the runs beside each other the one that is thinned most. */
 function thinnest(set: ChartSet): Chart {
-  return set.runs.map((one) => one.chart).reduce((least, chart) => (drawnShare(chart) < drawnShare(least) ? chart : least));
+  return set.runs
+    .map((one) => one.chart)
+    .reduce((least, chart) => (drawnShare(chart) < drawnShare(least) ? chart : least));
 }
 
 function drawnShare(chart: Chart): number {

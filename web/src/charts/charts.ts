@@ -15,8 +15,14 @@ export interface ChartsView {
 
 type Group = Chart["group"] | "overview" | "all";
 const WORDS: Record<Group, string> = {
-  overview: "Overview", tip: "Tip", contact: "Contact", deformations: "Deformations", motors: "Motors", energy: "Energy",
-  spectrum: "Spectrum", all: "All",
+  overview: "Overview",
+  tip: "Tip",
+  contact: "Contact",
+  deformations: "Deformations",
+  motors: "Motors",
+  energy: "Energy",
+  spectrum: "Spectrum",
+  all: "All",
 };
 
 export function mountCharts(element: HTMLElement, page: Page, clock: Clock): ChartsView {
@@ -24,13 +30,21 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
   const zoom = makeZoom();
   const grid = make("div", { class: "chart-grid", id: "tm-charts", role: "tabpanel", tabindex: "0" });
   const tabs = make("div", { class: "tabs", role: "tablist", "aria-label": "Charts" });
-  const hint = make("p", { class: "note hint", text: "Click or drag: choose the time. Shift and drag: zoom, double click: back." });
+  const hint = make("p", {
+    class: "note hint",
+    text: "Click or drag: choose the time. Shift and drag: zoom, double click: back.",
+  });
   const groups = (Object.keys(WORDS) as Group[]).filter((group) => chosen(sets, group).length > 0);
   let views: ChartView[] = [];
   let live: LiveRun | null = null;
 
   for (const group of groups) {
-    const tab = button(WORDS[group], () => open(group), { role: "tab", id: `tm-tab-${group}`, "aria-controls": "tm-charts", "data-group": group });
+    const tab = button(WORDS[group], () => open(group), {
+      role: "tab",
+      id: `tm-tab-${group}`,
+      "aria-controls": "tm-charts",
+      "data-group": group,
+    });
     tabs.append(tab);
   }
   tabs.addEventListener("keydown", (event) => {

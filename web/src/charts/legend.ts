@@ -25,14 +25,18 @@ export function makeLegend(entries: Entry[], compared: boolean, changed: () => v
   let own = entries.filter((entry) => !entry.ghost);
   const keys: Key[] = [(entry) => String(entry.run), (entry) => entry.label, (entry) => entry.role];
   const kinds = keys.map((key) => [...new Set(own.map(key))]);
-  const off = keys.map((key, k) => new Set(kinds[k].filter((kind) => !own.some((entry) => entry.shown && key(entry) === kind))));
+  const off = keys.map(
+    (key, k) => new Set(kinds[k].filter((kind) => !own.some((entry) => entry.shown && key(entry) === kind))),
+  );
   const byColour = compared ? 0 : kinds[1].length > 1 ? 1 : 2;
   const dashed = kinds[2].length;
   const look = (entry: Entry) => {
     const roles = byColour === 0 && kinds[1].length > 1 && dashed === 1 ? kinds[1].length : dashed;
     const place = byColour === 0 ? entry.run : kinds[byColour].indexOf(keys[byColour](entry));
     const found = lookOf(entry.role, place, byColour < 2, roles);
-    return byColour === 0 && dashed === 1 ? { ...found, dash: lookOf("real", kinds[1].indexOf(entry.label), true, 1).dash } : found;
+    return byColour === 0 && dashed === 1
+      ? { ...found, dash: lookOf("real", kinds[1].indexOf(entry.label), true, 1).dash }
+      : found;
   };
   const element = make("div", { class: "legend" });
   const values = new Map<string, HTMLElement>();
@@ -50,7 +54,13 @@ export function makeLegend(entries: Entry[], compared: boolean, changed: () => v
     const drawn = k === byColour ? look(first) : { property: "--quiet", dash: k === 2 ? look(first).dash : [] };
     const sample = swatch(`var(${drawn.property})`, k === byColour && byColour < 2 && dashed > 1 ? [] : drawn.dash);
     const value = make("span", { class: "value" });
-    const element = make("button", { type: "button", class: "toggle", "aria-pressed": String(!off[k].has(kind)) }, sample, make("span", { text: words }), value);
+    const element = make(
+      "button",
+      { type: "button", class: "toggle", "aria-pressed": String(!off[k].has(kind)) },
+      sample,
+      make("span", { text: words }),
+      value,
+    );
     if (k === byColour) values.set(kind, value);
     element.addEventListener("click", () => {
       if (!off[k].delete(kind)) off[k].add(kind);

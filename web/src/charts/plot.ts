@@ -30,7 +30,12 @@ export interface PlotOptions {
 const FONT = "12px system-ui, sans-serif";
 const SHORTEST = 2;
 
-export function makePlot(element: HTMLElement, data: [Values, ...ArrayLike<number | null>[]], lines: PlotLine[], wanted: PlotOptions): uPlot {
+export function makePlot(
+  element: HTMLElement,
+  data: [Values, ...ArrayLike<number | null>[]],
+  lines: PlotLine[],
+  wanted: PlotOptions,
+): uPlot {
   const grid = { stroke: () => colour("--grid"), width: 1 };
   const axis = { stroke: () => colour("--quiet"), font: FONT, grid, ticks: { ...grid, size: 4 } };
   const options: uPlot.Options = {
@@ -40,29 +45,56 @@ export function makePlot(element: HTMLElement, data: [Values, ...ArrayLike<numbe
     padding: [10, 14, 0, 0],
     scales: {
       x: { time: false },
-      y: wanted.log ? { distr: 3, range: (_, low, high) => decades(low, high, wanted.decades) } : { range: (_, low, high) => calm(low, high) },
+      y: wanted.log
+        ? { distr: 3, range: (_, low, high) => decades(low, high, wanted.decades) }
+        : { range: (_, low, high) => calm(low, high) },
     },
     axes: [
-      { ...axis, label: wanted.abscissa, labelSize: 18, labelFont: FONT, size: 30, values: (_, marks) => marks.map(plain) },
-      { ...axis, size: (_, marks) => 16 + 7 * Math.max(2, ...(marks ?? []).map((mark) => mark.length)),
-        values: (_, marks) => marks.map((mark) => (mark === null ? "" : wanted.log ? wholePower(mark) : plain(mark))) },
+      {
+        ...axis,
+        label: wanted.abscissa,
+        labelSize: 18,
+        labelFont: FONT,
+        size: 30,
+        values: (_, marks) => marks.map(plain),
+      },
+      {
+        ...axis,
+        size: (_, marks) => 16 + 7 * Math.max(2, ...(marks ?? []).map((mark) => mark.length)),
+        values: (_, marks) => marks.map((mark) => (mark === null ? "" : wanted.log ? wholePower(mark) : plain(mark))),
+      },
     ],
-    series: [{}, ...lines.map((line) => ({
-      stroke: () => colour(line.property), width: line.width, dash: line.dash, alpha: line.ghost ? 0.35 : 1, spanGaps: true,
-      points: { show: false },
-    }))],
+    series: [
+      {},
+      ...lines.map((line) => ({
+        stroke: () => colour(line.property),
+        width: line.width,
+        dash: line.dash,
+        alpha: line.ghost ? 0.35 : 1,
+        spanGaps: true,
+        points: { show: false },
+      })),
+    ],
     cursor: {
       y: false,
       points: { show: false },
       drag: { x: true, y: false, setScale: true, dist: SHORTEST },
       bind: {
         mousedown: (_, __, handler) => (event) => (event.shiftKey ? handler(event) : null),
-        dblclick: () => () => { wanted.zoomed(null); return null; },
+        dblclick: () => () => {
+          wanted.zoomed(null);
+          return null;
+        },
       },
     },
     hooks: {
       setSelect: [(plot) => selected(plot, wanted)],
-      setCursor: [(plot) => wanted.hovered(plot.cursor.left === undefined || plot.cursor.left < 0 ? null : plot.posToVal(plot.cursor.left, "x"))],
+      setCursor: [
+        (plot) =>
+          wanted.hovered(
+            plot.cursor.left === undefined || plot.cursor.left < 0 ? null : plot.posToVal(plot.cursor.left, "x"),
+          ),
+      ],
       draw: [(plot) => drawMarks(plot, wanted.marks)],
     },
   };
@@ -102,7 +134,8 @@ function selected(plot: uPlot, wanted: PlotOptions): void {
 
 function chooseByPointer(plot: uPlot, wanted: PlotOptions): void {
   const over = plot.over;
-  const choose = (event: PointerEvent) => wanted.chosen(plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x"));
+  const choose = (event: PointerEvent) =>
+    wanted.chosen(plot.posToVal(event.clientX - over.getBoundingClientRect().left, "x"));
   over.addEventListener("pointerdown", (event) => {
     if (event.shiftKey || event.button !== 0) return;
     over.setPointerCapture(event.pointerId);

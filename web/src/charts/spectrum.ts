@@ -13,7 +13,10 @@ export function spectrumOf(
 ): { x: Float64Array; y: Float64Array } {
   const [start, end] = span ?? chart.span ?? [times[0], times[times.length - 1]];
   const slack = 1e-9 * Math.max(1, Math.abs(end));
-  const inside = even(times, Array.from(times.keys()).filter((k) => times[k] >= start - slack && times[k] <= end + slack));
+  const inside = even(
+    times,
+    Array.from(times.keys()).filter((k) => times[k] >= start - slack && times[k] <= end + slack),
+  );
   const part = Float64Array.from(inside, (k) => values[k]);
   const count = part.length;
   if (count < 4) return { x: new Float64Array(), y: new Float64Array() };

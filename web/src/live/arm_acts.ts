@@ -23,7 +23,9 @@ export function loadAt(
   const { follower, signal } = bundle.loads[which];
   const factor = signal < 0 ? 1 : valueAt(schedule, signal, time);
   const own = blocks.loads.subarray(WRENCH * which, WRENCH * (which + 1)).map((value) => factor * value);
-  return follower ? Float64Array.of(...product(rotation, own.subarray(0, 3), 3, 3, 1), ...product(rotation, own.subarray(3), 3, 3, 1)) : own;
+  return follower
+    ? Float64Array.of(...product(rotation, own.subarray(0, 3), 3, 3, 1), ...product(rotation, own.subarray(3), 3, 3, 1))
+    : own;
 }
 
 /**
@@ -35,10 +37,16 @@ export function actsAt(
 ): Acts {
   const places = points.length / POINT;
   const found: Acts = {
-    wrenches: new Float64Array(WRENCH * places), mass: new Float64Array(n * n), damping: new Float64Array(n * n), stiffness: new Float64Array(n * n),
+    wrenches: new Float64Array(WRENCH * places),
+    mass: new Float64Array(n * n),
+    damping: new Float64Array(n * n),
+    stiffness: new Float64Array(n * n),
   };
   const jacobian = (point: number, start: number) =>
-    Float64Array.from({ length: 3 * n }, (_, k) => columns[((k % n) * places + point) * POINT + start + Math.floor(k / n)]);
+    Float64Array.from(
+      { length: 3 * n },
+      (_, k) => columns[((k % n) * places + point) * POINT + start + Math.floor(k / n)],
+    );
   bundle.loads.forEach(({ point, follower }, which) => {
     const wrench = loadAt(bundle, blocks, schedule, which, 0, points.subarray(POINT * point, POINT * point + 9));
     add(found.wrenches.subarray(WRENCH * point, WRENCH * (point + 1)), wrench, 1);
@@ -46,10 +54,15 @@ export function actsAt(
     const turn = jacobian(point, 21);
     // a turn d of the section turns a vector F by d x F, which is a force less -[F]x d
     for (const [rows, start] of [[jacobian(point, 18), 0], [turn, 3]] as const) {
-      add(found.stiffness, product(rows, product(crossed(wrench.subarray(start, start + 3)), turn, 3, 3, n), n, 3, n, true), 1);
+      add(
+        found.stiffness,
+        product(rows, product(crossed(wrench.subarray(start, start + 3)), turn, 3, 3, n), n, 3, n, true),
+        1,
+      );
     }
   });
-  if (bundle.touch) press(placed(bundle.touch, blocks.surface), blocks.touch, points, jacobian(bundle.touch.point, 18), found, n);
+  if (bundle.touch)
+    press(placed(bundle.touch, blocks.surface), blocks.touch, points, jacobian(bundle.touch.point, 18), found, n);
   return found;
 }
 
@@ -70,7 +83,14 @@ function placed(surface: Surface, place: Float64Array): Surface {
 }
 
 /** A surface that is pressed; `numbers`: mass, damping, stiffness, preload. */
-function press(surface: Surface, numbers: Float64Array, points: Float64Array, jacobian: Float64Array, found: Acts, n: number): void {
+function press(
+  surface: Surface,
+  numbers: Float64Array,
+  points: Float64Array,
+  jacobian: Float64Array,
+  found: Acts,
+  n: number,
+): void {
   const [mass, damping, stiffness, preload] = numbers;
   const place = POINT * surface.point + 9;
   const { gap, normal, curvature } = touched(surface, points.subarray(place, place + 3));
@@ -86,13 +106,24 @@ function press(surface: Surface, numbers: Float64Array, points: Float64Array, ja
 }
 
 /** Distance of a position from a surface, positive in the free; the normal towards the free, and its slope [3, 3]. */
-function touched(surface: Surface, position: Float64Array): { gap: number; normal: Float64Array; curvature: Float64Array } {
+function touched(
+  surface: Surface,
+  position: Float64Array,
+): { gap: number; normal: Float64Array; curvature: Float64Array } {
   const along = (one: ArrayLike<number>) => one[0] * position[0] + one[1] * position[1] + one[2] * position[2];
-  if (!surface.radius) return { gap: along(surface.axis) + surface.distance, normal: Float64Array.from(surface.axis), curvature: new Float64Array(9) };
+  if (!surface.radius)
+    return {
+      gap: along(surface.axis) + surface.distance,
+      normal: Float64Array.from(surface.axis),
+      curvature: new Float64Array(9),
+    };
   const away = position.map((value, i) => value - surface.axis[i]);
   const distance = Math.hypot(...away) || 1e-300;
   const side = surface.inside ? -1 : 1;
   const outward = away.map((value) => value / distance);
-  const curvature = Float64Array.from({ length: 9 }, (_, k) => (side * ((k % 4 ? 0 : 1) - outward[Math.floor(k / 3)] * outward[k % 3])) / distance);
+  const curvature = Float64Array.from(
+    { length: 9 },
+    (_, k) => (side * ((k % 4 ? 0 : 1) - outward[Math.floor(k / 3)] * outward[k % 3])) / distance,
+  );
   return { gap: side * (distance - surface.radius), normal: outward.map((value) => side * value), curvature };
 }

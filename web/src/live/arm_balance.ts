@@ -48,8 +48,11 @@ export class Balance {
 
   /** `base`: the frame on which the first joints stand; `places`: how many are told along each link. */
   constructor(
-    private readonly nodes: NodeTold[], private readonly points: PointTold[], private readonly numbers: Reals,
-    private readonly base: Reals, private readonly places: number,
+    private readonly nodes: NodeTold[],
+    private readonly points: PointTold[],
+    private readonly numbers: Reals,
+    private readonly base: Reals,
+    private readonly places: number,
   ) {
     this.frames = new Float64Array(2 * nodes.length * FRAME);
     this.hung = new Float64Array(nodes.length * LOAD);
@@ -91,7 +94,8 @@ export class Balance {
     const root = this.root(k);
     this.fixed(hung, k * LOAD, this.nodes[k].tip, frames, this.tip(k));
     this.pushed(hung, k * LOAD, k, -1, frames, this.tip(k), wrenches);
-    if (beam) this.along(k, beam, this.carried[k]!, motion, wrenches); // leaves the load of its root in `load`
+    if (beam)
+      this.along(k, beam, this.carried[k]!, motion, wrenches); // leaves the load of its root in `load`
     else copy(load, 0, hung, k * LOAD, LOAD);
     const parent = this.nodes[k].parent;
     if (parent >= 0) addLoad(hung, parent * LOAD, load, 0, frames, root + PLACE, frames, this.tip(parent) + PLACE);
@@ -113,7 +117,15 @@ export class Balance {
     addCross(into, at + 3, frames, frame + RATE, vectors, 6); // both are negative of the inertia's moment
   }
 
-  private pushed(into: Reals, at: number, node: number, station: number, frames: Reals, frame: number, wrenches: Reals): void {
+  private pushed(
+    into: Reals,
+    at: number,
+    node: number,
+    station: number,
+    frames: Reals,
+    frame: number,
+    wrenches: Reals,
+  ): void {
     this.points.forEach((point, p) => {
       if (point.node !== node || point.station !== station) return;
       vectors.fill(0, 0, 3);
@@ -199,7 +211,15 @@ function carriedAt(places: number): Carried {
 }
 
 /** into += factor times the sum of vectors [count, 3], each times its weight. */
-function addWeighted(into: Reals, at: number, values: Reals, weights: Reals, first: number, count: number, factor: number): void {
+function addWeighted(
+  into: Reals,
+  at: number,
+  values: Reals,
+  weights: Reals,
+  first: number,
+  count: number,
+  factor: number,
+): void {
   let x = 0;
   let y = 0;
   let z = 0;
@@ -222,7 +242,15 @@ function addLoad(into: Reals, at: number, load: Reals, i: number, from: Reals, j
 }
 
 /** into -= R J R^T x, J of six numbers: xx, yy, zz, xy, xz, yz; x at `which` of the frame. */
-function inertial(into: Reals, at: number, numbers: Reals, six: number, frames: Reals, frame: number, which: number): void {
+function inertial(
+  into: Reals,
+  at: number,
+  numbers: Reals,
+  six: number,
+  frames: Reals,
+  frame: number,
+  which: number,
+): void {
   const x = along(frames, frame, 0, frames, frame + which);
   const y = along(frames, frame, 1, frames, frame + which);
   const z = along(frames, frame, 2, frames, frame + which);

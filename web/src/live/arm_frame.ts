@@ -15,7 +15,16 @@ const [ARM, SPEED, AXIS, TURN] = [0, 3, 6, 9];
  * The root of the link that a joint on the frame at `from` carries. `numbers`: from `joint` on its placement (rotation,
  * position) and its axis; `motion`: angle or shift, its rate and its acceleration.
  */
-export function jointed(into: Reals, at: number, before: Reals, from: number, kind: JointKind, numbers: Reals, joint: number, motion: readonly number[]): void {
+export function jointed(
+  into: Reals,
+  at: number,
+  before: Reals,
+  from: number,
+  kind: JointKind,
+  numbers: Reals,
+  joint: number,
+  motion: readonly number[],
+): void {
   const [angle, speed, gain] = motion;
   scratch.fill(0, 0, TURN);
   product(into, at, before, from, numbers, joint);

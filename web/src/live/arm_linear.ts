@@ -28,7 +28,13 @@ export function inertiaForces(engine: Engine, blocks: Blocks, inputs: Samples, c
 }
 
 /** About the rest q [n]; dry friction, which has no slope there, is left out. */
-export function linearAbout(engine: Engine, bundle: ArmBundle, blocks: Blocks, schedule: Schedule, q: Float64Array): Linear {
+export function linearAbout(
+  engine: Engine,
+  bundle: ArmBundle,
+  blocks: Blocks,
+  schedule: Schedule,
+  q: Float64Array,
+): Linear {
   const n = q.length;
   const still = new Float64Array(n);
   const units = Float64Array.from({ length: n * n }, (_, k) => (k % (n + 1) ? 0 : 1));
@@ -48,9 +54,17 @@ export function linearAbout(engine: Engine, bundle: ArmBundle, blocks: Blocks, s
   const weight = weightSlopes(engine, bundle, blocks, q, acts.wrenches);
   const turned = (rows: Float64Array) => rows.map((_, k) => rows[(k % n) * n + Math.floor(k / n)]);
   const elastic = turned(springs.slopes.forces);
-  const loaded = inertiaForces(engine, blocks, { q, v: still, a: still, base: doubles(bundle.modes!.weight), wrenches: acts.wrenches }, 1);
+  const loaded = inertiaForces(
+    engine,
+    blocks,
+    { q, v: still, a: still, base: doubles(bundle.modes!.weight), wrenches: acts.wrenches },
+    1,
+  );
   return {
-    mass, elastic, residual: loaded.map((force, k) => force + springs.values.forces[k]), damping: turned(dampers).map((value, k) => value + acts.damping[k]),
+    mass,
+    elastic,
+    residual: loaded.map((force, k) => force + springs.values.forces[k]),
+    damping: turned(dampers).map((value, k) => value + acts.damping[k]),
     stiffness: elastic.map((value, k) => value + weight[k] + acts.stiffness[k]),
   };
 }
@@ -65,7 +79,10 @@ export function linearAtRest(
   for (let step = 0; step < STEPS; step += 1) {
     const linear = linearAbout(engine, bundle, blocks, schedule, rest);
     if (found) return { rest, linear };
-    const matrix = Float64Array.from({ length: m * m }, (_, k) => linear.stiffness[free[Math.floor(k / m)] * n + free[k % m]]);
+    const matrix = Float64Array.from(
+      { length: m * m },
+      (_, k) => linear.stiffness[free[Math.floor(k / m)] * n + free[k % m]],
+    );
     const change = Float64Array.from(free, (k) => linear.residual[k]);
     if (!solveInPlace(matrix, change)) return null;
     const size = stepped(rest, free, change);
@@ -77,7 +94,13 @@ export function linearAtRest(
 }
 
 /** Slopes of the forces of weight and dead wrenches by the coordinates [n, n]. */
-function weightSlopes(engine: Engine, bundle: ArmBundle, blocks: Blocks, q: Float64Array, wrenches: Float64Array): Float64Array {
+function weightSlopes(
+  engine: Engine,
+  bundle: ArmBundle,
+  blocks: Blocks,
+  q: Float64Array,
+  wrenches: Float64Array,
+): Float64Array {
   const n = q.length;
   const steps = [STEP, -STEP, 2 * STEP, -2 * STEP];
   const rows = new Float64Array(steps.length * n * n);
@@ -88,7 +111,12 @@ function weightSlopes(engine: Engine, bundle: ArmBundle, blocks: Blocks, q: Floa
     }
   });
   const still = new Float64Array(n);
-  const forces = inertiaForces(engine, blocks, { q: rows, v: still, a: still, base: doubles(bundle.modes!.weight), wrenches }, steps.length * n);
+  const forces = inertiaForces(
+    engine,
+    blocks,
+    { q: rows, v: still, a: still, base: doubles(bundle.modes!.weight), wrenches },
+    steps.length * n,
+  );
   const at = (s: number, i: number, j: number) => forces[(s * n + j) * n + i];
   return Float64Array.from({ length: n * n }, (_, k) => {
     const [i, j] = [Math.floor(k / n), k % n];

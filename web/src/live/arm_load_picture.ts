@@ -43,10 +43,13 @@ export function loadColours(bundle: ArmBundle, loads: LinkLoads[], m: number): S
     return { id, label, unit, values: { data, shape: [m, L, S] } };
   };
   if (!loads.length) return [];
-  const bending = ({ moment }: LinkLoads) => Float64Array.from({ length: m * S }, (_, k) => Math.sqrt(moment[3 * k + 1] ** 2 + moment[3 * k + 2] ** 2));
+  const bending = ({ moment }: LinkLoads) =>
+    Float64Array.from({ length: m * S }, (_, k) => Math.sqrt(moment[3 * k + 1] ** 2 + moment[3 * k + 2] ** 2));
   const found = [
     over("bending_moment", "Bending moment", "N m", bending),
-    over("torsion", "Torsional moment", "N m", ({ moment }) => Float64Array.from({ length: m * S }, (_, k) => Math.abs(moment[3 * k]))),
+    over("torsion", "Torsional moment", "N m", ({ moment }) =>
+      Float64Array.from({ length: m * S }, (_, k) => Math.abs(moment[3 * k])),
+    ),
     over("deflection", "Deflection from the root's tangent", "m", ({ deflection }) => sizes(deflection, 2)),
   ];
   if (!loads.some((link) => link.stress)) return found;

@@ -71,11 +71,22 @@ interface Link {
 }
 
 /** All loads of a run; `numbers`: the block `carried`. */
-export function loadsOf(bundle: ArmBundle, numbers: Reals, series: SeriesOf, times: Reals, schedule: Schedule, frames: number[]): Loads {
+export function loadsOf(
+  bundle: ArmBundle,
+  numbers: Reals,
+  series: SeriesOf,
+  times: Reals,
+  schedule: Schedule,
+  frames: number[],
+): Loads {
   const { carried: told } = bundle;
   const places = doubles(told.places);
   const balance = new Balance(told.nodes, told.points, numbers, standing(bundle), places.length);
-  const links = told.nodes.flatMap((node, k) => (node.beam ? [linkOf(node, balance.carried[k]!, numbers, places.length, frames.length * told.shown.data.length)] : []));
+  const links = told.nodes.flatMap((node, k) =>
+    node.beam
+      ? [linkOf(node, balance.carried[k]!, numbers, places.length, frames.length * told.shown.data.length)]
+      : [],
+  );
   const every = Math.max(1, Math.ceil((times.length * links.length * places.length) / MOST_PLACES));
   const wrenches = new Float64Array(6 * told.points.length);
   const width = series.q.shape[1];
@@ -107,26 +118,44 @@ function standing({ base, gravity }: ArmBundle): Reals {
 function linkOf(node: NodeTold, carried: Carried, numbers: Reals, places: number, kept: number): Link {
   const beam = node.beam!;
   const fibre = beam.stress < 0 ? null : fibreOf(numbers, beam.stress, places);
-  const stress = (count: number) => (fibre ? { strain: new Float64Array(count), mises: new Float64Array(count) } : null);
+  const stress = (count: number) =>
+    fibre ? { strain: new Float64Array(count), mises: new Float64Array(count) } : null;
   const [two, three] = [2 * kept, 3 * kept];
   const own = {
     deflection: new Float64Array(two), slope: new Float64Array(two), moment: new Float64Array(three),
     shear: new Float64Array(two), axial: new Float64Array(kept),
   };
-  const told = { ...own, name: node.name, length: numbers[beam.length], stress: stress(kept), largest: { deflection: null, moment: null, stress: null } };
+  const told = {
+    ...own,
+    name: node.name,
+    length: numbers[beam.length],
+    stress: stress(kept),
+    largest: { deflection: null, moment: null, stress: null },
+  };
   return { carried, fibre, stress: stress(places), told };
 }
 
 /** Force and moment on each pushed point at a sample, world axes. */
-function push({ carried: told }: ArmBundle, numbers: Reals, series: SeriesOf, schedule: Schedule, time: number, k: number, into: Reals): void {
+function push(
+  { carried: told }: ArmBundle,
+  numbers: Reals,
+  series: SeriesOf,
+  schedule: Schedule,
+  time: number,
+  k: number,
+  into: Reals,
+): void {
   into.fill(0);
   for (const load of told.loads) {
     const factor = load.signal < 0 ? 1 : valueAt(schedule, load.signal, time);
     const wrench = numbers.subarray(load.wrench, load.wrench + 6);
-    const turned = load.follower ? inWorld(series.rotation.data, 9 * (k * series.rotation.shape[1] + told.points[load.place].point), wrench) : wrench;
+    const turned = load.follower
+      ? inWorld(series.rotation.data, 9 * (k * series.rotation.shape[1] + told.points[load.place].point), wrench)
+      : wrench;
     for (let i = 0; i < 6; i += 1) into[6 * load.place + i] += factor * turned[i];
   }
-  if (told.touched >= 0) for (let i = 0; i < 3; i += 1) into[6 * told.touched + i] -= series.contact_force.data[3 * k + i];
+  if (told.touched >= 0)
+    for (let i = 0; i < 3; i += 1) into[6 * told.touched + i] -= series.contact_force.data[3 * k + i];
 }
 
 function inWorld(r: Reals, at: number, wrench: Reals): Reals {
@@ -138,7 +167,13 @@ function inWorld(r: Reals, at: number, wrench: Reals): Reals {
 
 function watch({ carried, stress, told }: Link, places: Reals, sample: number): void {
   const last = places.length - 1;
-  see(told, "deflection", Math.sqrt(carried.deflection[2 * last] ** 2 + carried.deflection[2 * last + 1] ** 2), places[last], sample);
+  see(
+    told,
+    "deflection",
+    Math.sqrt(carried.deflection[2 * last] ** 2 + carried.deflection[2 * last + 1] ** 2),
+    places[last],
+    sample,
+  );
   for (let p = 0; p <= last; p += 1) {
     see(told, "moment", Math.sqrt(carried.moment[3 * p + 1] ** 2 + carried.moment[3 * p + 2] ** 2), places[p], sample);
     if (stress) see(told, "stress", stress.mises[p], places[p], sample);

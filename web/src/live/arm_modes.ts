@@ -25,14 +25,21 @@ export function armVibration(
   if (!bundle.modes) return { vibration: bundle.noModes, facts: {} };
   try {
     const { rest, linear } = aboutRest(engine, bundle, values, schedule);
-    const cases = Object.fromEntries(bundle.modes.cases.map(({ name, moving }) => [name, modesOf(bundle, blocks, linear, name, moving)]));
+    const cases = Object.fromEntries(
+      bundle.modes.cases.map(({ name, moving }) => [name, modesOf(bundle, blocks, linear, name, moving)]),
+    );
     return told(cases, rest, (q, count) => poseOf(engine, bundle, blocks.pose, q, count).line);
   } catch (problem) {
     return { vibration: problem instanceof Error ? problem.message : String(problem), facts: {} };
   }
 }
 
-function aboutRest(engine: Engine, bundle: ArmBundle, values: readonly number[], schedule: Schedule): { rest: Float64Array; linear: Linear } {
+function aboutRest(
+  engine: Engine,
+  bundle: ArmBundle,
+  values: readonly number[],
+  schedule: Schedule,
+): { rest: Float64Array; linear: Linear } {
   let last: ReturnType<typeof linearAtRest> = null;
   restFor(bundle, values, "real", doubles(bundle.modes!.rest), (set, from) => {
     last = linearAtRest(engine, bundle, numbersOf(bundle.map, set, "real"), schedule, from);
@@ -45,7 +52,8 @@ function modesOf(bundle: ArmBundle, blocks: Blocks, linear: Linear, name: string
   const whole = Math.sqrt(linear.mass.length);
   const m = moving.length;
   if (!m) return [];
-  const part = (matrix: Float64Array) => Float64Array.from({ length: m * m }, (_, k) => matrix[moving[Math.floor(k / m)] * whole + moving[k % m]]);
+  const part = (matrix: Float64Array) =>
+    Float64Array.from({ length: m * m }, (_, k) => matrix[moving[Math.floor(k / m)] * whole + moving[k % m]]);
   const [mass, damping, stiffness] = [part(linear.mass), part(linear.damping), part(linear.stiffness)];
   const controlled = name === "controlled";
   if (controlled) {
@@ -66,16 +74,29 @@ function modesOf(bundle: ArmBundle, blocks: Blocks, linear: Linear, name: string
     const motion = motionOf(motions, partners[k], whole, m, (c, i) => (moving[i] === c ? 1 : 0));
     const square = still.squares[k];
     const total = stored.reduce((sum, { energy }) => sum + energy, 0);
-    if (Math.abs(square) <= zero && total <= zero) return { frequency: 0, rings: null, damping: 0, element: FREE, ...motion };
+    if (Math.abs(square) <= zero && total <= zero)
+      return { frequency: 0, rings: null, damping: 0, element: FREE, ...motion };
     const { size, rings, damping: ratio } = ringing(motions, partners[k]);
     const frequency = (controlled && rings ? size : Math.sqrt(Math.max(square, 0))) / (2 * Math.PI);
     const most = stored.reduce((a, b) => (b.energy > a.energy ? b : a), stored[0]);
-    return { frequency, rings, damping: Math.abs(ratio) > ROUNDING ? ratio : 0, element: total > zero && most ? most.element : LOADS, ...motion };
+    return {
+      frequency,
+      rings,
+      damping: Math.abs(ratio) > ROUNDING ? ratio : 0,
+      element: total > zero && most ? most.element : LOADS,
+      ...motion,
+    };
   });
 }
 
 /** Twice the energy of a shape in each spring, and in the controllers. */
-function storedIn(bundle: ArmBundle, blocks: Blocks, elastic: Float64Array, shape: Float64Array, controlled: boolean): { element: string; energy: number }[] {
+function storedIn(
+  bundle: ArmBundle,
+  blocks: Blocks,
+  elastic: Float64Array,
+  shape: Float64Array,
+  controlled: boolean,
+): { element: string; energy: number }[] {
   const n = shape.length;
   const force = (row: number) => {
     let sum = 0;
@@ -89,5 +110,8 @@ function storedIn(bundle: ArmBundle, blocks: Blocks, elastic: Float64Array, shap
     return { element, energy: own ? force(rows[0]) ** 2 / own : 0 };
   });
   if (!controlled) return found;
-  return [...found, ...servos.map(({ coordinate, element }, k) => ({ element, energy: blocks.servos[2 * k] * shape[coordinate] ** 2 }))];
+  return [
+    ...found,
+    ...servos.map(({ coordinate, element }, k) => ({ element, energy: blocks.servos[2 * k] * shape[coordinate] ** 2 })),
+  ];
 }

@@ -15,7 +15,14 @@ const LITTLE = 1e-3; // a step that is too short to leave a branch [rad, m]
 const SHORTEST = 1 / 128; // step on the way from the unchanged numbers
 
 /** Accelerations of the free coordinates and their derivatives by them, by differences: Newton needs no better. */
-function slopes(engine: Engine, blocks: Blocks, state: Float64Array, free: number[], matrix: Float64Array, right: Float64Array): void {
+function slopes(
+  engine: Engine,
+  blocks: Blocks,
+  state: Float64Array,
+  free: number[],
+  matrix: Float64Array,
+  right: Float64Array,
+): void {
   const [rows, size, n] = [free.length + 1, state.length, blocks.rotors.length];
   const states = new Float64Array(rows * size);
   for (let row = 0; row < rows; row += 1) {
@@ -26,7 +33,8 @@ function slopes(engine: Engine, blocks: Blocks, state: Float64Array, free: numbe
   const { rate } = engine.sample("rest.rate", blocks.rest, inputs, rows);
   for (let i = 0; i < free.length; i += 1) {
     right[i] = rate[n + free[i]];
-    for (let j = 0; j < free.length; j += 1) matrix[i * free.length + j] = (rate[(j + 1) * size + n + free[i]] - right[i]) / STEP;
+    for (let j = 0; j < free.length; j += 1)
+      matrix[i * free.length + j] = (rate[(j + 1) * size + n + free[i]] - right[i]) / STEP;
   }
 }
 
@@ -70,28 +78,43 @@ export function isSmall(size: number, before: number): boolean {
 
 /** A rest for values of the sliders by what finds it `at` them: from the unchanged rest at once or, where that is too far, step by step. */
 export function restFor(
-  bundle: ArmBundle, values: readonly number[], run: string, near: Float64Array, at: (set: readonly number[], from: Float64Array) => Float64Array | null,
+  bundle: ArmBundle,
+  values: readonly number[],
+  run: string,
+  near: Float64Array,
+  at: (set: readonly number[], from: Float64Array) => Float64Array | null,
 ): Float64Array {
   const first = bundle.sliders.map((slider) => slider.value);
-  const between = (share: number) => (share === 1 ? values : values.map((value, j) => first[j] + (value - first[j]) * share));
+  const between = (share: number) =>
+    share === 1 ? values : values.map((value, j) => first[j] + (value - first[j]) * share);
   let [here, step, found] = [0, 1, near];
   while (here < 1) {
     const next = Math.min(1, here + step);
     const there = at(between(next), found);
     if (there) [here, step, found] = [next, 2 * step, there];
     else if (step > SHORTEST) step /= 2;
-    else throw new Error(`${run}: no static equilibrium; expected links and gears that carry their loads: raise a stiffness or lower a load`);
+    else
+      throw new Error(
+        `${run}: no static equilibrium; expected links and gears that carry their loads: raise a stiffness or lower a load`,
+      );
   }
   return found;
 }
 
 /** The first state of a run. */
-export function firstState(engine: Engine, bundle: ArmBundle, values: readonly number[], run: "reference" | "real", signals: Schedule): Float64Array {
+export function firstState(
+  engine: Engine,
+  bundle: ArmBundle,
+  values: readonly number[],
+  run: "reference" | "real",
+  signals: Schedule,
+): Float64Array {
   const told = bundle.runs[run]!;
   const state = doubles(told.start).slice();
   const [q, v] = [told.state.q[0], told.state.v[0]];
   if (bundle.atRest) {
-    const at = (set: readonly number[], from: Float64Array) => rest(engine, bundle, numbersOf(bundle.map, set, run), from);
+    const at = (set: readonly number[], from: Float64Array) =>
+      rest(engine, bundle, numbersOf(bundle.map, set, run), from);
     const found = restFor(bundle, values, run, state.slice(...told.state.q), at);
     for (let k = 0; k < found.length; k += 1) if (!told.told.includes(k)) state[q + k] = found[k];
   }

@@ -61,13 +61,22 @@ export async function runArm(
   const end = moveEnd(real.schedule);
   const failed = regimes.find((regime) => regime.run.status !== "finished");
   const loads = loadsOf(bundle, real.blocks.carried, series, times, real.schedule, frames);
-  const facts: Facts = { ...factsOf(bundle, times, series, end), ...loadFacts(loads, bundle.carried, times), ...limitFact(bundle.carried.limits, series) };
+  const facts: Facts = {
+    ...factsOf(bundle, times, series, end),
+    ...loadFacts(loads, bundle.carried, times),
+    ...limitFact(bundle.carried.limits, series),
+  };
   const colours = loadColours(bundle, loads.links, frames.length);
   return {
     status: failed ? failed.run.status : "finished",
     message: failed ? `${failed === real ? "real arm" : "reference"}: ${failed.run.message}` : real.run.message,
-    seconds, times, series, scene: armScene(engine, bundle, real.blocks, series, times, frames, colours),
-    line: linePanel(bundle, loads.links, frames.length), span: spanOf(times, end), facts: failed ? brokenOff(facts) : facts,
+    seconds,
+    times,
+    series,
+    scene: armScene(engine, bundle, real.blocks, series, times, frames, colours),
+    line: linePanel(bundle, loads.links, frames.length),
+    span: spanOf(times, end),
+    facts: failed ? brokenOff(facts) : facts,
   };
 }
 
@@ -83,13 +92,24 @@ async function moved(
 ): Promise<Regime> {
   const { settings } = bundle;
   const told = bundle.runs[name]!;
-  const each = range(0, told.signals).map((k) => signals.until(signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]), settings.duration));
+  const each = range(0, told.signals).map((k) =>
+    signals.until(signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]), settings.duration),
+  );
   const schedule = signals.merged(each);
   if (!each.length) schedule.knots[1] = settings.duration;
-  const run = await integrate(engine, {
-    loop: `${name}.${settings.method}`, parameters: blocks.parameters, knots: schedule.knots, rows: signals.rowsOf(schedule),
-    state: firstState(engine, bundle, values, name, schedule), times: doubles(bundle.times), settings,
-  }, watch);
+  const run = await integrate(
+    engine,
+    {
+      loop: `${name}.${settings.method}`,
+      parameters: blocks.parameters,
+      knots: schedule.knots,
+      rows: signals.rowsOf(schedule),
+      state: firstState(engine, bundle, values, name, schedule),
+      times: doubles(bundle.times),
+      settings,
+    },
+    watch,
+  );
   return { name, told, blocks, schedule, run };
 }
 
@@ -110,7 +130,14 @@ function seenOf(engine: Engine, bundle: ArmBundle, regime: Regime, count: number
 }
 
 /** Kinetic, of gravity, of gears, of links [n, 4]. */
-function energiesOf(bundle: ArmBundle, v: Float64Array, rotors: Float64Array, momentum: Samples, elastic: Float64Array, count: number): Float64Array {
+function energiesOf(
+  bundle: ArmBundle,
+  v: Float64Array,
+  rotors: Float64Array,
+  momentum: Samples,
+  elastic: Float64Array,
+  count: number,
+): Float64Array {
   const n = rotors.length;
   const each = elastic.length / count;
   const energy = new Float64Array(4 * count);
@@ -131,8 +158,22 @@ function seriesOf(bundle: ArmBundle, real: Regime, { model, points, energy }: Se
   const places = points.length / count / POINT;
   const width = real.run.states.length / real.run.times.length;
   const work = columns(real.run.states.subarray(0, count * width), width, range(...real.told.state.works));
-  const drive = (which: number) => shaped(columns(model.drives, 4 * drives, range(0, drives).map((k) => 4 * k + which)), count, drives);
-  const vectors = (start: number) => columns(points, places * POINT, range(0, places).flatMap((k) => range(0, 3).map((i) => k * POINT + start + i)));
+  const drive = (which: number) =>
+    shaped(
+      columns(
+        model.drives,
+        4 * drives,
+        range(0, drives).map((k) => 4 * k + which),
+      ),
+      count,
+      drives,
+    );
+  const vectors = (start: number) =>
+    columns(
+      points,
+      places * POINT,
+      range(0, places).flatMap((k) => range(0, 3).map((i) => k * POINT + start + i)),
+    );
   const axes = columns(points, places * POINT, range(0, places).flatMap((k) => range(k * POINT, k * POINT + 9)));
   const series: SeriesOf = {
     q: shaped(model.q, count, n), v: shaped(model.v, count, n), a: shaped(model.a, count, n),
@@ -144,7 +185,8 @@ function seriesOf(bundle: ArmBundle, real: Regime, { model, points, energy }: Se
     energy: shaped(energy, count, 4), work: shaped(work, count, work.length / count),
     energy_balance: shaped(energyBalance(energy, work, count, 3), count),
   };
-  if (drives) Object.assign(series, { wanted: drive(3), effort: drive(0), gear_torque: shaped(model.gear, count, drives) });
+  if (drives)
+    Object.assign(series, { wanted: drive(3), effort: drive(0), gear_torque: shaped(model.gear, count, drives) });
   if (drives && bundle.electric) Object.assign(series, { voltage: drive(1), current: drive(2) });
   if (bundle.contactPoint < 0) return series;
   const contact = (which: number[]) => columns(model.contact, 6, which);
@@ -159,12 +201,19 @@ function compared(bundle: ArmBundle, own: Seen, planned: Seen, count: number): S
   const places = planned.points.length / count / POINT;
   const [tip, wanted] = [own, planned].map(({ points }) => columns(points, places * POINT, [9, 10, 11]));
   const series: SeriesOf = {
-    q_reference: shaped(planned.model.q, count, n), v_reference: shaped(planned.model.v, count, n),
-    deformation_reference: shaped(affine(bundle.deflections, planned.model.q, count), count, bundle.deformations.length),
+    q_reference: shaped(planned.model.q, count, n),
+    v_reference: shaped(planned.model.v, count, n),
+    deformation_reference: shaped(
+      affine(bundle.deflections, planned.model.q, count),
+      count,
+      bundle.deformations.length,
+    ),
     gear_torque_reference: shaped(planned.model.gear, count, planned.model.gear.length / count),
-    tip_reference: shaped(wanted, count, 3), deviation: shaped(sizes(difference(tip, wanted), 3), count),
+    tip_reference: shaped(wanted, count, 3),
+    deviation: shaped(sizes(difference(tip, wanted), 3), count),
   };
-  if (bundle.contactPoint >= 0) series.contact_force_normal_reference = shaped(columns(planned.model.contact, 6, [3]), count);
+  if (bundle.contactPoint >= 0)
+    series.contact_force_normal_reference = shaped(columns(planned.model.contact, 6, [3]), count);
   return series;
 }
 
@@ -174,9 +223,15 @@ function moveEnd(all: signals.Schedule): number | null {
   const width = all.degree + 1;
   for (let piece = pieces - 1; piece >= 0; piece -= 1) {
     for (let signal = 0; signal < all.signals; signal += 1) {
-      const own = all.coefficients.subarray((piece * all.signals + signal) * width, (piece * all.signals + signal + 1) * width);
+      const own = all.coefficients.subarray(
+        (piece * all.signals + signal) * width,
+        (piece * all.signals + signal + 1) * width,
+      );
       const length = all.knots[piece + 1] - all.knots[piece];
-      const size = Math.max(...range(0, pieces).map((k) => Math.abs(all.coefficients[(k * all.signals + signal) * width])), 1e-12);
+      const size = Math.max(
+        ...range(0, pieces).map((k) => Math.abs(all.coefficients[(k * all.signals + signal) * width])),
+        1e-12,
+      );
       const changes = own.some((value, power) => power > 0 && Math.abs(value) * length ** power > 1e-9 * size);
       if (changes) return piece === pieces - 1 ? null : all.knots[piece + 1];
       const before = piece && signals.valueAt(all, signal, all.knots[piece] - 1e-9 * length);
@@ -195,12 +250,18 @@ function factsOf(bundle: ArmBundle, times: Float64Array, series: SeriesOf, end: 
     const angles = columns(series.deformation.data, bundle.deformations.length, gears);
     const k = worst(angles);
     const name = bundle.deformations[gears[k % gears.length]].replace(/\.gear$/, "");
-    facts["gear.max"] = { value: Math.abs(angles[k]), note: `${name}, at ${figures(times[Math.floor(k / gears.length)])} s` };
+    facts["gear.max"] = {
+      value: Math.abs(angles[k]),
+      note: `${name}, at ${figures(times[Math.floor(k / gears.length)])} s`,
+    };
   }
   const force = series.contact_force_normal?.data;
   if (force) {
     const [least, most] = [force.reduce((a, b) => Math.min(a, b)), force.reduce((a, b) => Math.max(a, b))];
-    facts["contact.mean"] = { value: meanOverTime(times, force), note: `from ${figures(least, 4)} to ${figures(most, 4)} N` };
+    facts["contact.mean"] = {
+      value: meanOverTime(times, force),
+      note: `from ${figures(least, 4)} to ${figures(most, 4)} N`,
+    };
   }
   return facts;
 }

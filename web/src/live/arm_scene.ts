@@ -30,10 +30,20 @@ interface Pose {
 
 /** Scene of a run, whose numbers are those of the passes to the stations and of the surface; `loads`: what else may colour the links. */
 export function armScene(
-  engine: Engine, bundle: ArmBundle, { pose: parameters, surface }: Blocks, series: SeriesOf, times: Float64Array, frames: number[],
+  engine: Engine,
+  bundle: ArmBundle,
+  { pose: parameters, surface }: Blocks,
+  series: SeriesOf,
+  times: Float64Array,
+  frames: number[],
   loads: LiveRun["scene"]["colours"],
 ): LiveRun["scene"] {
-  const at = (name: string) => rowsOf(series[name].data, series[name].shape.slice(1).reduce((a, b) => a * b, 1), frames);
+  const at = (name: string) =>
+    rowsOf(
+      series[name].data,
+      series[name].shape.slice(1).reduce((a, b) => a * b, 1),
+      frames,
+    );
   const m = frames.length;
   const real = poseOf(engine, bundle, parameters, at("q"), m);
   const lineAt = (q: Float64Array) => poseOf(engine, bundle, parameters, q, m).line;
@@ -44,15 +54,31 @@ export function armScene(
   const shape = real.line.shape.slice(0, 3);
   const away = (real.line.data as Float64Array).map((value, k) => value - rigid.data[k]);
   return {
-    times: { data: rowsOf(times, 1, frames), shape: [m] }, line: real.line, rigid, roots: real.roots,
+    times: { data: rowsOf(times, 1, frames), shape: [m] },
+    line: real.line,
+    rigid,
+    roots: real.roots,
     reference: compared ? lineAt(at("q_reference")) : null,
     referenceRigid: compared ? rigidAt(at("q_reference")) : null,
     colours: [
       ...loads,
-      { id: "displacement", label: "Displacement by all elasticity", unit: "m", values: { data: sizes(away, 3), shape } },
+      {
+        id: "displacement",
+        label: "Displacement by all elasticity",
+        unit: "m",
+        values: { data: sizes(away, 3), shape },
+      },
     ],
-    tip: numbers("tip"), tipReference: compared ? numbers("tip_reference") : null,
-    contact: bundle.contactPoint < 0 ? null : { force: numbers("contact_force"), at: contactPlace(bundle, series, frames), surface: surfaceAt(bundle, surface) },
+    tip: numbers("tip"),
+    tipReference: compared ? numbers("tip_reference") : null,
+    contact:
+      bundle.contactPoint < 0
+        ? null
+        : {
+            force: numbers("contact_force"),
+            at: contactPlace(bundle, series, frames),
+            surface: surfaceAt(bundle, surface),
+          },
   };
 }
 
@@ -74,7 +100,13 @@ function contactPlace(bundle: ArmBundle, series: SeriesOf, frames: number[]): Nu
 }
 
 /** Lines and roots of all links at coordinates q [count, nq]. */
-export function poseOf(engine: Engine, bundle: ArmBundle, parameters: Float64Array, q: Float64Array, count: number): Pose {
+export function poseOf(
+  engine: Engine,
+  bundle: ArmBundle,
+  parameters: Float64Array,
+  q: Float64Array,
+  count: number,
+): Pose {
   const still = new Float64Array(q.length / count);
   const { points } = engine.sample("pose", parameters, { q, v: still, a: still, base: doubles(bundle.base) }, count);
   const [L, S] = [bundle.links.length, bundle.stations.data.length];
@@ -89,7 +121,8 @@ export function poseOf(engine: Engine, bundle: ArmBundle, parameters: Float64Arr
       for (let s = 0; s < S; s += 1) {
         const to = ((k * L + l) * S + s) * 3;
         const from = (k * each + link.point + s) * POINT + 9;
-        for (let i = 0; i < 3; i += 1) line[to + i] = link.bends ? points[from + i] : onRigid(root, doubles(link.end), i, bundle.stations.data[s]);
+        for (let i = 0; i < 3; i += 1)
+          line[to + i] = link.bends ? points[from + i] : onRigid(root, doubles(link.end), i, bundle.stations.data[s]);
       }
     });
   }

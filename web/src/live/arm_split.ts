@@ -34,23 +34,39 @@ interface Held {
 
 /** Both parts of a run's series; none where its arm has nothing elastic. `pause`: called between samples, to let others work. */
 export async function splitOf(
-  engine: Engine, bundle: ArmBundle, blocks: Blocks, schedule: Schedule, times: Float64Array, series: SeriesOf, pause: () => Promise<void>,
+  engine: Engine,
+  bundle: ArmBundle,
+  blocks: Blocks,
+  schedule: Schedule,
+  times: Float64Array,
+  series: SeriesOf,
+  pause: () => Promise<void>,
 ): Promise<SeriesOf> {
   const { free, gross } = bundle.split;
   if (!free.length) return {};
   const count = times.length;
   const size = series.q.shape[1];
-  const moved = (name: string) => affine({ matrix: gross, constant: { data: new Float64Array(size), shape: [size] } }, series[name].data, count);
+  const moved = (name: string) =>
+    affine({ matrix: gross, constant: { data: new Float64Array(size), shape: [size] } }, series[name].data, count);
   const wrenches = wrenchesOf(bundle, blocks, schedule, times, series);
   const held: Held = {
-    engine, blocks, free, size, places: wrenches.length / count, weight: doubles(bundle.split.weight),
-    q: series.q.data.slice(), rates: moved("v"), gains: moved("a"), wrenches,
+    engine,
+    blocks,
+    free,
+    size,
+    places: wrenches.length / count,
+    weight: doubles(bundle.split.weight),
+    q: series.q.data.slice(),
+    rates: moved("v"),
+    gains: moved("a"),
+    wrenches,
   };
   const present = series.deformation.data;
   let compliance: Float64Array | null = null;
   for (let start = 0; start < count; start += TOGETHER) {
     const rows = Array.from({ length: Math.min(TOGETHER, count - start) }, (_, k) => start + k);
-    if (start) guess(held, present, affine(bundle.deflections, held.q.subarray((start - 1) * size, start * size), 1), rows);
+    if (start)
+      guess(held, present, affine(bundle.deflections, held.q.subarray((start - 1) * size, start * size), 1), rows);
     compliance = settled(held, series.q.data, rows, compliance);
     if (!compliance) return {};
     await pause();
@@ -63,17 +79,31 @@ export async function splitOf(
 }
 
 /** Force and moment on each point at each sample [n, points, 6]: of the loads, and of the surface. */
-function wrenchesOf(bundle: ArmBundle, blocks: Blocks, schedule: Schedule, times: Float64Array, series: SeriesOf): Float64Array {
+function wrenchesOf(
+  bundle: ArmBundle,
+  blocks: Blocks,
+  schedule: Schedule,
+  times: Float64Array,
+  series: SeriesOf,
+): Float64Array {
   const points = series.position.shape[1];
   const found = new Float64Array(times.length * points * 6);
   times.forEach((time, k) => {
     bundle.loads.forEach(({ point }, which) => {
       const place = k * points + point;
-      const load = loadAt(bundle, blocks, schedule, which, time, series.rotation.data.subarray(9 * place, 9 * place + 9));
+      const load = loadAt(
+        bundle,
+        blocks,
+        schedule,
+        which,
+        time,
+        series.rotation.data.subarray(9 * place, 9 * place + 9),
+      );
       for (let i = 0; i < 6; i += 1) found[6 * place + i] += load[i];
     });
     if (bundle.contactPoint < 0) return;
-    for (let i = 0; i < 3; i += 1) found[6 * (k * points + bundle.contactPoint) + i] -= series.contact_force.data[3 * k + i];
+    for (let i = 0; i < 3; i += 1)
+      found[6 * (k * points + bundle.contactPoint) + i] -= series.contact_force.data[3 * k + i];
   });
   return found;
 }
@@ -81,7 +111,10 @@ function wrenchesOf(bundle: ArmBundle, blocks: Blocks, schedule: Schedule, times
 /** Samples begin with the deflections that the sample before them has. */
 function guess(held: Held, present: Float64Array, before: Float64Array, rows: number[]): void {
   const m = held.free.length;
-  for (const row of rows) held.free.forEach((k, i) => { held.q[row * held.size + k] += before[i] - present[row * m + i]; });
+  for (const row of rows)
+    held.free.forEach((k, i) => {
+      held.q[row * held.size + k] += before[i] - present[row * m + i];
+    });
 }
 
 /** Forces along the free coordinates that nothing holds [rows, free], at coordinates q [rows, size]. */
@@ -107,7 +140,13 @@ function complianceAt(held: Held, q: Float64Array, row: number): Float64Array | 
   for (let k = 0; k <= m; k += 1) many.set(q, k * size);
   free.forEach((coordinate, k) => { many[k * size + coordinate] += STEP; });
   const forces = unbalanced(held, many, new Array<number>(m + 1).fill(row));
-  return inverted(Float64Array.from({ length: m * m }, (_, k) => (forces[(k % m) * m + Math.floor(k / m)] - forces[m * m + Math.floor(k / m)]) / STEP), m);
+  return inverted(
+    Float64Array.from(
+      { length: m * m },
+      (_, k) => (forces[(k % m) * m + Math.floor(k / m)] - forces[m * m + Math.floor(k / m)]) / STEP,
+    ),
+    m,
+  );
 }
 
 /** Finds the held shapes of some samples; returns a compliance that serves for those after them, null without one. */

@@ -54,7 +54,10 @@ export class Strain {
 
   constructor(readonly told: BeamTold, private readonly numbers: Reals) {
     this.frames = new Float64Array((told.edges + 1) * FRAME);
-    [this.points, this.gains, this.line, this.moved] = Array.from({ length: 4 }, () => new Float64Array(told.points * 3));
+    [this.points, this.gains, this.line, this.moved] = Array.from(
+      { length: 4 },
+      () => new Float64Array(told.points * 3),
+    );
     this.turns = told.directions.length;
   }
 
@@ -207,7 +210,9 @@ function series(terms: number): { values: Reals[]; slopes: Reals[] } {
   const powers = Array.from({ length: terms }, (_, k) => terms - 1 - k);
   const made = {
     values: [1, 2, 3].map((first) => Float64Array.from(powers, (k) => (-1) ** k / factorial(2 * k + first))),
-    slopes: [2, 3].map((first) => Float64Array.from(powers.slice(0, -1), (k) => (k * (-1) ** k) / factorial(2 * k + first))),
+    slopes: [2, 3].map((first) =>
+      Float64Array.from(powers.slice(0, -1), (k) => (k * (-1) ** k) / factorial(2 * k + first)),
+    ),
   };
   coefficients.set(terms, made);
   return made;

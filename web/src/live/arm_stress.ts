@@ -24,9 +24,12 @@ export interface Stress {
 /** From the numbers at `start`: moduli, outer fibres along y and z, stiffnesses at the places. */
 export function fibreOf(numbers: Reals, start: number, places: number): Fibre {
   const [young, shear, outerY, outerZ] = numbers.subarray(start, start + 4);
-  const [bendY, bendZ, area, torsion] = [0, 1, 2, 3].map((k) => numbers.subarray(start + 4 + k * places, start + 4 + (k + 1) * places));
+  const [bendY, bendZ, area, torsion] = [0, 1, 2, 3].map((k) =>
+    numbers.subarray(start + 4 + k * places, start + 4 + (k + 1) * places),
+  );
   const near = (a: number, b: number) => Math.abs(a - b) <= ROUND * Math.abs(b);
-  const ring = outerY === outerZ && shear > 0 && torsion.every((value, k) => near(value / shear, (bendY[k] + bendZ[k]) / young));
+  const ring =
+    outerY === outerZ && shear > 0 && torsion.every((value, k) => near(value / shear, (bendY[k] + bendZ[k]) / young));
   const lever = ring ? outerY : Math.min(2 * Math.min(outerY, outerZ), Math.hypot(outerY, outerZ));
   const per = (factor: number, stiffness: Reals) => stiffness.map((one) => (one > 0 ? factor / one : 0));
   return {
@@ -36,7 +39,11 @@ export function fibreOf(numbers: Reals, start: number, places: number): Fibre {
 }
 
 /** Largest strain of the outer fibre, and von Mises stress [Pa], of each place. */
-export function stressed({ young, ring, perMomentY, perMomentZ, perForce, perTorsion }: Fibre, { moment, axial }: Carried, into: Stress): void {
+export function stressed(
+  { young, ring, perMomentY, perMomentZ, perForce, perTorsion }: Fibre,
+  { moment, axial }: Carried,
+  into: Stress,
+): void {
   for (let p = 0; p < axial.length; p += 1) {
     const [y, z] = [Math.abs(moment[3 * p + 1]) * perMomentY[p], Math.abs(moment[3 * p + 2]) * perMomentZ[p]];
     into.strain[p] = (ring ? Math.sqrt(y * y + z * z) : y + z) + Math.abs(axial[p]) * perForce[p];

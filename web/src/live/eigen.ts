@@ -28,7 +28,10 @@ const SLOWEST = 1e-6; // share of the largest frequency by which slow motions ar
  */
 export function undamped(mass: Float64Array, given: Float64Array, n: number): Undamped {
   const root = cholesky(mass, n);
-  if (!root) throw new Error("mass matrix: got one that is not positive definite; expected mass or inertia along every coordinate");
+  if (!root)
+    throw new Error(
+      "mass matrix: got one that is not positive definite; expected mass or inertia along every coordinate",
+    );
   let [odd, largest] = [0, 0];
   for (let i = 0; i < n; i += 1) {
     for (let j = 0; j < n; j += 1) {
@@ -36,7 +39,8 @@ export function undamped(mass: Float64Array, given: Float64Array, n: number): Un
       largest = Math.max(largest, Math.abs(given[i * n + j]));
     }
   }
-  if (odd > SYMMETRIC * largest) return { ...sorted(root, eigen(congruent(root, given, n), n, false), n), symmetric: false };
+  if (odd > SYMMETRIC * largest)
+    return { ...sorted(root, eigen(congruent(root, given, n), n, false), n), symmetric: false };
   const stiffness = given.map((value, k) => (value + given[(k % n) * n + Math.floor(k / n)]) / 2);
   const stiff = cholesky(stiffness, n);
   const inverse = stiff && eigen(congruent(stiff, mass, n), n, true);
@@ -46,7 +50,11 @@ export function undamped(mass: Float64Array, given: Float64Array, n: number): Un
   }
   const told = sorted(stiff, { re: inverse.re.map((value) => 1 / value), vectors: inverse.vectors }, n);
   // these have unit stiffness: their modal mass is 1/w^2
-  return { squares: told.squares, shapes: told.shapes.map((value, k) => value * Math.sqrt(told.squares[k % n])), symmetric: true };
+  return {
+    squares: told.squares,
+    shapes: told.shapes.map((value, k) => value * Math.sqrt(told.squares[k % n])),
+    symmetric: true,
+  };
 }
 
 interface Eigen {
@@ -60,7 +68,9 @@ function eigen(matrix: Float64Array, n: number, symmetric: boolean): Eigen {
   const { realEigenvalues: re, imaginaryEigenvalues: im, eigenvectorMatrix } = found;
   const vectors = Float64Array.from(eigenvectorMatrix.to1DArray());
   // of a pair of complex ones both have the real part of their shape
-  if (!symmetric) for (let k = 1; k < n; k += 1) if (im[k] < 0) for (let i = 0; i < n; i += 1) vectors[i * n + k] = vectors[i * n + k - 1];
+  if (!symmetric)
+    for (let k = 1; k < n; k += 1)
+      if (im[k] < 0) for (let i = 0; i < n; i += 1) vectors[i * n + k] = vectors[i * n + k - 1];
   for (let k = 0; k < n; k += 1) {
     const size = Math.hypot(...Array.from({ length: n }, (_, i) => vectors[i * n + k]));
     for (let i = 0; i < n; i += 1) vectors[i * n + k] /= size;
@@ -78,7 +88,13 @@ function sorted(root: Float64Array, { re, vectors }: Eigen, n: number): Omit<Und
 }
 
 /** The damped motions: eigenvalues and shapes of the equations of first order, in coordinates in which they are even. */
-export function damped(mass: Float64Array, damping: Float64Array, stiffness: Float64Array, n: number, still: Undamped): Motions {
+export function damped(
+  mass: Float64Array,
+  damping: Float64Array,
+  stiffness: Float64Array,
+  n: number,
+  still: Undamped,
+): Motions {
   const basis = still.symmetric ? still.shapes : unitMasses(mass, n);
   const told = (matrix: Float64Array) => product(basis, product(matrix, basis, n, n, n), n, n, n, true);
   const [springs, dampers] = [told(stiffness), told(damping)];
@@ -100,7 +116,13 @@ export function damped(mass: Float64Array, damping: Float64Array, stiffness: Flo
 }
 
 /** Complex shapes [n, 2 n] of the columns of real and imaginary parts, pair by pair. */
-function shapesOf(vectors: Matrix, im: Float64Array, basis: Float64Array, scale: number[], n: number): Motions["shapes"] {
+function shapesOf(
+  vectors: Matrix,
+  im: Float64Array,
+  basis: Float64Array,
+  scale: number[],
+  n: number,
+): Motions["shapes"] {
   const parts = { re: new Float64Array(2 * n * n), im: new Float64Array(2 * n * n) };
   for (let k = 0; k < 2 * n; k += 1) {
     for (let i = 0; i < n; i += 1) {

@@ -88,7 +88,10 @@ export class Engine {
   sample(name: string, parameters: Float64Array, inputs: Samples, count: number): Samples {
     const told = known(this.layout.samples, name, "function");
     expect(`${name}: parameters`, parameters.length, told.parameters);
-    const out = told.kind === "program" ? this.program(told, parameters, inputs, count) : this.schedule(told, parameters, [inputs], count);
+    const out =
+      told.kind === "program"
+        ? this.program(told, parameters, inputs, count)
+        : this.schedule(told, parameters, [inputs], count);
     return parted(told.outputs, out, count, 1);
   }
 
@@ -96,11 +99,20 @@ export class Engine {
    * The same with exact derivatives along `directions` of the inputs (zero where none is given): of a function that has
    * them, whose layout's kind is `slopes`.
    */
-  slopes(name: string, parameters: Float64Array, inputs: Samples, directions: Samples, count: number): { values: Samples; slopes: Samples } {
+  slopes(
+    name: string,
+    parameters: Float64Array,
+    inputs: Samples,
+    directions: Samples,
+    count: number,
+  ): { values: Samples; slopes: Samples } {
     const told = known(this.layout.samples, name, "function");
-    if (told.kind !== "slopes") throw new EngineError(`${name}: got a function without derivatives; expected one with them`);
+    if (told.kind !== "slopes")
+      throw new EngineError(`${name}: got a function without derivatives; expected one with them`);
     expect(`${name}: parameters`, parameters.length, told.parameters);
-    const zero = Object.fromEntries(Object.entries(told.inputs).map(([label, size]) => [label, new Float64Array(size)]));
+    const zero = Object.fromEntries(
+      Object.entries(told.inputs).map(([label, size]) => [label, new Float64Array(size)]),
+    );
     const out = this.schedule(told, parameters, [inputs, { ...zero, ...directions }], count);
     const size = total(told.outputs);
     return { values: parted(told.outputs, out, count, 2), slopes: parted(told.outputs, out.subarray(size), count, 2) };
@@ -108,7 +120,9 @@ export class Engine {
 
   /** Call a function on arrays of doubles, whole numbers, and arrays that it writes. */
   call(name: string, values: (Float64Array | number | Written)[]): void {
-    const arrays = values.map((value) => (typeof value === "number" ? null : value instanceof Float64Array ? value : value.into));
+    const arrays = values.map((value) =>
+      typeof value === "number" ? null : value instanceof Float64Array ? value : value.into,
+    );
     this.reserve(arrays.reduce((sum, array) => sum + (array?.byteLength ?? 0), this.free));
     const whole = new Float64Array(this.memory.buffer);
     let place = this.free;
@@ -155,7 +169,9 @@ export class Engine {
     try {
       this.memory.grow(Math.ceil(missing / PAGE));
     } catch {
-      throw new EngineError(`memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. Mend: ask for fewer samples`);
+      throw new EngineError(
+        `memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. Mend: ask for fewer samples`,
+      );
     }
   }
 }

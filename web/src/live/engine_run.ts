@@ -94,8 +94,14 @@ export class EngineRun {
     const { settings, knots, rows, times, parameters } = this.spec;
     const most = Math.max(1, Math.min(steps, settings.maxSteps - this.tried));
     const chosen: Record<string, number> = {
-      step: settings.step, rtol: settings.relativeTolerance, atol: settings.absoluteTolerance, chunk: most,
-      bound: layout.limits.bound, watch: 0, most_events: layout.limits.most_events, event_time: layout.limits.event_time,
+      step: settings.step,
+      rtol: settings.relativeTolerance,
+      atol: settings.absoluteTolerance,
+      chunk: most,
+      bound: layout.limits.bound,
+      watch: 0,
+      most_events: layout.limits.most_events,
+      event_time: layout.limits.event_time,
       looks: 0,
     };
     const before = this.cell("sample");
@@ -104,9 +110,20 @@ export class EngineRun {
     });
     const both = (into: Float64Array): Written => ({ into, given: true });
     const given: Record<string, Float64Array | number | Written> = {
-      memory: both(this.memory), y: both(this.state), k1: both(this.slope), p: parameters, knots, rows, times,
-      out: fresh(this.states), options: Float64Array.from(layout.options, (name) => chosen[name]), errors: both(this.sums),
-      errors_out: fresh(this.sumsAtSamples), seen: new Float64Array(1), segments: knots.length - 1, samples: times.length,
+      memory: both(this.memory),
+      y: both(this.state),
+      k1: both(this.slope),
+      p: parameters,
+      knots,
+      rows,
+      times,
+      out: fresh(this.states),
+      options: Float64Array.from(layout.options, (name) => chosen[name]),
+      errors: both(this.sums),
+      errors_out: fresh(this.sumsAtSamples),
+      seen: new Float64Array(1),
+      segments: knots.length - 1,
+      samples: times.length,
     };
     this.engine.call(layout.loops[this.spec.loop].export, layout.arguments.map((name) => given[name]));
   }
@@ -141,11 +158,17 @@ export class EngineRun {
     const [status, t] = [this.cell("status"), `t = ${figures(this.time, 6)} s`];
     if (status === statuses.finished) return ["finished", `reached the end, t = ${figures(settings.duration, 6)} s`];
     if (status === statuses.running) {
-      return ["stopped", `stopped at ${t} of ${figures(settings.duration, 6)} s: integration.max_steps = ${settings.maxSteps} is used up`];
+      return [
+        "stopped",
+        `stopped at ${t} of ${figures(settings.duration, 6)} s: integration.max_steps = ${settings.maxSteps} is used up`,
+      ];
     }
     if (status === statuses.chattering) {
       const often = `more than ${limits.most_events} times within ${limits.event_time} s`;
-      return ["chattering", `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`];
+      return [
+        "chattering",
+        `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`,
+      ];
     }
     return this.lost(status, t);
   }
@@ -154,20 +177,36 @@ export class EngineRun {
   private lost(status: number, at: string): [string, string] {
     const { statuses, coordinates, limits } = this.engine.layout;
     const count = coordinates.length;
-    const sizes = Array.from(this.rates().subarray(count, 2 * count), (a) => (Number.isFinite(a) ? Math.abs(a) : Infinity));
+    const sizes = Array.from(this.rates().subarray(count, 2 * count), (a) =>
+      Number.isFinite(a) ? Math.abs(a) : Infinity,
+    );
     const k = sizes.indexOf(Math.max(...sizes));
     const followed = sizes[k] < limits.bound;
-    const kind = !followed ? "diverged" : status === statuses.not_converged ? "not_converged" : status === statuses.step_too_small ? "step_too_small" : "diverged";
+    const kind = !followed
+      ? "diverged"
+      : status === statuses.not_converged
+        ? "not_converged"
+        : status === statuses.step_too_small
+          ? "step_too_small"
+          : "diverged";
     const value = `its acceleration is ${figures(sizes[k], 3)} rad/s^2`;
     const words = kind.replaceAll("_", " ");
-    return [kind, `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; its last step was of ${figures(this.cell("h"), 3)} s`];
+    return [
+      kind,
+      `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; its last step was of ${figures(this.cell("h"), 3)} s`,
+    ];
   }
 
   private rates(): Float64Array {
     const { loop, parameters, rows } = this.spec;
     const { row } = this.engine.layout.loops[loop];
     const segment = Math.min(this.cell("segment"), rows.length / row - 1);
-    const inputs = { time: Float64Array.of(this.time), state: this.state, row: rows.slice(segment * row, (segment + 1) * row), step: new Float64Array(1) };
+    const inputs = {
+      time: Float64Array.of(this.time),
+      state: this.state,
+      row: rows.slice(segment * row, (segment + 1) * row),
+      step: new Float64Array(1),
+    };
     return this.engine.sample(`${loop.slice(0, loop.lastIndexOf("."))}.rate`, parameters, inputs, 1).rate;
   }
 }

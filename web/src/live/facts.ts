@@ -31,8 +31,19 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
   if (deviation) {
     const k = worst(deviation);
     const end = deviation[deviation.length - 1];
-    facts["deviation.max"] = { value: deviation[k], note: `at ${figures(times[k])} s; ${told(end, "m")} at the end of the run` };
-    facts["deviation.rms"] = { value: Math.sqrt(meanOverTime(times, deviation.map((x) => x * x))), note: "over the run" };
+    facts["deviation.max"] = {
+      value: deviation[k],
+      note: `at ${figures(times[k])} s; ${told(end, "m")} at the end of the run`,
+    };
+    facts["deviation.rms"] = {
+      value: Math.sqrt(
+        meanOverTime(
+          times,
+          deviation.map((x) => x * x),
+        ),
+      ),
+      note: "over the run",
+    };
     facts.settling = settling(times, deviation, moveEnd);
   }
   facts["vibration.residual"] = vibration(times, series, moveEnd);
@@ -49,11 +60,19 @@ function settling(times: Float64Array, deviation: Float64Array, moveEnd: number 
 }
 
 /** When the tip stays near its reference, after the move [s], what that means in words, and when it last did not. */
-export function settled(times: Float64Array, deviation: Float64Array, moveEnd: number): { value: number; limit: string; strayed: number } {
+export function settled(
+  times: Float64Array,
+  deviation: Float64Array,
+  moveEnd: number,
+): { value: number; limit: string; strayed: number } {
   const limit = BAND * deviation[worst(deviation)];
   let strayed = moveEnd;
   for (let k = 0; k < times.length; k += 1) if (times[k] > moveEnd && deviation[k] > limit) strayed = times[k];
-  return { value: strayed - moveEnd, limit: `until the tip stays within ${told(limit, "m")}, ${100 * BAND} % of its largest deviation`, strayed };
+  return {
+    value: strayed - moveEnd,
+    limit: `until the tip stays within ${told(limit, "m")}, ${100 * BAND} % of its largest deviation`,
+    strayed,
+  };
 }
 
 /** Of a run that broke off: it has not settled, and what was largest was so until then. */
@@ -72,7 +91,9 @@ function vibration(times: Float64Array, series: SeriesOf, moveEnd: number | null
   if (first < 0 || times.length - first < FEWEST) return { value: null, note: "the run ends with the move" };
   const planned = series.tip_reference?.data;
   const tip = series.tip.data.map((value, k) => value - (planned ? planned[k] : 0)).subarray(3 * first);
-  const mean = [0, 1, 2].map((axis) => tip.reduce((sum, value, k) => (k % 3 === axis ? sum + value : sum), 0) / (tip.length / 3));
+  const mean = [0, 1, 2].map(
+    (axis) => tip.reduce((sum, value, k) => (k % 3 === axis ? sum + value : sum), 0) / (tip.length / 3),
+  );
   const away = sizes(tip.map((value, k) => value - mean[k % 3]), 3);
   return { value: away[worst(away)], note: `about its mean place, from ${figures(times[first])} s on` };
 }

@@ -17,5 +17,7 @@ export class Kept<T> {
 }
 
 function same(a: Blocks, b: Blocks): boolean {
-  return Object.entries(a).every(([name, values]) => values.length === b[name].length && values.every((value, k) => value === b[name][k]));
+  return Object.entries(a).every(
+    ([name, values]) => values.length === b[name].length && values.every((value, k) => value === b[name][k]),
+  );
 }

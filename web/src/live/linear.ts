@@ -83,7 +83,14 @@ function transposed(a: Float64Array, n: number): Float64Array {
 }
 
 /** a b of a [rows, inner], b [inner, width]; `turned`: of the transpose of a [inner, rows]. */
-export function product(a: Float64Array, b: Float64Array, rows: number, inner: number, width: number, turned = false): Float64Array {
+export function product(
+  a: Float64Array,
+  b: Float64Array,
+  rows: number,
+  inner: number,
+  width: number,
+  turned = false,
+): Float64Array {
   const found = new Float64Array(rows * width);
   for (let i = 0; i < rows; i += 1) {
     for (let k = 0; k < inner; k += 1) {

@@ -28,7 +28,9 @@ export async function openLive(given: LiveBundle): Promise<Live> {
   const doer = (await inWorker(bundle)) ?? (await inPage(bundle));
   const check = (values: number[]) => {
     if (values.length !== bundle.sliders.length || !values.every(Number.isFinite)) {
-      throw new Error(`values: got ${values.length}; expected ${bundle.sliders.length} finite numbers, one of each slider`);
+      throw new Error(
+        `values: got ${values.length}; expected ${bundle.sliders.length} finite numbers, one of each slider`,
+      );
     }
   };
   return {
@@ -95,7 +97,8 @@ function ready(worker: Worker, bundle: Bundle): Promise<boolean> {
 function hired(worker: Worker): Doer {
   let latest = 0;
   let told: LiveRun | null = null;
-  let waiting: { resolve(run: LiveRun): void; reject(problem: Error): void; progress: Progress; early: Early } | null = null;
+  let waiting: { resolve(run: LiveRun): void; reject(problem: Error): void; progress: Progress; early: Early } | null =
+    null;
   const ended = (problem: Error) => {
     waiting?.reject(problem);
     waiting = null;

@@ -17,7 +17,10 @@ export type Answered =
 /** What a run tells beyond what was told early of it. */
 export function beyond(run: LiveRun, early: LiveRun | null): Partial<LiveRun> {
   if (!early) return run;
-  const fresh = <T extends object>(all: T, known: object) => Object.fromEntries(Object.entries(all).filter(([name, value]) => (known as Record<string, unknown>)[name] !== value));
+  const fresh = <T extends object>(all: T, known: object) =>
+    Object.fromEntries(
+      Object.entries(all).filter(([name, value]) => (known as Record<string, unknown>)[name] !== value),
+    );
   return { ...fresh(run, early), series: fresh(run.series, early.series) };
 }
 

@@ -69,7 +69,9 @@ export class Model {
     const told = known(this.description.runs, run, "run");
     const settings = { ...this.description.settings, ...changes.settings };
     if (settings.duration > this.description.settings.duration) {
-      throw new EngineError(`duration: got ${settings.duration} s; expected at most ${this.description.settings.duration} s, for which there are signals`);
+      throw new EngineError(
+        `duration: got ${settings.duration} s; expected at most ${this.description.settings.duration} s, for which there are signals`,
+      );
     }
     const { knots, rows } = until(told, settings.duration);
     return integrate(this.engine, {
@@ -83,7 +85,12 @@ export class Model {
   observe(result: RunResult, run = "real", changes: Changes = {}): Samples {
     const told = known(this.description.runs, run, "run");
     const count = result.times.length;
-    const inputs = { time: result.times, state: result.states, row: rowsAt(told, result.times), step: new Float64Array(1) };
+    const inputs = {
+      time: result.times,
+      state: result.states,
+      row: rowsAt(told, result.times),
+      step: new Float64Array(1),
+    };
     return this.engine.sample(`${run}.observe`, this.numbers(told, changes), inputs, count);
   }
 
@@ -98,7 +105,10 @@ export class Model {
     const names = this.description.layout.parameters ?? [];
     for (const [name, value] of Object.entries(parameters)) {
       const index = names.indexOf(name);
-      if (index < 0) throw new EngineError(`parameter: got ${name}; expected one of ${names.join(", ") || "all numbers, for they have no names"}`);
+      if (index < 0)
+        throw new EngineError(
+          `parameter: got ${name}; expected one of ${names.join(", ") || "all numbers, for they have no names"}`,
+        );
       values[index] = value;
     }
     return values;
@@ -109,7 +119,10 @@ export class Model {
 function until(told: DescribedRun, end: number): { knots: Float64Array; rows: Float64Array } {
   const pieces = Math.max(1, told.knots.filter((knot, k) => k < told.knots.length - 1 && knot < end).length);
   const width = told.rows.length / (told.knots.length - 1);
-  return { knots: Float64Array.from([...told.knots.slice(0, pieces), end]), rows: Float64Array.from(told.rows.slice(0, pieces * width)) };
+  return {
+    knots: Float64Array.from([...told.knots.slice(0, pieces), end]),
+    rows: Float64Array.from(told.rows.slice(0, pieces * width)),
+  };
 }
 
 /** The row of signals at each time; at a jump, the later piece. */

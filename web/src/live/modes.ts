@@ -25,21 +25,37 @@ const NO_PEAK = Math.SQRT1_2; // damping from which on a response has no peak
 const RINGS = 1e-9;
 
 /** What the page shows of the modes of each case about `rest` [nq], and the headline number. */
-export function told(cases: Record<string, Found[]>, rest: Float64Array, lines: Lines): { vibration: Vibration; facts: Facts } {
+export function told(
+  cases: Record<string, Found[]>,
+  rest: Float64Array,
+  lines: Lines,
+): { vibration: Vibration; facts: Facts } {
   const vibrating = Object.entries(cases).flatMap(([name, found]) =>
-    found.filter((mode) => mode.frequency > 0).slice(0, MOST).map((mode): [string, Found] => [name, mode]));
+    found
+      .filter((mode) => mode.frequency > 0)
+      .slice(0, MOST)
+      .map((mode): [string, Found] => [name, mode]),
+  );
   const modes = shown(vibrating, rest, lines);
   const marked = cases.controlled?.length ? cases.controlled : (cases.locked ?? []);
-  const marks = marked.flatMap((mode) => (mode.rings && mode.damping < NO_PEAK ? [{ at: mode.rings, label: mode.element }] : []));
+  const marks = marked.flatMap((mode) =>
+    mode.rings && mode.damping < NO_PEAK ? [{ at: mode.rings, label: mode.element }] : [],
+  );
   return { vibration: { modes, marks: marks.sort((a, b) => a.at - b.at) }, facts: frequencyFact(cases) };
 }
 
 function frequencyFact({ controlled, locked }: Record<string, Found[] | undefined>): Facts {
   if (!controlled) return {};
-  const lowest = (values: (number | null)[]) => values.reduce((least: number | null, value) => (value && (least === null || value < least) ? value : least), null);
+  const lowest = (values: (number | null)[]) =>
+    values.reduce((least: number | null, value) => (value && (least === null || value < least) ? value : least), null);
   const value = lowest(controlled.map((mode) => mode.rings));
   const held = lowest((locked ?? []).map((mode) => mode.frequency));
-  const note = value === null ? "nothing rings under control" : held === null ? "" : `${figures(held, 4)} Hz with the motor locked`;
+  const note =
+    value === null
+      ? "nothing rings under control"
+      : held === null
+        ? ""
+        : `${figures(held, 4)} Hz with the motor locked`;
   return { "frequency.first": { value, note } };
 }
 
@@ -52,12 +68,15 @@ function shown(modes: [string, Found][], rest: Float64Array, lines: Lines): Mode
     const size = re.reduce((most, value, k) => Math.max(most, Math.hypot(value, im[k])), 0);
     for (let k = 0; k < n; k += 1) {
       const [real, imaginary] = [(STEP * re[k]) / size, (STEP * im[k]) / size];
-      [real, imaginary, -real, -imaginary].forEach((away, row) => { ends[(1 + 4 * place + row) * n + k] = rest[k] + away; });
+      [real, imaginary, -real, -imaginary].forEach((away, row) => {
+        ends[(1 + 4 * place + row) * n + k] = rest[k] + away;
+      });
     }
   });
   const { data, shape } = lines(ends, 1 + 4 * modes.length);
   const each = data.length / (1 + 4 * modes.length);
-  const slope = (row: number) => Float64Array.from({ length: each }, (_, k) => (data[row * each + k] - data[(row + 2) * each + k]) / (2 * STEP));
+  const slope = (row: number) =>
+    Float64Array.from({ length: each }, (_, k) => (data[row * each + k] - data[(row + 2) * each + k]) / (2 * STEP));
   const numbers = (values: ArrayLike<number>) => ({ data: Float32Array.from(values), shape: shape.slice(1) });
   return modes.map(([name, mode], place) => {
     const [real, imaginary] = turned(slope(1 + 4 * place), slope(2 + 4 * place));
@@ -91,11 +110,18 @@ export function ringing(motions: Motions, k: number): { size: number; rings: num
 }
 
 /** A column of the motions, in all coordinates: `place(i)` tells what moves there for unit `i` of those that are free. */
-export function motionOf(motions: Motions, k: number, n: number, free: number, share: (coordinate: number, i: number) => number): Pick<Found, "re" | "im"> {
-  const part = (columns: Float64Array) => Float64Array.from({ length: n }, (_, c) => {
-    let sum = 0;
-    for (let i = 0; i < free; i += 1) sum += share(c, i) * columns[i * motions.count + k];
-    return sum;
-  });
+export function motionOf(
+  motions: Motions,
+  k: number,
+  n: number,
+  free: number,
+  share: (coordinate: number, i: number) => number,
+): Pick<Found, "re" | "im"> {
+  const part = (columns: Float64Array) =>
+    Float64Array.from({ length: n }, (_, c) => {
+      let sum = 0;
+      for (let i = 0; i < free; i += 1) sum += share(c, i) * columns[i * motions.count + k];
+      return sum;
+    });
   return { re: part(motions.shapes.re), im: part(motions.shapes.im) };
 }

@@ -22,7 +22,10 @@ export function likeness(still: Undamped, motions: Motions, n: number, mass: Flo
   const [re, im] = [columnsOf(shapes.re, n, count), columnsOf(shapes.im, n, count)];
   const heavy = ours.map((one) => Float64Array.from({ length: n }, (_, i) => weighted((j) => one[j])(i)));
   const size = (one: Float64Array) => dot((i) => one[i], weighted((j) => one[j]));
-  const [own, other] = [ours.map((one) => Math.sqrt(size(one))), re.map((one, k) => Math.sqrt(size(one) + size(im[k])))];
+  const [own, other] = [
+    ours.map((one) => Math.sqrt(size(one))),
+    re.map((one, k) => Math.sqrt(size(one) + size(im[k]))),
+  ];
   const found = new Float64Array(n * count);
   for (let k = 0; k < n; k += 1) {
     for (let m = 0; m < count; m += 1) {
@@ -52,7 +55,8 @@ export function greedyPartners(alike: Float64Array, motions: Motions, n: number)
   const { rings, stands } = kinds(motions);
   const partners = new Array<number>(n).fill(-1);
   const open = () => partners.flatMap((partner, i) => (partner < 0 ? [i] : []));
-  const best = (pairs: [number, number][]) => pairs.reduce((a, b) => (alike[b[0] * count + b[1]] > alike[a[0] * count + a[1]] ? b : a));
+  const best = (pairs: [number, number][]) =>
+    pairs.reduce((a, b) => (alike[b[0] * count + b[1]] > alike[a[0] * count + a[1]] ? b : a));
   const left = new Set(rings.flatMap((ring, k) => (ring ? [k] : [])));
   while (left.size && open().length) {
     const [i, k] = best(open().flatMap((one) => [...left].map((m): [number, number] => [one, m])));
@@ -69,7 +73,11 @@ export function bestPartners(alike: Float64Array, motions: Motions, n: number): 
   const { count, values } = motions;
   const { rings, stands } = kinds(motions);
   const rank = new Float64Array(count);
-  Array.from({ length: count }, (_, k) => k).sort((a, b) => values.re[b] - values.re[a]).forEach((k, place) => { rank[k] = place; });
+  Array.from({ length: count }, (_, k) => k)
+    .sort((a, b) => values.re[b] - values.re[a])
+    .forEach((k, place) => {
+      rank[k] = place;
+    });
   const cost = Float64Array.from(alike, (value, at) => {
     const k = at % count;
     if (!rings[k] && !stands[k]) return 100;

@@ -23,7 +23,10 @@ export function robotFacts(times: Float64Array, series: SeriesOf, moment: Facts[
   const force = series.contact_force_radial?.data;
   if (force) {
     const [least, most] = [force.reduce((a, b) => Math.min(a, b)), force.reduce((a, b) => Math.max(a, b))];
-    facts["contact.mean"] = { value: meanOverTime(times, force), note: `from ${figures(least, 4)} to ${figures(most, 4)} N` };
+    facts["contact.mean"] = {
+      value: meanOverTime(times, force),
+      note: `from ${figures(least, 4)} to ${figures(most, 4)} N`,
+    };
   }
   return facts;
 }
@@ -46,7 +49,13 @@ function largest(lines: Lines): { value: number; mode: number; s: number; plane:
   const found = lines.parts.map((part, mode) => {
     const k = worst(part.bending_moment); // [n, S, planes]
     const value = Math.abs(part.bending_moment[k]);
-    return { value, mode, s: lines.stations[Math.floor(k / 2) % points], plane: k % 2, sample: Math.floor(k / (2 * points)) };
+    return {
+      value,
+      mode,
+      s: lines.stations[Math.floor(k / 2) % points],
+      plane: k % 2,
+      sample: Math.floor(k / (2 * points)),
+    };
   });
   return found[1].value > found[0].value ? found[1] : found[0];
 }

@@ -62,7 +62,12 @@ export function colours(lines: Lines, line: Numbers, rigid: Numbers): Scene["col
   const size = (name: string) => sizes(stacked(lines, name).data as Float64Array, 2);
   return [
     { id: "bending_moment", label: "Bending moment", unit: "N m", values: { data: size("bending_moment"), shape } },
-    { id: "deflection", label: "Deflection from the root's tangent", unit: "m", values: { data: size("deflection"), shape } },
+    {
+      id: "deflection",
+      label: "Deflection from the root's tangent",
+      unit: "m",
+      values: { data: size("deflection"), shape },
+    },
     { id: "displacement", label: "Displacement by all elasticity", unit: "m", values: { data: sizes(away, 3), shape } },
   ];
 }

@@ -17,9 +17,21 @@ const MOTOR = 5;
 const NO_REST = "the robot has no static equilibrium about which it could vibrate";
 
 /** Modes, marks and the first frequency of the real robot's numbers; a sentence where there are none. */
-export function robotVibration(engine: Engine, bundle: RobotBundle, numbers: Blocks): { vibration: NonNullable<LiveRun["vibration"]>; facts: Facts } {
+export function robotVibration(
+  engine: Engine,
+  bundle: RobotBundle,
+  numbers: Blocks,
+): { vibration: NonNullable<LiveRun["vibration"]>; facts: Facts } {
   const { parameters } = numbers;
-  const { angles, found } = staticRoots(engine, bundle, "modes.rest", parameters, numbers.start, new Float64Array(5), 1);
+  const { angles, found } = staticRoots(
+    engine,
+    bundle,
+    "modes.rest",
+    parameters,
+    numbers.start,
+    new Float64Array(5),
+    1,
+  );
   if (!found[0]) return { vibration: NO_REST, facts: {} };
   const phi = Float64Array.from({ length: N }, (_, i) => {
     let value = numbers.start[0] * bundle.modes.turn[i];
@@ -32,18 +44,31 @@ export function robotVibration(engine: Engine, bundle: RobotBundle, numbers: Blo
     return { data, shape: [count, ...shape.slice(1)] };
   };
   try {
-    const cases = Object.fromEntries(bundle.modes.cases.map(({ name, columns }) => [name, modesOf(bundle, parameters, linear, name, doubles(columns))]));
+    const cases = Object.fromEntries(
+      bundle.modes.cases.map(({ name, columns }) => [
+        name,
+        modesOf(bundle, parameters, linear, name, doubles(columns)),
+      ]),
+    );
     return told(cases, phi, lines);
   } catch (problem) {
     return { vibration: problem instanceof Error ? problem.message : String(problem), facts: {} };
   }
 }
 
-function modesOf(bundle: RobotBundle, parameters: Float64Array, linear: Float64Array, name: string, columns: Float64Array): Found[] {
+function modesOf(
+  bundle: RobotBundle,
+  parameters: Float64Array,
+  linear: Float64Array,
+  name: string,
+  columns: Float64Array,
+): Found[] {
   const m = columns.length / N;
   const matrices = [0, 1, 2].map((k) => linear.slice(k * N * N, (k + 1) * N * N));
   if (name === "controlled") addControl(bundle, parameters, matrices);
-  const [mass, damping, stiffness] = matrices.map((matrix) => product(columns, product(matrix, columns, N, N, m), m, N, m, true));
+  const [mass, damping, stiffness] = matrices.map((matrix) =>
+    product(columns, product(matrix, columns, N, N, m), m, N, m, true),
+  );
   if (!m) return [];
   const still = undamped(mass, stiffness, m);
   const motions = damped(mass, damping, stiffness, m, still);
@@ -54,12 +79,22 @@ function modesOf(bundle: RobotBundle, parameters: Float64Array, linear: Float64A
     if (k === turning) return { frequency: 0, rings: 0, damping: 0, element: "whole arm, turning freely", ...motion };
     const { rings, damping: ratio } = ringing(motions, partners[k]);
     const frequency = Math.sqrt(Math.max(still.squares[k], 0)) / (2 * Math.PI);
-    return { frequency, rings, damping: ratio, element: home(bundle, parameters, moved(columns, still, k, m)), ...motion };
+    return {
+      frequency,
+      rings,
+      damping: ratio,
+      element: home(bundle, parameters, moved(columns, still, k, m)),
+      ...motion,
+    };
   });
 }
 
 /** The controller's gains act on the motor as a spring and a damper. */
-export function addControl(bundle: RobotBundle, parameters: Float64Array, [, damping, stiffness]: Float64Array[]): void {
+export function addControl(
+  bundle: RobotBundle,
+  parameters: Float64Array,
+  [, damping, stiffness]: Float64Array[],
+): void {
   const of = (path: string) => parameterOf(bundle, parameters, path);
   const gain = of("motor.torque_constant") / of("motor.resistance");
   stiffness[MOTOR * N + MOTOR] += gain * of("controller.position_gain");

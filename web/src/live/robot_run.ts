@@ -52,7 +52,8 @@ export async function runRobot(
   const states = real.run.states.subarray(0, count * STATE);
   const motion = beside(count, columns(states, STATE, range(0, 12)), seen.acceleration, seen.contact_force);
   const frames = framesOf(bundle, count);
-  const lineOf = (which: Float64Array, stations: Float64Array) => linesAt(engine, real.numbers.parameters, which, stations);
+  const lineOf = (which: Float64Array, stations: Float64Array) =>
+    linesAt(engine, real.numbers.parameters, which, stations);
   const lines = lineOf(rowsOf(motion, 21, frames), doubles(bundle.stations));
   const moment = largestMoment(times, lines, (stations) => lineOf(motion, stations));
   const failed = [reference, real].find((regime) => regime.run.status !== "finished");
@@ -70,19 +71,45 @@ export async function runRobot(
   };
 }
 
-async function moved(engine: Engine, bundle: RobotBundle, numbers: Blocks, name: string, watch: Watch): Promise<Regime> {
+async function moved(
+  engine: Engine,
+  bundle: RobotBundle,
+  numbers: Blocks,
+  name: string,
+  watch: Watch,
+): Promise<Regime> {
   const { settings } = bundle;
   const schedule = signals.until(signals.schedule(numbers.knots, numbers.coefficients), settings.duration);
-  const run = await integrate(engine, {
-    loop: `${name}.${settings.method}`, parameters: numbers.parameters, knots: schedule.knots, rows: signals.rowsOf(schedule),
-    state: atRest(engine, bundle, name, numbers), times: doubles(bundle.times), settings,
-  }, watch);
+  const run = await integrate(
+    engine,
+    {
+      loop: `${name}.${settings.method}`,
+      parameters: numbers.parameters,
+      knots: schedule.knots,
+      rows: signals.rowsOf(schedule),
+      state: atRest(engine, bundle, name, numbers),
+      times: doubles(bundle.times),
+      settings,
+    },
+    watch,
+  );
   return { name, numbers, schedule, run };
 }
 
 function atRest(engine: Engine, bundle: RobotBundle, name: string, numbers: Blocks): Float64Array {
-  const { angles, found } = staticRoots(engine, bundle, `${name}.rest`, numbers.parameters, numbers.start, new Float64Array(5), 1);
-  if (!found[0]) throw new Error(`${name}: no static equilibrium; expected a link that carries its own load: raise a stiffness or lower a load`);
+  const { angles, found } = staticRoots(
+    engine,
+    bundle,
+    `${name}.rest`,
+    numbers.parameters,
+    numbers.start,
+    new Float64Array(5),
+    1,
+  );
+  if (!found[0])
+    throw new Error(
+      `${name}: no static equilibrium; expected a link that carries its own load: raise a stiffness or lower a load`,
+    );
   const state = new Float64Array(STATE);
   for (let i = 0; i < 6; i += 1) {
     state[i] = numbers.start[0] * THETA[i];
@@ -124,21 +151,32 @@ function seriesOf(
   const gross = beside(count, columns(states, STATE, [5, 11]), columns(seen.acceleration, 6, [5]), seen.contact_force);
   const held = staticRoots(engine, bundle, "real.quasistatic", real.numbers.parameters, gross, angles, count).angles;
   const series: SeriesOf = {
-    q: shaped(q, count, 6), v: shaped(v, count, 6),
+    q: shaped(q, count, 6),
+    v: shaped(v, count, 6),
     q_reference: shaped(columns(wanted, STATE, range(0, 6)), count, 6),
     v_reference: shaped(columns(wanted, STATE, range(6, 12)), count, 6),
-    theta_wanted: shaped(seen.wanted, count), voltage: shaped(seen.voltage, count), current: shaped(seen.current, count),
-    tip: shaped(seen.tip, count, 3), tip_velocity: shaped(seen.tip_velocity, count, 3),
-    tip_reference: shaped(planned.tip, count, 3), deviation: shaped(sizes(difference(seen.tip, planned.tip), 3), count),
-    deformation: shaped(angles, count, 5), deformation_reference: shaped(deformations(wanted), count, 5),
-    deformation_stationary: shaped(held, count, 5), deformation_oscillatory: shaped(difference(angles, held), count, 5),
-    gear_torque: shaped(seen.gear_torque, count), gear_torque_reference: shaped(planned.gear_torque, count),
-    energy: shaped(seen.energy, count, 4), work: shaped(work, count, 5),
+    theta_wanted: shaped(seen.wanted, count),
+    voltage: shaped(seen.voltage, count),
+    current: shaped(seen.current, count),
+    tip: shaped(seen.tip, count, 3),
+    tip_velocity: shaped(seen.tip_velocity, count, 3),
+    tip_reference: shaped(planned.tip, count, 3),
+    deviation: shaped(sizes(difference(seen.tip, planned.tip), 3), count),
+    deformation: shaped(angles, count, 5),
+    deformation_reference: shaped(deformations(wanted), count, 5),
+    deformation_stationary: shaped(held, count, 5),
+    deformation_oscillatory: shaped(difference(angles, held), count, 5),
+    gear_torque: shaped(seen.gear_torque, count),
+    gear_torque_reference: shaped(planned.gear_torque, count),
+    energy: shaped(seen.energy, count, 4),
+    work: shaped(work, count, 5),
     energy_balance: shaped(energyBalance(seen.energy, work, count, 1), count),
   };
   if (!bundle.contact) return series;
   return {
-    ...series, contact_force: shaped(seen.contact_force, count, 3), contact_force_radial: shaped(seen.radial_force, count),
+    ...series,
+    contact_force: shaped(seen.contact_force, count, 3),
+    contact_force_radial: shaped(seen.radial_force, count),
     contact_force_radial_reference: shaped(planned.radial_force, count),
   };
 }
@@ -148,7 +186,12 @@ function picture(
   engine: Engine, bundle: RobotBundle, real: Regime, lines: Lines, series: SeriesOf, frames: number[],
 ): Pick<LiveRun, "scene" | "line"> {
   const { parameters } = real.numbers;
-  const at = (name: string) => rowsOf(series[name].data, series[name].shape.slice(1).reduce((a, b) => a * b, 1), frames);
+  const at = (name: string) =>
+    rowsOf(
+      series[name].data,
+      series[name].shape.slice(1).reduce((a, b) => a * b, 1),
+      frames,
+    );
   const points = lines.stations.length;
   const phi = at("q");
   const wanted = at("q_reference");
@@ -156,15 +199,33 @@ function picture(
   const [rigid, reference, referenceRigid] = [rigidOf(phi), wanted, rigidOf(wanted)].map((one) =>
     stacked(linesAt(engine, parameters, standing(one), lines.stations), "line"));
   const numbers = (name: string) => ({ data: at(name), shape: [frames.length, ...series[name].shape.slice(1)] });
-  const places = { data: Float64Array.from({ length: 2 * points }, (_, k) => bundle.lengths[Math.floor(k / points)] * lines.stations[k % points]), shape: [2, points] };
+  const places = {
+    data: Float64Array.from(
+      { length: 2 * points },
+      (_, k) => bundle.lengths[Math.floor(k / points)] * lines.stations[k % points],
+    ),
+    shape: [2, points],
+  };
   const panel: LinePanel = {
-    links: ["Mode 1", "Mode 2"], places,
-    quantities: QUANTITIES.map((one) => ({ ...one, planes: ["horizontal", "vertical"], values: stacked(lines, one.id) })),
+    links: ["Mode 1", "Mode 2"],
+    places,
+    quantities: QUANTITIES.map((one) => ({
+      ...one,
+      planes: ["horizontal", "vertical"],
+      values: stacked(lines, one.id),
+    })),
   };
   return {
     scene: {
-      times: { data: rowsOf(real.run.times, 1, frames), shape: [frames.length] }, line, rigid, reference, referenceRigid, roots: roots(phi),
-      tip: numbers("tip"), tipReference: numbers("tip_reference"), colours: colours(lines, line, rigid),
+      times: { data: rowsOf(real.run.times, 1, frames), shape: [frames.length] },
+      line,
+      rigid,
+      reference,
+      referenceRigid,
+      roots: roots(phi),
+      tip: numbers("tip"),
+      tipReference: numbers("tip_reference"),
+      colours: colours(lines, line, rigid),
       contact: bundle.contact ? { force: numbers("contact_force"), at: numbers("tip") } : null,
     },
     line: panel,

@@ -42,19 +42,36 @@ async function settling(
   const times = real.run.times;
   const end = real.numbers.end[0];
   const last = times[times.length - 1];
-  if (last < end * (1 - 1e-9)) return unseen(`the run ends before the move does, at ${figures(end, 6)} s: simulate longer`);
+  if (last < end * (1 - 1e-9))
+    return unseen(`the run ends before the move does, at ${figures(end, 6)} s: simulate longer`);
   if (FIXED_STEP.includes(bundle.settings.method)) return unseen("the page carries no run on by steps of one length");
-  const slowest = Math.max(Math.min(slowestDecay(engine, bundle, reference, "locked"), slowestDecay(engine, bundle, real, "controlled")), 1e-9);
+  const slowest = Math.max(
+    Math.min(slowestDecay(engine, bundle, reference, "locked"), slowestDecay(engine, bundle, real, "controlled")),
+    1e-9,
+  );
   const horizon = Math.min(HORIZON, DECAYS / slowest);
   const carried: Regime[] = [];
-  for (const [regime, held] of [[reference, true], [real, false]] as const) carried.push(await carriedOn(engine, bundle, regime, held, horizon, watch));
+  for (const [regime, held] of [
+    [reference, true],
+    [real, false],
+  ] as const)
+    carried.push(await carriedOn(engine, bundle, regime, held, horizon, watch));
   const lost = carried.find((regime) => regime.run.status !== "finished");
   if (lost) return unseen(`continued beyond its end, the run did not come far: ${lost.run.message}`);
   const [wanted, own] = carried.map((regime) => observed(engine, regime, SAMPLES + 1).tip);
   const afterwards = sizes(difference(own, wanted), 3).subarray(1);
-  const whole = { times: joined(times, carried[1].run.times.subarray(1).map((time) => last + time)), deviation: joined(deviation, afterwards) };
+  const whole = {
+    times: joined(
+      times,
+      carried[1].run.times.subarray(1).map((time) => last + time),
+    ),
+    deviation: joined(deviation, afterwards),
+  };
   const { value, limit, strayed } = settled(whole.times, whole.deviation, end);
-  if (strayed > whole.times[whole.times.length - 1] - BAND * horizon) return unseen(`the deviation is still ${figures(whole.deviation[whole.deviation.length - 1])} m ${figures(horizon)} s after the end of the run`);
+  if (strayed > whole.times[whole.times.length - 1] - BAND * horizon)
+    return unseen(
+      `the deviation is still ${figures(whole.deviation[whole.deviation.length - 1])} m ${figures(horizon)} s after the end of the run`,
+    );
   return { settling: { value, note: limit } };
 }
 
@@ -76,7 +93,9 @@ function slowestDecay(engine: Engine, bundle: RobotBundle, { name, numbers, run 
   const { linear } = engine.sample(`${name}.linear`, numbers.parameters, { phi: run.states.slice(0, N) }, 1);
   const matrices = [0, 1, 2].map((k) => linear.slice(k * N * N, (k + 1) * N * N));
   if (state === "controlled") addControl(bundle, numbers.parameters, matrices);
-  const [mass, damping, stiffness] = matrices.map((matrix) => product(columns, product(matrix, columns, N, N, m), m, N, m, true));
+  const [mass, damping, stiffness] = matrices.map((matrix) =>
+    product(columns, product(matrix, columns, N, N, m), m, N, m, true),
+  );
   const { re, im } = damped(mass, damping, stiffness, m, undamped(mass, stiffness, m)).values;
   const decays = Array.from(re, (value, k) => (Math.abs(im[k]) > STILL * Math.hypot(value, im[k]) ? -value : Infinity));
   const least = Math.min(...decays);
@@ -84,18 +103,34 @@ function slowestDecay(engine: Engine, bundle: RobotBundle, { name, numbers, run 
 }
 
 /** The regime from where it ended, its wanted motor angle at rest; `held`: its motor is where it is wanted. */
-async function carriedOn(engine: Engine, bundle: RobotBundle, regime: Regime, held: boolean, horizon: number, watch: Watch): Promise<Regime> {
+async function carriedOn(
+  engine: Engine,
+  bundle: RobotBundle,
+  regime: Regime,
+  held: boolean,
+  horizon: number,
+  watch: Watch,
+): Promise<Regime> {
   const { name, numbers, run } = regime;
   const [goal] = numbers.goal;
   const state = run.states.slice(-STATE);
   if (held) [state[MOTOR], state[MOTOR_RATE]] = [goal, 0];
   const { signals, degree } = regime.schedule;
-  const schedule: Schedule = { knots: Float64Array.of(0, horizon), coefficients: new Float64Array(degree + 1), signals, degree };
+  const schedule: Schedule = {
+    knots: Float64Array.of(0, horizon),
+    coefficients: new Float64Array(degree + 1),
+    signals,
+    degree,
+  };
   schedule.coefficients[0] = goal;
   const times = Float64Array.from({ length: SAMPLES + 1 }, (_, k) => (k * horizon) / SAMPLES);
   const settings = { ...bundle.settings, duration: horizon };
   const rows = Float64Array.from([0, ...schedule.coefficients]);
   const loop = `${name}.${settings.method}`;
-  const onward = await integrate(engine, { loop, parameters: numbers.parameters, knots: schedule.knots, rows, state, times, settings }, watch);
+  const onward = await integrate(
+    engine,
+    { loop, parameters: numbers.parameters, knots: schedule.knots, rows, state, times, settings },
+    watch,
+  );
   return { ...regime, schedule, run: onward };
 }

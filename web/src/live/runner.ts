@@ -33,7 +33,9 @@ export async function openRunner(bundle: Bundle): Promise<Runner> {
   return {
     async run(values, watch, early = () => undefined) {
       const regimes: RobotRegime[] = [];
-      const run = await runRobot(engine, bundle as RobotBundle, values, watch, kept, (...both) => regimes.push(...both));
+      const run = await runRobot(engine, bundle as RobotBundle, values, watch, kept, (...both) =>
+        regimes.push(...both),
+      );
       early(run);
       return withSettling(engine, bundle as RobotBundle, run, regimes[0], regimes[1], watch);
     },

@@ -60,7 +60,12 @@ export function sizes(vectors: Float64Array, width: number): Float64Array {
 }
 
 /** Energy less its start, less what came in, plus what went out [n]: the first `broughtIn` works come in. */
-export function energyBalance(energy: Float64Array, work: Float64Array, count: number, broughtIn: number): Float64Array {
+export function energyBalance(
+  energy: Float64Array,
+  work: Float64Array,
+  count: number,
+  broughtIn: number,
+): Float64Array {
   const kinds = energy.length / count;
   const works = work.length / count;
   const found = new Float64Array(count);
@@ -83,6 +88,10 @@ export function worst(values: Float64Array): number {
 }
 
 /** A series of given trailing dimensions. */
-export function shaped(data: Float64Array, count: number, ...trailing: number[]): { data: Float64Array; shape: number[] } {
+export function shaped(
+  data: Float64Array,
+  count: number,
+  ...trailing: number[]
+): { data: Float64Array; shape: number[] } {
   return { data, shape: [count, ...trailing] };
 }

@@ -5,12 +5,16 @@ import type { Place, SheetPart } from "./bundle";
 /** The text of the sheet for values of the sliders. */
 export function sheetText(template: readonly SheetPart[], values: readonly number[]): string {
   const shown = template.map((part) => typeof part === "object" && "parts" in part && isShown(part.optional, values));
-  const anyOptional = template.some((part, k) => shown[k] && typeof part === "object" && "optional" in part && part.optional >= 0);
+  const anyOptional = template.some(
+    (part, k) => shown[k] && typeof part === "object" && "optional" in part && part.optional >= 0,
+  );
   return template
     .map((part, k) => {
       if (typeof part === "string") return part;
       if ("header" in part) return anyOptional ? part.header : "";
-      return shown[k] ? part.parts.map((piece) => (typeof piece === "string" ? piece : filled(piece, values))).join("") : "";
+      return shown[k]
+        ? part.parts.map((piece) => (typeof piece === "string" ? piece : filled(piece, values))).join("")
+        : "";
     })
     .join("");
 }

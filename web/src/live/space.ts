@@ -41,7 +41,8 @@ export function along(r: Reals, i: number, axis: number, x: Reals, j: number): n
 export function product(into: Reals, at: number, a: Reals, i: number, b: Reals, j: number): void {
   for (let row = 0; row < 3; row += 1) {
     for (let k = 0; k < 3; k += 1) {
-      into[at + 3 * row + k] = a[i + 3 * row] * b[j + k] + a[i + 3 * row + 1] * b[j + 3 + k] + a[i + 3 * row + 2] * b[j + 6 + k];
+      into[at + 3 * row + k] =
+        a[i + 3 * row] * b[j + k] + a[i + 3 * row + 1] * b[j + 3 + k] + a[i + 3 * row + 2] * b[j + 6 + k];
     }
   }
 }

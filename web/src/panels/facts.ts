@@ -51,17 +51,23 @@ function compared(page: Page, known: Told[]): HTMLElement {
   const all = new Map<string, Fact>();
   for (const fact of page.runs.flatMap((run) => run.facts)) if (!all.has(fact.id)) all.set(fact.id, fact);
   const head = make("tr", {}, make("td", {}), ...page.runs.map((run) => make("th", { scope: "col", text: run.name })));
-  const rows = [...all.values()].map((fact) => make("tr", { "data-fact": fact.id }, make("th", { scope: "row", text: fact.name }),
-    ...page.runs.map((run, k) => {
-      const cell = make("td", { class: "number" });
-      const own = run.facts.find((other) => other.id === fact.id);
-      known.push((live) => {
-        const fresh = k === 0 ? live?.facts[fact.id] : undefined;
-        put(cell, told(fresh ? fresh.value : (own?.value ?? null), own?.unit ?? fact.unit));
-        cell.title = (fresh ?? own)?.note ?? "";
-      });
-      return cell;
-    })));
+  const rows = [...all.values()].map((fact) =>
+    make(
+      "tr",
+      { "data-fact": fact.id },
+      make("th", { scope: "row", text: fact.name }),
+      ...page.runs.map((run, k) => {
+        const cell = make("td", { class: "number" });
+        const own = run.facts.find((other) => other.id === fact.id);
+        known.push((live) => {
+          const fresh = k === 0 ? live?.facts[fact.id] : undefined;
+          put(cell, told(fresh ? fresh.value : (own?.value ?? null), own?.unit ?? fact.unit));
+          cell.title = (fresh ?? own)?.note ?? "";
+        });
+        return cell;
+      }),
+    ),
+  );
   const table = make("table", {}, make("thead", {}, head), make("tbody", {}, ...rows));
   return make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Numbers of the runs" }, table);
 }

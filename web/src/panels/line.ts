@@ -59,7 +59,9 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
     heading.textContent = `${panel.links.join(", ")}: along the links from root to tip, at ${digits(times[frame], 4)} s. The scales are those of the whole run.`;
     const axis = along(panel);
     for (const { plot, quantity, factor } of pictures) {
-      const columns = quantity.planes.map((_, k) => row(panel!, quantity.values, frame, k, quantity.planes.length, factor));
+      const columns = quantity.planes.map((_, k) =>
+        row(panel!, quantity.values, frame, k, quantity.planes.length, factor),
+      );
       plot.setData([axis, ...columns] as uPlot.AlignedData);
     }
   }
@@ -101,7 +103,11 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
 /** What must be the same for pictures to serve another run: links, places along them, quantities and planes. */
 function kindOf(panel: LinePanel): string {
   const { links, places, quantities } = panel;
-  return JSON.stringify([links, Array.from(places.data), quantities.map(({ id, label, unit, planes }) => [id, label, unit, planes])]);
+  return JSON.stringify([
+    links,
+    Array.from(places.data),
+    quantities.map(({ id, label, unit, planes }) => [id, label, unit, planes]),
+  ]);
 }
 
 /** Places of all stations along the chain of bending links; a link begins where the one before ended. */
@@ -110,14 +116,22 @@ function along(panel: LinePanel): number[] {
   const found: number[] = [];
   let start = 0;
   for (let link = 0; link < panel.links.length; link += 1) {
-    for (let k = 0; k < stations; k += 1) found.push(start + panel.places.data[link * stations + k] + (k === 0 && link > 0 ? 1e-9 : 0));
+    for (let k = 0; k < stations; k += 1)
+      found.push(start + panel.places.data[link * stations + k] + (k === 0 && link > 0 ? 1e-9 : 0));
     start = found[found.length - 1];
   }
   return found;
 }
 
 /** One plane of a quantity at a frame, over all links; values [m, links, S, planes]. */
-function row(panel: LinePanel, values: Numbers, frame: number, plane: number, planes: number, factor: number): number[] {
+function row(
+  panel: LinePanel,
+  values: Numbers,
+  frame: number,
+  plane: number,
+  planes: number,
+  factor: number,
+): number[] {
   const count = panel.links.length * panel.places.shape[1];
   const start = frame * count * planes;
   return Array.from({ length: count }, (_, k) => factor * values.data[start + k * planes + plane]);
@@ -139,21 +153,56 @@ function picture(grid: HTMLElement, panel: LinePanel, quantity: Quantity): Pictu
   const looks = quantity.planes.map((_, k) => lookOf("real", k, true, 1));
   const place = make("div", { class: "plot-area", role: "img" });
   const unitName = make("span", { class: "unit" });
-  const legend = make("div", { class: "legend" }, ...quantity.planes.map((name, k) => make("span", { class: "key" }, swatch(`var(${looks[k].property})`, looks[k].dash), make("span", { text: name }))));
+  const legend = make(
+    "div",
+    { class: "legend" },
+    ...quantity.planes.map((name, k) =>
+      make("span", { class: "key" }, swatch(`var(${looks[k].property})`, looks[k].dash), make("span", { text: name })),
+    ),
+  );
   const title = make("h4", { text: quantity.label }, unitName);
   grid.append(make("figure", { class: "chart" }, make("figcaption", {}, title, legend), place));
   const lines = { stroke: () => colour("--grid"), width: 1 };
   const axis = { stroke: () => colour("--quiet"), font: FONT, grid: lines, ticks: { ...lines, size: 4 } };
   const axisPlaces = along(panel);
   const joints = panel.links.slice(1).map((_, k) => axisPlaces[(k + 1) * panel.places.shape[1]]);
-  const plot = new uPlot({
-    width: Math.max(place.clientWidth, 120), height: HEIGHT, legend: { show: false }, padding: [8, 14, 0, 0], cursor: { show: false },
-    scales: { x: { time: false }, y: { range: () => limits } },
-    axes: [{ ...axis, label: "along the links [m]", labelSize: 18, labelFont: FONT, size: 30, values: (_, marks) => marks.map(plain) },
-      { ...axis, size: (_, marks) => 16 + 7 * Math.max(2, ...(marks ?? []).map((mark) => mark.length)), values: (_, marks) => marks.map(plain) }],
-    series: [{}, ...looks.map((look) => ({ stroke: () => colour(look.property), dash: look.dash, width: 1.6, points: { show: false } }))],
-    hooks: { draw: [(drawn) => separators(drawn, joints)] },
-  }, [axisPlaces, ...looks.map(() => axisPlaces.map(() => 0))] as uPlot.AlignedData, place);
+  const plot = new uPlot(
+    {
+      width: Math.max(place.clientWidth, 120),
+      height: HEIGHT,
+      legend: { show: false },
+      padding: [8, 14, 0, 0],
+      cursor: { show: false },
+      scales: { x: { time: false }, y: { range: () => limits } },
+      axes: [
+        {
+          ...axis,
+          label: "along the links [m]",
+          labelSize: 18,
+          labelFont: FONT,
+          size: 30,
+          values: (_, marks) => marks.map(plain),
+        },
+        {
+          ...axis,
+          size: (_, marks) => 16 + 7 * Math.max(2, ...(marks ?? []).map((mark) => mark.length)),
+          values: (_, marks) => marks.map(plain),
+        },
+      ],
+      series: [
+        {},
+        ...looks.map((look) => ({
+          stroke: () => colour(look.property),
+          dash: look.dash,
+          width: 1.6,
+          points: { show: false },
+        })),
+      ],
+      hooks: { draw: [(drawn) => separators(drawn, joints)] },
+    },
+    [axisPlaces, ...looks.map(() => axisPlaces.map(() => 0))] as uPlot.AlignedData,
+    place,
+  );
   const found: Picture = { plot, quantity, factor: 1, take };
   function take(other: Quantity): void {
     let [low, high] = [0, 0];
@@ -166,7 +215,10 @@ function picture(grid: HTMLElement, panel: LinePanel, quantity: Quantity): Pictu
     limits = [(low - room) * unit.factor, (high + room) * unit.factor];
     [found.quantity, found.factor] = [other, unit.factor];
     put(unitName, ` [${unit.name || "–"}]`);
-    place.setAttribute("aria-label", `${other.label} along the links, between ${plain(low * unit.factor)} and ${plain(high * unit.factor)} ${unit.name}`);
+    place.setAttribute(
+      "aria-label",
+      `${other.label} along the links, between ${plain(low * unit.factor)} and ${plain(high * unit.factor)} ${unit.name}`,
+    );
   }
   take(quantity);
   return found;

@@ -22,9 +22,20 @@ export function mountModes(element: HTMLElement, page: Page, scene: SceneView, c
   let share = LARGEST;
   const table = make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Modes" });
   const name = ownId("case");
-  const choice = make("select", { id: name }, ...cases.map((one) => make("option", { value: one, text: CASES[one] ?? one })));
+  const choice = make(
+    "select",
+    { id: name },
+    ...cases.map((one) => make("option", { value: one, text: CASES[one] ?? one })),
+  );
   choice.addEventListener("change", () => fill(choice.value));
-  const size = make("input", { type: "range", min: "0.02", max: "0.3", step: "0.01", value: String(share), id: ownId("size") });
+  const size = make("input", {
+    type: "range",
+    min: "0.02",
+    max: "0.3",
+    step: "0.01",
+    value: String(share),
+    id: ownId("size"),
+  });
   size.addEventListener("input", () => {
     share = Number(size.value);
     if (shown) scene.showMode(shown, share);
@@ -47,18 +58,43 @@ export function mountModes(element: HTMLElement, page: Page, scene: SceneView, c
 
   function fill(which: string): void {
     const was = (k: number, told: (mode: Mode) => string) => (modes === own ? "" : before[k] ? told(before[k]) : "–");
-    const head = ["Frequency [Hz]", "Damping [%]", "Lives in", ""].map((text) => make(text ? "th" : "td", text ? { scope: "col", text } : {}));
+    const head = ["Frequency [Hz]", "Damping [%]", "Lives in", ""].map((text) =>
+      make(text ? "th" : "td", text ? { scope: "col", text } : {}),
+    );
     const before = own.filter((mode) => mode.case === which);
     const rows = modes.filter((mode) => mode.case === which).map((mode, k) => {
       const label = `Show the mode of ${digits(mode.frequency)} Hz in 3D`;
-      const showIt = button(mode === shown ? "stop" : "show", () => show(mode === shown ? null : mode), { "aria-pressed": String(mode === shown), "aria-label": mode === shown ? "Stop showing the mode" : label });
-      return make("tr", {}, number(digits(mode.frequency), was(k, (one) => digits(one.frequency))), number(digits(100 * mode.damping, 3), was(k, (one) => digits(100 * one.damping, 3))),
-        make("td", { text: mode.livesIn }), make("td", {}, showIt));
+      const showIt = button(mode === shown ? "stop" : "show", () => show(mode === shown ? null : mode), {
+        "aria-pressed": String(mode === shown),
+        "aria-label": mode === shown ? "Stop showing the mode" : label,
+      });
+      return make(
+        "tr",
+        {},
+        number(
+          digits(mode.frequency),
+          was(k, (one) => digits(one.frequency)),
+        ),
+        number(
+          digits(100 * mode.damping, 3),
+          was(k, (one) => digits(100 * one.damping, 3)),
+        ),
+        make("td", { text: mode.livesIn }),
+        make("td", {}, showIt),
+      );
     });
     table.replaceChildren(make("table", {}, make("thead", {}, make("tr", {}, ...head)), make("tbody", {}, ...rows)));
   }
 
-  const bar = make("div", { class: "bar" }, make("label", { for: name, text: "Modes" }), choice, make("label", { for: size.id, text: "amplitude" }), size, back);
+  const bar = make(
+    "div",
+    { class: "bar" },
+    make("label", { for: name, text: "Modes" }),
+    choice,
+    make("label", { for: size.id, text: "amplitude" }),
+    size,
+    back,
+  );
   element.append(bar, note, table);
   fill(cases[0] ?? "");
   // who moves the time wants to see the motion
@@ -66,7 +102,9 @@ export function mountModes(element: HTMLElement, page: Page, scene: SceneView, c
   return {
     show(live) {
       const found = live?.vibration;
-      const [which, place] = shown ? [shown.case, modes.filter((mode) => mode.case === shown!.case).indexOf(shown)] : ["", -1];
+      const [which, place] = shown
+        ? [shown.case, modes.filter((mode) => mode.case === shown!.case).indexOf(shown)]
+        : ["", -1];
       modes = typeof found === "object" ? found.modes : own;
       note.textContent = live ? words(found) : "";
       note.hidden = !note.textContent;
@@ -91,5 +129,7 @@ function number(text: string, was: string): HTMLElement {
 
 function words(found: LiveRun["vibration"]): string {
   if (found === undefined) return "These are the modes of the run as it was; the new ones are being found.";
-  return typeof found === "string" ? `These are the modes of the run as it was: ${found}.` : "About the rest with the changed numbers; under each number what it was.";
+  return typeof found === "string"
+    ? `These are the modes of the run as it was: ${found}.`
+    : "About the rest with the changed numbers; under each number what it was.";
 }

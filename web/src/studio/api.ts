@@ -105,7 +105,8 @@ export const api = {
   yaml: (sheet: Sheet) => json<{ yaml: string }>("api/yaml", "POST", { sheet }),
   studies: () => json<{ folder: string; studies: string[] }>("api/studies"),
   study: (name: string) => json<SheetTold>(`api/studies/${named(name)}`),
-  save: (name: string, sheet: Sheet, looks: string, overwrite: boolean) => json<{ saved: string }>(`api/studies/${named(name)}`, "PUT", { sheet, looks, overwrite }),
+  save: (name: string, sheet: Sheet, looks: string, overwrite: boolean) =>
+    json<{ saved: string }>(`api/studies/${named(name)}`, "PUT", { sheet, looks, overwrite }),
   upload: (files: { name: string; content: string }[]) => json<SheetTold>("api/upload", "POST", { files }),
   begin: (product: string, wish: Wish, client: string) => json<Job>("api/jobs", "POST", { product, ...wish, client }),
   look: (job: string, wait: number) => json<Job>(`api/jobs/${named(job)}?wait=${wait}`),

@@ -37,7 +37,9 @@ export function told(schema: Schema): string {
     schema.rigid_when_infinite ? ".inf: rigid" : "",
   ].filter(Boolean).join(", ");
   const meaning = (schema.description ?? "").split("\n")[0].replace(/ \[[^\]]*\]$/, "");
-  return [meaning, schema.symbol && schema.symbol !== "-" ? `symbol ${schema.symbol}` : "", range].filter(Boolean).join("; ");
+  return [meaning, schema.symbol && schema.symbol !== "-" ? `symbol ${schema.symbol}` : "", range]
+    .filter(Boolean)
+    .join("; ");
 }
 
 export function makeField(name: string, shape: Shape, unit: string, optional: boolean, changed: Changed): Field {
@@ -58,16 +60,33 @@ function row(name: string, schema: Schema, input: HTMLElement, after: Node | nul
   input.id = id;
   const title = told(schema);
   const label = make("label", { for: id, title }, document.createTextNode(words(name)));
-  if (schema.symbol && schema.symbol !== "-") label.append(make("span", { class: "symbol", text: ` ${schema.symbol}` }));
+  if (schema.symbol && schema.symbol !== "-")
+    label.append(make("span", { class: "symbol", text: ` ${schema.symbol}` }));
   input.title = title;
   return make("div", { class: "field" }, label, make("span", { class: "entry" }, input, after));
 }
 
 function number(name: string, schema: Schema, unit: string, optional: boolean, changed: Changed): Field {
-  const input = make("input", { type: "text", inputmode: "decimal", autocomplete: "off", spellcheck: "false", class: "number", placeholder: optional ? "not set" : shown(schema.default) });
+  const input = make("input", {
+    type: "text",
+    inputmode: "decimal",
+    autocomplete: "off",
+    spellcheck: "false",
+    class: "number",
+    placeholder: optional ? "not set" : shown(schema.default),
+  });
   input.addEventListener("change", () => changed(read(input.value)));
   const after = make("span", { class: "unit", text: unit });
-  return { element: row(name, schema, input, after), input, set: (value) => { input.value = shown(value); }, unit: (text) => { after.textContent = text; } };
+  return {
+    element: row(name, schema, input, after),
+    input,
+    set: (value) => {
+      input.value = shown(value);
+    },
+    unit: (text) => {
+      after.textContent = text;
+    },
+  };
 }
 
 /** A number as it was typed: a plain one, or text with a unit, which the server reads. */
@@ -79,23 +98,51 @@ export function read(typed: string): Json | undefined {
 }
 
 export function shown(value: Json | undefined): string {
-  return value === undefined || value === null ? "" : typeof value === "number" ? String(value) : typeof value === "string" ? value : JSON.stringify(value);
+  return value === undefined || value === null
+    ? ""
+    : typeof value === "number"
+      ? String(value)
+      : typeof value === "string"
+        ? value
+        : JSON.stringify(value);
 }
 
 function text(name: string, schema: Schema, optional: boolean, changed: Changed): Field {
-  const input = make("input", { type: "text", maxlength: schema.maxLength === undefined ? undefined : String(schema.maxLength), placeholder: optional ? "not set" : undefined });
-  input.addEventListener("change", () => changed(input.value === "" && (optional || schema.default !== undefined) ? undefined : input.value));
+  const input = make("input", {
+    type: "text",
+    maxlength: schema.maxLength === undefined ? undefined : String(schema.maxLength),
+    placeholder: optional ? "not set" : undefined,
+  });
+  input.addEventListener("change", () =>
+    changed(input.value === "" && (optional || schema.default !== undefined) ? undefined : input.value),
+  );
   return { element: row(name, schema, input), input, set: (value) => { input.value = shown(value); } };
 }
 
 function word(name: string, schema: Schema, choices: string[], changed: Changed): Field {
-  const input = make("select", {}, ...choices.map((one) => make("option", { value: one, text: one.replaceAll("_", " ") })));
+  const input = make(
+    "select",
+    {},
+    ...choices.map((one) => make("option", { value: one, text: one.replaceAll("_", " ") })),
+  );
   input.addEventListener("change", () => changed(input.value));
-  return { element: row(name, schema, input), input, set: (value) => { input.value = String(value ?? schema.default ?? choices[0]); } };
+  return {
+    element: row(name, schema, input),
+    input,
+    set: (value) => {
+      input.value = String(value ?? schema.default ?? choices[0]);
+    },
+  };
 }
 
 function yes(name: string, schema: Schema, changed: Changed): Field {
   const input = make("input", { type: "checkbox" });
   input.addEventListener("change", () => changed(input.checked));
-  return { element: row(name, schema, input), input, set: (value) => { input.checked = Boolean(value ?? schema.default); } };
+  return {
+    element: row(name, schema, input),
+    input,
+    set: (value) => {
+      input.checked = Boolean(value ?? schema.default);
+    },
+  };
 }

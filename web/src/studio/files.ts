@@ -22,7 +22,10 @@ export function studyControls(host: FilesHost): HTMLElement {
   const replace = button("Replace", () => void keep(true), { hidden: true, class: "warn" });
   const refresh = () => attempt(host, async () => {
     const told = await api.studies();
-    list.replaceChildren(make("option", { value: "", text: `open from ${told.folder}/ …` }), ...told.studies.map((one) => make("option", { value: one, text: one })));
+    list.replaceChildren(
+      make("option", { value: "", text: `open from ${told.folder}/ …` }),
+      ...told.studies.map((one) => make("option", { value: one, text: one })),
+    );
   });
   const keep = (overwrite: boolean) => attempt(host, async () => {
     const wish = host.wish();
@@ -51,8 +54,16 @@ export function studyControls(host: FilesHost): HTMLElement {
     list.value = "";
   }));
   void refresh();
-  return make("span", { class: "pick" }, make("label", { for: opened, class: "hidden", text: "Open a study" }), list,
-    make("label", { for: named, class: "hidden", text: "Name of the study" }), name, button("Save", () => void keep(false), { title: "Save the study as YAML into the working folder" }), replace);
+  return make(
+    "span",
+    { class: "pick" },
+    make("label", { for: opened, class: "hidden", text: "Open a study" }),
+    list,
+    make("label", { for: named, class: "hidden", text: "Name of the study" }),
+    name,
+    button("Save", () => void keep(false), { title: "Save the study as YAML into the working folder" }),
+    replace,
+  );
 }
 
 /** The run as a report, as data, and the study as YAML, to be kept anywhere. */
@@ -62,18 +73,32 @@ export function exportControls(host: FilesHost): HTMLElement {
     const wish = host.wish();
     if (!wish) return;
     host.say(`Making the ${product} …`);
-    const bytes = await host.runner.file(product, wish, (job) => host.say(`Making the ${product}: ${job.stage || job.state} …`));
+    const bytes = await host.runner.file(product, wish, (job) =>
+      host.say(`Making the ${product}: ${job.stage || job.state} …`),
+    );
     give(bytes, `${stem()}${ending}`, type);
     host.right();
     host.say(`The ${product} is among your downloads.`);
   });
-  return make("span", { class: "pick", role: "group", "aria-label": "Export" },
-    button("Report", () => void file("report", ".html", "text/html"), { title: "This run as one page that needs no network" }),
-    button("Data", () => void file("data", ".nc", "application/x-netcdf"), { title: "All series of this run as NetCDF (result.nc)" }),
-    button("YAML", () => void attempt(host, async () => {
-      const wish = host.wish();
-      if (wish) save((await api.yaml(wish.sheet)).yaml, `${stem()}.yaml`, "application/yaml");
-    }), { title: "The study as a data sheet" }));
+  return make(
+    "span",
+    { class: "pick", role: "group", "aria-label": "Export" },
+    button("Report", () => void file("report", ".html", "text/html"), {
+      title: "This run as one page that needs no network",
+    }),
+    button("Data", () => void file("data", ".nc", "application/x-netcdf"), {
+      title: "All series of this run as NetCDF (result.nc)",
+    }),
+    button(
+      "YAML",
+      () =>
+        void attempt(host, async () => {
+          const wish = host.wish();
+          if (wish) save((await api.yaml(wish.sheet)).yaml, `${stem()}.yaml`, "application/yaml");
+        }),
+      { title: "The study as a data sheet" },
+    ),
+  );
 }
 
 function give(bytes: Uint8Array, name: string, type: string): void {

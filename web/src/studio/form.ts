@@ -35,12 +35,15 @@ export class Form {
     this.fields.clear();
     this.groups.clear();
     const entries = Object.entries(this.forms.root.properties ?? {}).filter(([name]) => !SILENT.has(name));
-    this.element.replaceChildren(...entries.map(([name, node]) => this.part(name, node, [name], !this.forms.root.required?.includes(name))));
+    this.element.replaceChildren(
+      ...entries.map(([name, node]) => this.part(name, node, [name], !this.forms.root.required?.includes(name))),
+    );
   }
 
   /** Show what the sheet says now, of all fields that are there. */
   refresh(): void {
-    for (const { field, steps } of this.fields.values()) if (document.activeElement !== field.input) field.set(at(this.sheet, steps));
+    for (const { field, steps } of this.fields.values())
+      if (document.activeElement !== field.input) field.set(at(this.sheet, steps));
   }
 
   /** Show the units of a sheet whose structure changed. */
@@ -101,13 +104,23 @@ export class Form {
     const shape = this.forms.shape(node, value);
     const optional = mayLack && this.forms.optional(node);
     if (shape.kind === "fixed") return make("div", { hidden: true });
-    if (shape.kind === "group" || shape.kind === "map" || shape.kind === "choice" || (shape.kind === "list" && !this.short(shape, value))) {
+    if (
+      shape.kind === "group" ||
+      shape.kind === "map" ||
+      shape.kind === "choice" ||
+      (shape.kind === "list" && !this.short(shape, value))
+    ) {
       return this.group(name, node, shape, steps, optional);
     }
     if (shape.kind === "list") return this.inline(name, shape, steps);
-    const unit = unitOf({ ...this.forms.resolved(node), unit: shape.schema.unit ?? this.forms.resolved(node).unit }, this.units[steps.join(".")]);
+    const unit = unitOf(
+      { ...this.forms.resolved(node), unit: shape.schema.unit ?? this.forms.resolved(node).unit },
+      this.units[steps.join(".")],
+    );
     const schema = { ...shape.schema, ...pick(this.forms.resolved(node)) };
-    const field = makeField(name, { ...shape, schema } as Shape, unit, mayLack, (now) => this.set(steps, now === undefined && typeof steps[steps.length - 1] === "number" ? null : now));
+    const field = makeField(name, { ...shape, schema } as Shape, unit, mayLack, (now) =>
+      this.set(steps, now === undefined && typeof steps[steps.length - 1] === "number" ? null : now),
+    );
     field.set(value);
     this.fields.set(pathOf(steps), { field, steps });
     return field.element;
@@ -115,12 +128,21 @@ export class Form {
 
   private short(shape: List, value: Json | undefined): boolean {
     const first = this.forms.shape(shape.item(0), undefined);
-    return (first.kind === "number" || first.kind === "text") && shape.least === shape.most && shape.least <= 4 && (value === undefined || value === null || Array.isArray(value));
+    return (
+      (first.kind === "number" || first.kind === "text") &&
+      shape.least === shape.most &&
+      shape.least <= 4 &&
+      (value === undefined || value === null || Array.isArray(value))
+    );
   }
 
   /** A few numbers in one row, such as a direction. */
   private inline(name: string, shape: List, steps: Step[]): HTMLElement {
-    const box = make("div", { class: "vector", role: "group", "aria-label": words(name) }, make("span", { class: "vector-name", text: words(name), title: told(shape.schema) }));
+    const box = make(
+      "div",
+      { class: "vector", role: "group", "aria-label": words(name) },
+      make("span", { class: "vector-name", text: words(name), title: told(shape.schema) }),
+    );
     for (let k = 0; k < shape.least; k += 1) box.append(this.part(String(k + 1), shape.item(k), [...steps, k], false));
     return box;
   }
@@ -156,7 +178,11 @@ export class Form {
     }
     const away = optional ? [button("Remove", () => this.set(steps, undefined, true), { class: "remove" })] : [];
     if (shape.kind === "choice") return [...this.alternatives(shape, steps, value), ...away];
-    if (shape.kind === "group") return [...shape.fields.map(([name, field]) => this.part(name, field, [...steps, name], !shape.required.has(name))), ...away];
+    if (shape.kind === "group")
+      return [
+        ...shape.fields.map(([name, field]) => this.part(name, field, [...steps, name], !shape.required.has(name))),
+        ...away,
+      ];
     if (shape.kind === "map") return [...this.entries(shape.item, steps, value), ...away];
     return shape.kind === "list" ? [...this.items(shape, steps, value), ...away] : away;
   }
@@ -164,15 +190,32 @@ export class Form {
   private alternatives(shape: Choice, steps: Step[], value: Json | undefined): HTMLElement[] {
     const chosen = this.forms.chosen(shape.choices, shape.key, value);
     const id = ownId("choice");
-    const select = make("select", { id }, ...shape.choices.map((one) => make("option", { value: one.name, text: one.name.replaceAll("_", " "), selected: one === chosen })));
+    const select = make(
+      "select",
+      { id },
+      ...shape.choices.map((one) =>
+        make("option", { value: one.name, text: one.name.replaceAll("_", " "), selected: one === chosen }),
+      ),
+    );
     select.addEventListener("change", () => {
       const wanted = shape.choices.find((one) => one.name === select.value);
       if (wanted) this.set(steps, this.forms.fresh(wanted.schema, value), true);
     });
-    const row = make("div", { class: "field" }, make("label", { for: id, text: words(shape.key || "kind") }), make("span", { class: "entry" }, select));
+    const row = make(
+      "div",
+      { class: "field" },
+      make("label", { for: id, text: words(shape.key || "kind") }),
+      make("span", { class: "entry" }, select),
+    );
     if (!chosen) return [row];
     const inner = this.forms.shape(chosen.schema, value);
-    if (inner.kind === "group") return [row, ...inner.fields.filter(([name]) => name !== shape.key).map(([name, field]) => this.part(name, field, [...steps, name], !inner.required.has(name)))];
+    if (inner.kind === "group")
+      return [
+        row,
+        ...inner.fields
+          .filter(([name]) => name !== shape.key)
+          .map(([name, field]) => this.part(name, field, [...steps, name], !inner.required.has(name))),
+      ];
     return [row, this.part("value", chosen.schema, steps, false)];
   }
 
@@ -180,24 +223,58 @@ export class Form {
     const list = Array.isArray(value) ? value : [];
     const rows = list.map((item, k) => {
       const part = this.part(nameOf(item, k), shape.item(k), [...steps, k], false);
-      const away = list.length > shape.least ? button("Remove", () => this.set([...steps, k], undefined, true), { class: "remove", "aria-label": `Remove ${nameOf(item, k)}` }) : null;
+      const away =
+        list.length > shape.least
+          ? button("Remove", () => this.set([...steps, k], undefined, true), {
+              class: "remove",
+              "aria-label": `Remove ${nameOf(item, k)}`,
+            })
+          : null;
       return make("div", { class: "item" }, part, away);
     });
-    const add = () => this.set([...steps, list.length], this.forms.fresh(shape.item(list.length), list.at(-1) ?? null), true);
+    const add = () =>
+      this.set([...steps, list.length], this.forms.fresh(shape.item(list.length), list.at(-1) ?? null), true);
     return list.length < shape.most ? [...rows, button("Add", add, { class: "add" })] : rows;
   }
 
   /** Values by names of one's own, such as the factors of the real robot. */
   private entries(item: Schema, steps: Step[], value: Json | undefined): HTMLElement[] {
     const known = isGroup(value) ? Object.keys(value) : [];
-    const rows = known.map((name) => make("div", { class: "item" }, this.part(name, item, [...steps, name], false),
-      button("Remove", () => this.set([...steps, name], undefined, true), { class: "remove", "aria-label": `Remove ${name}` })));
+    const rows = known.map((name) =>
+      make(
+        "div",
+        { class: "item" },
+        this.part(name, item, [...steps, name], false),
+        button("Remove", () => this.set([...steps, name], undefined, true), {
+          class: "remove",
+          "aria-label": `Remove ${name}`,
+        }),
+      ),
+    );
     const id = ownId("name");
-    const wanted = make("input", { id, type: "text", spellcheck: "false", autocomplete: "off", placeholder: "gear.stiffness" });
-    const add = button("Add", () => {
-      if (wanted.value.trim()) this.set([...steps, wanted.value.trim()], 1, true);
-    }, { class: "add" });
-    return [...rows, make("div", { class: "field" }, make("label", { for: id, text: "Another name" }), make("span", { class: "entry" }, wanted, add))];
+    const wanted = make("input", {
+      id,
+      type: "text",
+      spellcheck: "false",
+      autocomplete: "off",
+      placeholder: "gear.stiffness",
+    });
+    const add = button(
+      "Add",
+      () => {
+        if (wanted.value.trim()) this.set([...steps, wanted.value.trim()], 1, true);
+      },
+      { class: "add" },
+    );
+    return [
+      ...rows,
+      make(
+        "div",
+        { class: "field" },
+        make("label", { for: id, text: "Another name" }),
+        make("span", { class: "entry" }, wanted, add),
+      ),
+    ];
   }
 
   private set(steps: Step[], value: Json | undefined, structure = false): void {
@@ -211,13 +288,15 @@ export class Form {
 }
 
 function nameOf(item: Json, index: number): string {
-  if (isGroup(item)) for (const key of ["name", "joint", "point", "type"]) if (typeof item[key] === "string") return item[key];
+  if (isGroup(item))
+    for (const key of ["name", "joint", "point", "type"]) if (typeof item[key] === "string") return item[key];
   return String(index + 1);
 }
 
 /** What a field tells of itself where its kind tells nothing. */
 function pick(node: Schema): Schema {
   const told: Schema = {};
-  for (const key of ["description", "symbol", "default", "rigid_when_infinite"] as const) if (node[key] !== undefined) Object.assign(told, { [key]: node[key] });
+  for (const key of ["description", "symbol", "default", "rigid_when_infinite"] as const)
+    if (node[key] !== undefined) Object.assign(told, { [key]: node[key] });
   return told;
 }

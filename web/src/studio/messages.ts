@@ -33,8 +33,11 @@ export function messages(): Messages {
 
   const told = (one: Wrong, go: (one: Wrong) => void) => {
     const place = [one.where, one.path].filter(Boolean).join(" · ");
-    const title = one.steps ? button(place, () => go(one), { class: "place", title: "Go to the field" }) : make("strong", { text: place });
-    const mend = one.mend && !one.message.includes(one.mend) ? make("span", { class: "mend", text: ` ${one.mend}` }) : null;
+    const title = one.steps
+      ? button(place, () => go(one), { class: "place", title: "Go to the field" })
+      : make("strong", { text: place });
+    const mend =
+      one.mend && !one.message.includes(one.mend) ? make("span", { class: "mend", text: ` ${one.mend}` }) : null;
     return make("p", {}, title, make("span", { text: ` ${one.message}${mend ? "." : ""}` }), mend);
   };
   const doubt = (more: HTMLElement[]) => {
@@ -70,8 +73,12 @@ export function messages(): Messages {
       const run = page.runs[0];
       const seconds = Object.entries(job.told.seconds ?? {}).filter(([name]) => name !== "loops");
       const server = seconds.reduce((sum, [, value]) => sum + value, 0);
-      const warnings = run.warnings.length ? ` ${run.warnings.length === 1 ? "One warning" : `${run.warnings.length} warnings`}: ${run.warnings.join(" ")}` : "";
-      say(`${run.success ? "" : `${run.status}: ${run.message} `}New curves after ${Math.round(milliseconds)} ms, of which the server took ${Math.round(1000 * server)} ms.${warnings}`);
+      const warnings = run.warnings.length
+        ? ` ${run.warnings.length === 1 ? "One warning" : `${run.warnings.length} warnings`}: ${run.warnings.join(" ")}`
+        : "";
+      say(
+        `${run.success ? "" : `${run.status}: ${run.message} `}New curves after ${Math.round(milliseconds)} ms, of which the server took ${Math.round(1000 * server)} ms.${warnings}`,
+      );
     },
     away(text) {
       gone.hidden = text === null;

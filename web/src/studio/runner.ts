@@ -33,7 +33,11 @@ export class Runner {
     this.wanted = { sheet: copy(wish.sheet), looks: wish.looks };
     if (this.running === null) void this.next();
     else if (performance.now() - this.running.since > PATIENCE) this.end();
-    else setTimeout(() => this.wanted && this.running && performance.now() - this.running.since > PATIENCE && this.end(), PATIENCE + 10);
+    else
+      setTimeout(
+        () => this.wanted && this.running && performance.now() - this.running.since > PATIENCE && this.end(),
+        PATIENCE + 10,
+      );
   }
 
   /** End the run that goes on, and wish for nothing. */
@@ -57,7 +61,11 @@ export class Runner {
       try {
         await this.run(wish, began);
       } catch (error) {
-        this.listener.wrong(error instanceof Refused ? error.errors : [{ path: "", message: String(error), got: "", expected: "", mend: "", where: "", steps: null }]);
+        this.listener.wrong(
+          error instanceof Refused
+            ? error.errors
+            : [{ path: "", message: String(error), got: "", expected: "", mend: "", where: "", steps: null }],
+        );
       }
       this.running = null;
     }

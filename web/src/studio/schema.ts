@@ -87,7 +87,12 @@ export class Forms {
 
   private object(schema: Schema): Shape {
     if (schema.properties) {
-      return { kind: "group", schema, fields: Object.entries(schema.properties), required: new Set(schema.required ?? []) };
+      return {
+        kind: "group",
+        schema,
+        fields: Object.entries(schema.properties),
+        required: new Set(schema.required ?? []),
+      };
     }
     const item = schema.additionalProperties;
     return { kind: "map", schema, item: typeof item === "object" ? { unit: schema.unit, ...item } : {} };
@@ -103,10 +108,20 @@ export class Forms {
   /** The branch that a value means; text with a unit is a number too. */
   private branch(schema: Schema, branches: Schema[], value: Json | undefined): Schema {
     const known = branches.map((one) => this.resolved(one)).filter((one) => one.type !== "null");
-    const numeric = (one: Schema): boolean => one.type === "number" || one.type === "integer" || (one.anyOf ?? []).some(numeric);
-    const real = known.filter((one) => !(one.type === "string" && known.some((other) => other !== one && (numeric(other) || other.type === "array"))));
+    const numeric = (one: Schema): boolean =>
+      one.type === "number" || one.type === "integer" || (one.anyOf ?? []).some(numeric);
+    const real = known.filter(
+      (one) =>
+        !(one.type === "string" && known.some((other) => other !== one && (numeric(other) || other.type === "array"))),
+    );
     const fits = (one: Schema) =>
-      Array.isArray(value) ? one.type === "array" : isGroup(value) ? one.type === "object" || one.oneOf !== undefined : typeof value === "number" || typeof value === "string" ? numeric(one) || one.type === "string" || one.enum !== undefined || one.oneOf !== undefined : false;
+      Array.isArray(value)
+        ? one.type === "array"
+        : isGroup(value)
+          ? one.type === "object" || one.oneOf !== undefined
+          : typeof value === "number" || typeof value === "string"
+            ? numeric(one) || one.type === "string" || one.enum !== undefined || one.oneOf !== undefined
+            : false;
     const { anyOf, ...own } = schema;
     void anyOf;
     return { ...(real.find(fits) ?? real[0] ?? {}), ...described(own) };
@@ -120,14 +135,22 @@ export class Forms {
   }
 
   private commonConstant(members: Schema[]): string {
-    const keys = members.flatMap((one) => Object.entries(one.properties ?? {}).filter(([, field]) => this.resolved(field).const !== undefined).map(([key]) => key));
+    const keys = members.flatMap((one) =>
+      Object.entries(one.properties ?? {})
+        .filter(([, field]) => this.resolved(field).const !== undefined)
+        .map(([key]) => key),
+    );
     return keys[0] ?? "";
   }
 
   private nameOf(member: Schema, key: string): string {
     const field = member.properties?.[key];
     const told = field ? this.resolved(field).const : undefined;
-    return typeof told === "string" ? told : member.type === "string" ? "by name" : (member.title ?? "given").toLowerCase();
+    return typeof told === "string"
+      ? told
+      : member.type === "string"
+        ? "by name"
+        : (member.title ?? "given").toLowerCase();
   }
 
   /** Which of the choices a value is. */
@@ -156,8 +179,16 @@ export class Forms {
     const group = shape;
     const kept = isGroup(before) ? before : {};
     const entries = group.fields
-      .filter(([name, field]) => group.required.has(name) || this.resolved(field).const !== undefined || (name in kept && this.shape(field, kept[name]).kind !== "fixed"))
-      .map(([name, field]) => [name, name in kept && this.resolved(field).const === undefined ? kept[name] : this.fresh(field)] as const);
+      .filter(
+        ([name, field]) =>
+          group.required.has(name) ||
+          this.resolved(field).const !== undefined ||
+          (name in kept && this.shape(field, kept[name]).kind !== "fixed"),
+      )
+      .map(
+        ([name, field]) =>
+          [name, name in kept && this.resolved(field).const === undefined ? kept[name] : this.fresh(field)] as const,
+      );
     return Object.fromEntries(entries);
   }
 }

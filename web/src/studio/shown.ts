@@ -52,14 +52,24 @@ export class Shown {
 /** Whether one run can be drawn in the charts and upon the robot of another. */
 function alike(base: Page, page: Page): boolean {
   const [one, other] = [base.runs[0], page.runs[0]];
-  const charts = (run: Page["runs"][0]) => run.charts.map((chart) => `${chart.id}:${chart.curves.map((curve) => curve.label).join()}`).join(";");
-  const links = (run: Page["runs"][0]) => `${run.scene.line.shape.slice(1).join()}:${run.scene.links.map((link) => link.name).join()}:${run.scene.contact === null}`;
-  return one.name === other.name && charts(one) === charts(other) && links(one) === links(other) && (one.line === null) === (other.line === null);
+  const charts = (run: Page["runs"][0]) =>
+    run.charts.map((chart) => `${chart.id}:${chart.curves.map((curve) => curve.label).join()}`).join(";");
+  const links = (run: Page["runs"][0]) =>
+    `${run.scene.line.shape.slice(1).join()}:${run.scene.links.map((link) => link.name).join()}:${run.scene.contact === null}`;
+  return (
+    one.name === other.name &&
+    charts(one) === charts(other) &&
+    links(one) === links(other) &&
+    (one.line === null) === (other.line === null)
+  );
 }
 
 function asLive(page: StudioPage, job: Job): LiveRun {
   const run = page.runs[0];
-  const series = Object.entries(page.series).map(([name, values]) => [name, { data: Float64Array.from(values.data), shape: [...values.shape] }] as [string, LiveRun["series"][string]]);
+  const series = Object.entries(page.series).map(
+    ([name, values]) =>
+      [name, { data: Float64Array.from(values.data), shape: [...values.shape] }] as [string, LiveRun["series"][string]],
+  );
   return {
     status: run.status,
     message: run.message,

@@ -24,7 +24,13 @@ export function mountSliders(element: HTMLElement, knobs: Knob[], sheet: Sheet, 
 function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLElement; refresh(): void } {
   const id = ownId("slider");
   const range = make("input", { id, type: "range", min: "0", max: String(STEPS), step: "1" });
-  const typed = make("input", { type: "text", inputmode: "decimal", class: "number", "aria-label": `${knob.label}, typed`, autocomplete: "off" });
+  const typed = make("input", {
+    type: "text",
+    inputmode: "decimal",
+    class: "number",
+    "aria-label": `${knob.label}, typed`,
+    autocomplete: "off",
+  });
   const unit = pretty(knob.unit);
   const label = make("label", { for: id }, document.createTextNode(knob.label));
   if (knob.symbol && knob.symbol !== "-") label.append(make("span", { class: "symbol", text: ` ${knob.symbol}` }));
@@ -45,13 +51,24 @@ function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLE
   typed.addEventListener("change", () => {
     const value = read(typed.value);
     if (typeof value === "number") apply(knob, sheet, value);
-    else if (value !== undefined && !knob.together) put(sheet, knob.targets[0].steps, value); // perhaps with a unit: the server reads it
+    else if (value !== undefined && !knob.together)
+      put(sheet, knob.targets[0].steps, value); // perhaps with a unit: the server reads it
     else typed.value = digits(valueOf(knob, sheet) ?? 1);
     changed();
     refresh();
   });
   refresh();
-  return { element: make("div", { class: "slider", "data-slider": knob.targets[0].steps.join(".") }, label, range, typed, told), refresh };
+  return {
+    element: make(
+      "div",
+      { class: "slider", "data-slider": knob.targets[0].steps.join(".") },
+      label,
+      range,
+      typed,
+      told,
+    ),
+    refresh,
+  };
 }
 
 /** The value at which a slider stands: that of its number, or the factor on all of them. */
@@ -67,7 +84,9 @@ function apply(knob: Knob, sheet: Sheet, value: number): void {
 }
 
 function shareOf(knob: Knob, value: number): number {
-  const share = knob.log ? Math.log(value / knob.min) / Math.log(knob.max / knob.min) : (value - knob.min) / (knob.max - knob.min);
+  const share = knob.log
+    ? Math.log(value / knob.min) / Math.log(knob.max / knob.min)
+    : (value - knob.min) / (knob.max - knob.min);
   return Math.min(Math.max(Number.isFinite(share) ? share : 0, 0), 1);
 }
 

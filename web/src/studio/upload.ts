@@ -23,7 +23,14 @@ export function uploadControl(host: FilesHost): HTMLElement {
   });
   const chooser = (text: string, title: string, folder: boolean) => {
     const id = ownId("upload");
-    const input = make("input", { id, type: "file", multiple: true, accept: folder ? undefined : ENDINGS.join(), class: "upload", webkitdirectory: folder });
+    const input = make("input", {
+      id,
+      type: "file",
+      multiple: true,
+      accept: folder ? undefined : ENDINGS.join(),
+      class: "upload",
+      webkitdirectory: folder,
+    });
     input.addEventListener("change", () => {
       const chosen = [...(input.files ?? [])].map((file) => ({ name: file.webkitRelativePath || file.name, file }));
       void send(folder ? chosen.filter(ours) : chosen).finally(() => { input.value = ""; });
@@ -35,22 +42,38 @@ export function uploadControl(host: FilesHost): HTMLElement {
     event.preventDefault();
     if (event.dataTransfer) void dropped(event.dataTransfer).then(send);
   });
-  return make("span", { class: "pick" },
-    chooser("Upload", "A data sheet, or a URDF with its elasticity file (.yaml) and meshes, chosen together; they can be dropped here too", false),
-    chooser("Folder", "A folder with a URDF, its elasticity file and meshes", true));
+  return make(
+    "span",
+    { class: "pick" },
+    chooser(
+      "Upload",
+      "A data sheet, or a URDF with its elasticity file (.yaml) and meshes, chosen together; they can be dropped here too",
+      false,
+    ),
+    chooser("Folder", "A folder with a URDF, its elasticity file and meshes", true),
+  );
 }
 
 function refused(host: FilesHost, sent: Sent[]): boolean {
   const size = sent.reduce((sum, { file }) => sum + file.size, 0);
   if (size <= MOST_UPLOADED) return false;
-  const [got, expected, mend] = [`${(size / 1e6).toFixed(0)} MB`, `at most ${(MOST_UPLOADED / 1e6).toFixed(0)} MB`, "leave out what is not needed"];
-  host.wrong([{ path: "files", message: `got ${got}; expected ${expected}`, got, expected, mend, where: "", steps: null }]);
+  const [got, expected, mend] = [
+    `${(size / 1e6).toFixed(0)} MB`,
+    `at most ${(MOST_UPLOADED / 1e6).toFixed(0)} MB`,
+    "leave out what is not needed",
+  ];
+  host.wrong([
+    { path: "files", message: `got ${got}; expected ${expected}`, got, expected, mend, where: "", steps: null },
+  ]);
   return true;
 }
 
 /** Whether a file of a whole folder may belong to a robot. */
 function ours({ name }: Sent): boolean {
-  return ENDINGS.some((ending) => name.toLowerCase().endsWith(ending)) && !name.split("/").some((part) => part.startsWith("."));
+  return (
+    ENDINGS.some((ending) => name.toLowerCase().endsWith(ending)) &&
+    !name.split("/").some((part) => part.startsWith("."))
+  );
 }
 
 /** What was dropped; of folders all that may belong to a robot. */
