@@ -149,7 +149,10 @@ export interface SceneContact {
       };
 }
 
-/** A surface of a link, in the axes of its root (link -1: of the base, in the world); `vertices` [k, 3] m, `faces` [f, 3]. */
+/**
+ * A surface of a link, in the axes of its root (link -1: of the base, in the world); `vertices` [k, 3] m, `faces` [f,
+ * 3].
+ */
 export interface SceneMesh {
   link: number;
   colour: string;
@@ -245,7 +248,9 @@ export interface Live {
 export interface SceneView {
   /** Show other arrays for a run (of the live model); null: those of the page. The page's own stay as a ghost. */
   replace(run: number, scene: LiveRun["scene"] | null): void;
-  /** Show a mode instead of the motion; null: the motion. `amplitude`: largest displacement, share of the robot's size. */
+  /**
+   * Show a mode instead of the motion; null: the motion. `amplitude`: largest displacement, share of the robot's size.
+   */
   showMode(mode: Mode | null, amplitude: number): void;
   resize(): void;
   dispose(): void;

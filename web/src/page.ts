@@ -59,7 +59,8 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
   const lineView = page.runs[0].line ? mountLine(line.body, page, clock) : null;
   let modesView = page.runs[0].modes.length ? mountModes(modes.body, page, scene, clock) : null;
   mountSave(files, page);
-  transport.hidden = charts.hidden = page.runs.every((run) => run.charts.length === 0); // a robot at rest, without a run
+  // a robot at rest, without a run
+  transport.hidden = charts.hidden = page.runs.every((run) => run.charts.length === 0);
 
   let drawn: LiveRun | null = null; // picture and curves are there before all of a run
 

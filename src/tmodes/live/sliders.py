@@ -135,7 +135,7 @@ def knobs_of(sheet: Robot | Arm) -> list[Knob]:
 
 
 def _useful(sheet: Robot | Arm, number: SheetNumber, rule: _Rule) -> bool:
-    """A load of an arm is on the link with its tip; a plane moves along its normal; a slider has a finite proportion."""
+    """A load of an arm is on the link with its tip; a plane moves along its normal; a slider is finite."""
     if not math.isfinite(number.value):
         return False
     if isinstance(sheet, Arm) and number.kind == "contact.shape.position.*":

@@ -155,7 +155,8 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   function moveCursor(): void {
     if (!plot || !cursor) return;
     const left = plot.valToPos(clock.time, "x");
-    const right = plot.valToPos(plot.scales.x.max ?? 0, "x"); // as uPlot knows it: asking the page makes it lay itself out
+    // as uPlot knows it: asking the page makes it lay itself out
+    const right = plot.valToPos(plot.scales.x.max ?? 0, "x");
     const inside = left >= -0.5 && left <= right + 0.5;
     cursor.style.display = inside ? "" : "none";
     cursor.style.transform = `translateX(${left}px)`;
@@ -261,7 +262,8 @@ function drawnShare(chart: Chart): number {
 }
 
 function drawnBy(chart: Chart): string {
-  return `Drawn by ${chart.at.data.length.toLocaleString("en")} of ${chart.samples.toLocaleString("en")} samples; every extreme is kept.`;
+  const [drawn, all] = [chart.at.data.length, chart.samples].map((count) => count.toLocaleString("en"));
+  return `Drawn by ${drawn} of ${all} samples; every extreme is kept.`;
 }
 
 /** Marks as far as the curves go. */

@@ -1,4 +1,5 @@
-// What acts on the named points of an arm: loads with their signals, and a surface, as tmodes/analysis/equilibrium_*.py.
+// What acts on the named points of an arm: loads with their signals, and a surface, as
+// tmodes/analysis/equilibrium_*.py.
 
 import type { ArmBundle, Surface } from "./bundle";
 import { product } from "./linear";

@@ -1,4 +1,5 @@
-// What every section of an arm carries at one sample: the balance of all that is outboard of it, d'Alembert's forces and
+// What every section of an arm carries at one sample: the balance of all that is outboard of it, d'Alembert's forces
+// and
 // given wrenches, as tmodes/analysis/arm_line_loads.py. Loads are told as the outboard part acts on the inboard one.
 
 import { addMoved, FRAME, GAIN, jointed, PLACE, RATE, TURNING, type JointKind } from "./arm_frame";

@@ -2,7 +2,9 @@
 
 import { add, addCross, addTurned, copy, product, rotationAbout, type Reals } from "./space";
 
-/** Numbers of a frame: rotation, then at these places position, rate, angular acceleration, acceleration less gravity. */
+/**
+ * Numbers of a frame: rotation, then at these places position, rate, angular acceleration, acceleration less gravity.
+ */
 export const FRAME = 21;
 export const [PLACE, RATE, TURNING, GAIN] = [9, 12, 15, 18];
 

@@ -69,7 +69,10 @@ export function linearAbout(
   };
 }
 
-/** The equations about the rest near q [n], in which the coordinates that are driven stand as there; null where none is found. */
+/**
+ * The equations about the rest near q [n], in which the coordinates that are driven stand as there; null where none is
+ * found.
+ */
 export function linearAtRest(
   engine: Engine, bundle: ArmBundle, blocks: Blocks, schedule: Schedule, near: Float64Array,
 ): { rest: Float64Array; linear: Linear } | null {

@@ -1,4 +1,5 @@
-// The loads along an arm's links over a run: what is largest of all samples, and all of it at the frames that are shown.
+// The loads along an arm's links over a run: what is largest of all samples, and all of it at the frames that are
+// shown.
 
 import { FRAME, GAIN, PLACE } from "./arm_frame";
 import { Balance, type Carried, type NodeTold, type PointTold } from "./arm_balance";
@@ -47,7 +48,9 @@ export interface Largest {
 
 export type Quantity = "deflection" | "moment" | "stress";
 
-/** One link that bends: its load at the shown places of all frames, one after the other; what was largest in the run. */
+/**
+ * One link that bends: its load at the shown places of all frames, one after the other; what was largest in the run.
+ */
 export interface LinkLoads extends Carried {
   name: string;
   length: number;

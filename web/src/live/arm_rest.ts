@@ -10,7 +10,8 @@ const STEPS = 40;
 const SMALL = 1e-12;
 const LONGEST = 0.5;
 const STEP = 1e-6; // of the differences that make the tangent [rad]
-const STRAY = 0.5; // correction after a step, as a share of it: beyond it another branch may have been caught, as in analysis/equilibrium_path.py
+// correction after a step, as a share of it: beyond it another branch may be caught, as analysis/equilibrium_path.py
+const STRAY = 0.5;
 const LITTLE = 1e-3; // a step that is too short to leave a branch [rad, m]
 const SHORTEST = 1 / 128; // step on the way from the unchanged numbers
 
@@ -38,7 +39,10 @@ function slopes(
   }
 }
 
-/** Coordinates at which nothing accelerates under `blocks`, from those near; null where none are found, or where they may be of another branch. */
+/**
+ * Coordinates at which nothing accelerates under `blocks`, from those near; null where none are found, or where they
+ * may be of another branch.
+ */
 function rest(engine: Engine, bundle: ArmBundle, blocks: Blocks, near: Float64Array): Float64Array | null {
   const held = (engine.layout as unknown as { held: number[] }).held;
   const n = near.length;
@@ -76,7 +80,10 @@ export function isSmall(size: number, before: number): boolean {
   return size < SMALL || (size < 1e-9 && size >= before / 2);
 }
 
-/** A rest for values of the sliders by what finds it `at` them: from the unchanged rest at once or, where that is too far, step by step. */
+/**
+ * A rest for values of the sliders by what finds it `at` them: from the unchanged rest at once or, where that is too
+ * far, step by step.
+ */
 export function restFor(
   bundle: ArmBundle,
   values: readonly number[],
@@ -95,7 +102,8 @@ export function restFor(
     else if (step > SHORTEST) step /= 2;
     else
       throw new Error(
-        `${run}: no static equilibrium; expected links and gears that carry their loads: raise a stiffness or lower a load`,
+        `${run}: no static equilibrium; expected links and gears that carry their loads: ` +
+          "raise a stiffness or lower a load",
       );
   }
   return found;

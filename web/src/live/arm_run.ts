@@ -36,7 +36,10 @@ interface Seen {
 const POINT = 24;
 const FEWEST = 32; // samples of a spectrum
 
-/** The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the real arm's motion. */
+/**
+ * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the real arm's
+ * motion.
+ */
 export async function runArm(
   engine: Engine, bundle: ArmBundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
   moving: (real: Regime) => void = () => undefined,

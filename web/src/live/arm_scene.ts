@@ -28,7 +28,10 @@ interface Pose {
   roots: Numbers; // [m, L, 4]
 }
 
-/** Scene of a run, whose numbers are those of the passes to the stations and of the surface; `loads`: what else may colour the links. */
+/**
+ * Scene of a run, whose numbers are those of the passes to the stations and of the surface; `loads`: what else may
+ * colour the links.
+ */
 export function armScene(
   engine: Engine,
   bundle: ArmBundle,

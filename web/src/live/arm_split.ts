@@ -32,7 +32,10 @@ interface Held {
   wrenches: Float64Array;
 }
 
-/** Both parts of a run's series; none where its arm has nothing elastic. `pause`: called between samples, to let others work. */
+/**
+ * Both parts of a run's series; none where its arm has nothing elastic. `pause`: called between samples, to let others
+ * work.
+ */
 export async function splitOf(
   engine: Engine,
   bundle: ArmBundle,

@@ -87,7 +87,9 @@ function sorted(root: Float64Array, { re, vectors }: Eigen, n: number): Omit<Und
   return { squares: Float64Array.from(order, (k) => re[k]), shapes };
 }
 
-/** The damped motions: eigenvalues and shapes of the equations of first order, in coordinates in which they are even. */
+/**
+ * The damped motions: eigenvalues and shapes of the equations of first order, in coordinates in which they are even.
+ */
 export function damped(
   mass: Float64Array,
   damping: Float64Array,

@@ -170,7 +170,8 @@ export class Engine {
       this.memory.grow(Math.ceil(missing / PAGE));
     } catch {
       throw new EngineError(
-        `memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. Mend: ask for fewer samples`,
+        `memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. ` +
+          "Mend: ask for fewer samples",
       );
     }
   }

@@ -11,7 +11,9 @@ export interface RunSettings {
   maxSteps: number;
 }
 
-/** What a run is made of: loop `REGIME.METHOD`, numbers, signals as pieces of polynomials, first state, sample times. */
+/**
+ * What a run is made of: loop `REGIME.METHOD`, numbers, signals as pieces of polynomials, first state, sample times.
+ */
 export interface RunSpec {
   loop: string;
   parameters: Float64Array;
@@ -160,7 +162,8 @@ export class EngineRun {
     if (status === statuses.running) {
       return [
         "stopped",
-        `stopped at ${t} of ${figures(settings.duration, 6)} s: integration.max_steps = ${settings.maxSteps} is used up`,
+        `stopped at ${t} of ${figures(settings.duration, 6)} s: ` +
+          `integration.max_steps = ${settings.maxSteps} is used up`,
       ];
     }
     if (status === statuses.chattering) {
@@ -193,7 +196,8 @@ export class EngineRun {
     const words = kind.replaceAll("_", " ");
     return [
       kind,
-      `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; its last step was of ${figures(this.cell("h"), 3)} s`,
+      `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; ` +
+        `its last step was of ${figures(this.cell("h"), 3)} s`,
     ];
   }
 

@@ -70,7 +70,8 @@ export class Model {
     const settings = { ...this.description.settings, ...changes.settings };
     if (settings.duration > this.description.settings.duration) {
       throw new EngineError(
-        `duration: got ${settings.duration} s; expected at most ${this.description.settings.duration} s, for which there are signals`,
+        `duration: got ${settings.duration} s; ` +
+          `expected at most ${this.description.settings.duration} s, for which there are signals`,
       );
     }
     const { knots, rows } = until(told, settings.duration);

@@ -1,4 +1,5 @@
-// Modes of vibration of a live run as a page shows them: as tmodes/report/mode_shapes.py, spectra.py and facts.py tell them.
+// Modes of vibration of a live run as a page shows them: as tmodes/report/mode_shapes.py, spectra.py and facts.py tell
+// them.
 
 import type { Mode, Vibration } from "../contract";
 import type { Numbers } from "../pack";
@@ -109,7 +110,9 @@ export function ringing(motions: Motions, k: number): { size: number; rings: num
   return { size, rings: im > RINGS * size ? im / (2 * Math.PI) : null, damping: size ? -re / size : 0 };
 }
 
-/** A column of the motions, in all coordinates: `place(i)` tells what moves there for unit `i` of those that are free. */
+/**
+ * A column of the motions, in all coordinates: `place(i)` tells what moves there for unit `i` of those that are free.
+ */
 export function motionOf(
   motions: Motions,
   k: number,

@@ -4,7 +4,9 @@ import type { Motions, Undamped } from "./eigen";
 
 const STILL = 1e-9; // imaginary over absolute value of an eigenvalue below which its motion does not ring
 
-/** How alike undamped shapes and damped motions are [n, count], from 0 to 1, where `inner` is the product of columns. */
+/**
+ * How alike undamped shapes and damped motions are [n, count], from 0 to 1, where `inner` is the product of columns.
+ */
 export function likeness(still: Undamped, motions: Motions, n: number, mass: Float64Array | null): Float64Array {
   const { count, shapes } = motions;
   const weighted = (column: (i: number) => number) => (i: number) => {
@@ -86,7 +88,10 @@ export function bestPartners(alike: Float64Array, motions: Motions, n: number): 
   return assigned(cost, n, count);
 }
 
-/** For each row [rows <= columns] its column, all different, of least total cost: R. Jonker, A. Volgenant, Computing 38 (1987). */
+/**
+ * For each row [rows <= columns] its column, all different, of least total cost: R. Jonker, A. Volgenant, Computing 38
+ * (1987).
+ */
 export function assigned(cost: Float64Array, rows: number, columns: number): number[] {
   const [u, v] = [new Float64Array(rows + 1), new Float64Array(columns + 1)];
   const row = new Int32Array(columns + 1); // of each column, counted from 1; 0: none

@@ -32,7 +32,9 @@ export interface Regime {
   run: RunResult;
 }
 
-/** The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears both motions. */
+/**
+ * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears both motions.
+ */
 export async function runRobot(
   engine: Engine, bundle: RobotBundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
   moving: (reference: Regime, real: Regime) => void = () => undefined,

@@ -1,4 +1,5 @@
-// How long after the move the tip still strays: both runs are carried on until it is known, as analysis/settling.py does.
+// How long after the move the tip still strays: both runs are carried on until it is known, as analysis/settling.py
+// does.
 
 import type { LiveRun } from "../contract";
 import { doubles, type RobotBundle } from "./bundle";
@@ -70,7 +71,8 @@ async function settling(
   const { value, limit, strayed } = settled(whole.times, whole.deviation, end);
   if (strayed > whole.times[whole.times.length - 1] - BAND * horizon)
     return unseen(
-      `the deviation is still ${figures(whole.deviation[whole.deviation.length - 1])} m ${figures(horizon)} s after the end of the run`,
+      `the deviation is still ${figures(whole.deviation[whole.deviation.length - 1])} m ` +
+        `${figures(horizon)} s after the end of the run`,
     );
   return { settling: { value, note: limit } };
 }

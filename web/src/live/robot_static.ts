@@ -1,4 +1,5 @@
-// Static equations of the 2010 robot, solved by Newton's method as tmodes/model.py does: rest, and what loads would hold.
+// Static equations of the 2010 robot, solved by Newton's method as tmodes/model.py does: rest, and what loads would
+// hold.
 
 import type { RobotBundle } from "./bundle";
 import type { Engine } from "./engine";
@@ -13,7 +14,10 @@ export interface Roots {
   found: boolean[];
 }
 
-/** The angles at which a static residual (`REGIME.rest`, `REGIME.quasistatic`) vanishes at `count` samples, from those `near`. */
+/**
+ * The angles at which a static residual (`REGIME.rest`, `REGIME.quasistatic`) vanishes at `count` samples, from those
+ * `near`.
+ */
 export function staticRoots(
   engine: Engine, bundle: RobotBundle, name: string, parameters: Float64Array, loads: Float64Array, near: Float64Array,
   count: number,

@@ -56,7 +56,9 @@ export function mountLine(element: HTMLElement, page: Page, clock: Clock): LineV
   function show(): void {
     if (panel === null || stale || !seen) return;
     const frame = nearest(times, clock.time);
-    heading.textContent = `${panel.links.join(", ")}: along the links from root to tip, at ${digits(times[frame], 4)} s. The scales are those of the whole run.`;
+    heading.textContent =
+      `${panel.links.join(", ")}: along the links from root to tip, at ${digits(times[frame], 4)} s. ` +
+      "The scales are those of the whole run.";
     const axis = along(panel);
     for (const { plot, quantity, factor } of pictures) {
       const columns = quantity.planes.map((_, k) =>
@@ -217,7 +219,8 @@ function picture(grid: HTMLElement, panel: LinePanel, quantity: Quantity): Pictu
     put(unitName, ` [${unit.name || "–"}]`);
     place.setAttribute(
       "aria-label",
-      `${other.label} along the links, between ${plain(low * unit.factor)} and ${plain(high * unit.factor)} ${unit.name}`,
+      `${other.label} along the links, ` +
+        `between ${plain(low * unit.factor)} and ${plain(high * unit.factor)} ${unit.name}`,
     );
   }
   take(quantity);

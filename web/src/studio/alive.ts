@@ -3,7 +3,8 @@
 const EVERY = 3000;
 const PATIENCE = 8000;
 const STOPPED =
-  "The studio does not answer: it was stopped, or this machine slept. What is shown stays here; start it again with: tmodes studio.";
+  "The studio does not answer: it was stopped, or this machine slept. " +
+  "What is shown stays here; start it again with: tmodes studio.";
 const ANEW =
   "Another studio answers here, which was started anew: open the address that it printed. What is shown stays here.";
 

@@ -23,7 +23,10 @@ export function words(name: string): string {
   return text.charAt(0).toUpperCase() + text.slice(1);
 }
 
-/** The unit as it is written; of a joint that may turn or slide both, where it is not known which; of a signal its own, once that is known. */
+/**
+ * The unit as it is written; of a joint that may turn or slide both, where it is not known which; of a signal its own,
+ * once that is known.
+ */
 export function unitOf(schema: Schema, known: string | undefined): string {
   return (known ?? schema.unit ?? "").replace(/^signal$/, "").split("|").map(pretty).join(" or ");
 }

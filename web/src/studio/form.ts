@@ -55,7 +55,9 @@ export class Form {
     }
   }
 
-  /** Mark the fields that are wrong, and those in doubt; what has no field of its own is marked at the group around it. */
+  /**
+   * Mark the fields that are wrong, and those in doubt; what has no field of its own is marked at the group around it.
+   */
   mark(errors: Wrong[], doubts = this.doubts): void {
     this.marked.forEach((end) => end());
     this.marked = [];

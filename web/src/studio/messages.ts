@@ -77,7 +77,8 @@ export function messages(): Messages {
         ? ` ${run.warnings.length === 1 ? "One warning" : `${run.warnings.length} warnings`}: ${run.warnings.join(" ")}`
         : "";
       say(
-        `${run.success ? "" : `${run.status}: ${run.message} `}New curves after ${Math.round(milliseconds)} ms, of which the server took ${Math.round(1000 * server)} ms.${warnings}`,
+        `${run.success ? "" : `${run.status}: ${run.message} `}New curves after ${Math.round(milliseconds)} ms, ` +
+          `of which the server took ${Math.round(1000 * server)} ms.${warnings}`,
       );
     },
     away(text) {

@@ -55,7 +55,7 @@ function alike(base: Page, page: Page): boolean {
   const charts = (run: Page["runs"][0]) =>
     run.charts.map((chart) => `${chart.id}:${chart.curves.map((curve) => curve.label).join()}`).join(";");
   const links = (run: Page["runs"][0]) =>
-    `${run.scene.line.shape.slice(1).join()}:${run.scene.links.map((link) => link.name).join()}:${run.scene.contact === null}`;
+    [run.scene.line.shape.slice(1), run.scene.links.map((link) => link.name), run.scene.contact === null].join(":");
   return (
     one.name === other.name &&
     charts(one) === charts(other) &&

@@ -47,7 +47,8 @@ export function uploadControl(host: FilesHost): HTMLElement {
     { class: "pick" },
     chooser(
       "Upload",
-      "A data sheet, or a URDF with its elasticity file (.yaml) and meshes, chosen together; they can be dropped here too",
+      "A data sheet, or a URDF with its elasticity file (.yaml) and meshes, chosen together; " +
+        "they can be dropped here too",
       false,
     ),
     chooser("Folder", "A folder with a URDF, its elasticity file and meshes", true),
