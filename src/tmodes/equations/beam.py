@@ -39,6 +39,14 @@ def line_function(mode: int, mechanism: Mechanism) -> ca.Function:
     return ca.Function(f"line{mode}", [s, motion, parameters], [ca.densify(output)], {"cse": True})
 
 
+def places_function() -> ca.Function:
+    """The points of both modes' lines (2, 3) [m] of (s, phi, parameters): where they are, whatever moves or loads them."""
+    robot, parameters = symbolic_robot()
+    s, phi = ca.SX.sym("s"), ca.SX.sym("phi", 6)
+    places = ca.vertcat(*(line_point(mode, phi, robot.link, s) for mode in (1, 2)))
+    return ca.Function("places", [s, phi, parameters], [ca.densify(places)], {"cse": True})
+
+
 def _shape(robot: Robot, mechanism: Mechanism, mode: int, s: Any, phi: Any, phid: Any) -> dict[str, Any]:
     """Deflection, slope and flexibility moment of the line, each (horizontal, vertical)."""
     link = robot.link.modes[mode - 1]

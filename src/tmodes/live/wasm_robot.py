@@ -29,7 +29,7 @@ def robot_module(pair: NominalRealPair, methods: Sequence[str]) -> LiveModule:
     Loops: ``reference.METHOD``, ``real.METHOD``. Samples, of both by the same names before the dot: ``observe`` and
     ``rate`` as of :class:`tmodes.model.Model`, ``rest`` and ``quasistatic`` (residual and its derivative by the
     deformations), ``linear`` (M, D, K about ``phi``, row by row), ``line1``, ``line2`` (inputs: a station s and the
-    motion, 21 numbers); and those of :func:`tmodes.live.robot_modes.add_modes`.
+    motion, 21 numbers), ``places`` (both lines at a station s); and those of :func:`tmodes.live.robot_modes.add_modes`.
     """
     regimes = {"reference": pair.nominal.split(Drive.PRESCRIBED), "real": pair.real.split(Drive.CONTROLLED)}
     made = Functions()
@@ -74,21 +74,21 @@ def _resting(made: Functions, name: str, mechanism: Mechanism, parameters: int) 
     """What does not depend on the drive: once where both robots are made alike."""
     inputs = {
         "rest": {"angles": 5, "theta": 1}, "quasistatic": {"angles": 5, "gross": 6}, "linear": {"phi": 6},
-        "line1": {"station": 1, "motion": 21}, "line2": {"station": 1, "motion": 21},
+        "line1": {"station": 1, "motion": 21}, "line2": {"station": 1, "motion": 21}, "places": {"station": 1, "phi": 6},
     }  # fmt: skip
     exports = {label: f"{label} {mechanism.arm_key}" for label in inputs}
 
     def make() -> Mapping[str, Any]:
-        from tmodes.equations.beam import line_function
+        from tmodes.equations.beam import line_function, places_function
         from tmodes.equations.linear import linear_function
         from tmodes.equations.statics import quasistatic_function, rest_function
 
         lines = (line_function(mode, mechanism) for mode in (1, 2))
-        functions = (rest_function(mechanism), quasistatic_function(mechanism), linear_function(mechanism), *lines)
+        functions = (rest_function(mechanism), quasistatic_function(mechanism), linear_function(mechanism), *lines, places_function())
         return dict(zip(exports.values(), functions, strict=True))
 
     counts = {name: 1 if label == "linear" else 2 for label, name in exports.items()}
     made.parts.append(sample_part(mechanism.arm_key, make, counts))
-    told = {"rest": _ROOT, "quasistatic": _ROOT, "linear": {"linear": 108}, "line1": LINE, "line2": LINE}
+    told = {"rest": _ROOT, "quasistatic": _ROOT, "linear": {"linear": 108}, "line1": LINE, "line2": LINE, "places": {"line": 6}}
     for (label, sizes), outputs in zip(inputs.items(), told.values(), strict=True):
         made.program(f"{name}.{label}", exports[label], sizes, outputs, parameters)

@@ -6,6 +6,7 @@ import type { Engine, Samples } from "./engine";
 import { sizes } from "./series";
 
 const MOTION = 21;
+const COORDINATES = 6;
 
 /** Of both modes what is known at each sample and station, rows [n * S]; `motion` [n, 21] as it was asked. */
 export interface Lines {
@@ -34,12 +35,29 @@ export function linesAt(engine: Engine, parameters: Float64Array, motion: Float6
   return { stations, motion, parts };
 }
 
-/** Coordinates [n, 6] as motion that stands still [n, 21]. */
-export function standing(phi: Float64Array): Float64Array {
-  const count = phi.length / 6;
-  const motion = new Float64Array(count * MOTION);
-  for (let k = 0; k < count; k += 1) motion.set(phi.subarray(6 * k, 6 * k + 6), MOTION * k);
-  return motion;
+/** Where both lines are at coordinates [n, 6], whatever moves or loads them: [n, 2, S, 3] m. */
+export function placesAt(engine: Engine, parameters: Float64Array, phi: Float64Array, stations: Float64Array): Numbers {
+  const [count, points] = [phi.length / COORDINATES, stations.length];
+  if (given.length < count * points * (COORDINATES + 1)) given = new Float64Array(count * points * (COORDINATES + 1));
+  const station = given.subarray(0, count * points);
+  const repeated = given.subarray(station.length, station.length * (COORDINATES + 1));
+  for (let k = 0; k < count; k += 1) {
+    for (let s = 0; s < points; s += 1) {
+      const row = k * points + s;
+      station[row] = stations[s];
+      for (let j = 0; j < COORDINATES; j += 1) repeated[row * COORDINATES + j] = phi[k * COORDINATES + j];
+    }
+  }
+  const { line } = engine.sample("real.places", parameters, { station, phi: repeated }, count * points);
+  const data = new Float64Array(line.length);
+  for (let k = 0; k < count; k += 1) {
+    for (let s = 0; s < points; s += 1) {
+      for (let i = 0; i < 6; i += 1) {
+        data[((2 * k + Math.floor(i / 3)) * points + s) * 3 + (i % 3)] = line[(k * points + s) * 6 + i];
+      }
+    }
+  }
+  return { data, shape: [count, 2, points, 3] };
 }
 
 /** A quantity of both modes [n, 2, S, width]. */

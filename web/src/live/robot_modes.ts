@@ -10,7 +10,7 @@ import type { Blocks } from "./map";
 import { motionOf, ringing, told, type Found, type Lines } from "./modes";
 import { greedyPartners, likeness } from "./partners";
 import { staticRoots } from "./robot_static";
-import { linesAt, standing, stacked } from "./robot_line";
+import { placesAt } from "./robot_line";
 
 const N = 6;
 const MOTOR = 5;
@@ -39,10 +39,7 @@ export function robotVibration(
     return value;
   });
   const { linear } = engine.sample("modes.linear", parameters, { phi }, 1);
-  const lines: Lines = (q, count) => {
-    const { data, shape } = stacked(linesAt(engine, parameters, standing(q), doubles(bundle.stations)), "line");
-    return { data, shape: [count, ...shape.slice(1)] };
-  };
+  const lines: Lines = (q) => placesAt(engine, parameters, q, doubles(bundle.stations));
   try {
     const cases = Object.fromEntries(
       bundle.modes.cases.map(({ name, columns }) => [

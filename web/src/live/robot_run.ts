@@ -7,7 +7,7 @@ import { integrate, type RunResult, type Watch } from "./engine_run";
 import { brokenOff } from "./facts";
 import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
-import { colours, linesAt, roots, stacked, standing, type Lines } from "./robot_line";
+import { colours, linesAt, placesAt, roots, stacked, type Lines } from "./robot_line";
 import { largestMoment, robotFacts } from "./robot_facts";
 import { robotVibration } from "./robot_modes";
 import { staticRoots } from "./robot_static";
@@ -199,7 +199,8 @@ function picture(
   const wanted = at("q_reference");
   const line = stacked(lines, "line");
   const [rigid, reference, referenceRigid] = [rigidOf(phi), wanted, rigidOf(wanted)].map((one) =>
-    stacked(linesAt(engine, parameters, standing(one), lines.stations), "line"));
+    placesAt(engine, parameters, one, lines.stations),
+  );
   const numbers = (name: string) => ({ data: at(name), shape: [frames.length, ...series[name].shape.slice(1)] });
   const places = {
     data: Float64Array.from(

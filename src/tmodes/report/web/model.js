@@ -1,4 +1,4 @@
-/* tmodes, built from 94beb40a3f367122; BSD-3-Clause */
+/* tmodes, built from ebbbd7b3b67ca580; BSD-3-Clause */
 
 // src/live/engine.ts
 var EngineError = class extends Error {
@@ -22,6 +22,7 @@ var Engine = class _Engine {
   functions;
   memory;
   free;
+  outputs = new Float64Array();
   /** Compile and instantiate; raises an EngineError for another format, and where WebAssembly is refused. */
   static async open(wasm, layout) {
     if (layout.format !== FORMAT) throw new EngineError(`layout: got format ${layout.format}; expected ${FORMAT}`);
@@ -43,16 +44,21 @@ var Engine = class _Engine {
    */
   slopes(name, parameters, inputs, directions, count) {
     const told = known(this.layout.samples, name, "function");
-    if (told.kind !== "slopes") throw new EngineError(`${name}: got a function without derivatives; expected one with them`);
+    if (told.kind !== "slopes")
+      throw new EngineError(`${name}: got a function without derivatives; expected one with them`);
     expect(`${name}: parameters`, parameters.length, told.parameters);
-    const zero = Object.fromEntries(Object.entries(told.inputs).map(([label, size2]) => [label, new Float64Array(size2)]));
+    const zero = Object.fromEntries(
+      Object.entries(told.inputs).map(([label, size2]) => [label, new Float64Array(size2)])
+    );
     const out = this.schedule(told, parameters, [inputs, { ...zero, ...directions }], count);
     const size = total(told.outputs);
     return { values: parted(told.outputs, out, count, 2), slopes: parted(told.outputs, out.subarray(size), count, 2) };
   }
   /** Call a function on arrays of doubles, whole numbers, and arrays that it writes. */
   call(name, values) {
-    const arrays = values.map((value) => typeof value === "number" ? null : value instanceof Float64Array ? value : value.into);
+    const arrays = values.map(
+      (value) => typeof value === "number" ? null : value instanceof Float64Array ? value : value.into
+    );
     this.reserve(arrays.reduce((sum, array) => sum + (array?.byteLength ?? 0), this.free));
     const whole = new Float64Array(this.memory.buffer);
     let place = this.free;
@@ -73,16 +79,21 @@ var Engine = class _Engine {
   }
   program(told, parameters, inputs, count) {
     const rows = Object.entries(told.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
-    const out = new Float64Array(count * total(told.outputs));
+    const out = this.room(count * total(told.outputs));
     this.call(told.export, [count, parameters, ...rows, { into: out }]);
     return out;
   }
   schedule(told, parameters, sides, count) {
     const packed = packedRows(told.inputs, sides, count);
-    const out = new Float64Array(count * sides.length * total(told.outputs));
+    const out = this.room(count * sides.length * total(told.outputs));
     const workspace = new Float64Array(told.workspace);
     this.call(told.export, [count, 0, parameters, workspace, packed, { into: out }]);
     return out;
+  }
+  /** Room for outputs until the next call: a page that runs again and again asks for no new memory each time. */
+  room(size) {
+    if (this.outputs.length < size) this.outputs = new Float64Array(size);
+    return this.outputs.subarray(0, size);
   }
   reserve(end) {
     const missing = end - this.memory.buffer.byteLength;
@@ -90,7 +101,9 @@ var Engine = class _Engine {
     try {
       this.memory.grow(Math.ceil(missing / PAGE));
     } catch {
-      throw new EngineError(`memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. Mend: ask for fewer samples`);
+      throw new EngineError(
+        `memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. Mend: ask for fewer samples`
+      );
     }
   }
 };
@@ -278,11 +291,17 @@ var EngineRun = class {
     const [status, t] = [this.cell("status"), `t = ${figures(this.time, 6)} s`];
     if (status === statuses.finished) return ["finished", `reached the end, t = ${figures(settings.duration, 6)} s`];
     if (status === statuses.running) {
-      return ["stopped", `stopped at ${t} of ${figures(settings.duration, 6)} s: integration.max_steps = ${settings.maxSteps} is used up`];
+      return [
+        "stopped",
+        `stopped at ${t} of ${figures(settings.duration, 6)} s: integration.max_steps = ${settings.maxSteps} is used up`
+      ];
     }
     if (status === statuses.chattering) {
       const often = `more than ${limits.most_events} times within ${limits.event_time} s`;
-      return ["chattering", `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`];
+      return [
+        "chattering",
+        `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`
+      ];
     }
     return this.lost(status, t);
   }
@@ -290,19 +309,30 @@ var EngineRun = class {
   lost(status, at) {
     const { statuses, coordinates, limits } = this.engine.layout;
     const count = coordinates.length;
-    const sizes = Array.from(this.rates().subarray(count, 2 * count), (a) => Number.isFinite(a) ? Math.abs(a) : Infinity);
+    const sizes = Array.from(
+      this.rates().subarray(count, 2 * count),
+      (a) => Number.isFinite(a) ? Math.abs(a) : Infinity
+    );
     const k = sizes.indexOf(Math.max(...sizes));
     const followed = sizes[k] < limits.bound;
     const kind = !followed ? "diverged" : status === statuses.not_converged ? "not_converged" : status === statuses.step_too_small ? "step_too_small" : "diverged";
     const value = `its acceleration is ${figures(sizes[k], 3)} rad/s^2`;
     const words = kind.replaceAll("_", " ");
-    return [kind, `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; its last step was of ${figures(this.cell("h"), 3)} s`];
+    return [
+      kind,
+      `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; its last step was of ${figures(this.cell("h"), 3)} s`
+    ];
   }
   rates() {
     const { loop, parameters, rows } = this.spec;
     const { row } = this.engine.layout.loops[loop];
     const segment = Math.min(this.cell("segment"), rows.length / row - 1);
-    const inputs = { time: Float64Array.of(this.time), state: this.state, row: rows.slice(segment * row, (segment + 1) * row), step: new Float64Array(1) };
+    const inputs = {
+      time: Float64Array.of(this.time),
+      state: this.state,
+      row: rows.slice(segment * row, (segment + 1) * row),
+      step: new Float64Array(1)
+    };
     return this.engine.sample(`${loop.slice(0, loop.lastIndexOf("."))}.rate`, parameters, inputs, 1).rate;
   }
 };
@@ -369,7 +399,9 @@ var Model = class _Model {
     const told = known(this.description.runs, run, "run");
     const settings = { ...this.description.settings, ...changes.settings };
     if (settings.duration > this.description.settings.duration) {
-      throw new EngineError(`duration: got ${settings.duration} s; expected at most ${this.description.settings.duration} s, for which there are signals`);
+      throw new EngineError(
+        `duration: got ${settings.duration} s; expected at most ${this.description.settings.duration} s, for which there are signals`
+      );
     }
     const { knots, rows } = until(told, settings.duration);
     return integrate(this.engine, {
@@ -386,7 +418,12 @@ var Model = class _Model {
   observe(result, run = "real", changes = {}) {
     const told = known(this.description.runs, run, "run");
     const count = result.times.length;
-    const inputs = { time: result.times, state: result.states, row: rowsAt(told, result.times), step: new Float64Array(1) };
+    const inputs = {
+      time: result.times,
+      state: result.states,
+      row: rowsAt(told, result.times),
+      step: new Float64Array(1)
+    };
     return this.engine.sample(`${run}.observe`, this.numbers(told, changes), inputs, count);
   }
   /** Names of what is observed, with how many numbers each has. */
@@ -399,7 +436,10 @@ var Model = class _Model {
     const names = this.description.layout.parameters ?? [];
     for (const [name, value] of Object.entries(parameters)) {
       const index = names.indexOf(name);
-      if (index < 0) throw new EngineError(`parameter: got ${name}; expected one of ${names.join(", ") || "all numbers, for they have no names"}`);
+      if (index < 0)
+        throw new EngineError(
+          `parameter: got ${name}; expected one of ${names.join(", ") || "all numbers, for they have no names"}`
+        );
       values[index] = value;
     }
     return values;
@@ -408,7 +448,10 @@ var Model = class _Model {
 function until(told, end) {
   const pieces = Math.max(1, told.knots.filter((knot, k) => k < told.knots.length - 1 && knot < end).length);
   const width = told.rows.length / (told.knots.length - 1);
-  return { knots: Float64Array.from([...told.knots.slice(0, pieces), end]), rows: Float64Array.from(told.rows.slice(0, pieces * width)) };
+  return {
+    knots: Float64Array.from([...told.knots.slice(0, pieces), end]),
+    rows: Float64Array.from(told.rows.slice(0, pieces * width))
+  };
 }
 function rowsAt(told, times) {
   const pieces = told.knots.length - 1;
