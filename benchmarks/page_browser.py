@@ -22,7 +22,9 @@ window.script = 0;
 window.Worker = class extends Worker {
   constructor(...given) {
     super(...given);
-    this.addEventListener("message", ({ data }) => { if (data.kind === "done") window.answered = performance.now(); });
+    this.addEventListener("message", ({ data }) => {
+      if (data.kind === "early") window.answered = performance.now();
+    });
   }
 };
 const ask = window.requestAnimationFrame;
@@ -32,7 +34,7 @@ window.requestAnimationFrame = (act) => ask.call(window, (now) => {
   window.script += performance.now() - began;
 });
 """
-"""Notes when the worker has answered, and how long the page's own work of each picture takes."""
+"""Notes when the worker has answered what the curves need, and how long the page's own work of each picture takes."""
 
 CHANGE = """async (share) => {
   const input = document.querySelector(".sliders-panel input[type=range]");

@@ -26,7 +26,8 @@ const live = await openLive(unpack(new Uint8Array(readFileSync("bundle.tmpk"))))
 const told = [];
 for (const [k, values] of JSON.parse(readFileSync("jobs.json", "utf8")).entries()) {
   const [began, before] = [performance.now(), process.cpuUsage()];
-  const run = await live.run(values);
+  let early = 0;
+  const run = await live.run(values, undefined, () => { early = performance.now() - began; });
   const [total, { user, system }, series, parts] = [performance.now() - began, process.cpuUsage(before), {}, []];
   let place = 0;
   for (const [name, { data, shape }] of Object.entries(run.series)) {
@@ -35,7 +36,7 @@ for (const [k, values] of JSON.parse(readFileSync("jobs.json", "utf8")).entries(
     parts.push(new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
   }
   if (process.argv[2] === "keep") writeFileSync(`run${k}.f8`, Buffer.concat(parts));
-  told.push({ total: total / 1000, processor: (user + system) / 1e6, loops: run.seconds, series });
+  told.push({ curves: early / 1000, total: total / 1000, processor: (user + system) / 1e6, loops: run.seconds, series });
 }
 console.log(JSON.stringify(told));
 """
@@ -75,7 +76,7 @@ def _run(program: str, folder: Path, *arguments: str) -> Any:
 def in_node(
     bundle: dict[str, Any], jobs: list[list[float]], folder: Path, *, keep: bool = False
 ) -> list[dict[str, Any]]:
-    """Of each list of values: seconds in all, of processors, of the time loops alone; where asked for, all series."""
+    """Of each list of values: seconds to the curves, in all, of processors, of the loops; where asked for, all series."""
     (folder / "bundle.tmpk").write_bytes(pack(bundle))
     (folder / "jobs.json").write_text(json.dumps(jobs))
     told = _run(RUNS, folder, "keep" if keep else "")

@@ -1,4 +1,4 @@
-/* tmodes, built from ebbbd7b3b67ca580; BSD-3-Clause */
+/* tmodes, built from 72622bddda223fc4; BSD-3-Clause */
 
 // src/live/engine.ts
 var EngineError = class extends Error {
