@@ -70,7 +70,7 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
       scene.replace(0, live && live.scene);
       lineView?.show(live);
     }
-    if (!live || !drawn || !sameCurves(live, drawn)) chartsView.show(live);
+    chartsView.show(live);
     factsView.show(live);
     modesView?.show(live);
     drawn = live;
@@ -104,14 +104,6 @@ export function mountPage(root: HTMLElement, page: Page): PageView {
       root.replaceChildren();
     },
   };
-}
-
-/** Whether a run has no curve or mark that the other has not. */
-function sameCurves(one: LiveRun, other: LiveRun): boolean {
-  return (
-    one.vibration === other.vibration &&
-    Object.entries(one.series).every(([name, series]) => series === other.series[name])
-  );
 }
 
 function section(title: string, there: boolean): { element: HTMLElement; body: HTMLElement } {

@@ -4,7 +4,7 @@ import type { Clock } from "../clock";
 import type { Chart, LiveRun, Page } from "../contract";
 import { button, make } from "../dom";
 import { mountChart, type ChartView } from "./chart";
-import { chartSets, type ChartSet } from "./series";
+import { chartSets, unchanged, type ChartSet } from "./series";
 import { makeZoom } from "./zoom";
 
 export interface ChartsView {
@@ -35,6 +35,7 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
     text: "Click or drag: choose the time. Shift and drag: zoom, double click: back.",
   });
   const groups = (Object.keys(WORDS) as Group[]).filter((group) => chosen(sets, group).length > 0);
+  let drawn: ChartSet[] = [];
   let views: ChartView[] = [];
   let live: LiveRun | null = null;
 
@@ -59,7 +60,8 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
 
   function open(group: Group): void {
     views.forEach((view) => view.dispose());
-    views = chosen(sets, group).map((set) => mountChart(set, clock, zoom));
+    drawn = chosen(sets, group);
+    views = drawn.map((set) => mountChart(set, clock, zoom));
     if (live) views.forEach((view) => view.show(live));
     for (const tab of tabs.querySelectorAll("button")) {
       const selected = tab.dataset.group === group;
@@ -77,8 +79,11 @@ export function mountCharts(element: HTMLElement, page: Page, clock: Clock): Cha
   open("overview");
   return {
     show(run) {
+      const before = live;
       live = run;
-      views.forEach((view) => view.show(run));
+      views.forEach((view, k) => {
+        if (!run || !before || !unchanged(drawn[k], before, run)) view.show(run);
+      });
     },
     dispose() {
       dark.removeEventListener("change", recolour);

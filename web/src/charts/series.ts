@@ -66,6 +66,15 @@ function liveEntry(curve: Curve, chart: Chart, runName: string, live: LiveRun): 
   return [Object.defineProperties(entry as Entry, { x: { get: () => spectrum().x }, y: { get: () => spectrum().y } })];
 }
 
+/** Whether the live model's later run has for these charts only what the earlier one had. */
+export function unchanged(set: ChartSet, earlier: LiveRun, later: LiveRun): boolean {
+  if (set.chart.group === "spectrum" && earlier.vibration !== later.vibration) return false;
+  const variables = set.runs.flatMap(({ chart }) =>
+    chart.curves.flatMap(({ source }) => (source ? [source.variable, source.less?.variable ?? source.variable] : [])),
+  );
+  return variables.every((name) => earlier.series[name] === later.series[name]);
+}
+
 /** A curve's values from the series of the live model; null where it does not have them. */
 export function liveValues(curve: Curve, live: LiveRun): Float64Array | null {
   const source = curve.source;

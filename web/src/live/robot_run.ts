@@ -9,7 +9,6 @@ import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
 import { colours, linesAt, placesAt, roots, stacked, type Lines } from "./robot_line";
 import { largestMoment, robotFacts } from "./robot_facts";
-import { robotVibration } from "./robot_modes";
 import { staticRoots } from "./robot_static";
 import { beside, columns, difference, energyBalance, range, rowsOf, shaped, sizes, type SeriesOf } from "./series";
 import * as signals from "./signals";
@@ -32,12 +31,21 @@ export interface Regime {
   run: RunResult;
 }
 
+/** Both robots in motion, and what is observed of the real one at the `count` samples that both reached. */
+export interface Pair {
+  reference: Regime;
+  real: Regime;
+  seen: Samples;
+  count: number;
+}
+
 /**
- * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears both motions.
+ * The run but for what takes longer (robot_later.ts); raises an error where it cannot start. `kept`: the reference run
+ * before; `moving` hears both motions.
  */
 export async function runRobot(
   engine: Engine, bundle: RobotBundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
-  moving: (reference: Regime, real: Regime) => void = () => undefined,
+  moving: (pair: Pair) => void = () => undefined,
 ): Promise<LiveRun> {
   const began = performance.now();
   const half = (from: number): Watch => ({ ...watch, progress: (share) => watch.progress?.(from + share / 2) });
@@ -45,12 +53,12 @@ export async function runRobot(
   const known = numbers("reference");
   const reference = await kept.of(known, () => moved(engine, bundle, known, "reference", half(0)));
   const real = await moved(engine, bundle, numbers("real"), "real", half(0.5));
-  moving(reference, real);
   const count = Math.min(reference.run.times.length, real.run.times.length);
   const seconds = (performance.now() - began) / 1000;
   const [seen, planned] = [observed(engine, real, count), observed(engine, reference, count)];
+  moving({ reference, real, seen, count });
   const times = real.run.times.subarray(0, count);
-  const series = seriesOf(engine, bundle, real, reference, seen, planned, count);
+  const series = seriesOf(bundle, real, reference, seen, planned, count);
   const states = real.run.states.subarray(0, count * STATE);
   const motion = beside(count, columns(states, STATE, range(0, 12)), seen.acceleration, seen.contact_force);
   const frames = framesOf(bundle, count);
@@ -62,14 +70,13 @@ export async function runRobot(
   const name = failed === reference ? "reference" : "real robot";
   const facts = robotFacts(times, series, moment, real.numbers.end[0]);
   const end = known.end[0];
-  const modes = robotVibration(engine, bundle, real.numbers);
   return {
     status: failed ? failed.run.status : "finished",
     message: failed ? `${name}: ${failed.run.message}` : real.run.message,
     seconds, times, series,
     ...picture(engine, bundle, real, lines, series, frames),
     span: [bundle.steady[0] * end, bundle.steady[1] * end],
-    facts: { ...(failed ? brokenOff(facts) : facts), ...modes.facts }, vibration: modes.vibration,
+    facts: failed ? brokenOff(facts) : facts,
   };
 }
 
@@ -134,7 +141,7 @@ function rigidOf(phi: Float64Array): Float64Array {
 }
 
 /** th11q, th12d, th11m, th12e, xi of states [n, 17]. */
-function deformations(states: Float64Array): Float64Array {
+export function deformations(states: Float64Array): Float64Array {
   const count = states.length / STATE;
   const found = new Float64Array(count * 5);
   for (let k = 0; k < count; k += 1) {
@@ -145,13 +152,10 @@ function deformations(states: Float64Array): Float64Array {
 }
 
 function seriesOf(
-  engine: Engine, bundle: RobotBundle, real: Regime, reference: Regime, seen: Samples, planned: Samples, count: number,
+  bundle: RobotBundle, real: Regime, reference: Regime, seen: Samples, planned: Samples, count: number,
 ): SeriesOf {
   const [states, wanted] = [real, reference].map((regime) => regime.run.states.subarray(0, count * STATE));
   const [q, v, work] = [range(0, 6), range(6, 12), range(12, 17)].map((which) => columns(states, STATE, which));
-  const angles = deformations(states);
-  const gross = beside(count, columns(states, STATE, [5, 11]), columns(seen.acceleration, 6, [5]), seen.contact_force);
-  const held = staticRoots(engine, bundle, "real.quasistatic", real.numbers.parameters, gross, angles, count).angles;
   const series: SeriesOf = {
     q: shaped(q, count, 6),
     v: shaped(v, count, 6),
@@ -164,10 +168,8 @@ function seriesOf(
     tip_velocity: shaped(seen.tip_velocity, count, 3),
     tip_reference: shaped(planned.tip, count, 3),
     deviation: shaped(sizes(difference(seen.tip, planned.tip), 3), count),
-    deformation: shaped(angles, count, 5),
+    deformation: shaped(deformations(states), count, 5),
     deformation_reference: shaped(deformations(wanted), count, 5),
-    deformation_stationary: shaped(held, count, 5),
-    deformation_oscillatory: shaped(difference(angles, held), count, 5),
     gear_torque: shaped(seen.gear_torque, count),
     gear_torque_reference: shaped(planned.gear_torque, count),
     energy: shaped(seen.energy, count, 4),

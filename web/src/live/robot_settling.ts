@@ -1,7 +1,6 @@
 // How long after the move the tip still strays: both runs are carried on until it is known, as analysis/settling.py
 // does.
 
-import type { LiveRun } from "../contract";
 import { doubles, type RobotBundle } from "./bundle";
 import { damped, undamped } from "./eigen";
 import type { Engine } from "./engine";
@@ -9,7 +8,7 @@ import { Cancelled, integrate, type Watch } from "./engine_run";
 import { BAND, figures, settled, type Facts } from "./facts";
 import { product } from "./linear";
 import { addControl } from "./robot_modes";
-import { observed, STATE, type Regime } from "./robot_run";
+import { observed, STATE, type Pair, type Regime } from "./robot_run";
 import { difference, sizes } from "./series";
 import type { Schedule } from "./signals";
 
@@ -21,19 +20,19 @@ const STILL = 1e-9; // imaginary over absolute value of an eigenvalue below whic
 const FIXED_STEP = ["rk4", "midpoint"];
 const [MOTOR, MOTOR_RATE] = [5, 11];
 
-/** The run with the headline number that takes longer; raises Cancelled. */
-export async function withSettling(
-  engine: Engine, bundle: RobotBundle, run: LiveRun, reference: Regime, real: Regime, watch: Watch,
-): Promise<LiveRun> {
-  if (run.status !== "finished") return run;
-  const quiet = { ...watch, progress: () => undefined };
+/** The headline number; `deviation` [n] is that of the run. Raises Cancelled. */
+export async function settlingFact(
+  engine: Engine,
+  bundle: RobotBundle,
+  { reference, real }: Pair,
+  deviation: Float64Array,
+  watch: Watch,
+): Promise<Facts> {
   try {
-    const facts = await settling(engine, bundle, reference, real, run.series.deviation.data, quiet);
-    return { ...run, facts: { ...run.facts, ...facts } };
+    return await settling(engine, bundle, reference, real, deviation, { ...watch, progress: () => undefined });
   } catch (problem) {
     if (problem instanceof Cancelled) throw problem;
-    const why = problem instanceof Error ? problem.message : String(problem);
-    return { ...run, facts: { ...run.facts, ...unseen(why) } };
+    return unseen(problem instanceof Error ? problem.message : String(problem));
   }
 }
 
