@@ -1,7 +1,7 @@
 // How long after the move the tip still strays: both runs are carried on until it is known, as analysis/settling.py
 // does.
 
-import type { LiveRun } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { doubles, type RobotBundle } from "./bundle";
 import { damped, undamped } from "./eigen";
 import type { Engine } from "./engine";
