@@ -1,4 +1,4 @@
-// What a page is given, and what its parts promise each other. tmodes/report/ (Python) writes it, the parts read it.
+// What a page is given: tmodes/report/ (Python) writes it, the parts of the page read it.
 // Units are SI unless a field says its own. Arrays are row-major; shapes in brackets: m display frames, L links,
 // S stations along each link (0 root .. 1 tip), n samples.
 
@@ -201,57 +201,4 @@ export interface LiveBundle {
   kind: "robot" | "arm";
   sliders: Slider[];
   [more: string]: unknown;
-}
-
-/** What the live model gives: the same names as the result's variables, at the run's own samples. */
-export interface LiveRun {
-  status: string;
-  message: string;
-  /** Wall time of the simulation [s]. */
-  seconds: number;
-  times: Float64Array;
-  /** By the result's variable names, [n, ...]. */
-  series: Record<string, { data: Float64Array; shape: number[] }>;
-  /** New arrays for the scene's fields, at its own display times; links, joints and meshes stay. */
-  scene: Pick<Scene, "times" | "line" | "rigid" | "reference" | "referenceRigid" | "roots" | "tip" | "tipReference"> & {
-    colours: Scene["colours"];
-    /** `surface`: where it is, if that changed. */
-    contact: (Pick<SceneContact, "force" | "at"> & Partial<Pick<SceneContact, "surface">>) | null;
-  };
-  line: LinePanel | null;
-  /** First and last time [s] of what its spectra are of; without it those of the charts serve. */
-  span?: [number, number];
-  /** Headline numbers by the ids of the facts; those that cannot be computed are absent. */
-  facts: Record<string, { value: number | null; note: string }>;
-  /** Its modes; a sentence where they cannot be told, none where they are not known yet. */
-  vibration?: Vibration | string;
-}
-
-/** Small vibrations about the rest: what `Run.modes` and the marks of spectra tell. */
-export interface Vibration {
-  modes: Mode[];
-  marks: Chart["marks"];
-}
-
-/** `openLive(bundle)` of src/live/live.ts gives it; all work is done in a worker where there is one. */
-export interface Live {
-  sliders: Slider[];
-  /** Simulate with these values; a newer call ends an older one, whose promise is then rejected with `Superseded`. */
-  /** `early` hears the curves where more of the run takes longer; the promise gives all of it. */
-  run(values: number[], progress?: (share: number) => void, early?: (run: LiveRun) => void): Promise<LiveRun>;
-  /** The data sheet as YAML with these values. */
-  sheet(values: number[]): string;
-  close(): void;
-}
-
-/** `mountScene(element, page, clock)` of src/scene/scene.ts gives it. */
-export interface SceneView {
-  /** Show other arrays for a run (of the live model); null: those of the page. The page's own stay as a ghost. */
-  replace(run: number, scene: LiveRun["scene"] | null): void;
-  /**
-   * Show a mode instead of the motion; null: the motion. `amplitude`: largest displacement, share of the robot's size.
-   */
-  showMode(mode: Mode | null, amplitude: number): void;
-  resize(): void;
-  dispose(): void;
 }

@@ -2,7 +2,8 @@
 
 import { makeClock, type Clock } from "./clock";
 import { mountCharts } from "./charts/charts";
-import type { LiveRun, Mode, Page, SceneView } from "./contract";
+import type { Mode, Page } from "./contract";
+import type { LiveRun, SceneView } from "./contract_parts";
 import { make } from "./dom";
 import { openLive } from "./live/live";
 import { mountFacts } from "./panels/facts";

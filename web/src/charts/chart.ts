@@ -2,10 +2,12 @@
 
 import type uPlot from "uplot";
 import type { Clock } from "../clock";
-import type { Chart, LiveRun } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { button, make, ownId, put, save } from "../dom";
-import { plain, told } from "../format";
+import { told } from "../format";
+import { drawnBy, drawnShare, summary, thinnest } from "./chart_words";
 import { csvOf } from "./csv";
+import { changedMarks, marksWithin } from "./frequency_marks";
 import { makeLegend, type Legend } from "./legend";
 import { makePlot, type PlotLine } from "./plot";
 import { aligned, entriesOf, extremes, valueAt, type ChartSet, type Entry, type Values } from "./series";
@@ -98,15 +100,10 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     if (current) return entries;
     current = true;
     entries = entriesOf(set, live);
-    const changed = changedMarks(live);
+    const changed = changedMarks(chart, live);
     marks = changed ? marksWithin(changed, entries) : chart.marks;
     legend.renew(entries);
     return entries;
-  }
-
-  /** Marks of the live model's own robot, where it tells them. */
-  function changedMarks(run: LiveRun | null): Chart["marks"] | null {
-    return chart.group === "spectrum" && typeof run?.vibration === "object" ? run.vibration.marks : null;
   }
 
   function draw(): void {
@@ -124,7 +121,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     if (plot && kind === drawn) plot.setData(data as unknown as uPlot.AlignedData);
     else renew(data, lines);
     drawn = kind;
-    place.setAttribute("aria-label", summary(shown));
+    place.setAttribute("aria-label", summary(chart, unit, shown));
     if (timed) stretch(zoom.range);
     tell();
   }
@@ -180,14 +177,6 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     return value !== null && Math.abs(value) < ROUNDING * largest && !log ? 0 : value;
   }
 
-  function summary(shown: Entry[]): string {
-    const parts = shown.filter((entry) => !entry.ghost).map((entry) => {
-      const [low, high] = extremes(entry.y);
-      return `${entry.label} ${entry.role}, from ${plain(low)} to ${plain(high)} ${unit}`.trim();
-    });
-    return `${chart.title}: ${parts.join("; ") || "no curve is shown"}.`;
-  }
-
   function saveData(): void {
     save(
       csvOf(
@@ -217,7 +206,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   addEventListener("beforeprint", onPaper);
   addEventListener("afterprint", onPaper);
   watch.observe(element);
-  place.setAttribute("aria-label", summary(entries.filter((entry) => legend.shows(entry))));
+  place.setAttribute("aria-label", summary(chart, unit, entries.filter((entry) => legend.shows(entry))));
   resized.observe(place);
   const ends = [
     clock.subscribe(() => {
@@ -232,7 +221,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     show(run) {
       live = run;
       current = false;
-      marksNote.hidden = run === null || changedMarks(run) !== null || chart.marks.length === 0;
+      marksNote.hidden = run === null || changedMarks(chart, run) !== null || chart.marks.length === 0;
       redraw();
     },
     recolour() {
@@ -248,26 +237,4 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
       plot?.destroy();
     },
   };
-}
-
-/** Of the runs beside each other the one that is thinned most. */
-function thinnest(set: ChartSet): Chart {
-  return set.runs
-    .map((one) => one.chart)
-    .reduce((least, chart) => (drawnShare(chart) < drawnShare(least) ? chart : least));
-}
-
-function drawnShare(chart: Chart): number {
-  return chart.at.data.length / chart.samples;
-}
-
-function drawnBy(chart: Chart): string {
-  const [drawn, all] = [chart.at.data.length, chart.samples].map((count) => count.toLocaleString("en"));
-  return `Drawn by ${drawn} of ${all} samples; every extreme is kept.`;
-}
-
-/** Marks as far as the curves go. */
-function marksWithin(marks: Chart["marks"], entries: Entry[]): Chart["marks"] {
-  const last = Math.max(0, ...entries.map((entry) => entry.x[entry.x.length - 1] ?? 0));
-  return marks.filter(({ at }) => at <= last);
 }

@@ -1,7 +1,8 @@
 // All charts of a page: a choice of groups, a grid, one zoom.
 
 import type { Clock } from "../clock";
-import type { Chart, LiveRun, Page } from "../contract";
+import type { Chart, Page } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { button, make } from "../dom";
 import { mountChart, type ChartView } from "./chart";
 import { chartSets, unchanged, type ChartSet } from "./series";

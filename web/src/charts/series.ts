@@ -1,6 +1,7 @@
 // What a chart draws: the curves of all runs under one name, and their values on one common axis.
 
-import type { Chart, Curve, LiveRun, Page, Role } from "../contract";
+import type { Chart, Curve, Page, Role } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { spectrumOf } from "./spectrum";
 
 export type Values = ArrayLike<number>;

@@ -1,13 +1,13 @@
 // What acts on the named points of an arm: loads with their signals, and a surface, as
 // tmodes/analysis/equilibrium_*.py.
 
+import { WRENCH, wrenchAt } from "./arm_wrench";
 import type { ArmBundle, Surface } from "./bundle";
 import { product } from "./linear";
 import type { Blocks } from "./map";
-import { valueAt, type Schedule } from "./signals";
+import type { Schedule } from "./signals";
 
 const POINT = 24;
-const WRENCH = 6;
 
 /** Force and moment on each point [points, 6] in world axes, and what acts adds to M, D, K [n, n]. */
 export interface Acts {
@@ -15,18 +15,6 @@ export interface Acts {
   mass: Float64Array;
   damping: Float64Array;
   stiffness: Float64Array;
-}
-
-/** A load's wrench in world axes at a time; `rotation` [9] of its point. */
-export function loadAt(
-  bundle: ArmBundle, blocks: Blocks, schedule: Schedule, which: number, time: number, rotation: Float64Array,
-): Float64Array {
-  const { follower, signal } = bundle.loads[which];
-  const factor = signal < 0 ? 1 : valueAt(schedule, signal, time);
-  const own = blocks.loads.subarray(WRENCH * which, WRENCH * (which + 1)).map((value) => factor * value);
-  return follower
-    ? Float64Array.of(...product(rotation, own.subarray(0, 3), 3, 3, 1), ...product(rotation, own.subarray(3), 3, 3, 1))
-    : own;
 }
 
 /**
@@ -48,8 +36,10 @@ export function actsAt(
       { length: 3 * n },
       (_, k) => columns[((k % n) * places + point) * POINT + start + Math.floor(k / n)],
     );
-  bundle.loads.forEach(({ point, follower }, which) => {
-    const wrench = loadAt(bundle, blocks, schedule, which, 0, points.subarray(POINT * point, POINT * point + 9));
+  bundle.loads.forEach((load, which) => {
+    const { point, follower } = load;
+    const own = blocks.loads.subarray(WRENCH * which, WRENCH * (which + 1));
+    const wrench = wrenchAt(load, own, schedule, 0, points, POINT * point);
     add(found.wrenches.subarray(WRENCH * point, WRENCH * (point + 1)), wrench, 1);
     if (!follower) return;
     const turn = jacobian(point, 21);

@@ -1,8 +1,9 @@
 // What every section of an arm carries at one sample: the balance of all that is outboard of it, d'Alembert's forces
-// and
-// given wrenches, as tmodes/analysis/arm_line_loads.py. Loads are told as the outboard part acts on the inboard one.
+// and given wrenches, as tmodes/analysis/arm_line_loads.py. Loads are told as the outboard part acts on the inboard
+// one.
 
-import { addMoved, FRAME, GAIN, jointed, PLACE, RATE, TURNING, type JointKind } from "./arm_frame";
+import { addBodies } from "./arm_bodies";
+import { FRAME, jointed, PLACE, RATE, TURNING, type JointKind } from "./arm_frame";
 import { Strain, type BeamTold, type Motion } from "./arm_strain";
 import { add, addCross, addTurned, along, copy, type Reals } from "./space";
 
@@ -93,29 +94,13 @@ export class Balance {
     const { frames, hung, load } = this;
     const beam = this.beams[k];
     const root = this.root(k);
-    this.fixed(hung, k * LOAD, this.nodes[k].tip, frames, this.tip(k));
+    addBodies(hung, k * LOAD, this.numbers, this.nodes[k].tip, frames, this.tip(k));
     this.pushed(hung, k * LOAD, k, -1, frames, this.tip(k), wrenches);
     if (beam)
       this.along(k, beam, this.carried[k]!, motion, wrenches); // leaves the load of its root in `load`
     else copy(load, 0, hung, k * LOAD, LOAD);
     const parent = this.nodes[k].parent;
     if (parent >= 0) addLoad(hung, parent * LOAD, load, 0, frames, root + PLACE, frames, this.tip(parent) + PLACE);
-  }
-
-  /** Weight and inertia of bodies about the origin of the frame they are fixed to. */
-  private fixed(into: Reals, at: number, body: number, frames: Reals, frame: number): void {
-    if (body < 0) return;
-    const { numbers } = this;
-    vectors.fill(0);
-    addTurned(vectors, 0, frames, frame, numbers, body + 1); // first moment
-    add(vectors, 3, frames, frame + GAIN, numbers[body]);
-    addMoved(vectors, 3, frames, frame, vectors, 0);
-    add(into, at, vectors, 3, -1);
-    addCross(into, at + 3, vectors, 0, frames, frame + GAIN, -1);
-    inertial(into, at + 3, numbers, body + 4, frames, frame, TURNING);
-    vectors.fill(0, 6);
-    inertial(vectors, 6, numbers, body + 4, frames, frame, RATE);
-    addCross(into, at + 3, frames, frame + RATE, vectors, 6); // both are negative of the inertia's moment
   }
 
   private pushed(
@@ -142,7 +127,7 @@ export class Balance {
     const root = this.root(k);
     const stations = beam.told.stations.map((station, number) => {
       const own = new Float64Array(LOAD);
-      this.fixed(own, 0, station.body, beam.frames, station.edge * FRAME);
+      addBodies(own, 0, this.numbers, station.body, beam.frames, station.edge * FRAME);
       this.pushed(own, 0, k, number, beam.frames, station.edge * FRAME, wrenches);
       return own;
     });
@@ -240,25 +225,6 @@ function addLoad(into: Reals, at: number, load: Reals, i: number, from: Reals, j
   for (let c = 0; c < LOAD; c += 1) into[at + c] += load[i + c];
   for (let c = 0; c < 3; c += 1) inner[c] = from[j + c] - to[k + c];
   addCross(into, at + 3, inner, 0, load, i);
-}
-
-/** into -= R J R^T x, J of six numbers: xx, yy, zz, xy, xz, yz; x at `which` of the frame. */
-function inertial(
-  into: Reals,
-  at: number,
-  numbers: Reals,
-  six: number,
-  frames: Reals,
-  frame: number,
-  which: number,
-): void {
-  const x = along(frames, frame, 0, frames, frame + which);
-  const y = along(frames, frame, 1, frames, frame + which);
-  const z = along(frames, frame, 2, frames, frame + which);
-  inner[0] = numbers[six] * x + numbers[six + 3] * y + numbers[six + 4] * z;
-  inner[1] = numbers[six + 3] * x + numbers[six + 1] * y + numbers[six + 5] * z;
-  inner[2] = numbers[six + 4] * x + numbers[six + 5] * y + numbers[six + 2] * z;
-  addTurned(into, at, frames, frame, inner, 0, -1);
 }
 
 /** How the line bends: away from the root's tangent, and its slope against it; `section` from the root. */

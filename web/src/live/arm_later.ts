@@ -1,8 +1,8 @@
 // What a page shows of an arm's run a little after its curves: the parts of its deformations, and its modes.
 
-import type { LiveRun } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { armVibration } from "./arm_modes";
-import type { Regime } from "./arm_run";
+import type { Regime } from "./arm_regime";
 import { splitOf } from "./arm_split";
 import type { ArmBundle } from "./bundle";
 import type { Engine } from "./engine";

@@ -4,10 +4,11 @@
 import { FRAME, GAIN, PLACE } from "./arm_frame";
 import { Balance, type Carried, type NodeTold, type PointTold } from "./arm_balance";
 import { fibreOf, stressed, type Fibre, type Stress } from "./arm_stress";
+import { WRENCH, wrenchAt, type LoadTold } from "./arm_wrench";
 import { doubles, type ArmBundle } from "./bundle";
 import type { Numbers } from "../pack";
 import type { SeriesOf } from "./series";
-import { valueAt, type Schedule } from "./signals";
+import type { Schedule } from "./signals";
 import type { Reals } from "./space";
 
 /** As tmodes/live/arm_loads.py tells it; numbers say where in the block `carried` a table begins. */
@@ -19,7 +20,7 @@ export interface LoadsTold {
   shown: Numbers;
   nodes: NodeTold[];
   points: (PointTold & { point: number })[];
-  loads: { place: number; follower: boolean; signal: number; wrench: number }[];
+  loads: (LoadTold & { place: number; wrench: number })[];
   /** Which of the points is on a surface; -1: none. */
   touched: number;
   strengths: Record<string, number>;
@@ -91,7 +92,7 @@ export function loadsOf(
       : [],
   );
   const every = Math.max(1, Math.ceil((times.length * links.length * places.length) / MOST_PLACES));
-  const wrenches = new Float64Array(6 * told.points.length);
+  const wrenches = new Float64Array(WRENCH * told.points.length);
   const width = series.q.shape[1];
   let frame = 0;
   for (let k = 0; links.length > 0 && k < times.length; k += 1) {
@@ -150,22 +151,13 @@ function push(
 ): void {
   into.fill(0);
   for (const load of told.loads) {
-    const factor = load.signal < 0 ? 1 : valueAt(schedule, load.signal, time);
-    const wrench = numbers.subarray(load.wrench, load.wrench + 6);
-    const turned = load.follower
-      ? inWorld(series.rotation.data, 9 * (k * series.rotation.shape[1] + told.points[load.place].point), wrench)
-      : wrench;
-    for (let i = 0; i < 6; i += 1) into[6 * load.place + i] += factor * turned[i];
+    const own = numbers.subarray(load.wrench, load.wrench + WRENCH);
+    const point = k * series.rotation.shape[1] + told.points[load.place].point;
+    const wrench = wrenchAt(load, own, schedule, time, series.rotation.data, 9 * point);
+    for (let i = 0; i < WRENCH; i += 1) into[WRENCH * load.place + i] += wrench[i];
   }
   if (told.touched >= 0)
-    for (let i = 0; i < 3; i += 1) into[6 * told.touched + i] -= series.contact_force.data[3 * k + i];
-}
-
-function inWorld(r: Reals, at: number, wrench: Reals): Reals {
-  return wrench.map((_, i) => {
-    const [row, first] = [at + 3 * (i % 3), i < 3 ? 0 : 3];
-    return r[row] * wrench[first] + r[row + 1] * wrench[first + 1] + r[row + 2] * wrench[first + 2];
-  });
+    for (let i = 0; i < 3; i += 1) into[WRENCH * told.touched + i] -= series.contact_force.data[3 * k + i];
 }
 
 function watch({ carried, stress, told }: Link, places: Reals, sample: number): void {

@@ -9,7 +9,7 @@ import type { Engine } from "./engine";
 import type { Facts } from "./facts";
 import { numbersOf, type Blocks } from "./map";
 import { motionOf, ringing, told, type Found } from "./modes";
-import type { Vibration } from "../contract";
+import type { Vibration } from "../contract_parts";
 import { bestPartners, likeness } from "./partners";
 import type { Schedule } from "./signals";
 

@@ -1,6 +1,7 @@
 // The picture of an arm at the display frames: where its links are, bent, without elasticity, and as planned.
 
-import type { LiveRun, SceneContact } from "../contract";
+import type { SceneContact } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import type { Numbers } from "../pack";
 import { doubles, type Affine, type ArmBundle } from "./bundle";
 import type { Engine } from "./engine";

@@ -1,9 +1,9 @@
 // The deformations of an arm's run in two parts, as tmodes/analysis/arm_split.py: T_st, which the present forces would
 // hold statically, motors as they are and no deflection moving, and T_to, the rest.
 
-import { loadAt } from "./arm_acts";
 import { inertiaForces } from "./arm_linear";
 import { affine } from "./arm_scene";
+import { WRENCH, wrenchAt } from "./arm_wrench";
 import { doubles, type ArmBundle } from "./bundle";
 import type { Engine } from "./engine";
 import { inverted, product } from "./linear";
@@ -90,23 +90,17 @@ function wrenchesOf(
   series: SeriesOf,
 ): Float64Array {
   const points = series.position.shape[1];
-  const found = new Float64Array(times.length * points * 6);
+  const found = new Float64Array(times.length * points * WRENCH);
   times.forEach((time, k) => {
-    bundle.loads.forEach(({ point }, which) => {
-      const place = k * points + point;
-      const load = loadAt(
-        bundle,
-        blocks,
-        schedule,
-        which,
-        time,
-        series.rotation.data.subarray(9 * place, 9 * place + 9),
-      );
-      for (let i = 0; i < 6; i += 1) found[6 * place + i] += load[i];
+    bundle.loads.forEach((load, which) => {
+      const place = k * points + load.point;
+      const own = blocks.loads.subarray(WRENCH * which, WRENCH * (which + 1));
+      const wrench = wrenchAt(load, own, schedule, time, series.rotation.data, 9 * place);
+      for (let i = 0; i < WRENCH; i += 1) found[WRENCH * place + i] += wrench[i];
     });
     if (bundle.contactPoint < 0) return;
     for (let i = 0; i < 3; i += 1)
-      found[6 * (k * points + bundle.contactPoint) + i] -= series.contact_force.data[3 * k + i];
+      found[WRENCH * (k * points + bundle.contactPoint) + i] -= series.contact_force.data[3 * k + i];
   });
   return found;
 }

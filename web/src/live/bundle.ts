@@ -3,6 +3,7 @@
 import type { LiveBundle, SceneContact } from "../contract";
 import type { Numbers } from "../pack";
 import type { LoadsTold } from "./arm_loads";
+import type { LoadTold } from "./arm_wrench";
 import type { Layout } from "./engine";
 
 /** Numbers of a run as functions of its knobs, as tmodes/live/forms.py finds them. */
@@ -123,7 +124,7 @@ export interface ArmBundle extends Bundle {
   surface: SceneContact["surface"] | null;
   electric: boolean;
   /** Loads on named points, whose wrenches are a block of numbers; `signal` -1: constant. */
-  loads: { point: number; follower: boolean; signal: number }[];
+  loads: (LoadTold & { point: number })[];
   touch: Surface | null;
   /** The coordinates that give way, the linear map [n, n] to gross motion, and the row of a base under weight. */
   split: { free: number[]; gross: Numbers; weight: Numbers };

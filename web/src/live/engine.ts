@@ -1,6 +1,8 @@
 // A robot's compiled equations in JavaScript: instantiates the module, and calls its functions over many samples.
 // tmodes/live/module.py makes module and layout; nothing here touches a page, so it runs in a worker and in Node alike.
 
+import { EngineError, expect, known } from "./engine_error";
+
 /** What tmodes/live/module.py tells of a module. */
 export interface Layout {
   format: number;
@@ -39,11 +41,6 @@ export interface SampleLayout {
 
 /** Arrays of samples by name, each row-major [count, size]; one row alone stands for all samples. */
 export type Samples = Record<string, Float64Array>;
-
-/** What goes wrong on purpose; the message tells which, what was got, what is expected. */
-export class EngineError extends Error {
-  override name = "EngineError";
-}
 
 const FORMAT = 1;
 const PAGE = 65536;
@@ -184,19 +181,6 @@ async function instantiated(wasm: BufferSource, layout: Layout): Promise<WebAsse
     const needed = layout.simd ? ", with vectors (SIMD)" : "";
     throw new EngineError(`WebAssembly: got ${String(problem)}; expected a browser that allows it${needed}`);
   }
-}
-
-/** The entry of a name; raises an EngineError that lists those there are. */
-export function known<T>(entries: Record<string, T>, name: string, what: string): T {
-  if (!Object.hasOwn(entries, name)) {
-    throw new EngineError(`${what}: got ${name}; expected one of ${Object.keys(entries).join(", ")}`);
-  }
-  return entries[name];
-}
-
-/** Raise an EngineError where an array is not as long as it must be. */
-export function expect(which: string, got: number, expected: number): void {
-  if (got !== expected) throw new EngineError(`${which}: got ${got} numbers; expected ${expected}`);
 }
 
 function total(sizes: Record<string, number>): number {

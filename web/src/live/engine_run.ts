@@ -1,6 +1,9 @@
 // One run of a compiled time loop, in pieces, so that progress is told and a run can be given up: native_run.py's twin.
 
-import { Engine, EngineError, expect, known, type Written } from "./engine";
+import { digits } from "../format";
+import type { Engine, Written } from "./engine";
+import { ending } from "./engine_ending";
+import { EngineError, expect, known } from "./engine_error";
 
 /** As tmodes/integrate/settings.py names them. */
 export interface RunSettings {
@@ -134,7 +137,10 @@ export class EngineRun {
   result(): RunResult {
     const done = this.cell("sample");
     const size = this.state.length;
-    const [status, message] = this.ending();
+    const [status, message] = ending({
+      layout: this.engine.layout, settings: this.spec.settings, status: this.cell("status"), time: this.time,
+      lastStep: this.cell("h"), rates: () => this.rates(),
+    });
     return {
       status, message, times: this.spec.times.slice(0, done), states: this.states.slice(0, done * size),
       errors: this.sumsAtSamples.slice(0, done * size), statistics: this.statistics(),
@@ -152,53 +158,6 @@ export class EngineRun {
     if (this.cell("passes")) told.passes = this.cell("passes");
     if (this.cell("events")) told.contact_changes = this.cell("events");
     return told;
-  }
-
-  private ending(): [string, string] {
-    const { statuses, limits } = this.engine.layout;
-    const { settings } = this.spec;
-    const [status, t] = [this.cell("status"), `t = ${figures(this.time, 6)} s`];
-    if (status === statuses.finished) return ["finished", `reached the end, t = ${figures(settings.duration, 6)} s`];
-    if (status === statuses.running) {
-      return [
-        "stopped",
-        `stopped at ${t} of ${figures(settings.duration, 6)} s: ` +
-          `integration.max_steps = ${settings.maxSteps} is used up`,
-      ];
-    }
-    if (status === statuses.chattering) {
-      const often = `more than ${limits.most_events} times within ${limits.event_time} s`;
-      return [
-        "chattering",
-        `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`,
-      ];
-    }
-    return this.lost(status, t);
-  }
-
-  /** Where the motion could not be followed: the coordinate of largest acceleration, and what is likely the cause. */
-  private lost(status: number, at: string): [string, string] {
-    const { statuses, coordinates, limits } = this.engine.layout;
-    const count = coordinates.length;
-    const sizes = Array.from(this.rates().subarray(count, 2 * count), (a) =>
-      Number.isFinite(a) ? Math.abs(a) : Infinity,
-    );
-    const k = sizes.indexOf(Math.max(...sizes));
-    const followed = sizes[k] < limits.bound;
-    const kind = !followed
-      ? "diverged"
-      : status === statuses.not_converged
-        ? "not_converged"
-        : status === statuses.step_too_small
-          ? "step_too_small"
-          : "diverged";
-    const value = `its acceleration is ${figures(sizes[k], 3)} rad/s^2`;
-    const words = kind.replaceAll("_", " ");
-    return [
-      kind,
-      `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; ` +
-        `its last step was of ${figures(this.cell("h"), 3)} s`,
-    ];
   }
 
   private rates(): Float64Array {
@@ -242,7 +201,7 @@ export async function integrate(engine: Engine, spec: RunSpec, watch: Watch = {}
     if (now - since < wanted) continue;
     watch.progress?.(run.time / spec.settings.duration);
     await new Promise((resolve) => setTimeout(resolve, 0));
-    if (watch.cancelled?.()) throw new Cancelled(`the run was given up at t = ${figures(run.time, 6)} s`);
+    if (watch.cancelled?.()) throw new Cancelled(`the run was given up at t = ${digits(run.time, 6)} s`);
     since = performance.now();
   }
   return run.result();
@@ -255,8 +214,4 @@ export function sampleTimes(duration: number, outputStep: number): Float64Array 
   const times = Float64Array.from({ length: count + (whole ? 1 : 2) }, (_, k) => k * outputStep);
   times[times.length - 1] = duration;
   return times;
-}
-
-function figures(value: number, digits: number): string {
-  return String(Number(value.toPrecision(digits)));
 }

@@ -1,7 +1,7 @@
 // Headline numbers of a run in the page, by the ids and words of tmodes/report/facts.py and robot_facts.py.
 
-import type { LiveRun } from "../contract";
-import { told } from "../format";
+import type { LiveRun } from "../contract_parts";
+import { digits, told } from "../format";
 import { sizes, worst, type SeriesOf } from "./series";
 
 export type Facts = LiveRun["facts"];
@@ -12,8 +12,8 @@ const FEWEST = 8;
 const NEEDS_THE_END = ["settling", "vibration.residual"];
 
 /** A number in so many figures. */
-export function figures(value: number, digits = 3): string {
-  return String(Number(value.toPrecision(digits)));
+export function figures(value: number, count = 3): string {
+  return digits(value, count);
 }
 
 /** Mean over time; the last sample may follow a shorter step. */

@@ -1,7 +1,8 @@
 // The live model of a page: runs the robot's own equations with the sliders' values, in a worker where there is one.
 
 import source from "tmodes:worker";
-import type { Live, LiveBundle, LiveRun } from "../contract";
+import type { LiveBundle } from "../contract";
+import type { Live, LiveRun } from "../contract_parts";
 import type { Bundle } from "./bundle";
 import { Cancelled } from "./engine_run";
 import { together, type Answered, type Asked } from "./messages";

@@ -1,6 +1,6 @@
 // What page and worker say to each other.
 
-import type { LiveRun } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import type { Bundle } from "./bundle";
 
 export type Asked = { kind: "open"; bundle: Bundle } | { kind: "run"; id: number; values: number[] };

@@ -1,10 +1,12 @@
 // A robot's compiled equations for anybody's page: what `tmodes export --wasm` ships beside the module itself.
 // Its declarations for others are src/tmodes/live/model.d.ts: a test compares them with what is exported here.
 
-import { Engine, EngineError, known, type Layout, type Samples } from "./engine";
+import { Engine, type Layout, type Samples } from "./engine";
+import { EngineError, known } from "./engine_error";
 import { integrate, sampleTimes, type RunResult, type RunSettings, type Watch } from "./engine_run";
 
-export { Engine, EngineError } from "./engine";
+export { Engine } from "./engine";
+export { EngineError } from "./engine_error";
 export { Cancelled, EngineRun, integrate, sampleTimes } from "./engine_run";
 
 /** One motion of the robot: `reference`, as it is known and planned, or `real`, under control. */

@@ -1,7 +1,8 @@
 // Modes of vibration of a live run as a page shows them: as tmodes/report/mode_shapes.py, spectra.py and facts.py tell
 // them.
 
-import type { Mode, Vibration } from "../contract";
+import type { Mode } from "../contract";
+import type { Vibration } from "../contract_parts";
 import type { Numbers } from "../pack";
 import type { Motions } from "./eigen";
 import { figures, type Facts } from "./facts";

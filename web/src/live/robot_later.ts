@@ -1,6 +1,6 @@
 // What a page shows of the 2010 robot's run a little after its curves: parts of its deformations, modes, settling.
 
-import type { LiveRun } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import type { RobotBundle } from "./bundle";
 import type { Engine } from "./engine";
 import { Cancelled, type Watch } from "./engine_run";

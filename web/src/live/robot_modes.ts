@@ -1,6 +1,6 @@
 // Small vibrations of the 2010 robot about its rest, as tmodes/analysis/modes.py finds them.
 
-import type { LiveRun } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { doubles, type RobotBundle } from "./bundle";
 import { damped, undamped, type Undamped } from "./eigen";
 import type { Engine } from "./engine";

@@ -1,6 +1,7 @@
 // A run of the 2010 robot in the page: from values of the sliders to all that a page shows of it, as simulate.py does.
 
-import type { LinePanel, LiveRun } from "../contract";
+import type { LinePanel } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { doubles, framesOf, type RobotBundle } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";

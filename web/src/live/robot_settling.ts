@@ -1,5 +1,4 @@
-// How long after the move the tip still strays: both runs are carried on until it is known, as analysis/settling.py
-// does.
+// How long the tip still strays after the move: both runs are carried on until it is known, as analysis/settling.py.
 
 import { doubles, type RobotBundle } from "./bundle";
 import { damped, undamped } from "./eigen";

@@ -1,8 +1,9 @@
 // What makes runs from a bundle, in a worker or in the page itself.
 
-import type { LiveRun } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { completed as armCompleted } from "./arm_later";
-import { runArm, type Regime as ArmRegime } from "./arm_run";
+import type { Regime as ArmRegime } from "./arm_regime";
+import { runArm } from "./arm_run";
 import type { ArmBundle, Bundle, RobotBundle } from "./bundle";
 import { Engine } from "./engine";
 import type { Watch } from "./engine_run";

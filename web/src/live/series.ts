@@ -1,6 +1,6 @@
 // Series of a run by name, as a result has them, and what they are put together from.
 
-import type { LiveRun } from "../contract";
+import type { LiveRun } from "../contract_parts";
 
 export type SeriesOf = LiveRun["series"];
 

@@ -1,6 +1,6 @@
 // The worker of a live page: one bundle, one run at a time; a newer one ends an older one at its next look around.
 
-import type { LiveRun } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { Cancelled } from "./engine_run";
 import { beyond, buffersIn, type Answered, type Asked } from "./messages";
 import { openRunner, type Runner } from "./runner";

@@ -1,6 +1,7 @@
 // The numbers that matter; those of the live model stand beside the page's own, with the difference.
 
-import type { Fact, LiveRun, Page } from "../contract";
+import type { Fact, Page } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { make, put } from "../dom";
 import { told } from "../format";
 

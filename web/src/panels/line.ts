@@ -3,7 +3,8 @@
 import uPlot from "uplot";
 import type { Clock } from "../clock";
 import { colour, lookOf } from "../charts/look";
-import type { LinePanel, LiveRun, Page } from "../contract";
+import type { LinePanel, Page } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { make, put, swatch } from "../dom";
 import { digits, plain, readable } from "../format";
 import type { Numbers } from "../pack";

@@ -1,7 +1,8 @@
 // The modes of small vibration: frequency, damping, where they live, and a button that shows each in 3D.
 
 import type { Clock } from "../clock";
-import type { LiveRun, Mode, Page, SceneView } from "../contract";
+import type { Mode, Page } from "../contract";
+import type { LiveRun, SceneView } from "../contract_parts";
 import { button, make, ownId } from "../dom";
 import { digits } from "../format";
 

@@ -1,6 +1,7 @@
 // What if: the robot's own numbers changed in the page, the run made anew, everything follows.
 
-import type { Live, LiveBundle, LiveRun } from "../contract";
+import type { LiveBundle } from "../contract";
+import type { Live, LiveRun } from "../contract_parts";
 import { button, make, save } from "../dom";
 import { told } from "../format";
 import { makeSlider, type SliderRow } from "./slider";

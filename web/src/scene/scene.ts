@@ -1,6 +1,7 @@
 // The robot in space: `mountScene` puts it into an element of the page, where it follows the page's clock.
 import type { Clock } from "../clock";
-import type { LiveRun, Mode, Page, SceneView } from "../contract";
+import type { Mode, Page } from "../contract";
+import type { LiveRun, SceneView } from "../contract_parts";
 import { make, makeControls } from "./controls";
 import { extentOf } from "./extent";
 import { FlatWorld } from "./flat";

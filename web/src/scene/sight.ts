@@ -1,6 +1,7 @@
 // What all ways to draw a scene have in common: the runs, the camera, what colours mean, what the notes over it say.
 import { Vector3, type PerspectiveCamera } from "three";
-import type { LiveRun, Mode, Page } from "../contract";
+import type { Mode, Page } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { Cameras, type View } from "./cameras";
 import type { Extent } from "./extent";
 import type { Entry, Notes } from "./notes";

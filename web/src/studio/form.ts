@@ -1,8 +1,10 @@
 // The form of a whole data sheet, made of its JSON Schema alone: what the schema gains appears here by itself.
 
-import { button, make, ownId } from "../dom";
+import { button, make } from "../dom";
 import type { Wrong } from "./api";
 import { makeField, told, unitOf, words, type Field } from "./field";
+import { Marks } from "./form_marks";
+import { choiceRow, itemRow, nameOf, nameRow } from "./form_rows";
 import type { Forms, Schema, Shape } from "./schema";
 import { at, isGroup, pathOf, put, type Json, type Sheet, type Step } from "./sheet";
 
@@ -17,8 +19,7 @@ export class Form {
   private readonly fields = new Map<string, { field: Field; steps: Step[] }>();
   private readonly groups = new Map<string, Group>();
   private readonly opened = new Set<string>();
-  private marked: (() => void)[] = [];
-  private doubts: Wrong[] = [];
+  private readonly marks = new Marks((steps, open) => this.find(steps, open));
 
   /** `changed` is told whether the structure changed too, so that other fields are there than before. */
   constructor(
@@ -55,32 +56,9 @@ export class Form {
     }
   }
 
-  /**
-   * Mark the fields that are wrong, and those in doubt; what has no field of its own is marked at the group around it.
-   */
-  mark(errors: Wrong[], doubts = this.doubts): void {
-    this.marked.forEach((end) => end());
-    this.marked = [];
-    errors.forEach((error) => this.note(error, "wrong"));
-    const places = (of: Wrong[]) => of.map(({ path }) => path).join();
-    const fresh = places(doubts) !== places(this.doubts); // groups open once for them, not at each run
-    doubts.forEach((doubt) => this.note(doubt, "doubt", fresh));
-    this.doubts = doubts;
-  }
-
-  private note(error: Wrong, kind: "wrong" | "doubt", open = true): void {
-    const input = error.steps ? this.find(error.steps, open) : null;
-    if (!input) return;
-    const id = ownId(kind);
-    const note = make("p", { class: kind, id, text: `${error.message}. ${error.mend}` });
-    (input.closest(".field") ?? input).after(note);
-    if (kind === "wrong") input.setAttribute("aria-invalid", "true");
-    input.setAttribute("aria-describedby", id);
-    this.marked.push(() => {
-      note.remove();
-      input.removeAttribute("aria-invalid");
-      input.removeAttribute("aria-describedby");
-    });
+  /** Mark the fields that are wrong, and those in doubt. */
+  mark(errors: Wrong[], doubts?: Wrong[]): void {
+    this.marks.show(errors, doubts);
   }
 
   focus(steps: Step[]): void {
@@ -191,23 +169,8 @@ export class Form {
 
   private alternatives(shape: Choice, steps: Step[], value: Json | undefined): HTMLElement[] {
     const chosen = this.forms.chosen(shape.choices, shape.key, value);
-    const id = ownId("choice");
-    const select = make(
-      "select",
-      { id },
-      ...shape.choices.map((one) =>
-        make("option", { value: one.name, text: one.name.replaceAll("_", " "), selected: one === chosen }),
-      ),
-    );
-    select.addEventListener("change", () => {
-      const wanted = shape.choices.find((one) => one.name === select.value);
-      if (wanted) this.set(steps, this.forms.fresh(wanted.schema, value), true);
-    });
-    const row = make(
-      "div",
-      { class: "field" },
-      make("label", { for: id, text: words(shape.key || "kind") }),
-      make("span", { class: "entry" }, select),
+    const row = choiceRow(shape.key, shape.choices, chosen, (wanted) =>
+      this.set(steps, this.forms.fresh(wanted.schema, value), true),
     );
     if (!chosen) return [row];
     const inner = this.forms.shape(chosen.schema, value);
@@ -224,15 +187,10 @@ export class Form {
   private items(shape: List, steps: Step[], value: Json | undefined): HTMLElement[] {
     const list = Array.isArray(value) ? value : [];
     const rows = list.map((item, k) => {
-      const part = this.part(nameOf(item, k), shape.item(k), [...steps, k], false);
-      const away =
-        list.length > shape.least
-          ? button("Remove", () => this.set([...steps, k], undefined, true), {
-              class: "remove",
-              "aria-label": `Remove ${nameOf(item, k)}`,
-            })
-          : null;
-      return make("div", { class: "item" }, part, away);
+      const name = nameOf(item, k);
+      const part = this.part(name, shape.item(k), [...steps, k], false);
+      const remove = () => this.set([...steps, k], undefined, true);
+      return itemRow(name, part, list.length > shape.least ? remove : null);
     });
     const add = () =>
       this.set([...steps, list.length], this.forms.fresh(shape.item(list.length), list.at(-1) ?? null), true);
@@ -243,40 +201,11 @@ export class Form {
   private entries(item: Schema, steps: Step[], value: Json | undefined): HTMLElement[] {
     const known = isGroup(value) ? Object.keys(value) : [];
     const rows = known.map((name) =>
-      make(
-        "div",
-        { class: "item" },
-        this.part(name, item, [...steps, name], false),
-        button("Remove", () => this.set([...steps, name], undefined, true), {
-          class: "remove",
-          "aria-label": `Remove ${name}`,
-        }),
+      itemRow(name, this.part(name, item, [...steps, name], false), () =>
+        this.set([...steps, name], undefined, true),
       ),
     );
-    const id = ownId("name");
-    const wanted = make("input", {
-      id,
-      type: "text",
-      spellcheck: "false",
-      autocomplete: "off",
-      placeholder: "gear.stiffness",
-    });
-    const add = button(
-      "Add",
-      () => {
-        if (wanted.value.trim()) this.set([...steps, wanted.value.trim()], 1, true);
-      },
-      { class: "add" },
-    );
-    return [
-      ...rows,
-      make(
-        "div",
-        { class: "field" },
-        make("label", { for: id, text: "Another name" }),
-        make("span", { class: "entry" }, wanted, add),
-      ),
-    ];
+    return [...rows, nameRow((name) => this.set([...steps, name], 1, true))];
   }
 
   private set(steps: Step[], value: Json | undefined, structure = false): void {
@@ -287,12 +216,6 @@ export class Form {
     }
     this.changed(structure);
   }
-}
-
-function nameOf(item: Json, index: number): string {
-  if (isGroup(item))
-    for (const key of ["name", "joint", "point", "type"]) if (typeof item[key] === "string") return item[key];
-  return String(index + 1);
 }
 
 /** What a field tells of itself where its kind tells nothing. */

@@ -1,6 +1,7 @@
 // What is shown of the runs: the page of the first one, upon which later ones are drawn with the first as ghost.
 
-import type { LiveRun, Page } from "../contract";
+import type { Page } from "../contract";
+import type { LiveRun } from "../contract_parts";
 import { mountPage, type PageView } from "../page";
 import type { Job, StudioPage } from "./api";
 

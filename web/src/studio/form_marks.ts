@@ -1,0 +1,41 @@
+// The notes at fields of a form that are wrong or in doubt.
+
+import { make, ownId } from "../dom";
+import type { Wrong } from "./api";
+import type { Step } from "./sheet";
+
+export class Marks {
+  private marked: (() => void)[] = [];
+  private doubts: Wrong[] = [];
+
+  /** `find`: the field at steps, its groups opened if wanted, or the nearest group around it. */
+  constructor(private readonly find: (steps: Step[], open: boolean) => HTMLElement | null) {}
+
+  /**
+   * Mark the fields that are wrong, and those in doubt; what has no field of its own is marked at the group around it.
+   */
+  show(errors: Wrong[], doubts = this.doubts): void {
+    this.marked.forEach((end) => end());
+    this.marked = [];
+    errors.forEach((error) => this.note(error, "wrong"));
+    const places = (of: Wrong[]) => of.map(({ path }) => path).join();
+    const fresh = places(doubts) !== places(this.doubts); // groups open once for them, not at each run
+    doubts.forEach((doubt) => this.note(doubt, "doubt", fresh));
+    this.doubts = doubts;
+  }
+
+  private note(error: Wrong, kind: "wrong" | "doubt", open = true): void {
+    const input = error.steps ? this.find(error.steps, open) : null;
+    if (!input) return;
+    const id = ownId(kind);
+    const note = make("p", { class: kind, id, text: `${error.message}. ${error.mend}` });
+    (input.closest(".field") ?? input).after(note);
+    if (kind === "wrong") input.setAttribute("aria-invalid", "true");
+    input.setAttribute("aria-describedby", id);
+    this.marked.push(() => {
+      note.remove();
+      input.removeAttribute("aria-invalid");
+      input.removeAttribute("aria-describedby");
+    });
+  }
+}
