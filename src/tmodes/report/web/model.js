@@ -1,9 +1,20 @@
-/* tmodes, built from 72622bddda223fc4; BSD-3-Clause */
+/* tmodes, built from acb4fceb3fd61077; BSD-3-Clause */
 
-// src/live/engine.ts
+// src/live/engine_error.ts
 var EngineError = class extends Error {
   name = "EngineError";
 };
+function known(entries, name, what) {
+  if (!Object.hasOwn(entries, name)) {
+    throw new EngineError(`${what}: got ${name}; expected one of ${Object.keys(entries).join(", ")}`);
+  }
+  return entries[name];
+}
+function expect(which, got, expected) {
+  if (got !== expected) throw new EngineError(`${which}: got ${got} numbers; expected ${expected}`);
+}
+
+// src/live/engine.ts
 var FORMAT = 1;
 var PAGE = 65536;
 var GIVEN = {
@@ -115,15 +126,6 @@ async function instantiated(wasm, layout) {
     throw new EngineError(`WebAssembly: got ${String(problem)}; expected a browser that allows it${needed}`);
   }
 }
-function known(entries, name, what) {
-  if (!Object.hasOwn(entries, name)) {
-    throw new EngineError(`${what}: got ${name}; expected one of ${Object.keys(entries).join(", ")}`);
-  }
-  return entries[name];
-}
-function expect(which, got, expected) {
-  if (got !== expected) throw new EngineError(`${which}: got ${got} numbers; expected ${expected}`);
-}
 function total(sizes) {
   return Object.values(sizes).reduce((sum, size) => sum + size, 0);
 }
@@ -166,6 +168,50 @@ function copied(from, fromRow, fromStart, into, intoRow, intoStart, size, count)
     const target = k * intoRow + intoStart;
     for (let j = 0; j < size; j++) into[target + j] = from[source + j];
   }
+}
+
+// src/format.ts
+function digits(value, count = 4) {
+  return value === 0 ? "0" : String(Number(value.toPrecision(count)));
+}
+
+// src/live/engine_ending.ts
+function ending(run) {
+  const { settings, status } = run;
+  const { statuses, limits } = run.layout;
+  const t = `t = ${digits(run.time, 6)} s`;
+  if (status === statuses.finished) return ["finished", `reached the end, t = ${digits(settings.duration, 6)} s`];
+  if (status === statuses.running) {
+    return [
+      "stopped",
+      `stopped at ${t} of ${digits(settings.duration, 6)} s: integration.max_steps = ${settings.maxSteps} is used up`
+    ];
+  }
+  if (status === statuses.chattering) {
+    const often = `more than ${limits.most_events} times within ${limits.event_time} s`;
+    return [
+      "chattering",
+      `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`
+    ];
+  }
+  return lost(run, t);
+}
+function lost({ layout, status, lastStep, rates }, at) {
+  const { statuses, coordinates, limits } = layout;
+  const count = coordinates.length;
+  const sizes = Array.from(
+    rates().subarray(count, 2 * count),
+    (a) => Number.isFinite(a) ? Math.abs(a) : Infinity
+  );
+  const k = sizes.indexOf(Math.max(...sizes));
+  const followed = sizes[k] < limits.bound;
+  const kind = !followed ? "diverged" : status === statuses.not_converged ? "not_converged" : status === statuses.step_too_small ? "step_too_small" : "diverged";
+  const value = `its acceleration is ${digits(sizes[k], 3)} rad/s^2`;
+  const words = kind.replaceAll("_", " ");
+  return [
+    kind,
+    `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; its last step was of ${digits(lastStep, 3)} s`
+  ];
 }
 
 // src/live/engine_run.ts
@@ -259,7 +305,14 @@ var EngineRun = class {
   result() {
     const done = this.cell("sample");
     const size = this.state.length;
-    const [status, message] = this.ending();
+    const [status, message] = ending({
+      layout: this.engine.layout,
+      settings: this.spec.settings,
+      status: this.cell("status"),
+      time: this.time,
+      lastStep: this.cell("h"),
+      rates: () => this.rates()
+    });
     return {
       status,
       message,
@@ -284,44 +337,6 @@ var EngineRun = class {
     if (this.cell("passes")) told.passes = this.cell("passes");
     if (this.cell("events")) told.contact_changes = this.cell("events");
     return told;
-  }
-  ending() {
-    const { statuses, limits } = this.engine.layout;
-    const { settings } = this.spec;
-    const [status, t] = [this.cell("status"), `t = ${figures(this.time, 6)} s`];
-    if (status === statuses.finished) return ["finished", `reached the end, t = ${figures(settings.duration, 6)} s`];
-    if (status === statuses.running) {
-      return [
-        "stopped",
-        `stopped at ${t} of ${figures(settings.duration, 6)} s: integration.max_steps = ${settings.maxSteps} is used up`
-      ];
-    }
-    if (status === statuses.chattering) {
-      const often = `more than ${limits.most_events} times within ${limits.event_time} s`;
-      return [
-        "chattering",
-        `stopped at ${t}: the contact set in or ended ${often}; give the surface damping, or a lower stiffness`
-      ];
-    }
-    return this.lost(status, t);
-  }
-  /** Where the motion could not be followed: the coordinate of largest acceleration, and what is likely the cause. */
-  lost(status, at) {
-    const { statuses, coordinates, limits } = this.engine.layout;
-    const count = coordinates.length;
-    const sizes = Array.from(
-      this.rates().subarray(count, 2 * count),
-      (a) => Number.isFinite(a) ? Math.abs(a) : Infinity
-    );
-    const k = sizes.indexOf(Math.max(...sizes));
-    const followed = sizes[k] < limits.bound;
-    const kind = !followed ? "diverged" : status === statuses.not_converged ? "not_converged" : status === statuses.step_too_small ? "step_too_small" : "diverged";
-    const value = `its acceleration is ${figures(sizes[k], 3)} rad/s^2`;
-    const words = kind.replaceAll("_", " ");
-    return [
-      kind,
-      `${words} at ${at} in coordinate ${coordinates[k]}: ${value}; its last step was of ${figures(this.cell("h"), 3)} s`
-    ];
   }
   rates() {
     const { loop, parameters, rows } = this.spec;
@@ -352,7 +367,7 @@ async function integrate(engine, spec, watch = {}) {
     if (now - since < wanted) continue;
     watch.progress?.(run.time / spec.settings.duration);
     await new Promise((resolve) => setTimeout(resolve, 0));
-    if (watch.cancelled?.()) throw new Cancelled(`the run was given up at t = ${figures(run.time, 6)} s`);
+    if (watch.cancelled?.()) throw new Cancelled(`the run was given up at t = ${digits(run.time, 6)} s`);
     since = performance.now();
   }
   return run.result();
@@ -363,9 +378,6 @@ function sampleTimes(duration, outputStep) {
   const times = Float64Array.from({ length: count + (whole ? 1 : 2) }, (_, k) => k * outputStep);
   times[times.length - 1] = duration;
   return times;
-}
-function figures(value, digits) {
-  return String(Number(value.toPrecision(digits)));
 }
 
 // src/live/model.ts
