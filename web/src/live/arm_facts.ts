@@ -14,9 +14,10 @@ export function factsOf(bundle: ArmBundle, times: Float64Array, series: SeriesOf
     const angles = columns(series.deformation.data, bundle.deformations.length, gears);
     const k = worst(angles);
     const name = bundle.deformations[gears[k % gears.length]].replace(/\.gear$/, "");
+    const others = gears.length < every.length ? " (of the gears that turn)" : "";
     facts["gear.max"] = {
       value: Math.abs(angles[k]),
-      note: `${name}, at ${figures(times[Math.floor(k / gears.length)])} s`,
+      note: `${name}, at ${figures(times[Math.floor(k / gears.length)])} s${others}`,
     };
   }
   const force = series.contact_force_normal?.data;

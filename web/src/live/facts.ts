@@ -51,12 +51,17 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
 }
 
 function settling(times: Float64Array, deviation: Float64Array, moveEnd: number | null): Facts[string] {
-  if (moveEnd === null) return { value: null, note: "not seen: what moves the robot changes up to the end of the run" };
+  const unseen = (why: string): Facts[string] => ({ value: null, note: `not seen: ${why}` });
+  if (moveEnd === null) return unseen("what moves the arm changes up to the end of the run");
   const end = times[times.length - 1];
-  if (end <= moveEnd * (1 + 1e-9)) return { value: null, note: "not seen here: the run ends with the move" };
+  if (end <= moveEnd * (1 + 1e-9)) {
+    const when = `the run ends at ${figures(end, 6)} s, the move at ${figures(moveEnd, 6)} s`;
+    return unseen(`${when}: simulate longer to see it settle`);
+  }
   const { value, limit, strayed } = settled(times, deviation, moveEnd);
-  if (strayed === end) return { value: null, note: "not seen: it swings to the end of the run" };
-  return { value, note: limit };
+  if (strayed !== end) return { value, note: limit };
+  const left = `${figures(deviation[deviation.length - 1])} m`;
+  return unseen(`the deviation is still ${left} when the run ends at ${figures(end, 6)} s`);
 }
 
 /** When the tip stays near its reference, after the move [s], what that means in words, and when it last did not. */

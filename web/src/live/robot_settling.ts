@@ -44,10 +44,11 @@ async function settling(
   if (last < end * (1 - 1e-9))
     return unseen(`the run ends before the move does, at ${figures(end, 6)} s: simulate longer`);
   if (FIXED_STEP.includes(bundle.settings.method)) return unseen("the page carries no run on by steps of one length");
-  const slowest = Math.max(
-    Math.min(slowestDecay(engine, bundle, reference, "locked"), slowestDecay(engine, bundle, real, "controlled")),
-    1e-9,
-  );
+  const decays = [
+    slowestDecay(engine, bundle, reference, "locked"),
+    slowestDecay(engine, bundle, real, "controlled"),
+  ].filter(Number.isFinite);
+  const slowest = Math.max(decays.length ? Math.min(...decays) : 1, 1e-9);
   const horizon = Math.min(HORIZON, DECAYS / slowest);
   const carried: Regime[] = [];
   for (const [regime, held] of [
@@ -83,13 +84,13 @@ function joined(first: Float64Array, second: Float64Array): Float64Array {
   return Float64Array.from([...first, ...second]);
 }
 
-/** Smallest decay rate [1/s] of the vibrations about rest that ring; 1 where none does. */
+/** Smallest decay rate [1/s] of the vibrations about rest that ring; infinite where none does. */
 function slowestDecay(engine: Engine, bundle: RobotBundle, { name, numbers, run }: Regime, state: string): number {
   const free = bundle.modes.cases.find((one) => one.name === state);
-  if (!free) return 1;
+  if (!free) return Infinity;
   const columns = doubles(free.columns);
   const m = columns.length / N;
-  if (!m) return 1;
+  if (!m) return Infinity;
   const { linear } = engine.sample(`${name}.linear`, numbers.parameters, { phi: run.states.slice(0, N) }, 1);
   const matrices = [0, 1, 2].map((k) => linear.slice(k * N * N, (k + 1) * N * N));
   if (state === "controlled") addControl(bundle, numbers.parameters, matrices);
@@ -98,8 +99,7 @@ function slowestDecay(engine: Engine, bundle: RobotBundle, { name, numbers, run 
   );
   const { re, im } = damped(mass, damping, stiffness, m, undamped(mass, stiffness, m)).values;
   const decays = Array.from(re, (value, k) => (Math.abs(im[k]) > STILL * Math.hypot(value, im[k]) ? -value : Infinity));
-  const least = Math.min(...decays);
-  return Number.isFinite(least) ? least : 1;
+  return Math.min(...decays);
 }
 
 /** The regime from where it ended, its wanted motor angle at rest; `held`: its motor is where it is wanted. */

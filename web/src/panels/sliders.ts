@@ -36,15 +36,22 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
   let scheduled = 0;
   let patience = 0;
   let busy = false;
+  let began = 0; // when the run that is under way was asked for [ms]
+  let heard = false; // whether its curves are shown
 
   const values = () => rows.map((row) => row.value);
   const unchanged = () => rows.every((row) => row.value === row.slider.value);
 
   function changed(): void {
     reset.disabled = unchanged();
-    // at once where nothing runs; else a newer run ends the older one, at most once a frame
-    if (!busy) void simulate();
-    else if (!scheduled) scheduled = requestAnimationFrame(() => void simulate());
+    if (!busy || unchanged()) void simulate();
+    else if (!scheduled) scheduled = requestAnimationFrame(again);
+  }
+
+  /** A newer run ends an older one, but not before its curves were seen, unless they are long in coming. */
+  function again(): void {
+    if (busy && !heard && performance.now() - began < PATIENCE) scheduled = requestAnimationFrame(again);
+    else void simulate();
   }
 
   function put(wanted: number[] | null): void {
@@ -53,6 +60,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
   }
 
   async function simulate(): Promise<void> {
+    cancelAnimationFrame(scheduled);
     scheduled = 0;
     if (!live) return;
     const own = (asked += 1);
@@ -64,7 +72,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
       void live.run(values()).catch(() => undefined); // ends what may still be running
       return;
     }
-    busy = true;
+    [busy, began, heard] = [true, performance.now(), false];
     if (!patience) patience = window.setTimeout(() => { bar.hidden = false; }, PATIENCE);
     try {
       const progress = (share: number) => { if (own === asked) bar.value = share; };
@@ -82,6 +90,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
   /** Shows a run, all of it or what is known early, if it is still the one that is wanted. */
   function shown(run: LiveRun, own: number): boolean {
     if (own !== asked || closed) return false;
+    heard = true;
     options.show(run);
     const how = run.status === "finished" ? "Simulated" : `${run.status}: ${run.message}; simulated`;
     status.textContent = `${how} in ${told(run.seconds, "s")}; the run as it was is pale.`;

@@ -1,0 +1,37 @@
+"""A slider that is being dragged, faster than a run is made, shows runs on the way and the last one at the end."""
+
+from __future__ import annotations
+
+from pathlib import Path
+from typing import Any
+
+from tmodes.report.data import live_page
+from tmodes.report.viewer import viewer_document
+from tmodes.robots import load_robot
+from tmodes.simulate import simulate
+
+from .looking import look
+
+STATUS = ".sliders-panel [role=status]"
+DRAG = """async (wanted) => {
+  const input = document.querySelector(".sliders-panel input[type=range]");
+  const fact = document.querySelector("[data-fact='deviation.max'] strong");
+  const seen = new Set();
+  const [low, high] = [Number(input.min), Number(input.max)];
+  for (let k = 0; k < 1000 && seen.size < wanted; k += 1) {
+    input.value = String(low + (high - low) * (0.3 + 0.0004 * k));
+    input.dispatchEvent(new Event("input", { bubbles: true }));
+    await new Promise((done) => setTimeout(done, 8));
+    seen.add(fact.textContent);
+  }
+  return seen.size;
+}"""
+
+
+def test_runs_are_shown_while_a_slider_is_dragged(chromium: Any, tmp_path: Path) -> None:
+    page = tmp_path / "page.html"
+    page.write_text(viewer_document(live_page(simulate(load_robot("filipovic2010")))), encoding="utf-8")
+    window = look(chromium, page)
+    window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
+    assert window.page.evaluate(DRAG, 5) == 5
+    assert window.said == []
