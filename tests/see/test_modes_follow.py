@@ -77,6 +77,7 @@ def test_the_table_tells_the_modes_of_the_changed_robot(opened: tuple[Any, ...])
 
 def test_the_mode_that_swings_goes_on_as_it_is_now_and_the_way_back(opened: tuple[Any, ...]) -> None:
     window, slider, value, _ = opened
+    give(window, slider, value)
     window.page.get_by_role("button", name="reset all").click()
     window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
     before = told(window)
