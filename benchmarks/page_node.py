@@ -36,7 +36,8 @@ for (const [k, values] of JSON.parse(readFileSync("jobs.json", "utf8")).entries(
     parts.push(new Uint8Array(data.buffer, data.byteOffset, data.byteLength));
   }
   if (process.argv[2] === "keep") writeFileSync(`run${k}.f8`, Buffer.concat(parts));
-  told.push({ curves: early / 1000, total: total / 1000, processor: (user + system) / 1e6, loops: run.seconds, series });
+  const seconds = { curves: early / 1000, total: total / 1000, processor: (user + system) / 1e6, loops: run.seconds };
+  told.push({ ...seconds, series });
 }
 console.log(JSON.stringify(told));
 """
@@ -76,7 +77,7 @@ def _run(program: str, folder: Path, *arguments: str) -> Any:
 def in_node(
     bundle: dict[str, Any], jobs: list[list[float]], folder: Path, *, keep: bool = False
 ) -> list[dict[str, Any]]:
-    """Of each list of values: seconds to the curves, in all, of processors, of the loops; where asked for, all series."""
+    """Of each list of values: seconds to the curves, in all, of processors, of the loops; if asked for, all series."""
     (folder / "bundle.tmpk").write_bytes(pack(bundle))
     (folder / "jobs.json").write_text(json.dumps(jobs))
     told = _run(RUNS, folder, "keep" if keep else "")

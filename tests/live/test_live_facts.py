@@ -52,6 +52,6 @@ def test_every_headline_number_and_its_note_are_those_of_the_native_report(live:
             if fact["value"] is not None:
                 assert own["value"] == pytest.approx(fact["value"], rel=1e-6), fact["id"]
             assert told(own) == told(fact), fact["id"]
+        assert np.isfinite(run["facts"]["frequency.first"]["value"])
         settled.add(run["facts"]["settling"]["value"] is None)
     assert settled == {True, False}
-    assert np.isfinite(run["facts"]["frequency.first"]["value"])

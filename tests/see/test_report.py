@@ -225,7 +225,7 @@ def test_statistics_of_several_runs(good: Result, tmp_path: Path) -> None:
 
 
 def test_its_size(text: str) -> None:
-    """With all figures, the program and the data; what the live model adds is below 0.1 MB, and all of it below 3 MB."""
+    """With all figures, the program and the data; the live model adds less than 0.1 MB, and all is below 3 MB."""
     assert len(text.encode()) < 2_800_000
 
 

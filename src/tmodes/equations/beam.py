@@ -40,7 +40,7 @@ def line_function(mode: int, mechanism: Mechanism) -> ca.Function:
 
 
 def places_function() -> ca.Function:
-    """The points of both modes' lines (2, 3) [m] of (s, phi, parameters): where they are, whatever moves or loads them."""
+    """Points of both modes' lines (2, 3) [m] of (s, phi, parameters): where they are, whatever moves or loads them."""
     robot, parameters = symbolic_robot()
     s, phi = ca.SX.sym("s"), ca.SX.sym("phi", 6)
     places = ca.vertcat(*(line_point(mode, phi, robot.link, s) for mode in (1, 2)))

@@ -74,7 +74,8 @@ def _resting(made: Functions, name: str, mechanism: Mechanism, parameters: int) 
     """What does not depend on the drive: once where both robots are made alike."""
     inputs = {
         "rest": {"angles": 5, "theta": 1}, "quasistatic": {"angles": 5, "gross": 6}, "linear": {"phi": 6},
-        "line1": {"station": 1, "motion": 21}, "line2": {"station": 1, "motion": 21}, "places": {"station": 1, "phi": 6},
+        "line1": {"station": 1, "motion": 21}, "line2": {"station": 1, "motion": 21},
+        "places": {"station": 1, "phi": 6},
     }  # fmt: skip
     exports = {label: f"{label} {mechanism.arm_key}" for label in inputs}
 
@@ -84,11 +85,12 @@ def _resting(made: Functions, name: str, mechanism: Mechanism, parameters: int) 
         from tmodes.equations.statics import quasistatic_function, rest_function
 
         lines = (line_function(mode, mechanism) for mode in (1, 2))
-        functions = (rest_function(mechanism), quasistatic_function(mechanism), linear_function(mechanism), *lines, places_function())
+        static = (rest_function(mechanism), quasistatic_function(mechanism), linear_function(mechanism))
+        functions = (*static, *lines, places_function())
         return dict(zip(exports.values(), functions, strict=True))
 
     counts = {name: 1 if label == "linear" else 2 for label, name in exports.items()}
     made.parts.append(sample_part(mechanism.arm_key, make, counts))
-    told = {"rest": _ROOT, "quasistatic": _ROOT, "linear": {"linear": 108}, "line1": LINE, "line2": LINE, "places": {"line": 6}}
-    for (label, sizes), outputs in zip(inputs.items(), told.values(), strict=True):
+    told = (_ROOT, _ROOT, {"linear": 108}, LINE, LINE, {"line": 6})
+    for (label, sizes), outputs in zip(inputs.items(), told, strict=True):
         made.program(f"{name}.{label}", exports[label], sizes, outputs, parameters)
