@@ -60,7 +60,8 @@ def jumps(regime: ArmRegime) -> str:
     exact |= {k: f"the base's {name}" for k, name in zip(plan.base, _WAYS, strict=False)}
     lengths, sizes = np.diff(signals.knots), np.zeros(len(exact))
     for derivative, name in ((0, "position"), (1, "rate")):
-        powers = np.polynomial.polynomial.polyder(signals.coefficients[:, list(exact)], derivative, axis=2)
+        own = np.polynomial.polynomial.polyder(signals.coefficients[:, list(exact)], derivative, axis=2)
+        powers = np.asarray(own, dtype=np.float64)
         sizes = np.maximum(_largest(powers, lengths), sizes * _SLOW / (signals.knots[-1] - signals.knots[0]))
         gaps = np.abs(powers[1:, :, 0] - _values(powers, lengths)[:-1])
         for what, far in zip(exact.values(), (gaps > _SAME * sizes).T, strict=True):
