@@ -15,7 +15,7 @@ from numpy.typing import NDArray
 from tmodes.arm import Arm, ArmPair
 from tmodes.errors import InputError, InputErrors
 from tmodes.live.forms import Form, Range, Unfit, fitted
-from tmodes.live.numbers import Blocks, arm_numbers, follow_of, robot_numbers, whole, whole_moves
+from tmodes.live.numbers import Blocks, arm_numbers, follow_of, has_reference, robot_numbers, whole, whole_moves
 from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
 from tmodes.mechanism import Drive
@@ -30,6 +30,10 @@ _LONGEST_MOVE = 2.5
 """How many times as long a move may become, and a little more."""
 
 _NO_EFFECT = "it changes nothing in this run"
+_NOT_COMPARED = (
+    "a real robot with factors of its own is compared with the robot as known, and this run has no reference run to "
+    "compare with; set them in the data sheet and simulate it by `tmodes run`"
+)
 
 
 @dataclass(frozen=True, eq=False)
@@ -97,8 +101,7 @@ def live_map(pair: NominalRealPair | ArmPair, stations: tuple[float, ...] = ()) 
     ``stations``: places along each link of an arm of which its picture is made.
     """
     knobs = knobs_of(pair.nominal)
-    sliders = sliders_of(pair.nominal, knobs)
-    left_out: dict[str, str] = {}
+    sliders, left_out = _offered(pair, knobs)
     used = sorted({slider.knob for slider in sliders})
     while True:
         runs = _Runs(pair, [knobs[k] for k in used], sliders, used, stations)
@@ -114,6 +117,14 @@ def live_map(pair: NominalRealPair | ArmPair, stations: tuple[float, ...] = ()) 
         left_out |= {slider.path: _NO_EFFECT for slider in sliders if slider in idle}
         kept = [replace(slider, knob=used.index(slider.knob)) for slider in sliders if slider not in idle]
         return LiveMap(tuple(kept), tuple(knobs[k] for k in used), forms, runs.places, left_out)
+
+
+def _offered(pair: NominalRealPair | ArmPair, knobs: Sequence[Knob]) -> tuple[list[Slider], dict[str, str]]:
+    """Sliders to begin with, and what has none: with a first factor a run would get a reference that is not here."""
+    sliders = sliders_of(pair.nominal, knobs)
+    if isinstance(pair, NominalRealPair) or has_reference(pair.nominal) or not any(one.real for one in sliders):
+        return sliders, {}
+    return sliders_of(pair.nominal, knobs, factors=False), {"real": _NOT_COMPARED}
 
 
 def _idle(sliders: Sequence[Slider], used: list[int], forms: Mapping[str, Form]) -> list[Slider]:

@@ -22,7 +22,7 @@ from tmodes.motion.plan import Follow, planned
 from tmodes.reference.signals import Quintic, Trapezoid
 from tmodes.robot import Robot
 
-__all__ = ["Blocks", "arm_numbers", "follow_of", "robot_numbers", "whole", "whole_moves"]
+__all__ = ["Blocks", "arm_numbers", "follow_of", "has_reference", "robot_numbers", "whole", "whole_moves"]
 
 Array = NDArray[np.float64]
 
@@ -47,8 +47,16 @@ def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
 
 def follow_of(nominal: Arm, run: str) -> Follow:
     """How the drives of a run follow their signals; the reference's as :func:`tmodes.motion.simulate.simulate_arm`."""
-    commanded = any(drive.command is Command.POSITION for drive in nominal.drives)
-    return Follow.WANTED if run == "reference" and commanded else Follow.SHEET
+    return Follow.WANTED if run == "reference" and _commanded(nominal) else Follow.SHEET
+
+
+def has_reference(nominal: Arm) -> bool:
+    """Whether a run has a reference run, jumps aside, as :func:`tmodes.motion.simulate.simulate_arm` decides it."""
+    return _commanded(nominal) or bool(nominal.real)
+
+
+def _commanded(nominal: Arm) -> bool:
+    return any(drive.command is Command.POSITION for drive in nominal.drives)
 
 
 def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:

@@ -193,8 +193,11 @@ def _label(number: SheetNumber, knob: Knob) -> str:
     return f"{words}, {owner}" if owner else words
 
 
-def sliders_of(sheet: Robot | Arm, knobs: Sequence[Knob], most: int = MOST) -> list[Slider]:
-    """The sliders of these knobs, each as known and, where it makes sense, as the factor of the real robot."""
+def sliders_of(sheet: Robot | Arm, knobs: Sequence[Knob], most: int = MOST, *, factors: bool = True) -> list[Slider]:
+    """The sliders of these knobs, each as known and, where it makes sense, as the factor of the real robot.
+
+    Without ``factors`` all are as known.
+    """
     told = {number.path: number for number in sheet_numbers(sheet)}
     found: list[Slider] = []
     for index, knob in enumerate(knobs):
@@ -205,7 +208,7 @@ def sliders_of(sheet: Robot | Arm, knobs: Sequence[Knob], most: int = MOST) -> l
         shown = f"{label}: times the sheet's" if knob.together else label
         own = (path, shown, number.symbol, unit, rule.group, knob.start, knob.low, knob.high, knob.log)
         found.append(Slider(index, False, *own))
-        if rule.real and knob.factor and knob.reals:
+        if factors and rule.real and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)
             real = (f"real:{path}", f"{label}: real over known", number.symbol, "-", rule.group, knob.factor, low, high)
             found.append(Slider(index, True, *real, True))
