@@ -5,15 +5,13 @@ import { energyFacts, figures, largestFact, meanOverTime, trackingFacts, type Fa
 import { worst, type SeriesOf } from "./series";
 
 const ANGLES = ["mode 1, horizontal", "mode 2, horizontal", "mode 1, vertical", "mode 2, vertical", "gear"];
-const LATER = "both runs are carried on beyond their end to see it";
 
-/** All facts but the settling, which robot_settling.ts finds; `moment`: the largest one. */
+/** The settling among them is that of the run alone, not carried on; `moment`: the largest one. */
 export function robotFacts(times: Float64Array, series: SeriesOf, moment: Facts[string], moveEnd: number): Facts {
   const angles = series.deformation.data;
   const k = worst(angles);
   const facts: Facts = {
     ...trackingFacts(times, series, moveEnd),
-    settling: { value: null, note: LATER },
     "moment.max": moment,
     "deformation.max": { value: Math.abs(angles[k]), note: ANGLES[k % ANGLES.length] },
     "gear_torque.max": largestFact(times, series.gear_torque.data),
@@ -29,6 +27,11 @@ export function robotFacts(times: Float64Array, series: SeriesOf, moment: Facts[
     };
   }
   return facts;
+}
+
+/** Those that are final: how long it takes to settle, robot_settling.ts finds. */
+export function withoutSettling({ settling: _, ...others }: Facts): Facts {
+  return others;
 }
 
 /**

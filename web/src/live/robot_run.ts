@@ -9,7 +9,7 @@ import { brokenOff } from "./facts";
 import type { Kept } from "./kept";
 import { numbersOf, type Blocks } from "./map";
 import { colours, linesAt, placesAt, roots, stacked, type Lines } from "./robot_line";
-import { largestMoment, robotFacts } from "./robot_facts";
+import { largestMoment, robotFacts, withoutSettling } from "./robot_facts";
 import { staticRoots } from "./robot_static";
 import { beside, columns, difference, energyBalance, range, rowsOf, shaped, sizes, type SeriesOf } from "./series";
 import * as signals from "./signals";
@@ -77,7 +77,7 @@ export async function runRobot(
     seconds, times, series,
     ...picture(engine, bundle, real, lines, series, frames),
     span: [bundle.steady[0] * end, bundle.steady[1] * end],
-    facts: failed ? brokenOff(facts) : facts,
+    facts: failed ? brokenOff(facts) : withoutSettling(facts),
   };
 }
 

@@ -4,19 +4,30 @@ import type { Fact, Page } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import { make, put } from "../dom";
 import { told } from "../format";
+import { isEarly, patience } from "./early";
 
 export interface FactsView {
-  /** Numbers of the live model for the first run; null: the page's own alone. */
+  /**
+   * Numbers of the live model for the first run; null: the page's own alone. A number that a run does not tell early
+   * stays until all of the run is there.
+   */
   show(live: LiveRun | null): void;
 }
 
-/** Texts of what is there already: while a slider is dragged no element is made anew. */
-type Told = (live: LiveRun | null) => void;
+/** Texts of what is there already: no element is made anew. `late`: what stays says of what it is. */
+type Told = (live: LiveRun | null, late: boolean) => void;
 
 export function mountFacts(element: HTMLElement, page: Page): FactsView {
   const known: Told[] = [];
   element.append(page.runs.length > 1 ? compared(page, known) : single(page.runs[0].facts, known));
-  const show = (live: LiveRun | null) => known.forEach((tell) => tell(live));
+  let last: LiveRun | null = null;
+  const late = patience(() => known.forEach((tell) => tell(last, true)));
+  const show = (live: LiveRun | null) => {
+    last = live;
+    if (isEarly(live)) late.begin();
+    else late.end();
+    known.forEach((tell) => tell(live, false));
+  };
   show(null);
   return { show };
 }
@@ -26,8 +37,15 @@ function single(facts: Fact[], known: Told[]): HTMLElement {
     const value = make("strong");
     const was = make("span", { class: "was" });
     const note = make("dd", { class: "note" });
-    known.push((live) => {
+    let changed = false;
+    known.push((live, late) => {
       const fresh = live?.facts[fact.id];
+      if (!fresh && isEarly(live)) {
+        if (late) put(was, changed ? "of the setting before" : "of the original run");
+        if (late) was.hidden = false;
+        return;
+      }
+      changed = fresh !== undefined;
       const before = fresh ? `${change(fact, fresh.value)} was ${told(fact.value, fact.unit)}` : "of the original run";
       put(value, told(fresh ? fresh.value : fact.value, fact.unit));
       put(was, live ? before : "");
@@ -63,6 +81,7 @@ function compared(page: Page, known: Told[]): HTMLElement {
         const own = run.facts.find((other) => other.id === fact.id);
         known.push((live) => {
           const fresh = k === 0 ? live?.facts[fact.id] : undefined;
+          if (k === 0 && !fresh && isEarly(live)) return;
           put(cell, told(fresh ? fresh.value : (own?.value ?? null), own?.unit ?? fact.unit));
           cell.title = (fresh ?? own)?.note ?? "";
         });

@@ -3,14 +3,18 @@
 import type { Clock } from "../clock";
 import type { Mode, Page } from "../contract";
 import type { LiveRun, SceneView } from "../contract_parts";
-import { button, make, ownId } from "../dom";
-import { digits } from "../format";
+import { button, make, ownId, put } from "../dom";
+import { isEarly, patience } from "./early";
+import { makeModesTable } from "./modes_table";
 
 const CASES: Record<string, string> = { controlled: "under control", locked: "motors held", free: "motors free" };
 const LARGEST = 0.12; // of the robot's size
 
 export interface ModesView {
-  /** Modes of the live model's run, those of the page beside them; null: the page's own alone. */
+  /**
+   * Modes of the live model's run, those of the page beside them; null: the page's own alone. Those that are shown stay
+   * until a run tells its own.
+   */
   show(live: LiveRun | null): void;
   dispose(): void;
 }
@@ -21,7 +25,7 @@ export function mountModes(element: HTMLElement, page: Page, scene: SceneView, c
   let modes = own;
   let shown: Mode | null = null;
   let share = LARGEST;
-  const table = make("div", { class: "scroll", tabindex: "0", role: "region", "aria-label": "Modes" });
+  const table = makeModesTable((mode) => show(mode === shown ? null : mode));
   const name = ownId("case");
   const choice = make(
     "select",
@@ -41,9 +45,17 @@ export function mountModes(element: HTMLElement, page: Page, scene: SceneView, c
     share = Number(size.value);
     if (shown) scene.showMode(shown, share);
   });
-  const back = button("back to the motion", () => show(null), { hidden: true });
+  const back = button("back to the motion", () => {
+    const place = placeOf(shown);
+    show(null);
+    table.focus(place); // the button itself is gone now
+  }, { hidden: true });
 
   const note = make("p", { class: "note", hidden: true, role: "status" });
+  const late = patience(() => {
+    const which = modes === own ? "run as it was" : "setting before";
+    say(`These are the modes of the ${which}; the new ones are being found.`);
+  });
 
   function show(mode: Mode | null): void {
     if (mode) clock.pause();
@@ -57,34 +69,16 @@ export function mountModes(element: HTMLElement, page: Page, scene: SceneView, c
     fill(choice.value);
   }
 
+  const of = (some: Mode[], which: string) => some.filter((mode) => mode.case === which);
+  const placeOf = (mode: Mode | null) => (mode ? of(modes, mode.case).indexOf(mode) : -1);
+
   function fill(which: string): void {
-    const was = (k: number, told: (mode: Mode) => string) => (modes === own ? "" : before[k] ? told(before[k]) : "–");
-    const head = ["Frequency [Hz]", "Damping [%]", "Lives in", ""].map((text) =>
-      make(text ? "th" : "td", text ? { scope: "col", text } : {}),
-    );
-    const before = own.filter((mode) => mode.case === which);
-    const rows = modes.filter((mode) => mode.case === which).map((mode, k) => {
-      const label = `Show the mode of ${digits(mode.frequency)} Hz in 3D`;
-      const showIt = button(mode === shown ? "stop" : "show", () => show(mode === shown ? null : mode), {
-        "aria-pressed": String(mode === shown),
-        "aria-label": mode === shown ? "Stop showing the mode" : label,
-      });
-      return make(
-        "tr",
-        {},
-        number(
-          digits(mode.frequency),
-          was(k, (one) => digits(one.frequency)),
-        ),
-        number(
-          digits(100 * mode.damping, 3),
-          was(k, (one) => digits(100 * one.damping, 3)),
-        ),
-        make("td", { text: mode.livesIn }),
-        make("td", {}, showIt),
-      );
-    });
-    table.replaceChildren(make("table", {}, make("thead", {}, make("tr", {}, ...head)), make("tbody", {}, ...rows)));
+    table.tell(of(modes, which), modes === own ? null : of(own, which), shown);
+  }
+
+  function say(text: string): void {
+    put(note, text);
+    note.hidden = !text;
   }
 
   const bar = make(
@@ -96,40 +90,32 @@ export function mountModes(element: HTMLElement, page: Page, scene: SceneView, c
     size,
     back,
   );
-  element.append(bar, note, table);
+  element.append(bar, note, table.element);
   fill(cases[0] ?? "");
   // who moves the time wants to see the motion
   const end = clock.subscribe((now) => { if (now.playing && shown) show(null); });
   return {
     show(live) {
+      if (isEarly(live)) return late.begin();
+      late.end();
       const found = live?.vibration;
-      const [which, place] = shown
-        ? [shown.case, modes.filter((mode) => mode.case === shown!.case).indexOf(shown)]
-        : ["", -1];
+      const place = placeOf(shown);
       modes = typeof found === "object" ? found.modes : own;
-      note.textContent = live ? words(found) : "";
-      note.hidden = !note.textContent;
+      say(found === undefined ? "" : words(found));
       // the mode that swings goes on as it is now
-      const now = modes.filter((mode) => mode.case === which)[place] ?? null;
+      const now = shown && (of(modes, shown.case)[place] ?? null);
       if (shown && now !== shown) swing(now);
       else fill(choice.value);
     },
     dispose() {
       end();
+      late.end();
       element.replaceChildren();
     },
   };
 }
 
-/** A number with that of the run as it was, where it is another. */
-function number(text: string, was: string): HTMLElement {
-  const cell = make("td", { class: "number", text });
-  if (was && was !== text) cell.append(make("span", { class: "was", text: `was ${was}` }));
-  return cell;
-}
-
-function words(found: LiveRun["vibration"]): string {
-  if (found === undefined) return "These are the modes of the run as it was; the new ones are being found.";
+function words(found: NonNullable<LiveRun["vibration"]>): string {
   return typeof found === "string"
     ? `These are the modes of the run as it was: ${found}.`
     : "About the rest with the changed numbers; under each number what it was.";

@@ -80,5 +80,6 @@ function asLive(page: StudioPage, job: Job): LiveRun {
     scene: run.scene,
     line: run.line,
     facts: Object.fromEntries(run.facts.map((fact) => [fact.id, { value: fact.value, note: fact.note }])),
+    vibration: "they are found a little later", // these are all numbers of the run
   };
 }
