@@ -55,11 +55,18 @@ async function main(): Promise<void> {
     if (to.steps) form?.focus(to.steps);
   }
 
+  /** A run was refused: what is shown is that of another sheet. */
   function wrong(errors: Wrong[]): void {
     clearTimeout(slow);
     told.wrong(errors, go);
     form?.mark(errors);
     view.classList.add("stale");
+  }
+
+  /** A file or a robot was refused: what is shown is still the run of the sheet. */
+  function refused(errors: Wrong[]): void {
+    told.wrong(errors, go);
+    if (errors.some((one) => one.steps)) form?.mark(errors);
   }
 
   function changed(structure: boolean): void {
@@ -100,7 +107,7 @@ async function main(): Promise<void> {
     name: () => current?.name ?? "robot",
     runner,
     load: (one, from) => void attempt(host, () => load(one, from)),
-    wrong,
+    wrong: refused,
     right: told.right,
     say: told.say,
   };

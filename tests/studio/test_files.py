@@ -1,0 +1,43 @@
+"""Files in and out of the studio's page: what is refused, what is kept, and what is shown meanwhile."""
+
+from __future__ import annotations
+
+from typing import Any
+
+from studio import test_browser as page
+from studio.test_browser import WAIT, Tab
+
+address, browser, tab = page.address, page.browser, page.tab
+"""Fixtures that are those of the studio's page."""
+
+
+def stale(tab: Tab) -> bool:
+    """Whether the picture is shown as that of another sheet."""
+    return "stale" in (tab.page.get_attribute(".view", "class") or "")
+
+
+def save(tab: Tab, name: str) -> None:
+    tab.page.get_by_label("Name of the study").fill(name)
+    tab.page.get_by_role("button", name="Save", exact=True).click()
+
+
+def test_a_refused_file_leaves_the_picture_as_true_as_it_was(tab: Tab) -> None:
+    """The picture is of the sheet where only its file was refused, and of another where the sheet itself was."""
+    errors = tab.page.locator(".errors")
+    tab.told("New curves")
+    save(tab, "../x")
+    errors.locator("p", has_text="plain name").wait_for(timeout=WAIT)
+    assert not stale(tab)
+    mass: Any = tab.page.locator("[data-slider='payload.mass'] input.number")
+    before = mass.input_value()
+    mass.fill("-1")
+    mass.press("Enter")
+    errors.locator("p", has_text="payload.mass").wait_for(timeout=WAIT)
+    assert stale(tab)
+    with tab.page.expect_response("**/api/studies/y.yaml") as answer:
+        save(tab, "y")
+    assert answer.value.status == 422
+    assert stale(tab)
+    mass.fill(before)
+    tab.fresh(lambda: mass.press("Enter"))
+    assert not stale(tab)
