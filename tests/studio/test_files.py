@@ -41,3 +41,24 @@ def test_a_refused_file_leaves_the_picture_as_true_as_it_was(tab: Tab) -> None:
     mass.fill(before)
     tab.fresh(lambda: mass.press("Enter"))
     assert not stale(tab)
+
+
+def test_a_report_that_is_asked_for_twice_is_made_once(tab: Tab) -> None:
+    """Its button waits for it; one that was ended all the same is told in a sentence, not by an empty box."""
+    tab.told("New curves")
+    begun: list[str] = []
+    tab.page.on("request", lambda one: begun.append(one.post_data) if one.method == "POST" else None)
+    report = tab.page.get_by_role("button", name="Report", exact=True)
+    with tab.page.expect_download(timeout=WAIT) as kept:
+        report.evaluate("(it) => { it.focus(); it.click(); it.click(); }")
+    assert kept.value.suggested_filename.endswith(".html")
+    tab.told("The report is among")
+    assert sum('"product":"report"' in one for one in begun) == 1
+    assert report.is_enabled()
+    assert report.evaluate("(it) => it === document.activeElement")
+    ended = '{"job": "x", "state": "cancelled", "stage": "", "share": 0, "told": {}, "errors": []}'
+    tab.page.route("**/api/jobs", lambda one: one.fulfill(body=ended, content_type="application/json"))
+    report.click()
+    tab.told("The report was ended")
+    assert not tab.page.is_visible(".errors")
+    assert report.is_enabled()
