@@ -4,6 +4,8 @@ from __future__ import annotations
 
 from typing import Any
 
+import pytest
+
 from studio import test_browser as page
 from studio.test_browser import WAIT, Tab
 
@@ -62,3 +64,17 @@ def test_a_report_that_is_asked_for_twice_is_made_once(tab: Tab) -> None:
     tab.told("The report was ended")
     assert not tab.page.is_visible(".errors")
     assert report.is_enabled()
+
+
+@pytest.mark.parametrize("kind", ["exists", None])
+def test_replace_is_offered_for_a_file_that_is_there_alone(tab: Tab, kind: str | None) -> None:
+    """Not where the disk is full, or nothing may be written: the answer is the same but for its kind."""
+    told = {"path": "name", "message": "cannot be kept", "got": "", "expected": "", "mend": "", "where": ""}
+    answer = {"errors": [told | {"steps": None} | ({"kind": kind} if kind else {})]}
+    tab.page.route("**/api/studies/there.yaml", lambda one: one.fulfill(status=409, json=answer))
+    save(tab, "there")
+    tab.page.locator(".errors p", has_text="cannot be kept").wait_for(timeout=WAIT)
+    assert tab.page.get_by_role("button", name="Replace").is_visible() == (kind == "exists")
+    save(tab, f"free_{kind}")
+    tab.told("Saved as")
+    assert not tab.page.get_by_role("button", name="Replace").is_visible()

@@ -39,7 +39,7 @@ export function studyControls(host: FilesHost): HTMLElement {
       host.say(`Saved as ${told.saved}.`);
       replace.hidden = true;
     } catch (error) {
-      replace.hidden = !(error instanceof Refused && error.status === 409);
+      replace.hidden = !(error instanceof Refused && error.errors.some((one) => one.kind === "exists"));
       throw error;
     }
     await refresh();
