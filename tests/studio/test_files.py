@@ -78,3 +78,21 @@ def test_replace_is_offered_for_a_file_that_is_there_alone(tab: Tab, kind: str |
     save(tab, f"free_{kind}")
     tab.told("Saved as")
     assert not tab.page.get_by_role("button", name="Replace").is_visible()
+
+
+def test_the_list_of_robots_names_what_is_shown(tab: Tab) -> None:
+    """A file of one's own is none of them: the robot that was there before can be chosen again."""
+    robots = tab.page.get_by_label("Robot", exact=True)
+    shown = robots.locator("option:checked")
+    tab.told("New curves")
+    assert robots.input_value() == "filipovic2010"
+    save(tab, "own")
+    tab.told("Saved as")
+    tab.fresh(lambda: tab.page.get_by_label("Open a study").select_option("own.yaml"))
+    assert (robots.input_value(), shown.text_content()) == ("", "from a file")
+    tab.page.route("**/api/robots/spong1987", lambda one: one.fulfill(status=422, json={"errors": []}))
+    with tab.page.expect_response("**/api/robots/spong1987"):
+        robots.select_option("spong1987")
+    tab.page.wait_for_function("[...document.querySelectorAll('header select')][0].value === ''", timeout=WAIT)
+    tab.fresh(lambda: robots.select_option("filipovic2010"))
+    assert robots.input_value() == "filipovic2010"
