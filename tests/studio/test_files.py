@@ -2,6 +2,8 @@
 
 from __future__ import annotations
 
+import re
+from pathlib import Path
 from typing import Any
 
 import pytest
@@ -96,3 +98,41 @@ def test_the_list_of_robots_names_what_is_shown(tab: Tab) -> None:
     tab.page.wait_for_function("[...document.querySelectorAll('header select')][0].value === ''", timeout=WAIT)
     tab.fresh(lambda: robots.select_option("filipovic2010"))
     assert robots.input_value() == "filipovic2010"
+
+
+GONE_ENTRY = """(kind) => {
+  const gone = (_, failed) => failed(new DOMException("gone", "NotFoundError"));
+  const inner = { isFile: true, isDirectory: false, name: "arm.urdf", fullPath: "/home/arm.urdf", file: gone };
+  let left = [inner];
+  const entries = (done) => { done(left); left = []; };
+  const folder = {
+    isFile: false, isDirectory: true, name: "home", fullPath: "/home",
+    createReader: () => ({ readEntries: kind === "file" ? entries : gone }),
+  };
+  const event = new Event("drop", { cancelable: true });
+  Object.assign(event, { dataTransfer: { items: [{ webkitGetAsEntry: () => folder }], files: [] } });
+  document.dispatchEvent(event);
+}"""
+"""A folder that is dropped, of which a file or the folder itself is no longer there."""
+
+
+def test_a_file_that_is_gone_is_told(tab: Tab, tmp_path: Path) -> None:
+    """What was chosen and changed on the disk before it was read; what was dropped and taken away."""
+    tab.told("New curves")
+    errors = tab.page.locator(".errors p", has_text="cannot be read")
+    (chosen := tmp_path / "two.urdf").write_text("<robot/>", encoding="utf-8")
+    tab.page.evaluate("""() => {
+      const read = File.prototype.arrayBuffer;
+      File.prototype.arrayBuffer = () => {
+        File.prototype.arrayBuffer = read;
+        return Promise.reject(new DOMException("gone", "NotReadableError"));
+      };
+    }""")
+    tab.page.get_by_label("Upload", exact=True).set_input_files(chosen)
+    errors.wait_for(timeout=WAIT)
+    assert re.fullmatch(r"two\.urdf it cannot be read \(NotReadableError\).*\. choose it again", errors.inner_text())
+    assert not stale(tab)
+    for kind, name in (("file", "arm.urdf"), ("folder", "home")):
+        tab.page.evaluate(GONE_ENTRY, kind)
+        errors.filter(has_text=name).wait_for(timeout=WAIT)
+        assert "NotFoundError" in errors.inner_text()
