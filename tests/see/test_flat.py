@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Iterator
+from itertools import combinations
 from pathlib import Path
 from typing import Any
 
@@ -249,4 +250,27 @@ def test_lines_can_be_chosen_where_there_is_webgl(drawn: Any, pages: Callable[[s
     window.page.get_by_label("Quality").select_option("auto")
     window.do("document.querySelector('details').open = false")
     assert differing(first, window.picture()) < 0.1 * differing(first, lines)
+    window.close()
+
+
+NOTES = """() => [...document.querySelectorAll('.scene-note')].filter((one) => one.checkVisibility())
+  .map((one) => [one.className, one.getBoundingClientRect()])
+  .map(([name, { left, top, right, bottom }]) => [name, left, top, right, bottom])"""
+"""The notes over the picture and where they stand [px]."""
+
+
+@pytest.mark.parametrize("width", [375, 700])
+def test_no_note_covers_another(bare: Any, pages: Callable[[str], Path], width: int) -> None:
+    """Also on a phone, where the words about the grid take two lines, with the deformation enlarged."""
+    window = look(bare, pages("robot"), viewport={"width": width, "height": 740})
+    window.do(MESH)
+    window.enlarge(70)
+    found = window.page.evaluate(NOTES)
+    assert {"scene-flat", "scene-grid", "scene-factor"} <= {name.split()[-1] for name, *_ in found}
+    apart = [
+        min(one[3], other[3]) <= max(one[1], other[1]) or min(one[4], other[4]) <= max(one[2], other[2])
+        for one, other in combinations(found, 2)
+    ]
+    assert all(apart), found
+    assert all(left >= 0 and right <= width for _, left, _, right, _ in found)
     window.close()

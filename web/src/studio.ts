@@ -25,6 +25,8 @@ async function main(): Promise<void> {
   let form: Form | null = null;
   let sliders: SlidersView | null = null;
   let slow = 0;
+  let listed = "";
+  let choice = 0;
   formPlace.addEventListener("submit", (event) => event.preventDefault());
 
   const shown = new Shown(view);
@@ -55,11 +57,18 @@ async function main(): Promise<void> {
     if (to.steps) form?.focus(to.steps);
   }
 
+  /** A run was refused: what is shown is that of another sheet. */
   function wrong(errors: Wrong[]): void {
     clearTimeout(slow);
     told.wrong(errors, go);
     form?.mark(errors);
     view.classList.add("stale");
+  }
+
+  /** A file or a robot was refused: what is shown is still the run of the sheet. */
+  function refused(errors: Wrong[]): void {
+    told.wrong(errors, go);
+    if (errors.some((one) => one.steps)) form?.mark(errors);
   }
 
   function changed(structure: boolean): void {
@@ -84,9 +93,11 @@ async function main(): Promise<void> {
     });
   }
 
-  async function load(loaded: SheetTold, from: string): Promise<void> {
+  /** `named`: what it is called in the list of robots, nothing for a file's own. */
+  async function load(loaded: SheetTold, from: string, named = ""): Promise<void> {
     const schema = await api.schema(loaded.kind);
     current = loaded;
+    robots.value = listed = named;
     shown.forget();
     form = new Form(formPlace, new Forms(schema), loaded.sheet, loaded.units, changed);
     sliders = slidersOf(loaded);
@@ -99,17 +110,22 @@ async function main(): Promise<void> {
     wish: () => current,
     name: () => current?.name ?? "robot",
     runner,
-    load: (one, from) => void attempt(host, () => load(one, from)),
-    wrong,
+    load(one, from) {
+      choice += 1; // a robot that is still on its way comes too late
+      void attempt(host, () => load(one, from));
+    },
+    wrong: refused,
     right: told.right,
     say: told.say,
   };
-  let choice = 0;
-  const choose = (name: string) => attempt(host, async () => {
+  const choose = async (name: string) => {
     const mine = ++choice;
-    const told = name.startsWith("./") ? await api.study(name.slice(2)) : await api.robot(name);
-    if (mine === choice) await load(told, name.replace("./", "")); // else another was chosen meanwhile
-  });
+    await attempt(host, async () => {
+      const told = name.startsWith("./") ? await api.study(name.slice(2)) : await api.robot(name);
+      if (mine === choice) await load(told, name.replace("./", ""), name); // else another was chosen meanwhile
+    });
+    if (mine === choice) robots.value = listed; // also where that one was refused
+  };
   robots.addEventListener("change", () => { if (robots.value) void choose(robots.value); });
   const cancel = button("Cancel", () => void runner.cancel(), { class: "warn", hidden: true });
   told.cancel(cancel);
@@ -150,6 +166,7 @@ async function main(): Promise<void> {
   await attempt(host, async () => {
     const list = (await api.robots()).robots;
     robots.replaceChildren(
+      make("option", { value: "", text: "from a file", disabled: true, hidden: true }),
       ...(first.startsWith("./") ? [make("option", { value: first, text: first.slice(2) })] : []),
       ...list.map((one) => make("option", { value: one.name, text: one.name, title: one.title })),
     );

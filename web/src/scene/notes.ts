@@ -20,7 +20,8 @@ export class Notes {
   private shown = "";
 
   constructor(place: HTMLElement) {
-    place.append(this.legend, this.scale, this.factor, this.grid, this.way);
+    const below = make("div", { className: "scene-below" }, this.way, this.grid);
+    place.append(this.legend, this.scale, make("div", { className: "scene-foot" }, below, this.factor));
   }
 
   /** The entries of the legend, and a line whose words change with time. */

@@ -36,9 +36,12 @@ const RULES = `
   justify-content: space-between;
   height: 110px; text-align: right; font-variant-numeric: tabular-nums; line-height: 1; }
 .scene-scale i { border-radius: 2px; }
-.scene-factor { bottom: 8px; right: 8px; font-weight: 600; }
-.scene-grid { bottom: 8px; left: 8px; color: var(--soft); }
-.scene-flat { bottom: 36px; left: 8px; color: var(--soft); max-width: 80%; }
+.scene-foot { position: absolute; inset: auto 8px 8px; display: flex; align-items: flex-end; gap: 8px;
+  pointer-events: none; }
+.scene-foot .scene-note { position: static; }
+.scene-below { display: flex; flex-direction: column; align-items: flex-start; gap: 4px; min-width: 0;
+  color: var(--soft); }
+.scene-factor { flex: none; margin-left: auto; font-weight: 600; }
 .scene-message { position: absolute; inset: 0; display: grid; place-content: center; padding: 2em; text-align: center; }
 @container (max-width: 760px) {
   .scene-bar { gap: 4px 8px; }
@@ -61,7 +64,6 @@ const RULES = `
   .scene-scale b { max-width: 9em; }
   .scene-scale ol { height: 64px; }
   .scene-scale li:nth-child(even) { display: none; }
-  .scene-grid { max-width: 64%; }
 }
 @media (pointer: coarse), (max-width: 40rem) {
   .scene-bar select, .scene-bar button, .scene-bar summary { min-height: 40px; min-width: 40px; }

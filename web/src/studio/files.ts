@@ -39,7 +39,7 @@ export function studyControls(host: FilesHost): HTMLElement {
       host.say(`Saved as ${told.saved}.`);
       replace.hidden = true;
     } catch (error) {
-      replace.hidden = !(error instanceof Refused && error.status === 409);
+      replace.hidden = !(error instanceof Refused && error.errors.some((one) => one.kind === "exists"));
       throw error;
     }
     await refresh();
@@ -76,6 +76,7 @@ export function exportControls(host: FilesHost): HTMLElement {
     const bytes = await host.runner.file(product, wish, (job) =>
       host.say(`Making the ${product}: ${job.stage || job.state} …`),
     );
+    if (!bytes) return host.say(`The ${product} was ended before it was made.`);
     give(bytes, `${stem()}${ending}`, type);
     host.right();
     host.say(`The ${product} is among your downloads.`);
@@ -83,12 +84,8 @@ export function exportControls(host: FilesHost): HTMLElement {
   return make(
     "span",
     { class: "pick", role: "group", "aria-label": "Export" },
-    button("Report", () => void file("report", ".html", "text/html"), {
-      title: "This run as one page that needs no network",
-    }),
-    button("Data", () => void file("data", ".nc", "application/x-netcdf"), {
-      title: "All series of this run as NetCDF (result.nc)",
-    }),
+    once("Report", () => file("report", ".html", "text/html"), "This run as one page that needs no network"),
+    once("Data", () => file("data", ".nc", "application/x-netcdf"), "All series of this run as NetCDF (result.nc)"),
     button(
       "YAML",
       () =>
@@ -99,6 +96,18 @@ export function exportControls(host: FilesHost): HTMLElement {
       { title: "The study as a data sheet" },
     ),
   );
+}
+
+/** A button that can be pressed again when what it began has ended; who pressed it by a key still stands there. */
+function once(text: string, act: () => Promise<void>, title: string): HTMLButtonElement {
+  const pressed = async () => {
+    const held = document.activeElement === it;
+    it.disabled = true;
+    await act().finally(() => { it.disabled = false; });
+    if (held && document.activeElement === document.body) it.focus();
+  };
+  const it = button(text, () => void pressed(), { title });
+  return it;
 }
 
 function give(bytes: Uint8Array, name: string, type: string): void {

@@ -112,9 +112,10 @@ export class Runner {
     return job;
   }
 
-  /** A file of the sheet's run: its report or its data. */
-  async file(product: "report" | "data", wish: Wish, progress: (job: Job) => void): Promise<Uint8Array> {
+  /** A file of the sheet's run: its report or its data; null where it was ended before. */
+  async file(product: "report" | "data", wish: Wish, progress: (job: Job) => void): Promise<Uint8Array | null> {
     const job = await this.over(product, { ...wish, sheet: copy(wish.sheet) }, progress);
+    if (job.state === "cancelled") return null;
     if (job.state !== "done") throw new Refused(job.errors, 422);
     return api.bytes(job.job);
   }

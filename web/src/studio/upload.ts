@@ -1,7 +1,7 @@
 // Robots of one's own: files that are chosen or dropped, or a folder with all that is in it.
 
 import { make, ownId } from "../dom";
-import { api } from "./api";
+import { api, Refused, type Wrong } from "./api";
 import { attempt, type FilesHost } from "./files";
 
 const MOST_UPLOADED = 16 * 1024 * 1024; // as the server has it
@@ -15,7 +15,8 @@ interface Sent {
 
 /** A URDF with its elasticity file and meshes, or any data sheet. */
 export function uploadControl(host: FilesHost): HTMLElement {
-  const send = (sent: Sent[]) => attempt(host, async () => {
+  const send = (chosen: Sent[] | Promise<Sent[]>) => attempt(host, async () => {
+    const sent = await chosen;
     if (!sent.length || refused(host, sent)) return;
     const names = sent.length <= 3 ? sent.map(({ name }) => name).join(", ") : `${sent.length} files`;
     host.say(`Reading ${names} …`);
@@ -40,7 +41,7 @@ export function uploadControl(host: FilesHost): HTMLElement {
   document.addEventListener("dragover", (event) => event.preventDefault());
   document.addEventListener("drop", (event) => {
     event.preventDefault();
-    if (event.dataTransfer) void dropped(event.dataTransfer).then(send);
+    if (event.dataTransfer) void send(dropped(event.dataTransfer));
   });
   return make(
     "span",
@@ -63,10 +64,23 @@ function refused(host: FilesHost, sent: Sent[]): boolean {
     `at most ${(MOST_UPLOADED / 1e6).toFixed(0)} MB`,
     "leave out what is not needed",
   ];
-  host.wrong([
-    { path: "files", message: `got ${got}; expected ${expected}`, got, expected, mend, where: "", steps: null },
-  ]);
+  host.wrong([wrong("files", `got ${got}; expected ${expected}`, mend, got, expected)]);
   return true;
+}
+
+function wrong(path: string, message: string, mend: string, got = "", expected = ""): Wrong {
+  return { path, message, got, expected, mend, where: "", steps: null };
+}
+
+/** What the browser reads of a file or folder; it may be gone by now. */
+async function reading<T>(name: string, read: Promise<T>): Promise<T> {
+  try {
+    return await read;
+  } catch (error) {
+    const why = error instanceof DOMException ? ` (${error.name})` : "";
+    const got = `it cannot be read${why}: it was changed, moved or taken away, or may not be read`;
+    throw new Refused([wrong(name, got, "choose it again")], 0);
+  }
 }
 
 /** Whether a file of a whole folder may belong to a robot. */
@@ -88,14 +102,20 @@ async function dropped(given: DataTransfer): Promise<Sent[]> {
 
 async function within(entry: FileSystemEntry): Promise<Sent[]> {
   if (entry.isFile) {
-    const file = await new Promise<File>((done, failed) => (entry as FileSystemFileEntry).file(done, failed));
+    const file = await reading(
+      entry.name,
+      new Promise<File>((done, failed) => (entry as FileSystemFileEntry).file(done, failed)),
+    );
     const sent = { name: entry.fullPath.replace(/^\//, ""), file };
     return ours(sent) ? [sent] : [];
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const inner: FileSystemEntry[] = [];
   for (;;) { // a reader tells about a hundred at a time
-    const some = await new Promise<FileSystemEntry[]>((done, failed) => reader.readEntries(done, failed));
+    const some = await reading(
+      entry.name,
+      new Promise<FileSystemEntry[]>((done, failed) => reader.readEntries(done, failed)),
+    );
     if (!some.length) break;
     inner.push(...some);
   }
@@ -103,7 +123,7 @@ async function within(entry: FileSystemEntry): Promise<Sent[]> {
 }
 
 async function encoded({ name, file }: Sent): Promise<{ name: string; content: string }> {
-  const bytes = new Uint8Array(await file.arrayBuffer());
+  const bytes = new Uint8Array(await reading(name, file.arrayBuffer()));
   let text = "";
   for (let k = 0; k < bytes.length; k += 0x8000) text += String.fromCharCode(...bytes.subarray(k, k + 0x8000));
   return { name, content: btoa(text) };

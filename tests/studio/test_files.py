@@ -1,0 +1,138 @@
+"""Files in and out of the studio's page: what is refused, what is kept, and what is shown meanwhile."""
+
+from __future__ import annotations
+
+import re
+from pathlib import Path
+from typing import Any
+
+import pytest
+
+from studio import test_browser as page
+from studio.test_browser import WAIT, Tab
+
+address, browser, tab = page.address, page.browser, page.tab
+"""Fixtures that are those of the studio's page."""
+
+
+def stale(tab: Tab) -> bool:
+    """Whether the picture is shown as that of another sheet."""
+    return "stale" in (tab.page.get_attribute(".view", "class") or "")
+
+
+def save(tab: Tab, name: str) -> None:
+    tab.page.get_by_label("Name of the study").fill(name)
+    tab.page.get_by_role("button", name="Save", exact=True).click()
+
+
+def test_a_refused_file_leaves_the_picture_as_true_as_it_was(tab: Tab) -> None:
+    """The picture is of the sheet where only its file was refused, and of another where the sheet itself was."""
+    errors = tab.page.locator(".errors")
+    tab.told("New curves")
+    save(tab, "../x")
+    errors.locator("p", has_text="plain name").wait_for(timeout=WAIT)
+    assert not stale(tab)
+    mass: Any = tab.page.locator("[data-slider='payload.mass'] input.number")
+    before = mass.input_value()
+    mass.fill("-1")
+    mass.press("Enter")
+    errors.locator("p", has_text="payload.mass").wait_for(timeout=WAIT)
+    assert stale(tab)
+    with tab.page.expect_response("**/api/studies/y.yaml") as answer:
+        save(tab, "y")
+    assert answer.value.status == 422
+    assert stale(tab)
+    mass.fill(before)
+    tab.fresh(lambda: mass.press("Enter"))
+    assert not stale(tab)
+
+
+def test_a_report_that_is_asked_for_twice_is_made_once(tab: Tab) -> None:
+    """Its button waits for it; one that was ended all the same is told in a sentence, not by an empty box."""
+    tab.told("New curves")
+    begun: list[str] = []
+    tab.page.on("request", lambda one: begun.append(one.post_data) if one.method == "POST" else None)
+    report = tab.page.get_by_role("button", name="Report", exact=True)
+    with tab.page.expect_download(timeout=WAIT) as kept:
+        report.evaluate("(it) => { it.focus(); it.click(); it.click(); }")
+    assert kept.value.suggested_filename.endswith(".html")
+    tab.told("The report is among")
+    assert sum('"product":"report"' in one for one in begun) == 1
+    assert report.is_enabled()
+    assert report.evaluate("(it) => it === document.activeElement")
+    ended = '{"job": "x", "state": "cancelled", "stage": "", "share": 0, "told": {}, "errors": []}'
+    tab.page.route("**/api/jobs", lambda one: one.fulfill(body=ended, content_type="application/json"))
+    report.click()
+    tab.told("The report was ended")
+    assert not tab.page.is_visible(".errors")
+    assert report.is_enabled()
+
+
+@pytest.mark.parametrize("kind", ["exists", None])
+def test_replace_is_offered_for_a_file_that_is_there_alone(tab: Tab, kind: str | None) -> None:
+    """Not where the disk is full, or nothing may be written: the answer is the same but for its kind."""
+    told = {"path": "name", "message": "cannot be kept", "got": "", "expected": "", "mend": "", "where": ""}
+    answer = {"errors": [told | {"steps": None} | ({"kind": kind} if kind else {})]}
+    tab.page.route("**/api/studies/there.yaml", lambda one: one.fulfill(status=409, json=answer))
+    save(tab, "there")
+    tab.page.locator(".errors p", has_text="cannot be kept").wait_for(timeout=WAIT)
+    assert tab.page.get_by_role("button", name="Replace").is_visible() == (kind == "exists")
+    save(tab, f"free_{kind}")
+    tab.told("Saved as")
+    assert not tab.page.get_by_role("button", name="Replace").is_visible()
+
+
+def test_the_list_of_robots_names_what_is_shown(tab: Tab) -> None:
+    """A file of one's own is none of them: the robot that was there before can be chosen again."""
+    robots = tab.page.get_by_label("Robot", exact=True)
+    shown = robots.locator("option:checked")
+    tab.told("New curves")
+    assert robots.input_value() == "filipovic2010"
+    save(tab, "own")
+    tab.told("Saved as")
+    tab.fresh(lambda: tab.page.get_by_label("Open a study").select_option("own.yaml"))
+    assert (robots.input_value(), shown.text_content()) == ("", "from a file")
+    tab.page.route("**/api/robots/spong1987", lambda one: one.fulfill(status=422, json={"errors": []}))
+    with tab.page.expect_response("**/api/robots/spong1987"):
+        robots.select_option("spong1987")
+    tab.page.wait_for_function("[...document.querySelectorAll('header select')][0].value === ''", timeout=WAIT)
+    tab.fresh(lambda: robots.select_option("filipovic2010"))
+    assert robots.input_value() == "filipovic2010"
+
+
+GONE_ENTRY = """(kind) => {
+  const gone = (_, failed) => failed(new DOMException("gone", "NotFoundError"));
+  const inner = { isFile: true, isDirectory: false, name: "arm.urdf", fullPath: "/home/arm.urdf", file: gone };
+  let left = [inner];
+  const entries = (done) => { done(left); left = []; };
+  const folder = {
+    isFile: false, isDirectory: true, name: "home", fullPath: "/home",
+    createReader: () => ({ readEntries: kind === "file" ? entries : gone }),
+  };
+  const event = new Event("drop", { cancelable: true });
+  Object.assign(event, { dataTransfer: { items: [{ webkitGetAsEntry: () => folder }], files: [] } });
+  document.dispatchEvent(event);
+}"""
+"""A folder that is dropped, of which a file or the folder itself is no longer there."""
+
+
+def test_a_file_that_is_gone_is_told(tab: Tab, tmp_path: Path) -> None:
+    """What was chosen and changed on the disk before it was read; what was dropped and taken away."""
+    tab.told("New curves")
+    errors = tab.page.locator(".errors p", has_text="cannot be read")
+    (chosen := tmp_path / "two.urdf").write_text("<robot/>", encoding="utf-8")
+    tab.page.evaluate("""() => {
+      const read = File.prototype.arrayBuffer;
+      File.prototype.arrayBuffer = () => {
+        File.prototype.arrayBuffer = read;
+        return Promise.reject(new DOMException("gone", "NotReadableError"));
+      };
+    }""")
+    tab.page.get_by_label("Upload", exact=True).set_input_files(chosen)
+    errors.wait_for(timeout=WAIT)
+    assert re.fullmatch(r"two\.urdf it cannot be read \(NotReadableError\).*\. choose it again", errors.inner_text())
+    assert not stale(tab)
+    for kind, name in (("file", "arm.urdf"), ("folder", "home")):
+        tab.page.evaluate(GONE_ENTRY, kind)
+        errors.filter(has_text=name).wait_for(timeout=WAIT)
+        assert "NotFoundError" in errors.inner_text()
