@@ -33,7 +33,7 @@ HOLD = """() => {
   Worker.prototype.postMessage = function (...given) {
     const hear = this.onmessage;
     this.onmessage = (event) => {
-      if (event.data.kind !== "done") return hear(event);
+      if (event.data.kind !== "done" || event.data.id !== given[0].id) return hear(event);
       this.onmessage = hear;
       window.release = () => hear(event);
     };

@@ -1,4 +1,4 @@
-/* tmodes, built from 7ac1f353cd0f7bdd; BSD-3-Clause */
+/* tmodes, built from 2b556d0e8c3cb283; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
