@@ -7,9 +7,13 @@ import json
 import os
 import signal
 import sys
+import tempfile
 from collections.abc import Callable
 from contextlib import suppress
+from pathlib import Path
 from typing import Any
+
+from tmodes.studio.own_folder import remove
 
 __all__ = ["Pool", "WorkerLost"]
 
@@ -31,16 +35,18 @@ class WorkerLost(Exception):
 
 
 class _Worker:
-    """One process; ``last`` is what it did last and for whom: it is still warm for that."""
+    """One process with a folder for what it writes; ``last`` is what it did last and for whom: it is warm for that."""
 
-    def __init__(self, process: asyncio.subprocess.Process) -> None:
+    def __init__(self, process: asyncio.subprocess.Process, room: Path) -> None:
         self.process = process
+        self.room = room
         self.last = ""
         self._doomed = False
 
     @classmethod
-    async def started(cls) -> _Worker:
+    async def started(cls, place: Path) -> _Worker:
         pipe = asyncio.subprocess.PIPE
+        room = Path(tempfile.mkdtemp(prefix="worker-", dir=place))
         return cls(
             await asyncio.create_subprocess_exec(
                 *COMMAND,
@@ -48,8 +54,9 @@ class _Worker:
                 stdout=pipe,
                 limit=LONGEST_LINE,
                 start_new_session=os.name != "nt",
-                env=os.environ | ONE_THREAD,
-            )
+                env=os.environ | ONE_THREAD | dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(room)),
+            ),
+            room,
         )
 
     @property
@@ -87,16 +94,19 @@ class _Worker:
                 # Popen.kill would also reap the process, which the loop waits for.
                 os.kill(self.process.pid, signal.SIGKILL) if os.name != "nt" else self.process.kill()
         await self.process.wait()
+        remove(self.room)  # a process that is killed leaves what it was writing
 
 
 class Pool:
     """``size`` workers; a job waits until one is free, the one that last did the same for the same client if it is.
 
     So the curves that somebody drags stay with one worker, and longer work, such as a report, goes on beside them.
+    What workers write meanwhile lies in ``place``, which its owner removes.
     """
 
-    def __init__(self, size: int) -> None:
+    def __init__(self, size: int, place: Path) -> None:
         self._size = size
+        self._place = place
         self._free: list[_Worker] = []
         self._all: set[_Worker] = set()
         self._room = asyncio.Condition()
@@ -160,7 +170,7 @@ class Pool:
             self._room.notify()
 
     async def _add(self) -> None:
-        worker = await _Worker.started()
+        worker = await _Worker.started(self._place)
         self._all.add(worker)
         async with self._room:
             self._free.append(worker)

@@ -7,6 +7,7 @@ import json
 import os
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
+from pathlib import Path
 from typing import Any
 
 from fastapi import FastAPI, Request, Response
@@ -33,15 +34,18 @@ LONGEST_WAIT = 5.0
 FILES = {"report": ("report.html", "text/html; charset=utf-8"), "data": ("result.nc", "application/x-netcdf")}
 
 
-def application(folder: WorkingFolder, token: str, hosts: frozenset[str], first: str = "", workers: int = 0) -> Guard:
+def application(
+    folder: WorkingFolder, token: str, hosts: frozenset[str], place: Path, first: str = "", workers: int = 0
+) -> Guard:
     """The application (ASGI) that serves the page to those who know ``token``.
 
-    ``hosts``: what the header Host may say; ``first``: the robot or file that is shown first; ``workers``: how many
-    processes simulate, 0: two to four by the machine.
+    ``hosts``: what the header Host may say; ``place``: a private folder for uploads and for what workers write, which
+    its owner removes at the end; ``first``: the robot or file that is shown first; ``workers``: how many processes
+    simulate, 0: two to four by the machine.
     """
-    pool = Pool(workers or max(2, min(4, (os.cpu_count() or 2) - 1)))
-    book, shelf = JobBook(pool), Shelf()
-    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book, shelf))
+    pool = Pool(workers or max(2, min(4, (os.cpu_count() or 2) - 1)), place)
+    book, shelf = JobBook(pool), Shelf(place)
+    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book))
     app.add_exception_handler(TmodesError, _explained)
     app.add_exception_handler(404, _not_found)
     app.add_exception_handler(405, _not_found)
@@ -53,18 +57,19 @@ def application(folder: WorkingFolder, token: str, hosts: frozenset[str], first:
     return Guard(app, token, hosts, f"tmodes-studio-{min(hosts, default='').rpartition(':')[2] or 'test'}")
 
 
-def _lifespan(pool: Pool, book: JobBook, shelf: Shelf) -> Any:
+def _lifespan(pool: Pool, book: JobBook) -> Any:
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         del app
         await pool.start()
         watch = asyncio.create_task(_watch(book))
-        yield
-        watch.cancel()
-        with suppress(asyncio.CancelledError):
-            await watch
-        await pool.stop()
-        shelf.close()
+        try:
+            yield
+        finally:
+            watch.cancel()
+            with suppress(asyncio.CancelledError):
+                await watch
+            await pool.stop()
 
     return lifespan
 

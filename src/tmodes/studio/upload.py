@@ -15,8 +15,9 @@ from tmodes.robot import Robot
 from tmodes.robots.load import urdf_of
 from tmodes.studio.folder import NAME
 from tmodes.studio.lay_out import lay_out
-from tmodes.studio.looks import Shelf, remove
+from tmodes.studio.looks import Shelf
 from tmodes.studio.main_file import main_file
+from tmodes.studio.own_folder import make_within, remove
 from tmodes.studio.sheets import loaded
 from tmodes.studio.told import as_sent
 
@@ -49,7 +50,8 @@ def uploaded(files: Any, shelf: Shelf) -> Uploaded:
     top = room / "upload"  # one folder further in: a URDF beside the folder of its meshes names them with `..`
     roots = (top, room)
     try:
-        paths = [_put(top.joinpath(*PurePosixPath(name).parts), content, name) for name, content in contents.items()]
+        paths = [_put(room, top.joinpath(*PurePosixPath(name).parts), content, name)
+                 for name, content in contents.items()]  # fmt: skip
         sheet = loaded(top / main, roots=roots)
         looks = _kept(top / main, roots, paths, shelf)
     except (InputError, InputErrors) as error:
@@ -72,9 +74,9 @@ def _kept(main: Path, roots: tuple[Path, Path], paths: list[Path], shelf: Shelf)
     return shelf.keep(roots[1], main, roots)
 
 
-def _put(path: Path, content: bytes, name: str) -> Path:
+def _put(room: Path, path: Path, content: bytes, name: str) -> Path:
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_within(room, path.parent)
         path.write_bytes(content)
         return path
     except OSError as error:
