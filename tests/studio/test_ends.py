@@ -2,17 +2,19 @@
 
 from __future__ import annotations
 
+import asyncio
 import os
 import signal
 import subprocess
 import sys
 import threading
 import time
-from collections.abc import Iterator
+from collections.abc import Coroutine, Iterator
 from concurrent.futures import ThreadPoolExecutor
 from contextlib import contextmanager
 from dataclasses import dataclass
 from pathlib import Path
+from typing import Any
 
 import httpx
 import pytest
@@ -21,6 +23,7 @@ from studio.test_looks import ELASTICITY, URDF, sent, stl
 from tmodes.errors import InputError
 from tmodes.studio.looks import MOST_KEPT, Shelf
 from tmodes.studio.own_folder import make_within, own_folder
+from tmodes.studio.pool import Pool
 
 pytestmark = pytest.mark.skipif(os.name == "nt", reason="sends the signals of POSIX")
 
@@ -148,3 +151,47 @@ def test_uploads_of_many_threads_at_once(tmp_path):
     with ThreadPoolExecutor(4) as threads:
         list(threads.map(upload, range(4)))
     assert len(list(tmp_path.iterdir())) == MOST_KEPT
+
+
+def run(program: Coroutine[Any, Any, None]) -> None:
+    asyncio.run(asyncio.wait_for(program, 60))
+
+
+def test_a_worker_that_died_idle_does_no_job_and_what_it_wrote_goes(tmp_path, sheet):
+    order = {"product": "curves", "sheet": sheet | {"integration": {"duration": 0.1}}, "looks": None}
+
+    async def program() -> None:
+        pool = Pool(2, tmp_path)
+        await pool.start()
+        rooms = list(tmp_path.iterdir())
+        assert len(rooms) == 2
+        for room, worker in zip(rooms, pool._all, strict=True):
+            (room / "half written").touch()
+            os.kill(worker.process.pid, signal.SIGKILL)
+            await worker.process.wait()
+        for _ in rooms:
+            assert (await pool.run(order, "tab", lambda *_: None, asyncio.Event()))[0]["kind"] == "done"
+        await pool.stop()
+        assert list(tmp_path.iterdir()) == []
+
+    run(program())
+
+
+def test_where_no_worker_can_be_started_the_next_job_tries_again(tmp_path, monkeypatch):
+    order = {"product": "curves", "sheet": {}, "looks": None}
+
+    async def program() -> None:
+        pool = Pool(1, tmp_path)
+        await pool.start()
+        [worker] = pool._all
+        os.kill(worker.process.pid, signal.SIGKILL)
+        await worker.process.wait()
+        monkeypatch.setattr("tmodes.studio.pool.COMMAND", ("/none",))
+        for _ in range(2):
+            with pytest.raises(FileNotFoundError):
+                await pool.run(order, "tab", lambda *_: None, asyncio.Event())
+        monkeypatch.undo()
+        assert (await pool.run(order, "tab", lambda *_: None, asyncio.Event()))[0]["kind"] == "error"
+        await pool.stop()
+
+    run(program())

@@ -116,7 +116,9 @@ class Pool:
     async def start(self) -> None:
         """Start the workers."""
         for _ in range(self._size):
-            await self._add()
+            worker = await _Worker.started(self._place)
+            self._all.add(worker)
+            self._free.append(worker)
 
     async def stop(self) -> None:
         """End all workers; jobs that still run are lost."""
@@ -155,23 +157,32 @@ class Pool:
             await self._room.wait_for(lambda: self._free)
             known = next((worker for worker in self._free if worker.last == work), self._free[0])
             self._free.remove(known)
-            known.last = work
-            return known
+        try:
+            living = await self._living(known)
+        except OSError:
+            await self._free_again(known)
+            raise
+        living.last = work
+        return living
 
     async def _give_back(self, worker: _Worker) -> None:
         if self._stopped:
             return
-        if not worker.alive:
-            self._all.discard(worker)
-            await self._add()
-            return
-        async with self._room:
-            self._free.append(worker)
-            self._room.notify()
+        with suppress(OSError):  # the next job tries again, and tells
+            worker = await self._living(worker)
+        await self._free_again(worker)
 
-    async def _add(self) -> None:
-        worker = await _Worker.started(self._place)
-        self._all.add(worker)
+    async def _living(self, worker: _Worker) -> _Worker:
+        """The worker, or a new one for one that is dead; raises :class:`OSError` where none can be started."""
+        if worker.alive:
+            return worker
+        await worker.kill()
+        living = await _Worker.started(self._place)
+        self._all.discard(worker)
+        self._all.add(living)
+        return living
+
+    async def _free_again(self, worker: _Worker) -> None:
         async with self._room:
             self._free.append(worker)
             self._room.notify()
