@@ -139,6 +139,7 @@ def test_a_broken_mesh_is_a_warning_too(studio, content):
                          "two.yaml": ELASTICITY.format(urdf="two.urdf")})  # fmt: skip
     result, _ = simulated(studio, told)
     assert result["unseen"][0]["path"] == "links.arm"
+    assert result["unseen"][0]["where"] == "arm.stl"
     assert "tmodes-upload" not in str(result["unseen"])
 
 

@@ -45,7 +45,9 @@ def told_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Seque
         if isinstance(error, InputError):
             error = as_sent(error, roots)
         [told, *_] = told_errors(error, data)
-        path = f"links.{reason.link}" if isinstance(reason, Unseen) else told["path"]
+        path = told["path"]
+        if isinstance(reason, Unseen):  # a damaged file is told at the link that shows it
+            path, told["where"] = f"links.{reason.link}", told["where"] or path
         message = f"a shape is not shown: {told['message']}"
         found.append(told | {"path": path, "message": message, "steps": _steps(path, data)})
     return found[:MOST]
