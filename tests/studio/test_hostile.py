@@ -210,6 +210,14 @@ def test_orders_that_are_none(studio, sheet):
         assert studio.ended(studio.begin(odd))["state"] == "error"
 
 
+@pytest.mark.parametrize("wait", ["abc", "nan", "inf", "", "<b>" * 999])
+def test_seconds_that_are_none(studio, wait):
+    [error] = studio.get("/api/jobs/guessed", code=422, params={"wait": wait})["errors"]
+    assert error["path"] == "wait"
+    assert error["message"]
+    assert len(error["got"]) < 200
+
+
 def test_huge_runs_are_refused_before_they_begin(studio, sheet):
     sheet["integration"] |= {"duration": 1e3, "output_step": 1e-12}
     assert "samples" in json.dumps(studio.ended(studio.begin(sheet))["errors"])
