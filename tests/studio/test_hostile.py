@@ -268,6 +268,14 @@ def test_names_of_uploads(studio, name):
     assert studio.post("/api/upload", json={"files": files}, code=422)["errors"][0]["path"] == "files"
 
 
+@pytest.mark.parametrize(("name", "told"), [("a [1].urdf", "sign '['"), ("a/b/c/d/e/f/g.urdf", "6 folders deep"),
+                                            ("/x.urdf", "sign '/'"), (".x.urdf", "'.' at the start"),
+                                            ("x" * 120 + ".urdf", "125 characters")])  # fmt: skip
+def test_what_is_wrong_with_a_name_is_told(studio, name, told):
+    files = [{"name": name, "content": ""}]
+    assert told in studio.post("/api/upload", json={"files": files}, code=422)["errors"][0]["got"]
+
+
 def test_uploads_that_are_none(studio):
     for files in (None, [], [1], [{}], [{"name": "x.urdf", "content": "§"}], [{"name": "x.exe", "content": ""}],
                   [{"name": f"{k}.urdf", "content": ""} for k in range(200)]):  # fmt: skip
