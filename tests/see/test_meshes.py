@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import re
 import struct
 from pathlib import Path
 from typing import Any
@@ -16,7 +17,7 @@ from tmodes.arm_runs import ArmRunFolder
 from tmodes.errors import InputError
 from tmodes.io.mesh_file import Triangles, read_mesh
 from tmodes.io.primitives import box, cylinder, sphere
-from tmodes.io.urdf_shapes import LinkShape
+from tmodes.io.urdf_shapes import MOST_SHAPES, LinkShape
 from tmodes.report.mesh_thin import thinned
 from tmodes.report.meshes import MOST_TRIANGLES, kept_meshes, read_shapes, with_shapes
 from tmodes.report.mode_shapes import modes_of
@@ -155,6 +156,52 @@ def test_a_mesh_that_may_not_be_read_costs_no_run(tmp_path: Path, file: str) -> 
     assert len(shapes) < 3
     assert len(doubts) == 1
     assert "not shown" in doubts[0]
+
+
+def shapes_of(tmp_path: Path, *geometries: str) -> tuple[list[LinkShape], list[str]]:
+    visuals = "".join(f"<visual><geometry>{one}</geometry></visual>" for one in geometries)
+    arm = re.search(r'<link name="arm">.*?</inertial>', URDF, re.DOTALL)
+    joint = re.search(r"<joint.*</joint>", URDF, re.DOTALL)
+    assert arm
+    assert joint
+    text = f'<robot name="r"><link name="base_link">{visuals}</link>{arm[0]}</link>{joint[0]}</robot>'
+    (tmp_path / "r.urdf").write_text(text, encoding="utf-8")
+    return read_shapes(tmp_path / "r.urdf")
+
+
+def test_a_mesh_of_many_shapes_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+    """Also where it is damaged; each of its shapes is told."""
+    (tmp_path / "good.stl").write_bytes(binary(box([1.0, 2.0, 3.0])))
+    (tmp_path / "bad.obj").write_text("v 0 0 0\nf 1 2 9\n", encoding="utf-8")
+    read = []
+    monkeypatch.setattr("tmodes.io.urdf_shapes.read_mesh", lambda path: read.append(path.name) or read_mesh(path))
+    good, bad = '<mesh filename="good.stl" scale="1 1 -2"/>', '<mesh filename="bad.obj"/>'
+    shapes, doubts = shapes_of(tmp_path, *[good, bad] * 20)
+    assert sorted(read) == ["bad.obj", "good.stl"]
+    assert [len(shapes), len(doubts)] == [20, 20]
+    assert np.ptp(shapes[-1].surface.vertices, axis=0) == pytest.approx([1.0, 2.0, 6.0])
+
+
+@pytest.mark.parametrize("geometry", ['<box size="1 1 1"/>', '<mesh filename="none.stl"/>'])
+def test_more_shapes_than_may_be_are_told(tmp_path: Path, geometry: str) -> None:
+    shapes, doubts = shapes_of(tmp_path, *[geometry] * (MOST_SHAPES + 50))
+    assert len(shapes) + len(doubts) == MOST_SHAPES + 1
+    assert f"at most {MOST_SHAPES} shapes" in doubts[-1]
+    assert f"at most {MOST_SHAPES}" not in "".join(shapes_of(tmp_path, *[geometry] * MOST_SHAPES)[1])
+
+
+@pytest.mark.parametrize(("geometry", "told"), [
+    ('<mesh filename="good.stl" scale="0 0 0"/>', "without area"), ('<box size="-1 0 1"/>', "negative"),
+    ('<box size="0 0 1"/>', "without area"), ('<sphere radius="0"/>', "without area"),
+    ('<sphere radius="-1"/>', "negative"), ('<cylinder radius="1" length="-1"/>', "negative"),
+])  # fmt: skip
+def test_what_has_no_size_is_told(tmp_path: Path, geometry: str, told: str) -> None:
+    (tmp_path / "good.stl").write_bytes(binary(box([1.0, 2.0, 3.0])))
+    shapes, [doubt] = shapes_of(tmp_path, geometry)
+    assert shapes == []
+    assert told in doubt
+    [plate] = shapes_of(tmp_path, '<box size="1 1 0"/>')[0]  # which can be seen
+    assert area(plate.surface) == pytest.approx(2.0)
 
 
 def test_what_is_no_urdf_has_no_shapes() -> None:

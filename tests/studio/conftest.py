@@ -64,7 +64,7 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
     with socket.socket() as listening:
         listening.bind(("127.0.0.1", 0))
         host = f"127.0.0.1:{listening.getsockname()[1]}"
-        app = application(WorkingFolder(folder), TOKEN, frozenset({host}), workers=2)
+        app = application(WorkingFolder(folder), TOKEN, frozenset({host}), tmp_path_factory.mktemp("own"), workers=2)
         server = uvicorn.Server(uvicorn.Config(app, log_level="error", ws="none", timeout_graceful_shutdown=1))
         serving = threading.Thread(target=server.run, kwargs={"sockets": [listening]})
         serving.start()

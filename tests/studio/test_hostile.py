@@ -210,6 +210,14 @@ def test_orders_that_are_none(studio, sheet):
         assert studio.ended(studio.begin(odd))["state"] == "error"
 
 
+@pytest.mark.parametrize("wait", ["abc", "nan", "inf", "", "<b>" * 999])
+def test_seconds_that_are_none(studio, wait):
+    [error] = studio.get("/api/jobs/guessed", code=422, params={"wait": wait})["errors"]
+    assert error["path"] == "wait"
+    assert error["message"]
+    assert len(error["got"]) < 200
+
+
 def test_huge_runs_are_refused_before_they_begin(studio, sheet):
     sheet["integration"] |= {"duration": 1e3, "output_step": 1e-12}
     assert "samples" in json.dumps(studio.ended(studio.begin(sheet))["errors"])
@@ -258,6 +266,14 @@ def encoded(**files):
 def test_names_of_uploads(studio, name):
     files = [{"name": name, "content": ""}]
     assert studio.post("/api/upload", json={"files": files}, code=422)["errors"][0]["path"] == "files"
+
+
+@pytest.mark.parametrize(("name", "told"), [("a [1].urdf", "sign '['"), ("a/b/c/d/e/f/g.urdf", "6 folders deep"),
+                                            ("/x.urdf", "sign '/'"), (".x.urdf", "'.' at the start"),
+                                            ("x" * 120 + ".urdf", "125 characters")])  # fmt: skip
+def test_what_is_wrong_with_a_name_is_told(studio, name, told):
+    files = [{"name": name, "content": ""}]
+    assert told in studio.post("/api/upload", json={"files": files}, code=422)["errors"][0]["got"]
 
 
 def test_uploads_that_are_none(studio):

@@ -139,6 +139,7 @@ def test_a_broken_mesh_is_a_warning_too(studio, content):
                          "two.yaml": ELASTICITY.format(urdf="two.urdf")})  # fmt: skip
     result, _ = simulated(studio, told)
     assert result["unseen"][0]["path"] == "links.arm"
+    assert result["unseen"][0]["where"] == "arm.stl"
     assert "tmodes-upload" not in str(result["unseen"])
 
 
@@ -183,21 +184,18 @@ def test_an_upload_that_is_kept_no_more_says_so(studio):
         assert (result["unseen"], meshes(content)) == ([], [])
 
 
-def test_only_the_newest_uploads_are_kept_and_none_at_the_end():
-    shelf = Shelf()
+def test_only_the_newest_uploads_are_kept(tmp_path):
+    shelf = Shelf(tmp_path)
     rooms = [shelf.room() for _ in range(MOST_KEPT + 2)]
     names = [shelf.keep(room, room / "x.urdf", (room,)) for room in rooms]
     assert [room.exists() for room in rooms] == [False] * 2 + [True] * MOST_KEPT
     assert shelf.found(names[0].partition(":")[2]) is None
-    place = rooms[-1].parent
-    assert place.stat().st_mode & 0o077 == 0
-    shelf.close()
-    assert not place.exists()
+    assert rooms[-1].stat().st_mode & 0o077 == 0
 
 
 def test_a_study_that_is_a_link_has_no_looks(tmp_path):
     (tmp_path / "a.yaml").symlink_to(tmp_path / "b.yaml")
-    assert source_of("study:a.yaml", WorkingFolder(tmp_path), Shelf()) is None
+    assert source_of("study:a.yaml", WorkingFolder(tmp_path), Shelf(tmp_path)) is None
 
 
 SHEET = b"urdf: two.urdf\n"

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+import errno
 import time
 
 import numpy as np
@@ -132,11 +133,25 @@ def test_a_study_is_saved_and_loaded_as_it_was(studio, sheet):
     assert "my study.yaml" in studio.get("/api/studies")["studies"]
     assert studio.get("/api/studies/my study.yaml")["sheet"] == sheet
     refused = studio.put("/api/studies/my study.yaml", json={"sheet": sheet}, code=409)
-    assert "exists" in refused["errors"][0]["message"]
+    [error] = refused["errors"]
+    assert error["kind"] == "exists"
+    assert error["message"].startswith("my study.yaml: got a study that exists")
     sheet["payload"]["mass"] = 0.5
     studio.put("/api/studies/my study.yaml", json={"sheet": sheet, "overwrite": True})
     assert studio.get("/api/studies/my study.yaml")["sheet"] == sheet
     assert tmodes.load_robot(studio.folder / "my study.yaml").payload.mass == 0.5
+
+
+def test_a_disk_that_is_full_offers_no_replacing(studio, sheet, monkeypatch):
+    def full(*given: object) -> None:
+        raise OSError(errno.ENOSPC, "No space left on device")
+
+    monkeypatch.setattr("tmodes.io.atomic._flush", full)
+    [error] = studio.put("/api/studies/no room.yaml", json={"sheet": sheet}, code=409)["errors"]
+    assert error["kind"] == ""
+    assert "No space left" in error["message"]
+    assert str(studio.folder) not in error["message"]
+    assert not (studio.folder / "no room.yaml").exists()
 
 
 def test_a_wrong_study_is_not_saved(studio, sheet):

@@ -55,6 +55,14 @@ def test_a_urdf_alone(studio):
     assert [joint["name"] for joint in told["sheet"]["joints"]] == ["hinge"]
 
 
+@pytest.mark.parametrize("name", ["two (1).urdf", "(2) two's.urdf"])
+def test_names_as_browsers_give_them(studio, name):
+    told = sent(studio, **{name: URDF, "two.yaml": ELASTICITY.replace("two.urdf", f'"{name}"')})
+    assert told["name"] == "mine"
+    (studio.folder / name).write_text(URDF, encoding="utf-8")
+    assert name in studio.get("/api/studies")["studies"]
+
+
 def test_a_sheet_of_the_paper(studio, sheet):
     text = studio.post("/api/yaml", json={"sheet": sheet})["yaml"]
     assert sent(studio, my__yaml=text)["sheet"] == sheet

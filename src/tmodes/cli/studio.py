@@ -47,7 +47,8 @@ def studio(
     with ExitStack() as until_stopped:
         opened = until_stopped if browser else None
         serve(working, first, host=host, port=port, ready=lambda address: _ready(address, working.path, opened))
-    print("tmodes studio: stopped", file=sys.stderr)
+    with suppress(OSError):  # the terminal may be what was closed
+        print("tmodes studio: stopped", file=sys.stderr)
 
 
 def _first(robot: str, folder: WorkingFolder) -> str:

@@ -2,13 +2,11 @@
 
 from __future__ import annotations
 
-import hashlib
 import json
 import os
 import secrets
 import shutil
 import socket
-import sys
 import time
 from collections.abc import Iterator
 from contextlib import contextmanager, suppress
@@ -16,6 +14,8 @@ from pathlib import Path
 from typing import NamedTuple, Self
 
 from tmodes.errors import ResultFileError
+from tmodes.io.processes import place as _place
+from tmodes.io.processes import state as _process
 from tmodes.io.words import shown_path
 
 __all__ = ["FolderLock", "atomic_write", "check_writable", "file_error", "real_path", "remove_orphans"]
@@ -194,39 +194,6 @@ def remove_orphans(folder: Path) -> None:
         with suppress(OSError, ValueError):
             if not _process(int(path.name.split("-")[2]))[0]:
                 path.unlink()
-
-
-def _place() -> str:
-    """A short name of this computer, or of the container: within it a process number means one process."""
-    path = Path("/proc/self/ns/pid")
-    space = path.readlink() if path.is_symlink() else ""
-    return hashlib.sha256(f"{socket.gethostname()} {space}".encode()).hexdigest()[:8]
-
-
-def _process(pid: int) -> tuple[bool, str]:
-    """Whether a process of this computer runs, and when it started; empty where the system does not tell."""
-    with suppress(OSError, IndexError):
-        told = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
-        return told[0] not in "ZX", told[19]  # zombies and the dead do not run
-    if sys.platform == "win32":
-        return _runs_on_windows(pid), ""
-    try:
-        with suppress(PermissionError):  # then it runs, under another user
-            os.kill(pid, 0)
-    except (OSError, OverflowError):
-        return False, ""
-    return True, ""
-
-
-def _runs_on_windows(pid: int) -> bool:
-    """Never os.kill here: on Windows that ends the process."""
-    import ctypes
-
-    kernel = ctypes.windll.kernel32  # pyright: ignore[reportAttributeAccessIssue]
-    handle, code = kernel.OpenProcess(0x1000, False, pid), ctypes.c_ulong()  # 0x1000: may ask whether it runs
-    kernel.GetExitCodeProcess(handle, ctypes.byref(code))
-    kernel.CloseHandle(handle)
-    return code.value == 259  # 259: still active
 
 
 def check_writable(folder: str | os.PathLike[str], bytes_needed: int) -> None:

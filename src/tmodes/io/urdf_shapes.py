@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from pathlib import Path
 from typing import NamedTuple
 
@@ -15,6 +15,7 @@ from tmodes.io.mesh_file import Triangles, read_mesh
 from tmodes.io.primitives import box, cylinder, sphere
 from tmodes.io.urdf import UrdfRobot
 from tmodes.io.urdf_values import fault, number_at, only, origin_at, text_at, triple_at
+from tmodes.io.words import shown
 from tmodes.io.xml_file import Element
 
 __all__ = ["LinkShape", "Unseen", "link_shapes"]
@@ -27,6 +28,8 @@ MOST_FACES = 1_000_000
 """Triangles of all shapes of a robot."""
 
 MOST_SHAPES = 500
+
+Read = Callable[[Path], Triangles]
 
 
 class LinkShape(NamedTuple):
@@ -54,21 +57,48 @@ def link_shapes(robot: UrdfRobot) -> tuple[list[LinkShape], list[Unseen]]:
     """
     found: list[LinkShape] = []
     unseen: list[Unseen] = []
+    faces, read = 0, _reading_once()
+    for number, (name, shape, colour) in enumerate(_chosen(robot)):
+        which = f"link {name}: {shape.tag}"
+        if number == MOST_SHAPES or faces > MOST_FACES:
+            most = f"{MOST_SHAPES} shapes" if number == MOST_SHAPES else f"{MOST_FACES:,} triangles"
+            got, expected = "more, from this link on", f"at most {most} of all links"
+            unseen.append(Unseen(name, fault(shape, which, got, expected, "simplify them")))
+            break
+        try:
+            found.append(LinkShape(name, colour, _placed(shape, robot, which, read)))
+            faces += len(found[-1].surface.faces)
+        except InputError as error:
+            unseen.append(Unseen(name, error))
+    return found, unseen
+
+
+def _chosen(robot: UrdfRobot) -> Iterator[tuple[str, Element, str]]:
+    """Link, element and colour of each shape that is to be shown."""
     for name, element in robot.links.items():
         visual, collision = element.all("visual"), element.all("collision")
-        colours = [_colour(shape, robot.root) for shape in visual]
+        colours = [_colour(shape, robot.root) for shape in visual] or [PLAIN]
         chosen = visual if visual and all(map(_is_readable, visual)) else collision or visual
-        for index, shape in enumerate(chosen[: MOST_SHAPES - len(found)]):
-            colour = colours[min(index, len(colours) - 1)] if colours else PLAIN
-            if sum(len(one.surface.faces) for one in found) > MOST_FACES:
-                got, expected = "more, from this link on", f"at most {MOST_FACES:,} triangles of all links"
-                unseen.append(Unseen(name, fault(shape, f"link {name}: {shape.tag}", got, expected, "simplify them")))
-                return found, unseen
+        for index, shape in enumerate(chosen):
+            yield name, shape, colours[min(index, len(colours) - 1)]
+
+
+def _reading_once() -> Read:
+    """Read a mesh, each file once: many shapes may be of one, and a damaged one takes as long as a whole one."""
+    known: dict[Path, Triangles | InputError] = {}
+
+    def read(path: Path) -> Triangles:
+        if path not in known:
             try:
-                found.append(LinkShape(name, colour, _placed(shape, robot, f"link {name}: {shape.tag}")))
+                known[path] = read_mesh(path)
             except InputError as error:
-                unseen.append(Unseen(name, error))
-    return found, unseen
+                known[path] = error
+        surface = known[path]
+        if isinstance(surface, InputError):
+            raise surface
+        return surface
+
+    return read
 
 
 def _is_readable(shape: Element) -> bool:
@@ -76,42 +106,65 @@ def _is_readable(shape: Element) -> bool:
     return all(Path(file).suffix.lower() in READABLE for file in files)
 
 
-def _placed(shape: Element, robot: UrdfRobot, which: str) -> Triangles:
+def _placed(shape: Element, robot: UrdfRobot, which: str, read: Read) -> Triangles:
     geometry = only(shape, "geometry", which)
     if geometry is None or len(geometry.children) != 1:
         raise fault(shape, which, "no geometry, or several", "<geometry> with one shape", "give each shape its own")
-    surface = _surface(geometry.children[0], robot, which)
+    surface = _surface(geometry.children[0], robot, which, read)
+    if not _has_area(surface):
+        got, expected = "a surface without area", "lengths and scales other than 0"
+        raise fault(geometry.children[0], which, got, expected, "write its size, or leave it out")
     origin = origin_at(shape, which)
     return Triangles(surface.vertices @ rpy_matrix(*origin["rpy"]).T + origin["position"], surface.faces)
 
 
-def _surface(element: Element, robot: UrdfRobot, which: str) -> Triangles:
+def _surface(element: Element, robot: UrdfRobot, which: str, read: Read) -> Triangles:
     match element.tag:
         case "box":
             return box(_sizes(element, which))
         case "cylinder":
-            return cylinder(number_at(element, "radius", which), number_at(element, "length", which))
+            return cylinder(_length(element, "radius", which), _length(element, "length", which))
         case "sphere":
-            return sphere(number_at(element, "radius", which))
+            return sphere(_length(element, "radius", which))
         case "mesh":
-            return _mesh(element, robot, which)
+            return _mesh(element, robot, which, read)
     raise fault(element, which, f"<{element.tag[:40]}>", "box, cylinder, sphere or mesh", "use one of these shapes")
 
 
-def _mesh(element: Element, robot: UrdfRobot, which: str) -> Triangles:
+def _has_area(surface: Triangles) -> bool:
+    a, b, c = (surface.vertices[surface.faces[:, k]] for k in range(3))
+    return bool(np.cross(b - a, c - a).any())
+
+
+def _mesh(element: Element, robot: UrdfRobot, which: str, read: Read) -> Triangles:
     name = text_at(element, "filename", which) if len(element.attributes.get("filename", "")) <= 100 else ""
     path = robot.folders.find(name or element.attributes["filename"].strip(), which, element.place)
     if path is None:
         raise fault(element, which, "a file that is not there", "the path of a mesh", "check the path, or give --root")
     scale = triple_at(element, "scale", which) if "scale" in element.attributes else [1.0, 1.0, 1.0]
-    surface = read_mesh(path)
+    surface = read(path)
     return Triangles(surface.vertices * scale, surface.faces)
 
 
 def _sizes(element: Element, which: str) -> NDArray[np.float64]:
     if "size" not in element.attributes:
         raise fault(element, which, "<box> without the attribute `size`", 'size="x y z"', "add it")
-    return np.array(triple_at(element, "size", which))
+    sizes = np.array(triple_at(element, "size", which))
+    if sizes.min() < 0:
+        raise _negative(element, which, "size")
+    return sizes
+
+
+def _length(element: Element, name: str, which: str) -> float:
+    length = number_at(element, name, which)
+    if length < 0:
+        raise _negative(element, which, name)
+    return length
+
+
+def _negative(element: Element, which: str, name: str) -> InputError:
+    got = f"{name}={shown(element.attributes[name])}, which is negative"
+    return fault(element, which, got, "lengths in metres that are positive", "leave the minus sign out")
 
 
 def _colour(shape: Element, root: Element) -> str:

@@ -4,13 +4,12 @@ from __future__ import annotations
 
 import html
 import os
-import shutil
-import tempfile
 from collections.abc import Iterator
-from contextlib import contextmanager
+from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
 from tmodes.compile.cache_folder import folder
+from tmodes.studio.own_folder import own_folder
 
 __all__ = ["door"]
 
@@ -34,15 +33,12 @@ def door(address: str) -> Iterator[Path | None]:
     Other users see the command lines of all processes, and with the token in one of them they could enter. None where
     no such page can be written.
     """
-    try:
-        place = tempfile.mkdtemp(prefix="tmodes-studio-", dir=_private())  # by itself readable for its user alone
-    except OSError:
-        yield None
-        return
-    try:
-        yield _written(Path(place) / "open.html", _DOCUMENT.format(address=html.escape(address)))
-    finally:
-        shutil.rmtree(place, ignore_errors=True)
+    with ExitStack() as until_stopped:
+        try:
+            place = until_stopped.enter_context(own_folder(_private()))
+        except OSError:
+            place = None
+        yield place and _written(place / "open.html", _DOCUMENT.format(address=html.escape(address)))
 
 
 def _written(page: Path, text: str) -> Path | None:

@@ -8,14 +8,18 @@ import stat
 from collections.abc import Iterator
 from pathlib import Path
 
-from tmodes.errors import InputError
+from tmodes.errors import InputError, ResultFileError
 from tmodes.io.atomic import atomic_write
-from tmodes.io.words import shown
+from tmodes.io.words import shown, shown_path
 
-__all__ = ["WorkingFolder", "plain_name"]
+__all__ = ["NameTaken", "WorkingFolder", "plain_name"]
 
-NAME = re.compile(r"[\w][\w .+-]{0,98}")
-"""Letters, digits, and a few signs; no separator, no dot or blank at the start."""
+LONGEST_NAME = 99
+NAME = re.compile(rf"[\w(][\w .+()'-]{{0,{LONGEST_NAME - 1}}}")
+"""Letters, digits, and a few signs, as browsers number their downloads; no separator, no dot or blank at the start."""
+
+SIGNS = re.compile(r"[^\w .+()'-]")
+"""What no name holds."""
 
 STUDY_ENDINGS = (".yaml", ".yml")
 ROBOT_ENDINGS = (*STUDY_ENDINGS, ".urdf", ".xacro", ".xml")
@@ -24,13 +28,17 @@ RESERVED = re.compile(r"(?i)(con|prn|aux|nul|com\d|lpt\d)(\.|$)")
 """Names that are devices on some machines."""
 
 
+class NameTaken(ResultFileError):
+    """A study of that name exists, and was not to be replaced."""
+
+
 def plain_name(name: str, endings: tuple[str, ...]) -> str:
     """``name`` if it is that of a file in one folder, with one of the endings.
 
     Raises :class:`tmodes.errors.InputError` for paths, hidden files and other endings.
     """
     if not NAME.fullmatch(name) or RESERVED.match(name) or name.endswith((" ", ".")):
-        mend = "use letters, digits, - and _ alone, without a folder"
+        mend = "use letters, digits, spaces and . _ + - ( ) ' alone, without a folder"
         raise InputError("file name", shown(name), "the plain name of a file", mend)
     if Path(name).suffix.lower() not in endings:
         raise InputError("file name", shown(name), f"a name that ends with {' or '.join(endings)}", "add the ending")
@@ -68,13 +76,20 @@ class WorkingFolder:
         """Write a study, whole or not at all.
 
         Raises :class:`tmodes.errors.InputError` for a name that is none or taken by a link or a folder, and
-        :class:`tmodes.errors.ResultFileError` where the file exists and ``overwrite`` is not set, or cannot be written.
+        :class:`tmodes.errors.ResultFileError` where it cannot be written, :class:`NameTaken` where the file exists and
+        ``overwrite`` is not set; both name it as it was given.
         """
         path = self.path / plain_name(name, STUDY_ENDINGS)
         if os.path.lexists(path) and not _is_plain_file(path):
             raise InputError("file name", shown(name), "a new name, or that of a plain file", "choose another name")
-        with atomic_write(path, overwrite=overwrite) as temporary:
-            temporary.write_text(text, encoding="utf-8", newline="\n")
+        try:
+            with atomic_write(path, overwrite=overwrite) as temporary:
+                temporary.write_text(text, encoding="utf-8", newline="\n")
+        except ResultFileError as error:
+            if isinstance(error.__cause__, FileExistsError):
+                got, expected, mend = "a study that exists", "a new name", "replace it, or choose another name"
+                raise NameTaken(f"{name}: got {got}; expected {expected}. Mend: {mend}") from None
+            raise ResultFileError(str(error).replace(shown_path(path), name)) from None
         return path
 
 

@@ -11,6 +11,7 @@ from tmodes.errors import InputError
 from tmodes.io.mesh_paths import Folders
 from tmodes.io.urdf import UrdfRobot
 from tmodes.studio.folder import NAME
+from tmodes.studio.own_folder import make_within
 
 __all__ = ["lay_out"]
 
@@ -32,7 +33,7 @@ def lay_out(robot: UrdfRobot, sent: Sequence[Path], top: Path) -> None:
         alike = by_name.get(PurePosixPath(name).name.lower(), [])
         if len(alike) == 1 and (target := _missing(robot.folders, name, place, top)):
             with suppress(OSError):  # it stays missing, which is told
-                target.parent.mkdir(parents=True, exist_ok=True)
+                make_within(top.parent, target.parent)
                 os.link(alike[0], target)
 
 

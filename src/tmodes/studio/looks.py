@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import secrets
-import shutil
 import tempfile
+import threading
 from collections.abc import Sequence
 from contextlib import suppress
 from pathlib import Path
@@ -13,8 +13,9 @@ from typing import Any, NamedTuple
 from tmodes.errors import InputError
 from tmodes.robots.load import sheet_names
 from tmodes.studio.folder import WorkingFolder
+from tmodes.studio.own_folder import remove
 
-__all__ = ["GONE", "Shelf", "Source", "remove", "source_of"]
+__all__ = ["GONE", "Shelf", "Source", "source_of"]
 
 MOST_KEPT = 8
 """Uploads that are kept, the newest ones: each at most as large as an upload may be."""
@@ -31,19 +32,18 @@ class Source(NamedTuple):
 
 
 class Shelf:
-    """A private folder for uploads whose links have shapes; it goes when the studio stops."""
+    """Uploads whose links have shapes, in the studio's own folder ``place``, which goes when the studio stops."""
 
-    def __init__(self) -> None:
-        self._place: Path | None = None
+    def __init__(self, place: Path) -> None:
+        self._place = place
+        self._lock = threading.Lock()  # uploads are read in threads
         self._kept: dict[str, tuple[Path, Source]] = {}
         self._studies: dict[str, str] = {}
 
     def room(self) -> Path:
         """A new empty folder; raises :class:`tmodes.errors.InputError` where there is no room for one."""
         try:
-            if self._place is None:
-                self._place = Path(tempfile.mkdtemp(prefix="tmodes-upload-")).resolve()
-            return Path(tempfile.mkdtemp(dir=self._place))
+            return Path(tempfile.mkdtemp(prefix="tmodes-upload-", dir=self._place))
         except OSError as error:
             expected, mend = "room in the temporary folder", "free some space"
             raise InputError("files", str(error.strerror), expected, mend) from None
@@ -51,14 +51,17 @@ class Shelf:
     def keep(self, room: Path, main: Path, roots: Sequence[Path]) -> str:
         """Keep a room; the name under which its looks can be asked for, which nobody can guess."""
         name = secrets.token_urlsafe(12)
-        self._kept[name] = (room, Source(str(main), tuple(map(str, roots))))
-        for old in [*self._kept][:-MOST_KEPT]:
-            remove(self._kept.pop(old)[0])
+        with self._lock:
+            self._kept[name] = (room, Source(str(main), tuple(map(str, roots))))
+            olds = [self._kept.pop(old)[0] for old in [*self._kept][:-MOST_KEPT]]
+        for old in olds:
+            remove(old)
         return f"upload:{name}"
 
     def found(self, name: str) -> Source | None:
         """Where the upload of a name is; None where it is not kept any more."""
-        return self._kept[name][1] if name in self._kept else None
+        kept = self._kept.get(name)
+        return kept and kept[1]
 
     def note(self, study: str, looks: str) -> None:
         """Remember that a study of the working folder was made of an upload; another one was not."""
@@ -69,17 +72,6 @@ class Shelf:
     def looks_of(self, study: str) -> str:
         """Where the looks of a study of the working folder come from."""
         return self._studies.get(study, f"study:{study}")
-
-    def close(self) -> None:
-        """Remove all uploads."""
-        self._kept.clear()
-        if self._place is not None:
-            remove(self._place)
-
-
-def remove(room: Path) -> None:
-    """Remove a folder with all that is in it."""
-    shutil.rmtree(room, ignore_errors=True)
 
 
 def source_of(looks: Any, folder: WorkingFolder, shelf: Shelf) -> Source | None:

@@ -7,9 +7,13 @@ import json
 import os
 import signal
 import sys
+import tempfile
 from collections.abc import Callable
 from contextlib import suppress
+from pathlib import Path
 from typing import Any
+
+from tmodes.studio.own_folder import remove
 
 __all__ = ["Pool", "WorkerLost"]
 
@@ -31,16 +35,18 @@ class WorkerLost(Exception):
 
 
 class _Worker:
-    """One process; ``last`` is what it did last and for whom: it is still warm for that."""
+    """One process with a folder for what it writes; ``last`` is what it did last and for whom: it is warm for that."""
 
-    def __init__(self, process: asyncio.subprocess.Process) -> None:
+    def __init__(self, process: asyncio.subprocess.Process, room: Path) -> None:
         self.process = process
+        self.room = room
         self.last = ""
         self._doomed = False
 
     @classmethod
-    async def started(cls) -> _Worker:
+    async def started(cls, place: Path) -> _Worker:
         pipe = asyncio.subprocess.PIPE
+        room = Path(tempfile.mkdtemp(prefix="worker-", dir=place))
         return cls(
             await asyncio.create_subprocess_exec(
                 *COMMAND,
@@ -48,8 +54,9 @@ class _Worker:
                 stdout=pipe,
                 limit=LONGEST_LINE,
                 start_new_session=os.name != "nt",
-                env=os.environ | ONE_THREAD,
-            )
+                env=os.environ | ONE_THREAD | dict.fromkeys(("TMPDIR", "TEMP", "TMP"), str(room)),
+            ),
+            room,
         )
 
     @property
@@ -87,16 +94,19 @@ class _Worker:
                 # Popen.kill would also reap the process, which the loop waits for.
                 os.kill(self.process.pid, signal.SIGKILL) if os.name != "nt" else self.process.kill()
         await self.process.wait()
+        remove(self.room)  # a process that is killed leaves what it was writing
 
 
 class Pool:
     """``size`` workers; a job waits until one is free, the one that last did the same for the same client if it is.
 
     So the curves that somebody drags stay with one worker, and longer work, such as a report, goes on beside them.
+    What workers write meanwhile lies in ``place``, which its owner removes.
     """
 
-    def __init__(self, size: int) -> None:
+    def __init__(self, size: int, place: Path) -> None:
         self._size = size
+        self._place = place
         self._free: list[_Worker] = []
         self._all: set[_Worker] = set()
         self._room = asyncio.Condition()
@@ -106,7 +116,9 @@ class Pool:
     async def start(self) -> None:
         """Start the workers."""
         for _ in range(self._size):
-            await self._add()
+            worker = await _Worker.started(self._place)
+            self._all.add(worker)
+            self._free.append(worker)
 
     async def stop(self) -> None:
         """End all workers; jobs that still run are lost."""
@@ -145,23 +157,32 @@ class Pool:
             await self._room.wait_for(lambda: self._free)
             known = next((worker for worker in self._free if worker.last == work), self._free[0])
             self._free.remove(known)
-            known.last = work
-            return known
+        try:
+            living = await self._living(known)
+        except OSError:
+            await self._free_again(known)
+            raise
+        living.last = work
+        return living
 
     async def _give_back(self, worker: _Worker) -> None:
         if self._stopped:
             return
-        if not worker.alive:
-            self._all.discard(worker)
-            await self._add()
-            return
-        async with self._room:
-            self._free.append(worker)
-            self._room.notify()
+        with suppress(OSError):  # the next job tries again, and tells
+            worker = await self._living(worker)
+        await self._free_again(worker)
 
-    async def _add(self) -> None:
-        worker = await _Worker.started()
-        self._all.add(worker)
+    async def _living(self, worker: _Worker) -> _Worker:
+        """The worker, or a new one for one that is dead; raises :class:`OSError` where none can be started."""
+        if worker.alive:
+            return worker
+        await worker.kill()
+        living = await _Worker.started(self._place)
+        self._all.discard(worker)
+        self._all.add(living)
+        return living
+
+    async def _free_again(self, worker: _Worker) -> None:
         async with self._room:
             self._free.append(worker)
             self._room.notify()

@@ -7,13 +7,16 @@ import json
 import os
 from collections.abc import AsyncIterator, Callable
 from contextlib import asynccontextmanager, suppress
-from typing import Any
+from pathlib import Path
+from typing import Annotated, Any
 
-from fastapi import FastAPI, Request, Response
+from fastapi import FastAPI, Query, Request, Response
+from fastapi.exceptions import RequestValidationError
 from starlette.concurrency import run_in_threadpool
 
 from tmodes.arm import Arm
 from tmodes.errors import InputError, ResultFileError, TmodesError
+from tmodes.io.words import shown
 from tmodes.robot import Robot
 from tmodes.studio import sheets
 from tmodes.studio.folder import WorkingFolder
@@ -30,22 +33,27 @@ from tmodes.studio.work import PRODUCTS
 __all__ = ["application"]
 
 LONGEST_WAIT = 5.0
+Wait = Annotated[float, Query(allow_inf_nan=False)]
 FILES = {"report": ("report.html", "text/html; charset=utf-8"), "data": ("result.nc", "application/x-netcdf")}
 
 
-def application(folder: WorkingFolder, token: str, hosts: frozenset[str], first: str = "", workers: int = 0) -> Guard:
+def application(
+    folder: WorkingFolder, token: str, hosts: frozenset[str], place: Path, first: str = "", workers: int = 0
+) -> Guard:
     """The application (ASGI) that serves the page to those who know ``token``.
 
-    ``hosts``: what the header Host may say; ``first``: the robot or file that is shown first; ``workers``: how many
-    processes simulate, 0: two to four by the machine.
+    ``hosts``: what the header Host may say; ``place``: a private folder for uploads and for what workers write, which
+    its owner removes at the end; ``first``: the robot or file that is shown first; ``workers``: how many processes
+    simulate, 0: two to four by the machine.
     """
-    pool = Pool(workers or max(2, min(4, (os.cpu_count() or 2) - 1)))
-    book, shelf = JobBook(pool), Shelf()
-    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book, shelf))
+    pool = Pool(workers or max(2, min(4, (os.cpu_count() or 2) - 1)), place)
+    book, shelf = JobBook(pool), Shelf(place)
+    app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book))
     app.add_exception_handler(TmodesError, _explained)
     app.add_exception_handler(404, _not_found)
     app.add_exception_handler(405, _not_found)
     app.add_exception_handler(RecursionError, _too_deep)
+    app.add_exception_handler(RequestValidationError, _no_value)
     add_page(app, first)
     _add_sheets(app, shelf)
     _add_studies(app, folder, shelf)
@@ -53,18 +61,19 @@ def application(folder: WorkingFolder, token: str, hosts: frozenset[str], first:
     return Guard(app, token, hosts, f"tmodes-studio-{min(hosts, default='').rpartition(':')[2] or 'test'}")
 
 
-def _lifespan(pool: Pool, book: JobBook, shelf: Shelf) -> Any:
+def _lifespan(pool: Pool, book: JobBook) -> Any:
     @asynccontextmanager
     async def lifespan(app: FastAPI) -> AsyncIterator[None]:
         del app
         await pool.start()
         watch = asyncio.create_task(_watch(book))
-        yield
-        watch.cancel()
-        with suppress(asyncio.CancelledError):
-            await watch
-        await pool.stop()
-        shelf.close()
+        try:
+            yield
+        finally:
+            watch.cancel()
+            with suppress(asyncio.CancelledError):
+                await watch
+            await pool.stop()
 
     return lifespan
 
@@ -90,6 +99,14 @@ async def _not_found(request: Request, error: Exception) -> Response:
 async def _too_deep(request: Request, error: Exception) -> Response:
     del request, error
     return _json({"errors": [told_error("body", "too many levels", expected="a data sheet")]}, 422)
+
+
+async def _no_value(request: Request, error: Exception) -> Response:
+    """A value of the address that is none, as FastAPI finds it."""
+    del request
+    assert isinstance(error, RequestValidationError)  # noqa: S101
+    told = [(str(one["loc"][-1]), shown(one["input"]), one["msg"]) for one in error.errors()]
+    return _json({"errors": [told_error(path, why, got) for path, got, why in told]}, 422)
 
 
 def _json(value: Any, status: int = 200) -> Response:
@@ -181,7 +198,7 @@ def _add_jobs(app: FastAPI, book: JobBook, folder: WorkingFolder, shelf: Shelf) 
         return _json(book.begin(order, word_of(data, "client")).as_told())
 
     @app.get("/api/jobs/{name}")
-    async def look(name: str, wait: float = 0.0) -> Response:
+    async def look(name: str, wait: Wait = 0.0) -> Response:
         job = book.find(name)
         await book.wait(job, min(max(wait, 0.0), LONGEST_WAIT))
         return _json(job.as_told())

@@ -9,6 +9,7 @@ from typing import Any
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.io.mesh_paths import ALLOW
 from tmodes.io.urdf_shapes import Unseen
+from tmodes.studio.folder import NameTaken
 
 __all__ = ["as_sent", "told_error", "told_errors", "told_unseen"]
 
@@ -28,13 +29,13 @@ def told_errors(error: TmodesError, data: Any = None) -> list[dict[str, Any]]:
         return [_told(one, data) for one in error.errors[:MOST]]
     if isinstance(error, InputError):
         return [_told(error, data)]
-    return [told_error("", str(error))]
+    return [told_error("", str(error)) | {"kind": "exists" if isinstance(error, NameTaken) else ""}]
 
 
 def told_error(path: str, message: str, got: str = "", expected: str = "", mend: str = "") -> dict[str, Any]:
-    """One error as plain data."""
+    """One error as plain data; its ``kind`` is empty but for what a page offers a button for."""
     return {"path": path, "message": message, "got": got, "expected": expected, "mend": mend, "where": "",
-            "steps": None}  # fmt: skip
+            "steps": None, "kind": ""}  # fmt: skip
 
 
 def told_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Sequence[str]) -> list[dict[str, Any]]:
@@ -45,7 +46,9 @@ def told_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Seque
         if isinstance(error, InputError):
             error = as_sent(error, roots)
         [told, *_] = told_errors(error, data)
-        path = f"links.{reason.link}" if isinstance(reason, Unseen) else told["path"]
+        path = told["path"]
+        if isinstance(reason, Unseen):  # a damaged file is told at the link that shows it
+            path, told["where"] = f"links.{reason.link}", told["where"] or path
         message = f"a shape is not shown: {told['message']}"
         found.append(told | {"path": path, "message": message, "steps": _steps(path, data)})
     return found[:MOST]

@@ -13,10 +13,11 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import shown
 from tmodes.robot import Robot
 from tmodes.robots.load import urdf_of
-from tmodes.studio.folder import NAME
+from tmodes.studio.folder import LONGEST_NAME, NAME, SIGNS
 from tmodes.studio.lay_out import lay_out
-from tmodes.studio.looks import Shelf, remove
+from tmodes.studio.looks import Shelf
 from tmodes.studio.main_file import main_file
+from tmodes.studio.own_folder import make_within, remove
 from tmodes.studio.sheets import loaded
 from tmodes.studio.told import as_sent
 
@@ -49,7 +50,8 @@ def uploaded(files: Any, shelf: Shelf) -> Uploaded:
     top = room / "upload"  # one folder further in: a URDF beside the folder of its meshes names them with `..`
     roots = (top, room)
     try:
-        paths = [_put(top.joinpath(*PurePosixPath(name).parts), content, name) for name, content in contents.items()]
+        paths = [_put(room, top.joinpath(*PurePosixPath(name).parts), content, name)
+                 for name, content in contents.items()]  # fmt: skip
         sheet = loaded(top / main, roots=roots)
         looks = _kept(top / main, roots, paths, shelf)
     except (InputError, InputErrors) as error:
@@ -72,9 +74,9 @@ def _kept(main: Path, roots: tuple[Path, Path], paths: list[Path], shelf: Shelf)
     return shelf.keep(roots[1], main, roots)
 
 
-def _put(path: Path, content: bytes, name: str) -> Path:
+def _put(room: Path, path: Path, content: bytes, name: str) -> Path:
     try:
-        path.parent.mkdir(parents=True, exist_ok=True)
+        make_within(room, path.parent)
         path.write_bytes(content)
         return path
     except OSError as error:
@@ -101,7 +103,27 @@ def _decoded(files: Any) -> dict[str, bytes]:
 def _checked_name(file: Any) -> str:
     name = file.get("name") if isinstance(file, Mapping) else None
     parts = PurePosixPath(name).parts if isinstance(name, str) else ()
-    if not parts or len(parts) > MOST_DEPTH or not all(NAME.fullmatch(part) and part != ".." for part in parts):
-        mend = "use plain names, in folders below that of the robot's file"
-        raise InputError("files", f"the name {shown(name)}", "a relative path of plain names", mend)
+    if len(parts) > MOST_DEPTH:
+        mend = "choose the folder of the robot itself, or the files without their folders"
+        raise InputError(
+            "files", f"the name {shown(name)}, {len(parts) - 1} folders deep", f"at most {MOST_DEPTH - 1}", mend
+        )
+    if not parts or not all(NAME.fullmatch(part) and part != ".." for part in parts):
+        got, expected = (
+            f"the name {shown(name)}{_why(parts)}",
+            "a relative path of letters, digits and . _ + - ( ) ' alone",
+        )
+        raise InputError("files", got, expected, "rename it, also where another file names it")
     return str(PurePosixPath(*parts))
+
+
+def _why(parts: tuple[str, ...]) -> str:
+    """The sign that is wrong in a name, or its length."""
+    for part in parts:
+        if sign := SIGNS.search(part):
+            return f" with the sign {shown(sign[0])}"
+        if part[0] in " .-+'":
+            return f" with {shown(part[0])} at the start of {shown(part)}"
+        if len(part) > LONGEST_NAME:
+            return f" with {len(part)} characters, more than {LONGEST_NAME}"
+    return ""
