@@ -153,3 +153,17 @@ def test_on_paper_the_report_has_its_figures_two_to_a_page(browser: Any, reports
     assert len(heights) == 10
     assert max(heights) < 500  # of the 1030 px of a sheet of A4 within its margins
     page.context.close()
+
+
+def test_what_is_opened_for_paper_is_closed_again(browser: Any, reports: dict[str, Path]) -> None:
+    """What somebody opened stays open; also where the browser tells twice that it prints."""
+    page = look(browser, reports["good"]).page
+    folded = page.locator("details")
+    folded.nth(0).evaluate("(it) => { it.open = true; }")
+    before = folded.evaluate_all("(all) => all.map((it) => it.open)")
+    assert set(before) == {True, False}
+    page.evaluate("for (const _ of [1, 2]) dispatchEvent(new Event('beforeprint'))")
+    assert all(folded.evaluate_all("(all) => all.map((it) => it.open)"))
+    page.evaluate("dispatchEvent(new Event('afterprint'))")
+    assert folded.evaluate_all("(all) => all.map((it) => it.open)") == before
+    page.context.close()

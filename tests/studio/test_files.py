@@ -6,8 +6,10 @@ import re
 from pathlib import Path
 from typing import Any
 
+import numpy as np
 import pytest
 
+from see.test_small import PAPER
 from studio import test_browser as page
 from studio.test_browser import WAIT, Tab
 
@@ -136,3 +138,28 @@ def test_a_file_that_is_gone_is_told(tab: Tab, tmp_path: Path) -> None:
         tab.page.evaluate(GONE_ENTRY, kind)
         errors.filter(has_text=name).wait_for(timeout=WAIT)
         assert "NotFoundError" in errors.inner_text()
+
+
+SETTLED = "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 600))))"
+"""The scheme is heard, and the modes that follow the curves are there."""
+
+
+def test_a_dark_studio_has_light_curves_on_paper(tab: Tab) -> None:
+    """As a light one prints them, without the data sheet beside them; dark again afterwards."""
+    tab.told("New curves")
+    printed = []
+    for scheme in ("light", "dark"):
+        tab.page.emulate_media(color_scheme=scheme)
+        tab.page.evaluate(SETTLED)
+        before = tab.page.evaluate(PAPER)
+        tab.page.evaluate("dispatchEvent(new Event('beforeprint'))")
+        tab.page.emulate_media(media="print", color_scheme=scheme)
+        printed.append(tab.page.evaluate(PAPER))
+        assert tab.page.locator(".controls, header.top").first.is_hidden()
+        tab.page.emulate_media(media="screen", color_scheme=scheme)
+        tab.page.evaluate("dispatchEvent(new Event('afterprint'))")
+        assert np.abs(np.subtract(tab.page.evaluate(PAPER)[:2], before[:2]))[:, :3].max() < 3.0
+    light, dark = map(np.array, printed)
+    assert len(light) > 4
+    assert np.abs(light - dark)[:, :3].max() < 3.0  # edges are smoothed by chance
+    assert np.abs(dark[:2] - before[:2])[:, :3].max() > 10.0

@@ -1,6 +1,7 @@
 // The studio: choose a robot, change its numbers, and see it move and ring at once.
 
 import { button, make, ownId } from "./dom";
+import { forPaper } from "./paper";
 import { watch } from "./studio/alive";
 import { api, type SheetTold, type Wrong } from "./studio/api";
 import { attempt, exportControls, studyControls, type FilesHost } from "./studio/files";
@@ -176,4 +177,5 @@ async function main(): Promise<void> {
   });
 }
 
+forPaper(".view details");
 void main();

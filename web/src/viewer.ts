@@ -3,6 +3,7 @@ import type { Page } from "./contract";
 import { make } from "./dom";
 import { inflated, unpack } from "./pack";
 import { mountPage } from "./page";
+import { forPaper } from "./paper";
 
 async function main(): Promise<void> {
   const place = document.getElementById("tmodes-data");
@@ -24,10 +25,5 @@ async function main(): Promise<void> {
   }
 }
 
-// Paper is white and shows all: what is folded is opened, and what is drawn takes the colours of the light scheme.
-addEventListener("beforeprint", () => {
-  document.documentElement.classList.add("printing");
-  for (const part of document.querySelectorAll("details")) part.open = true;
-});
-addEventListener("afterprint", () => document.documentElement.classList.remove("printing"));
+forPaper("details");
 void main();

@@ -16,8 +16,8 @@ export interface Wrong {
   /** File and line, of files alone. */
   where: string;
   steps: Step[] | null;
-  /** What the page can offer something for: a file of this name is there. */
-  kind?: "exists";
+  /** `exists`: a file of this name is there. */
+  kind?: string;
 }
 
 /** A number, or several in proportion, that are worth a slider. */
