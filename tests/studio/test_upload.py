@@ -57,7 +57,8 @@ def test_a_urdf_alone(studio):
 
 @pytest.mark.parametrize("name", ["two (1).urdf", "(2) two's.urdf"])
 def test_names_as_browsers_give_them(studio, name):
-    told = sent(studio, **{name: URDF, "two.yaml": ELASTICITY.replace("two.urdf", f'"{name}"')})
+    files: dict[str, Any] = {name: URDF, "two.yaml": ELASTICITY.replace("two.urdf", f'"{name}"')}
+    told = sent(studio, **files)
     assert told["name"] == "mine"
     (studio.folder / name).write_text(URDF, encoding="utf-8")
     assert name in studio.get("/api/studies")["studies"]
