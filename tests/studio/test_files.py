@@ -97,7 +97,7 @@ def test_the_list_of_robots_names_what_is_shown(tab: Tab) -> None:
     tab.page.route("**/api/robots/spong1987", lambda one: one.fulfill(status=422, json={"errors": []}))
     with tab.page.expect_response("**/api/robots/spong1987"):
         robots.select_option("spong1987")
-    tab.page.wait_for_function("[...document.querySelectorAll('header select')][0].value === ''", timeout=WAIT)
+    tab.page.wait_for_function("() => document.querySelector('header select').value === ''", timeout=WAIT)
     tab.fresh(lambda: robots.select_option("filipovic2010"))
     assert robots.input_value() == "filipovic2010"
 

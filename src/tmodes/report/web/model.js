@@ -1,4 +1,4 @@
-/* tmodes, built from 2b556d0e8c3cb283; BSD-3-Clause */
+/* tmodes, built from dc0f0ae3bdf35418; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
