@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import os
 import shutil
+import subprocess
 
 import pytest
 from hypothesis import settings
@@ -30,3 +31,13 @@ def chromium() -> str:
     if found is None:
         pytest.skip(f"needs a browser to look at the page: none of {', '.join(BROWSERS)} is installed")
     return found
+
+
+@pytest.fixture(scope="session")
+def working_gcc() -> None:
+    """The test is skipped where there is no gcc that compiles: some machines have only its name."""
+    text = "int main(void) { return 0; }"
+    command = ["gcc", "-x", "c", "-o", os.devnull, "-"]
+    tried = shutil.which("gcc") and subprocess.run(command, input=text, text=True, capture_output=True, check=False)
+    if not tried or tried.returncode:
+        pytest.skip("needs a gcc that works")

@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import shutil
 import sys
 import time
 from pathlib import Path
@@ -69,18 +68,16 @@ def test_ours(joints: int) -> None:
 
 
 @pytest.mark.parametrize("way", list(gcc.FLAGS))
+@pytest.mark.usefixtures("working_gcc")
 def test_gcc(way: str) -> None:
-    if not shutil.which("gcc"):
-        pytest.skip("needs gcc")
     robot = RigidChain(2)
     contender = gcc.contender(Ours(robot), way)
     assert error_of(contender, robot) < 1e-13
     assert contender.compile_seconds
 
 
+@pytest.mark.usefixtures("working_gcc")
 def test_gcc_that_takes_too_long_is_left_out() -> None:
-    if not shutil.which("gcc"):
-        pytest.skip("needs gcc")
     with pytest.raises(PeerMissing, match=r"longer than 0\.001 s"):
         gcc.contender(Ours(RigidChain(2)), "gcc -O3", patience=1e-3)
 
@@ -100,9 +97,8 @@ def test_what_a_compiler_started_ends_with_it(tmp_path: Path) -> None:
     pytest.fail("it goes on")
 
 
+@pytest.mark.usefixtures("working_gcc")
 def test_text_that_gcc_refuses_is_a_fault() -> None:
-    if not shutil.which("gcc"):
-        pytest.skip("needs gcc")
     with pytest.raises(RuntimeError, match="refused"):
         gcc.build("this is no C", ("-O0",))
 

@@ -104,11 +104,11 @@ def test_the_list_of_robots_names_what_is_shown(tab: Tab) -> None:
 
 GONE_ENTRY = """(kind) => {
   const gone = (_, failed) => failed(new DOMException("gone", "NotFoundError"));
-  const inner = { isFile: true, isDirectory: false, name: "arm.urdf", fullPath: "/home/arm.urdf", file: gone };
+  const inner = { isFile: true, isDirectory: false, name: "arm.urdf", fullPath: "/arms/arm.urdf", file: gone };
   let left = [inner];
   const entries = (done) => { done(left); left = []; };
   const folder = {
-    isFile: false, isDirectory: true, name: "home", fullPath: "/home",
+    isFile: false, isDirectory: true, name: "arms", fullPath: "/arms",
     createReader: () => ({ readEntries: kind === "file" ? entries : gone }),
   };
   const event = new Event("drop", { cancelable: true });
@@ -134,7 +134,7 @@ def test_a_file_that_is_gone_is_told(tab: Tab, tmp_path: Path) -> None:
     errors.wait_for(timeout=WAIT)
     assert re.fullmatch(r"two\.urdf it cannot be read \(NotReadableError\).*\. choose it again", errors.inner_text())
     assert not stale(tab)
-    for kind, name in (("file", "arm.urdf"), ("folder", "home")):
+    for kind, name in (("file", "arm.urdf"), ("folder", "arms")):
         tab.page.evaluate(GONE_ENTRY, kind)
         errors.filter(has_text=name).wait_for(timeout=WAIT)
         assert "NotFoundError" in errors.inner_text()

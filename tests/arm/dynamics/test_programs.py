@@ -4,7 +4,6 @@ from __future__ import annotations
 
 import ctypes
 import gc
-import shutil
 from dataclasses import replace
 from typing import Any
 
@@ -114,9 +113,8 @@ def test_order_can_be_run_and_leaves_out_what_nobody_needs(seed: int) -> None:
     assert all(index in results or any(index in values[k].args for k in order) for index in order)
 
 
+@pytest.mark.usefixtures("working_gcc")
 def test_c_does_all_operations() -> None:
-    if shutil.which("gcc") is None:
-        pytest.skip("no gcc on this machine")
     main = [
         Instruction("input", source=(0, 0)),
         Instruction("input", source=(0, 1)),
