@@ -90,6 +90,12 @@ def sliders(bench: Bench) -> Rows:
         ("of which the 3D picture, with the wait for it", lambda change: change.picture - change.curves),
     ):
         yield label, *(_ms([what(change) for change in runs]) for runs in found)
+    flat = [_in_browser(bench, name, lines=True) for name in names]
+    for label, what in (
+        ("without WebGL, drawn in lines: the model's answer is there", lambda change: change.answer),
+        ("without WebGL, drawn in lines: new curves and numbers", lambda change: change.curves),
+    ):
+        yield label, *(_ms([what(change) for change in runs]) for runs in flat)
 
 
 def _in_node(bench: Bench, name: str) -> list[dict[str, Any]]:
@@ -101,10 +107,10 @@ def _in_node(bench: Bench, name: str) -> list[dict[str, Any]]:
         return in_node(bundle, jobs, bench.folder)[2:]
 
 
-def _in_browser(bench: Bench, name: str) -> list[Any]:
+def _in_browser(bench: Bench, name: str, *, lines: bool = False) -> list[Any]:
     report = bench.report(name)
-    with progress(f"in Chromium: {ROBOTS[name][0]}"):
-        return changes(report, bench.count)
+    with progress(f"in Chromium{', without WebGL' if lines else ''}: {ROBOTS[name][0]}"):
+        return changes(report, bench.count, lines=lines)
 
 
 def modules(bench: Bench) -> Rows:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import shutil
 import time
-from collections.abc import Iterator
+from collections.abc import Iterator, Sequence
 from contextlib import contextmanager
 from pathlib import Path
 from typing import Any, NamedTuple
@@ -15,6 +15,9 @@ __all__ = ["Change", "Played", "changes", "played"]
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
 OPTIONS = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
+
+LINES = ("--no-sandbox", "--disable-gpu", "--disable-3d-apis")
+"""A browser without WebGL: the robot is drawn in lines, and no program that draws in 3D takes the processors."""
 
 WATCH = """
 window.answered = 0;
@@ -94,7 +97,7 @@ class Played(NamedTuple):
 
 
 @contextmanager
-def _opened(report: Path) -> Iterator[tuple[Any, float]]:
+def _opened(report: Path, options: Sequence[str] = OPTIONS) -> Iterator[tuple[Any, float]]:
     """The page and the seconds after which its first picture was there."""
     try:
         from playwright.sync_api import sync_playwright
@@ -104,7 +107,7 @@ def _opened(report: Path) -> Iterator[tuple[Any, float]]:
     if found is None:
         raise Missing(f"needs a browser: none of {', '.join(BROWSERS)} is installed")
     with sync_playwright() as engine:
-        browser = engine.chromium.launch(executable_path=found, args=list(OPTIONS))
+        browser = engine.chromium.launch(executable_path=found, args=list(options))
         page = browser.new_context(viewport={"width": 1280, "height": 800}).new_page()
         page.add_init_script(WATCH)
         began = time.perf_counter()
@@ -115,9 +118,9 @@ def _opened(report: Path) -> Iterator[tuple[Any, float]]:
         browser.close()
 
 
-def changes(report: Path, count: int, pause: float = 0.3) -> list[Change]:
+def changes(report: Path, count: int, *, lines: bool = False, pause: float = 0.3) -> list[Change]:
     """The first slider moved so often, each time when all is at rest; what is loaded at the first two is left out."""
-    with _opened(report) as (page, _):
+    with _opened(report, LINES if lines else OPTIONS) as (page, _):
         page.wait_for_selector(".sliders-panel [role=status]:text('Move a slider')", timeout=60_000)
         found = []
         for k in range(count + 2):
