@@ -17,38 +17,35 @@ export interface Lines {
 
 let given = new Float64Array(); // what a call is given: copied by it, and used again by the next one
 
-/** Coordinates, rates, accelerations and tip force [n, 21] to lines; parameters of the robot whose lines they are. */
-export function linesAt(engine: Engine, parameters: Float64Array, motion: Float64Array, stations: Float64Array): Lines {
-  const [count, points] = [motion.length / MOTION, stations.length];
-  if (given.length < count * points * (MOTION + 1)) given = new Float64Array(count * points * (MOTION + 1));
+/** Each of the rows [n, width] at every station: both as a call is given them, [n * S] and [n * S, width]. */
+function atEvery(stations: Float64Array, rows: Float64Array, width: number): Record<"station" | "each", Float64Array> {
+  const [count, points] = [rows.length / width, stations.length];
+  if (given.length < count * points * (width + 1)) given = new Float64Array(count * points * (width + 1));
   const station = given.subarray(0, count * points);
-  const repeated = given.subarray(station.length, station.length * (MOTION + 1));
+  const each = given.subarray(station.length, station.length * (width + 1));
   for (let k = 0; k < count; k += 1) {
     for (let s = 0; s < points; s += 1) {
       const row = k * points + s;
       station[row] = stations[s];
-      for (let j = 0; j < MOTION; j += 1) repeated[row * MOTION + j] = motion[k * MOTION + j];
+      for (let j = 0; j < width; j += 1) each[row * width + j] = rows[k * width + j];
     }
   }
-  const inputs = { station, motion: repeated };
-  const parts = [1, 2].map((mode) => engine.sample(`real.line${mode}`, parameters, inputs, count * points));
+  return { station, each };
+}
+
+/** Coordinates, rates, accelerations and tip force [n, 21] to lines; parameters of the robot whose lines they are. */
+export function linesAt(engine: Engine, parameters: Float64Array, motion: Float64Array, stations: Float64Array): Lines {
+  const { station, each } = atEvery(stations, motion, MOTION);
+  const inputs = { station, motion: each };
+  const parts = [1, 2].map((mode) => engine.sample(`real.line${mode}`, parameters, inputs, station.length));
   return { stations, motion, parts };
 }
 
 /** Where both lines are at coordinates [n, 6], whatever moves or loads them: [n, 2, S, 3] m. */
 export function placesAt(engine: Engine, parameters: Float64Array, phi: Float64Array, stations: Float64Array): Numbers {
   const [count, points] = [phi.length / COORDINATES, stations.length];
-  if (given.length < count * points * (COORDINATES + 1)) given = new Float64Array(count * points * (COORDINATES + 1));
-  const station = given.subarray(0, count * points);
-  const repeated = given.subarray(station.length, station.length * (COORDINATES + 1));
-  for (let k = 0; k < count; k += 1) {
-    for (let s = 0; s < points; s += 1) {
-      const row = k * points + s;
-      station[row] = stations[s];
-      for (let j = 0; j < COORDINATES; j += 1) repeated[row * COORDINATES + j] = phi[k * COORDINATES + j];
-    }
-  }
-  const { line } = engine.sample("real.places", parameters, { station, phi: repeated }, count * points);
+  const { station, each } = atEvery(stations, phi, COORDINATES);
+  const { line } = engine.sample("real.places", parameters, { station, phi: each }, station.length);
   const data = new Float64Array(line.length);
   for (let k = 0; k < count; k += 1) {
     for (let s = 0; s < points; s += 1) {

@@ -1,4 +1,4 @@
-/* tmodes, built from dc0f0ae3bdf35418; BSD-3-Clause */
+/* tmodes, built from 1c2942977f53b42d; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
