@@ -21,14 +21,14 @@ from pathlib import Path
 
 import numpy as np
 
-from tmodes.arm_model import ArmModel
 from tmodes.bench import peer_mujoco, peer_pinocchio
 from tmodes.bench.clock import now
 from tmodes.bench.missing import PeerMissing
 from tmodes.bench.rigid import RigidChain
-from tmodes.chain import Beam, BeamPiece, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Placement
-from tmodes.compile import kernels
-from tmodes.equations.arm.forward import forward_dynamics
+from tmodes.chain.chain import Beam, BeamPiece, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Placement
+from tmodes.compile.ir import kernels
+from tmodes.equations.recursion.forward import forward_dynamics
+from tmodes.model.model import ArmModel
 
 _SAMPLES = 2_000
 
@@ -87,9 +87,9 @@ class Arm:
 
 
 _COLD = """
-import time, casadi, llvmlite.binding, numpy, tmodes.arm_model, tmodes.evaluator, tmodes.compile.block
+import time, casadi, llvmlite.binding, numpy, tmodes.model.model, tmodes.model.evaluator, tmodes.compile.ir.block
 from benchmarks.arm import chain
-from tmodes.arm_model import ArmModel
+from tmodes.model.model import ArmModel
 import numpy as np
 model = ArmModel(chain({joints}))
 began = time.process_time()

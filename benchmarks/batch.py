@@ -23,18 +23,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmodes.batch.work import LaneNumbers
-from tmodes.chain import Body, Chain, Joint, JointKind, Node, Placement, RigidLink
-from tmodes.compile.lanes_loop import WIDTH
+from tmodes.chain.chain import Body, Chain, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.compile.native import processor
-from tmodes.equations.arm.closed_loop_plan import LoopPlan
+from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration
-from tmodes.mechanism import Drive
-from tmodes.model import Model
-from tmodes.motion.loop import LoopModel
-from tmodes.reference.schedule import Schedule
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
 from tmodes.robots import load_robot
-from tmodes.trajectory import integrate
+from tmodes.simulation.batch.work import LaneNumbers
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.trajectory import integrate
 
 _DURATIONS = {6: 1.0, 12: 0.5, 36: 0.3}
 _ALONE = 4

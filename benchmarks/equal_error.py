@@ -10,7 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 
 from tmodes.integrate.settings import Integration, Method
-from tmodes.trajectory import integrate
+from tmodes.simulation.trajectory import integrate
 
 from .peers import example
 

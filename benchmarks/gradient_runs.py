@@ -12,17 +12,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.io.arm_check import arm_data
-from tmodes.io.arm_paths import entered, steps_of
-from tmodes.io.arm_units import at
-from tmodes.robot import Robot
+from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_paths import entered, steps_of
+from tmodes.io.sheet_units import at
+from tmodes.paper.sheet import Robot
 from tmodes.robots import load_robot
 from tmodes.robots.load import load_sheet
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.functional import Functional, tracking_error
 from tmodes.sensitivity.lowering import lowered
 from tmodes.sensitivity.quantities import Quantities
-from tmodes.trajectory import integrate
+from tmodes.simulation.trajectory import integrate
 
 from .stiff_arm import stiff_arm
 

@@ -22,10 +22,10 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.arm_model import ArmModel
 from tmodes.bench.missing import PeerMissing
 from tmodes.bench.peer_pinocchio import model as peer_model
 from tmodes.bench.rigid import RigidChain
+from tmodes.model.model import ArmModel
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 
 from .gradient_runs import Case, cases

@@ -13,8 +13,8 @@ import numpy as np
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
-from tmodes.robot import Robot
-from tmodes.simulate import simulate
+from tmodes.paper.sheet import Robot
+from tmodes.paper.simulate import simulate
 
 from .page_node import in_node
 

@@ -14,7 +14,7 @@ import tempfile
 import time
 from typing import Any, NamedTuple
 
-from tmodes.arm import Arm
+from tmodes.sheet import Arm
 
 __all__ = ["Module", "module_of"]
 
@@ -40,8 +40,8 @@ def module_of(name: str, method: str) -> Module:
 
 def _made(sheet: Any, method: str) -> bytes:
     """The module, as a report of this robot's run holds it; equations and emission included."""
-    from tmodes.live.wasm_arm import ArmFunctions, arm_module
-    from tmodes.live.wasm_robot import robot_module
+    from tmodes.live.wasm_motion import ArmFunctions, arm_module
+    from tmodes.live.wasm_paper import robot_module
 
     if not isinstance(sheet, Arm):
         return robot_module(sheet.pair(), [method]).wasm

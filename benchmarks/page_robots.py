@@ -10,13 +10,13 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from tmodes.arm import Arm
-from tmodes.arm_result import assemble_arm
-from tmodes.motion.simulate import simulate_arm
-from tmodes.report.arm_write import write_arm_report
+from tmodes.paper.simulate import simulate
 from tmodes.report.write import write_report
+from tmodes.report.write_motion import write_arm_report
+from tmodes.result import assemble_arm
 from tmodes.robots.load import load_sheet
-from tmodes.simulate import simulate
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
 
 from .stiff_arm import stiff_arm
 

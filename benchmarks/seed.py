@@ -26,12 +26,12 @@ from typing import Any
 import numpy as np
 
 from tmodes.bench.missing import PeerMissing
-from tmodes.equations.closed_loop import closed_loop, rate_function
+from tmodes.equations.lagrange.closed_loop import closed_loop, rate_function
 from tmodes.integrate.settings import Integration, Method
-from tmodes.mechanism import Drive
-from tmodes.model import Model
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
 from tmodes.robots import load_robot
-from tmodes.trajectory import integrate
+from tmodes.simulation.trajectory import integrate
 
 from .equal_error import at_equal_error, tell
 from .peers import example
@@ -169,11 +169,11 @@ def _chain(run: Any) -> tuple[float, np.ndarray]:
 
 
 _COLD = """
-import time, casadi, llvmlite.binding, tmodes.compile.dormand_prince_loop, tmodes.compile.rk4_loop
+import time, casadi, llvmlite.binding, tmodes.compile.loops.dormand_prince_loop, tmodes.compile.loops.rk4_loop
 from tmodes.equations import closed_loop
 from tmodes.robots import load_robot
-from tmodes.mechanism import Drive
-from tmodes.model import Model
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
 mechanism, _ = load_robot("filipovic2010").split(Drive.CONTROLLED)
 began = time.perf_counter(); Model(mechanism).loops["dormand_prince"]; print(time.perf_counter() - began)
 """

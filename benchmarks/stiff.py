@@ -23,8 +23,8 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmodes.motion.regime import ArmRegime, arm_regime, run_arm_regime
-from tmodes.trajectory import Trajectory
+from tmodes.simulation.start import ArmRegime, arm_regime, run_arm_regime
+from tmodes.simulation.trajectory import Trajectory
 
 from .stiff_arm import stiff_arm
 

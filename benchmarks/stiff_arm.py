@@ -9,9 +9,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.analysis.equilibrium_arm import arm_rest
-from tmodes.arm import Arm
-from tmodes.arm_model import ArmModel
+from tmodes.analysis.statics.rest import arm_rest
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
 
 __all__ = ["DAMPING_TIME", "falling_arm", "stiff_arm"]
 

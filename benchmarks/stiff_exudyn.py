@@ -20,8 +20,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.motion.regime import ArmRegime, arm_regime, run_arm_regime
-from tmodes.motion.run import gathered
+from tmodes.simulation.motion_run import gathered
+from tmodes.simulation.start import ArmRegime, arm_regime, run_arm_regime
 
 from .peers.exudyn_beams import fall
 from .stiff_arm import falling_arm

@@ -12,8 +12,8 @@ from typing import Any, get_args
 import generated
 import tmodes
 from notation_words import COORDINATES, DERIVED, Row
-from tmodes.elements.quantity import DataSheet
-from tmodes.robot import Robot
+from tmodes.kinds.schema.quantity import DataSheet
+from tmodes.paper.sheet import Robot
 
 __all__ = ["page", "quantities", "variables"]
 

@@ -10,21 +10,21 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from tmodes.arm import Arm
-    from tmodes.arm_model import ArmModel
     from tmodes.errors import TmodesError
-    from tmodes.mechanism import Drive, Mechanism, Parameters, Reading
-    from tmodes.model import Model
-    from tmodes.motion.simulate import simulate_arm
+    from tmodes.model.model import ArmModel
     from tmodes.notebook import show
-    from tmodes.result import Result
-    from tmodes.robot import NominalRealPair, Robot
+    from tmodes.paper.mechanism import Drive, Mechanism, Parameters, Reading
+    from tmodes.paper.model import Model
+    from tmodes.paper.sheet import NominalRealPair, Robot
+    from tmodes.paper.simulate import simulate as run
+    from tmodes.result.record import Result
     from tmodes.robots import load_robot
     from tmodes.robots.load import load_sheet
     from tmodes.sensitivity.functional import Functional, tracking_error
     from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
-    from tmodes.simulate import simulate as run
-    from tmodes.vary.simulate import simulate_batch
+    from tmodes.sheet import Arm
+    from tmodes.simulation.simulate import simulate_arm
+    from tmodes.simulation.vary.simulate import simulate_batch
 
 __version__ = "0.1.0"
 
@@ -53,27 +53,27 @@ __all__ = [
 ]
 
 _HOMES = {
-    "Arm": "tmodes.arm.Arm",
-    "ArmModel": "tmodes.arm_model.ArmModel",
-    "Drive": "tmodes.mechanism.Drive",
+    "Arm": "tmodes.sheet.Arm",
+    "ArmModel": "tmodes.model.model.ArmModel",
+    "Drive": "tmodes.paper.mechanism.Drive",
     "Functional": "tmodes.sensitivity.functional.Functional",
-    "Mechanism": "tmodes.mechanism.Mechanism",
-    "Model": "tmodes.model.Model",
-    "NominalRealPair": "tmodes.robot.NominalRealPair",
-    "Parameters": "tmodes.mechanism.Parameters",
-    "Reading": "tmodes.mechanism.Reading",
-    "Result": "tmodes.result.Result",
-    "Robot": "tmodes.robot.Robot",
+    "Mechanism": "tmodes.paper.mechanism.Mechanism",
+    "Model": "tmodes.paper.model.Model",
+    "NominalRealPair": "tmodes.paper.sheet.NominalRealPair",
+    "Parameters": "tmodes.paper.mechanism.Parameters",
+    "Reading": "tmodes.paper.mechanism.Reading",
+    "Result": "tmodes.result.record.Result",
+    "Robot": "tmodes.paper.sheet.Robot",
     "TmodesError": "tmodes.errors.TmodesError",
     "adjoint_gradient": "tmodes.sensitivity.gradient.adjoint_gradient",
     "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",
     "load_robot": "tmodes.robots.load_robot",
     "load_sheet": "tmodes.robots.load.load_sheet",
     "show": "tmodes.notebook.show",
-    "simulate_arm": "tmodes.motion.simulate.simulate_arm",
-    "simulate_batch": "tmodes.vary.simulate.simulate_batch",
+    "simulate_arm": "tmodes.simulation.simulate.simulate_arm",
+    "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
     "tracking_error": "tmodes.sensitivity.functional.tracking_error",
-    "run": "tmodes.simulate.simulate",  # tmodes.simulate is the module, so its function has the command line's name
+    "run": "tmodes.paper.simulate.simulate",
 }
 
 

@@ -10,15 +10,15 @@ import os
 from pathlib import Path
 from typing import Any
 
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm
-from tmodes.arm_runs import movable_joints, ready_to_run
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
+from tmodes.paper.sheet import Robot
 from tmodes.report.data import live_page, page_data, robot_name
+from tmodes.report.folder_motion import movable_joints, ready_to_run
 from tmodes.report.viewer import viewer_document
-from tmodes.result import Result, RunRecord
-from tmodes.robot import Robot
+from tmodes.result import ArmResult, assemble_arm
+from tmodes.result.record import Result, RunRecord
+from tmodes.sheet import Arm
 
 __all__ = ["Shown", "rest_page", "show"]
 
@@ -96,10 +96,10 @@ def _standing(robot: Robot | Arm) -> Result | ArmResult:
     still = {"integration.duration": STILL, "integration.output_step": STILL, "integration.stop": []}
     still |= {"integration.method": "auto"}  # a fixed step may be longer than that
     if isinstance(robot, Robot):
-        from tmodes.simulate import simulate
+        from tmodes.paper.simulate import simulate
 
         return simulate(robot.with_(still))
-    from tmodes.motion.simulate import simulate_arm
+    from tmodes.simulation.simulate import simulate_arm
 
     arm = ready_to_run((robot if robot.drives else _held(robot)).with_(still))
     return assemble_arm(simulate_arm(arm), arm)

@@ -10,7 +10,7 @@ import numpy as np
 from numpy.random import Generator, default_rng
 from numpy.typing import NDArray
 
-from tmodes.chain import (
+from tmodes.chain.chain import (
     Beam,
     BeamPiece,
     Body,

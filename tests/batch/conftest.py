@@ -9,9 +9,9 @@ import numpy as np
 import pytest
 
 from tmodes.integrate.settings import Integration
-from tmodes.mechanism import Drive, Parameters
-from tmodes.model import Model
-from tmodes.reference.schedule import Schedule
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.paper.mechanism import Drive, Parameters
+from tmodes.paper.model import Model
 from tmodes.robots import load_robot
 
 

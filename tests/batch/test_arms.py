@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import ZERO, arm, pendulum, torque
-from tmodes.compile.gate import SHORTEST
+from tmodes.compile.loops.gate import SHORTEST
 from tmodes.integrate.settings import Method
-from tmodes.motion.loop import LoopNumbers
-from tmodes.motion.regime import arm_regime
-from tmodes.trajectory import integrate
+from tmodes.simulation.loop import LoopNumbers
+from tmodes.simulation.start import arm_regime
+from tmodes.simulation.trajectory import integrate
 
 SHORT = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
 
@@ -82,8 +82,8 @@ def test_pieces_are_not_seen_where_there_is_a_contact(bounce, monkeypatch):
     model, chosen = bounce.model, settings(bounce)
     given = (model.numbers.vector, bounce.planned.schedule, bounce.start, chosen)
     whole = model.simulate_batch(*given)
-    monkeypatch.setattr("tmodes.batch.lanes._FIRST_PIECE", 1)
-    monkeypatch.setattr("tmodes.batch.lanes._PIECE_SECONDS", 0.0)
+    monkeypatch.setattr("tmodes.simulation.batch.lanes._FIRST_PIECE", 1)
+    monkeypatch.setattr("tmodes.simulation.batch.lanes._PIECE_SECONDS", 0.0)
     assert model.simulate_batch(*given).states.tobytes() == whole.states.tobytes()
 
 
@@ -102,8 +102,8 @@ def test_stiff_arms_run_one_by_one(swing, threads):
 
 def test_a_lane_that_chatters_ends_by_itself(bounce, monkeypatch):
     """A contact that changes too often: told as a run by itself tells it; the others go on."""
-    monkeypatch.setattr("tmodes.native_run.MOST_EVENTS", 1)
-    monkeypatch.setattr("tmodes.native_run.EVENT_TIME", 10.0)
+    monkeypatch.setattr("tmodes.simulation.native_run.MOST_EVENTS", 1)
+    monkeypatch.setattr("tmodes.simulation.native_run.EVENT_TIME", 10.0)
     model, chosen = bounce.model, settings(bounce)
     starts = np.tile(bounce.start, (3, 1))
     starts[:, model.layout.v] = np.array([-1.0, 1.0, -2.0])[

@@ -9,11 +9,11 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.batch.simulate import prepare_loops
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Method
-from tmodes.mechanism import Parameters
-from tmodes.trajectory import integrate
+from tmodes.paper.mechanism import Parameters
+from tmodes.simulation.batch.simulate import prepare_loops
+from tmodes.simulation.trajectory import integrate
 
 
 def spoilt(seed, lane, name, value):

@@ -9,10 +9,10 @@ from pydantic import ValidationError
 import tmodes
 from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError
-from tmodes.motion.simulate import simulate_arm
-from tmodes.reference.signals_noise import Noise, normal_numbers
+from tmodes.kinds.signals.signals_noise import Noise, normal_numbers
+from tmodes.paper.simulate import simulate
 from tmodes.robots import load_robot
-from tmodes.simulate import simulate
+from tmodes.simulation.simulate import simulate_arm
 
 
 def noise(**more):

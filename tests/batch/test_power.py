@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 from llvmlite import ir
 
-from tmodes.compile.arithmetic import Lanes
-from tmodes.compile.emit import POINTER, VOID, declare
-from tmodes.compile.lanes_power import exponential, logarithm
+from tmodes.compile.ir.arithmetic import Lanes
+from tmodes.compile.ir.emit import POINTER, VOID, declare
+from tmodes.compile.lanes.lanes_power import exponential, logarithm
+from tmodes.compile.lanes.wide import Wide
 from tmodes.compile.native import Library, to_object
-from tmodes.compile.wide import Wide
 
 
 @pytest.fixture(scope="module", params=[Lanes, Wide])

@@ -10,11 +10,11 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmodes.batch.store import load_batch
 from tmodes.integrate.settings import Method
-from tmodes.mechanism import Parameters
-from tmodes.reference.schedule import Schedule
-from tmodes.trajectory import integrate
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.paper.mechanism import Parameters
+from tmodes.simulation.batch.store import load_batch
+from tmodes.simulation.trajectory import integrate
 
 
 def alone(seed, numbers, schedule=None, start=None, settings=None):
@@ -54,8 +54,10 @@ def test_bytes_do_not_depend_on_the_company(seed, method, lanes, threads):
 def test_bytes_do_not_depend_on_the_pieces(seed, monkeypatch):
     """How often the loop is called is not seen in its result."""
     whole = seed.run()
-    monkeypatch.setattr("tmodes.batch.lanes._FIRST_PIECE", 3)
-    monkeypatch.setattr("tmodes.batch.lanes._PIECE_SECONDS", 0.0)  # as on a machine so busy that each step takes long
+    monkeypatch.setattr("tmodes.simulation.batch.lanes._FIRST_PIECE", 3)
+    monkeypatch.setattr(
+        "tmodes.simulation.batch.lanes._PIECE_SECONDS", 0.0
+    )  # as on a machine so busy that each step takes long
     assert seed.run().states.tobytes() == whole.states.tobytes()
 
 
@@ -64,12 +66,12 @@ import sys
 import llvmlite.binding as llvm
 asked = llvm.get_host_cpu_features
 llvm.get_host_cpu_features = lambda: {"avx512f": False}
-from tmodes.compile.wide import Wide
+from tmodes.compile.lanes.wide import Wide
 llvm.get_host_cpu_features = asked
 assert Wide.stride == 4
 import numpy as np
-from tmodes.mechanism import Drive
-from tmodes.model import Model
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
 from tmodes.robots import load_robot
 robot = load_robot("filipovic2010")
 model = Model(robot.split(Drive.CONTROLLED)[0])

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.batch.lanes import spans
-from tmodes.batch.memory import LINE, private
-from tmodes.batch.work import Work, inputs
-from tmodes.batch.workers import thread_count
-from tmodes.compile.lanes_loop import WIDTH
+from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Method
-from tmodes.reference.schedule import Schedule
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.lanes import spans
+from tmodes.simulation.batch.memory import LINE, private
+from tmodes.simulation.batch.work import Work, inputs
+from tmodes.simulation.batch.workers import thread_count
 
 
 def work_of(seed, lanes, method):
@@ -51,7 +51,7 @@ def test_one_room_for_many_groups(seed, method, monkeypatch):
         given = (many, moved, starts, settings)
         short = seed.model.simulate_batch(*given, threads=2)
         with monkeypatch.context() as patch:
-            patch.setattr("tmodes.batch.lanes._SPANS", 1)
+            patch.setattr("tmodes.simulation.batch.lanes._SPANS", 1)
             long = seed.model.simulate_batch(*given, threads=1)
         assert long.states.tobytes() == short.states.tobytes()
         assert (long.status, long.message) == (short.status, short.message)

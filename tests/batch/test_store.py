@@ -13,9 +13,9 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmodes.batch.store import load_batch, room_for
 from tmodes.errors import InputError, ResultFileError
-from tmodes.reference.schedule import Schedule
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.store import load_batch, room_for
 
 
 def test_the_folder_holds_the_same_batch(seed, tmp_path):
@@ -65,8 +65,8 @@ def test_a_progress_that_fails_leaves_nothing(seed, tmp_path):
 
 KILLED = """
 import os, signal, sys
-from tmodes.mechanism import Drive
-from tmodes.model import Model
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
 from tmodes.robots import load_robot
 robot = load_robot("filipovic2010")
 mechanism, parameters = robot.split(Drive.CONTROLLED)
@@ -150,7 +150,7 @@ def test_a_disk_that_fills_up_meanwhile_is_told_before_anything_runs(seed, tmp_p
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "posix_fallocate", full, raising=False)
-    monkeypatch.setattr("tmodes.batch.simulate.run_all", lambda *_: pytest.fail("it runs"))
+    monkeypatch.setattr("tmodes.simulation.batch.simulate.run_all", lambda *_: pytest.fail("it runs"))
     with pytest.raises(ResultFileError, match="No space left on device"):
         seed.run(out=tmp_path)
     assert list(tmp_path.iterdir()) == []

@@ -9,11 +9,11 @@ import pytest
 
 import tmodes
 from arm.run.sheets import pendulum, torque
-from tmodes.batch.store import load_batch
 from tmodes.errors import InputError, InputErrors, TmodesError
-from tmodes.mechanism import Drive
-from tmodes.motion.simulate import simulate_arm
-from tmodes.regime import run_regime
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.regime import run_regime
+from tmodes.simulation.batch.store import load_batch
+from tmodes.simulation.simulate import simulate_arm
 
 SHORT = {"integration.duration": 0.02, "integration.output_step": 1e-3}
 

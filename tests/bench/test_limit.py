@@ -7,8 +7,8 @@ import numpy as np
 import pytest
 
 from tmodes.bench.limit import critical_path, machine, throughput
-from tmodes.compile.latency import BODY, OPERATIONS, chains
-from tmodes.compile.program import straight_line
+from tmodes.compile.ir.latency import BODY, OPERATIONS, chains
+from tmodes.compile.ir.program import straight_line
 
 LATENCY = {"add": 2.0, "mul": 3.0, "div": 10.0, "sqrt": 20.0, "sin": 50.0, "fma": 4.0}
 COST = {"add": 0.5, "mul": 0.5, "div": 5.0, "sqrt": 8.0, "sin": 20.0, "fma": 0.5, "mixed": 0.5}

@@ -9,9 +9,9 @@ import sys
 import numpy as np
 import pytest
 
-from tmodes.batch.store import load_batch
 from tmodes.cli.main import main
-from tmodes.vary.study import drawn, grid
+from tmodes.simulation.batch.store import load_batch
+from tmodes.simulation.vary.study import drawn, grid
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "batch", "filipovic2010", "--duration", "0.02"]
 
@@ -79,7 +79,7 @@ WRONG = {
 @pytest.mark.parametrize("told", list(WRONG))
 def test_wrong_lines_are_refused(told, monkeypatch, capsys):
     """Before anything runs."""
-    monkeypatch.setattr("tmodes.vary.simulate.run_all", lambda *_: pytest.fail("it runs"))
+    monkeypatch.setattr("tmodes.simulation.vary.simulate.run_all", lambda *_: pytest.fail("it runs"))
     monkeypatch.setattr(sys, "argv", ["tmodes", *COMMAND[3:], *WRONG[told]])
     with pytest.raises(SystemExit) as ended:
         main()
@@ -124,7 +124,7 @@ def test_a_longer_draw_begins_with_the_shorter_one():
 
 def test_a_folder_that_is_taken_is_refused_before_anything_runs(tmp_path, monkeypatch, capsys):
     (tmp_path / "batch.json").write_text("{}")
-    monkeypatch.setattr("tmodes.vary.simulate.run_all", lambda *_: pytest.fail("it runs"))
+    monkeypatch.setattr("tmodes.simulation.vary.simulate.run_all", lambda *_: pytest.fail("it runs"))
     monkeypatch.setattr(sys, "argv", ["tmodes", *COMMAND[3:], "--vary", "gravity=9:10:2", "--out", str(tmp_path)])
     with pytest.raises(SystemExit) as ended:
         main()

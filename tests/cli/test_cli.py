@@ -82,7 +82,7 @@ def test_a_run_that_diverges(tmp_path):
     done = tmodes("run", "filipovic2010", *stiff, "--out", tmp_path, code=3)
     for word in ("diverged at t = ", "coordinate", "dt*omega"):
         assert word in done.stderr
-    from tmodes.result import Result
+    from tmodes.result.record import Result
 
     kept = Result.load(tmp_path / "result.nc")
     assert kept.status == "diverged"
@@ -189,7 +189,7 @@ SHORTER = LONG | {"integration.duration": "6000", "reference.duration": "6000"}
 
 def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
     """Ctrl-C, early and late: exit 130, a marked result; the same command then ends as if nobody had pressed it."""
-    from tmodes.result import Result
+    from tmodes.result.record import Result
 
     line = ["run", "filipovic2010", "--no-figures", *settings(SHORTER)]
     for stage in ("prescribed", "controlled"):

@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from tmodes.result import Result
+from tmodes.result.record import Result
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 SHORT = ["--duration", "0.2", "--no-contact", "--no-figures"]

@@ -13,10 +13,10 @@ import pytest
 
 from arm.see.runs import NASTY, result_of
 from result.synthetic import synthetic_result
-from tmodes.arm_result import ArmResult
 from tmodes.cli.series import first_series, series_of_result
 from tmodes.cli.sparkline import ASCII, BLOCKS, sparkline, steps_for
-from tmodes.result import Result
+from tmodes.result import ArmResult
+from tmodes.result.record import Result
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "show"]
 

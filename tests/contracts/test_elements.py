@@ -8,9 +8,9 @@ from hypothesis import given
 from hypothesis import strategies as st
 
 from oracle.parameters import random_parameters, random_state
-from tmodes.contact.environment import FrictionLaw
-from tmodes.mechanism import Drive, Mechanism, Parameters, Reading
-from tmodes.model import Model
+from tmodes.paper.environment import FrictionLaw
+from tmodes.paper.mechanism import Drive, Mechanism, Parameters, Reading
+from tmodes.paper.model import Model
 from tmodes.robots import load_robot
 
 READINGS = list(Reading)

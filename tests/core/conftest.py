@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import pytest
 
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 from tmodes.robots import load_robot
 
 

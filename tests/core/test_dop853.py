@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scipy.integrate import DOP853, solve_ivp
 
-from tmodes.compile.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
+from tmodes.compile.loops.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 from tmodes.integrate.settings import Integration, Method
-from tmodes.mechanism import Drive
-from tmodes.model import Model
-from tmodes.reference.schedule import Schedule
-from tmodes.trajectory import integrate
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
+from tmodes.simulation.trajectory import integrate
 
 STILL = Schedule(np.array([0.0, 10.0]), np.zeros((1, 3)))
 

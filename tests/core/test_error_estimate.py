@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.mechanism import Drive
-from tmodes.regime import run_regime
-from tmodes.simulate import simulate
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.regime import run_regime
+from tmodes.paper.simulate import simulate
 
 TIGHT = {"relative_tolerance": 1e-13, "absolute_tolerance": 1e-16}
 
@@ -71,8 +71,8 @@ def test_no_estimate_from_a_run_that_is_lost(robot):
 
 def test_estimate_interrupted(robot):
     """Ctrl-C in the second run: the run counts as interrupted, so that the same command goes on."""
-    from tmodes.error_estimate import with_error
-    from tmodes.trajectory import Trajectory
+    from tmodes.simulation.error_estimate import with_error
+    from tmodes.simulation.trajectory import Trajectory
 
     done = Trajectory(np.zeros(1), np.zeros((1, 2)), "finished", "reached the end")
     cut = Trajectory(np.zeros(1), np.zeros((1, 2)), "interrupted", "interrupted")

@@ -7,14 +7,14 @@ import itertools
 import numpy as np
 import pytest
 
-from tmodes.contact.environment import FrictionLaw
-from tmodes.equations.implicit_step import implicit_rate_function
+from tmodes.equations.lagrange.implicit_step import implicit_rate_function
 from tmodes.errors import InputErrors
-from tmodes.mechanism import Drive, Mechanism, Reading
-from tmodes.model import Model
-from tmodes.model_loops import rate_of
-from tmodes.reference.schedule import Schedule
-from tmodes.simulate import simulate
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.paper.environment import FrictionLaw
+from tmodes.paper.mechanism import Drive, Mechanism, Reading
+from tmodes.paper.model import Model
+from tmodes.paper.model_loops import rate_of
+from tmodes.paper.simulate import simulate
 
 from .test_integrators import LOSSLESS, plucked, run, slope
 

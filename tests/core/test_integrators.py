@@ -6,12 +6,12 @@ import numpy as np
 import pytest
 from scipy.integrate import RK45, solve_ivp
 
-from tmodes.compile.dormand_prince_loop import B_ERROR, DENSE, A, C
+from tmodes.compile.loops.dormand_prince_loop import B_ERROR, DENSE, A, C
 from tmodes.integrate.settings import Method
-from tmodes.mechanism import Drive, Reading
-from tmodes.model import Model
-from tmodes.reference.schedule import Schedule
-from tmodes.trajectory import integrate, sample_times
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.paper.mechanism import Drive, Reading
+from tmodes.paper.model import Model
+from tmodes.simulation.trajectory import integrate, sample_times
 
 LOSSLESS = {
     "motor.friction": 0.0, "gear.damping": 0.0, "link.modes.0.damping_time": 0.0, "link.modes.1.damping_time": 0.0,
@@ -100,8 +100,8 @@ def test_energy_without_losses(robot, reading, method, order):
 def test_chunks_change_no_bit(robot, monkeypatch, method):
     """However the loop is cut into calls, the samples are the same bytes."""
     whole = run(robot, duration=0.7, method=method)
-    monkeypatch.setattr("tmodes.trajectory._FIRST_PIECE", 7)
-    monkeypatch.setattr("tmodes.trajectory._PIECE_SECONDS", 1e-5)
+    monkeypatch.setattr("tmodes.simulation.trajectory._FIRST_PIECE", 7)
+    monkeypatch.setattr("tmodes.simulation.trajectory._PIECE_SECONDS", 1e-5)
     assert run(robot, duration=0.7, method=method).states.tobytes() == whole.states.tobytes()
 
 

@@ -7,9 +7,9 @@ import mpmath
 import numpy as np
 import pytest
 
-from tmodes.compile import kernels
-from tmodes.equations.arm.kernel import Kernel
-from tmodes.equations.arm.schedule import Schedule
+from tmodes.compile.ir import kernels
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Schedule
 
 TURN = Kernel("test turn", (1,), (2,), lambda x: [[ca.sin(x[0]), ca.cos(x[0])]])
 

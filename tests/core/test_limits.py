@@ -8,17 +8,17 @@ import numpy as np
 import pytest
 
 from io_cases import bad_numbers
-from tmodes.analysis.modes import MotorState, Spectrum, all_modes, vibration_modes
 from tmodes.analysis.stability import step_size_verdict, step_times_eigenvalue
 from tmodes.analysis.validity import jam_warnings
-from tmodes.equations.coordinates import deformations
+from tmodes.equations.lagrange.coordinates import deformations
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.integrate.settings import Integration, Method
-from tmodes.mechanism import Drive
-from tmodes.model import Model
-from tmodes.regime import run_regime
-from tmodes.robot import NominalRealPair, Robot
-from tmodes.simulate import simulate
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
+from tmodes.paper.modes import MotorState, Spectrum, all_modes, vibration_modes
+from tmodes.paper.regime import run_regime
+from tmodes.paper.sheet import NominalRealPair, Robot
+from tmodes.paper.simulate import simulate
 
 RIGID = {
     "gear": {"gear.stiffness": math.inf},

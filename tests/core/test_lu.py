@@ -8,8 +8,8 @@ import numpy as np
 import pytest
 from llvmlite import ir
 
-from tmodes.compile.emit import POINTER, VOID, declare
-from tmodes.compile.lu import lu_functions
+from tmodes.compile.ir.emit import POINTER, VOID, declare
+from tmodes.compile.ir.lu import lu_functions
 from tmodes.compile.native import Library, to_object
 
 

@@ -7,13 +7,14 @@ import mpmath
 import numpy as np
 import pytest
 
-from tmodes.compile import cache, kernels
-from tmodes.compile.program import straight_line
-from tmodes.equations.closed_loop import closed_loop, observe_function, rate_function
-from tmodes.equations.symbols import symbolic_robot
+from tmodes.compile import cache
+from tmodes.compile.ir import kernels
+from tmodes.compile.ir.program import straight_line
+from tmodes.equations.lagrange.closed_loop import closed_loop, observe_function, rate_function
+from tmodes.equations.lagrange.symbols import symbolic_robot
 from tmodes.errors import CompileError, ResultFileError
-from tmodes.mechanism import Drive, Parameters
-from tmodes.model import Model
+from tmodes.paper.mechanism import Drive, Parameters
+from tmodes.paper.model import Model
 
 
 def sampled(function, *inputs, parameters=(1.0,)):

@@ -10,17 +10,17 @@ import numpy as np
 import pytest
 
 from tmodes.errors import InputError, InputErrors, SimulationError
-from tmodes.io.arm_write import arm_to_yaml
 from tmodes.io.paths import parse_assignment
+from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.io.write import robot_to_yaml
-from tmodes.mechanism import Drive
-from tmodes.model import Model
-from tmodes.quantities import robot_quantities, robot_stops
-from tmodes.regime import run_regime
-from tmodes.result import Result
-from tmodes.robot import Robot
-from tmodes.simulate import simulate
-from tmodes.stops import Instants
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
+from tmodes.paper.quantities import robot_quantities, robot_stops
+from tmodes.paper.regime import run_regime
+from tmodes.paper.sheet import Robot
+from tmodes.paper.simulate import simulate
+from tmodes.result.record import Result
+from tmodes.simulation.stops import Instants
 
 SHORT = {"integration.duration": 0.6, "integration.output_step": 0.01}
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
@@ -99,7 +99,7 @@ def test_conditions_are_written_and_read_back(name, tmp_path):
 
 def test_batches_refuse_conditions(robot):
     """They are not silently ignored."""
-    from tmodes.vary.simulate import simulate_batch
+    from tmodes.simulation.vary.simulate import simulate_batch
 
     sheet = robot.with_({**SHORT, "integration.stop": ["tip.z < 0"]})
     with pytest.raises(InputError, match=r"integration.stop: .*all lanes of a batch run to the end"):

@@ -10,9 +10,9 @@ import pytest
 from numpy.typing import NDArray
 
 from arm.random_chains import random_chain, random_state
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, RigidLink, Segment
+from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, RigidLink, Segment
 from tmodes.errors import InputError, SimulationError
+from tmodes.model.model import ArmModel
 
 Array = NDArray[np.float64]
 

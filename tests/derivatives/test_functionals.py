@@ -11,16 +11,16 @@ import pytest
 from numpy.typing import NDArray
 
 from derivatives.test_runs import SQUARES, bending_arm, loaded_arm
-from tmodes.arm import Arm
 from tmodes.errors import InputError
-from tmodes.io.arm_check import arm_data
-from tmodes.io.arm_paths import steps_of
-from tmodes.robot import Robot
+from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_paths import steps_of
+from tmodes.paper.sheet import Robot
 from tmodes.robots import load_robot
 from tmodes.sensitivity.differences import replaced
 from tmodes.sensitivity.functional import Functional, tracking_error
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.sensitivity.lowering import lowered
+from tmodes.sheet import Arm
 
 Array = NDArray[np.float64]
 

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.compile.replay_methods import METHODS
+from tmodes.compile.replay.replay_methods import METHODS
 from tmodes.integrate.settings import Method
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "derivatives.md").read_text(encoding="utf-8")

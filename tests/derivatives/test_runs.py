@@ -10,16 +10,16 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
-from tmodes.arm import Arm
 from tmodes.errors import InputError, SimulationError
-from tmodes.recording import record
-from tmodes.replay import Replay
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 from tmodes.robots import load_robot
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.sensitivity.lowering import Lowered, lowered
+from tmodes.sheet import Arm
+from tmodes.simulation.recording import record
+from tmodes.simulation.replay import Replay
 
 Array = NDArray[np.float64]
 

@@ -9,13 +9,14 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Body, Chain, Drive, Gear, Joint, JointKind, Motor, Node, Placement, RigidLink
-from tmodes.compile import kernels, loops
+from tmodes.chain.chain import Body, Chain, Drive, Gear, Joint, JointKind, Motor, Node, Placement, RigidLink
+from tmodes.compile.ir import kernels
+from tmodes.compile.loops import loops
 from tmodes.integrate.settings import Integration, Method
-from tmodes.mechanism import Parameters
-from tmodes.reference.schedule import Schedule
-from tmodes.trajectory import integrate
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.model.model import ArmModel
+from tmodes.paper.mechanism import Parameters
+from tmodes.simulation.trajectory import integrate
 
 from .scale import memory, often
 

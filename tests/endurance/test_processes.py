@@ -18,7 +18,7 @@ COMPILE = """
 import sys
 import numpy as np
 from tmodes.bench.rigid import RigidChain
-from tmodes.arm_model import ArmModel
+from tmodes.model.model import ArmModel
 sys.stdin.readline()
 print(ArmModel(RigidChain(2).chain()).forward_dynamics([0.1, 0.2], [0.3, 0.4]).tobytes().hex())
 """

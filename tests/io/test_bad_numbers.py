@@ -10,7 +10,7 @@ from io_cases import SHEET, Case, bad_numbers, line_of, number_paths
 from tmodes.errors import InputErrors
 from tmodes.io.check import robot_from_data
 from tmodes.io.yaml_file import parse_yaml
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 
 CASES = list(bad_numbers())
 WRONG_EVERYWHERE = ["nan", "minus infinite", "text", "comma", "empty", "bool", "list", "group", "huge", "overflow"]

@@ -13,7 +13,7 @@ from io_cases import SHEET, line_of
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.check import changed_robot, robot_from_data
 from tmodes.io.yaml_file import parse_yaml
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 
 
 def sheet(*changes: str) -> str:

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from tmodes.arm import Arm
+from tmodes.sheet import Arm
 
 __all__ = ["chain"]
 

@@ -8,8 +8,6 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm
 from tmodes.io.primitives import box
 from tmodes.io.urdf_shapes import LinkShape
 from tmodes.io.yaml_file import parse_yaml
@@ -17,12 +15,14 @@ from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import arm_numbers, whole_moves
 from tmodes.live.surface import surface_numbers, surface_told
-from tmodes.motion.plan import Follow
-from tmodes.motion.simulate import simulate_arm
 from tmodes.report.meshes import with_shapes
 from tmodes.report.pack import pack
-from tmodes.report.scene_arm import arm_scene
+from tmodes.report.scene_chain import arm_scene
+from tmodes.result import ArmResult, assemble_arm
 from tmodes.robots.load import load_sheet
+from tmodes.sheet import Arm
+from tmodes.simulation.plan import Follow
+from tmodes.simulation.simulate import simulate_arm
 
 from .chain import chain
 from .node import live_in_node, worst_difference

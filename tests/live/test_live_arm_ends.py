@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import landing
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
-from tmodes.motion.simulate import simulate_arm
-from tmodes.report.charts import charts_of
+from tmodes.report.chart_list import charts_of
+from tmodes.result import ArmResult, assemble_arm
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
 
 from .chain import chain
 from .node import live_in_node, worst_difference

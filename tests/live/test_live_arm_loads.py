@@ -8,14 +8,14 @@ from typing import Any, NamedTuple
 import numpy as np
 import pytest
 
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm
-from tmodes.live.arm_loads import evenly, load_places
 from tmodes.live.bundle import live_bundle
+from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import live_map
-from tmodes.motion.simulate import simulate_arm
-from tmodes.report.arm_facts import arm_facts
-from tmodes.report.scene_arm import arm_line_panel, arm_scene
+from tmodes.report.facts_motion import arm_facts
+from tmodes.report.scene_chain import arm_line_panel, arm_scene
+from tmodes.result import ArmResult, assemble_arm
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
 
 from .node import live_in_node
 

@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
-from tmodes.motion.simulate import simulate_arm
 from tmodes.report.facts import frequency_facts
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.spectra import own_frequencies
+from tmodes.result import ArmResult, assemble_arm
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
 
 from .node import live_in_node
 from .same_modes import SHAPE, assert_same_modes

@@ -8,12 +8,12 @@ from typing import Any
 
 import pytest
 
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
 from tmodes.live.numbers import has_reference
-from tmodes.motion.simulate import simulate_arm
+from tmodes.result import ArmResult, assemble_arm
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
 from tmodes.studio.sliders import told_sliders
 
 from .chain import chain
@@ -72,7 +72,7 @@ def test_what_is_known_of_such_an_arm_keeps_its_sliders(tmp_path: Path) -> None:
 
 def test_the_studio_offers_them_all_the_same() -> None:
     """It runs natively, where a factor makes a reference run."""
-    from tmodes.io.arm_check import arm_data
+    from tmodes.io.sheet_check import arm_data
 
     arm = pushed()
     told = told_sliders(arm, json.loads(json.dumps(arm_data(arm))))

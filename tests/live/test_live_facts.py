@@ -10,10 +10,10 @@ import pytest
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
+from tmodes.paper.sheet import Robot
+from tmodes.paper.simulate import simulate
 from tmodes.report.data import page_data
-from tmodes.robot import Robot
 from tmodes.robots.load import load_sheet
-from tmodes.simulate import simulate
 
 from .node import live_in_node
 

@@ -12,10 +12,10 @@ import numpy as np
 import pytest
 
 from tmodes.live.bundle import live_bundle
+from tmodes.paper.sheet import Robot
+from tmodes.paper.simulate import simulate
 from tmodes.report.pack import embedded, pack
-from tmodes.robot import Robot
 from tmodes.robots.load import load_sheet
-from tmodes.simulate import simulate
 
 from .node import built_page, worst_difference
 

@@ -9,17 +9,17 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.equations.coordinates import basis
+from tmodes.equations.lagrange.coordinates import basis
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
+from tmodes.paper.sheet import Robot
+from tmodes.paper.simulate import simulate
 from tmodes.report.pack import pack
-from tmodes.report.scene_robot import line_at
+from tmodes.report.scene_paper import line_at
 from tmodes.report.spectra import robot_spectra
-from tmodes.result import Result
-from tmodes.robot import Robot
+from tmodes.result.record import Result
 from tmodes.robots.load import load_sheet
-from tmodes.simulate import simulate
 
 from .node import live_in_node, worst_difference
 

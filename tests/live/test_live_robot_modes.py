@@ -10,13 +10,13 @@ import pytest
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
+from tmodes.paper.sheet import Robot
+from tmodes.paper.simulate import simulate
 from tmodes.report.facts import frequency_facts
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.spectra import robot_spectra
-from tmodes.result import Result
-from tmodes.robot import Robot
+from tmodes.result.record import Result
 from tmodes.robots.load import load_sheet
-from tmodes.simulate import simulate
 
 from .node import live_in_node, worst_difference
 from .same_modes import SHAPE, assert_same_modes

@@ -5,14 +5,14 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.arm import Arm
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import arm_numbers, robot_numbers, whole, whole_moves
 from tmodes.live.sliders import MOST
-from tmodes.mechanism import Drive
-from tmodes.motion.plan import Follow
-from tmodes.robot import Robot
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.sheet import Robot
 from tmodes.robots.load import load_sheet
+from tmodes.sheet import Arm
+from tmodes.simulation.plan import Follow
 
 from .chain import chain
 

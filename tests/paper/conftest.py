@@ -7,8 +7,8 @@ from collections.abc import Callable, Mapping
 import numpy as np
 import pytest
 
-from tmodes.mechanism import Parameters
-from tmodes.robot import Robot
+from tmodes.paper.mechanism import Parameters
+from tmodes.paper.sheet import Robot
 from tmodes.robots import load_robot
 
 PATHS = {

@@ -5,8 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.analysis.modes import MotorState, vibration_modes
-from tmodes.simulate import simulate
+from tmodes.paper.modes import MotorState, vibration_modes
+from tmodes.paper.simulate import simulate
 
 
 @pytest.fixture(scope="module")

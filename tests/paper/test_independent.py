@@ -8,10 +8,10 @@ import pytest
 from oracle.oracle import contact_map, oracle
 from oracle.parameters import with_equivalents
 from paper.conftest import PATHS
-from tmodes.analysis.modes import MotorState, vibration_modes
-from tmodes.mechanism import Drive, Reading
-from tmodes.regime import run_regime
-from tmodes.simulate import simulate
+from tmodes.paper.mechanism import Drive, Reading
+from tmodes.paper.modes import MotorState, vibration_modes
+from tmodes.paper.regime import run_regime
+from tmodes.paper.simulate import simulate
 
 FINE = {
     "integration.duration": 0.6, "integration.output_step": 1e-4,

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.equations.coordinates import deformations
-from tmodes.mechanism import Drive
-from tmodes.model import Model
+from tmodes.equations.lagrange.coordinates import deformations
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
 
 PHI = np.array([0.302, 0.012, 0.3, -0.004, -0.02, 0.29])
 PHID = np.array([0.5, -0.2, 0.45, 0.05, -0.1, 0.6])

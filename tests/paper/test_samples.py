@@ -10,9 +10,9 @@ import pytest
 
 from oracle.oracle import oracle
 from oracle.parameters import random_parameters, random_state
-from tmodes.contact.environment import FrictionLaw
-from tmodes.mechanism import Drive, Mechanism, Reading
-from tmodes.model import Model
+from tmodes.paper.environment import FrictionLaw
+from tmodes.paper.mechanism import Drive, Mechanism, Reading
+from tmodes.paper.model import Model
 
 STATES = json.loads((Path(__file__).parents[1] / "oracle/reference_states.json").read_text())
 CASES = [(reading, kind) for reading in ("printed", "consistent") for kind in ("free", "contact")]

@@ -7,11 +7,11 @@ import pytest
 from scipy.integrate import quad
 
 from tmodes.analysis.inverse import coordinate_rates
-from tmodes.contact.environment import DynamicEnvironment
-from tmodes.elements.mode import FlexibleMode, shape_deflection
 from tmodes.integrate.settings import Integration
-from tmodes.mechanism import Drive, Reading
-from tmodes.model import Model
+from tmodes.paper.environment import DynamicEnvironment
+from tmodes.paper.mechanism import Drive, Reading
+from tmodes.paper.mode import FlexibleMode, shape_deflection
+from tmodes.paper.model import Model
 
 PHI = np.array([0.3, -0.2, 0.25, 0.15, -0.1, 0.2])
 PHID = np.array([0.5, -1.0, 0.7, 0.3, -0.4, 0.6])

@@ -6,13 +6,13 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from tmodes.control.local_pd import LocalPD
-from tmodes.elements.mode import FlexibleMode, shape_angle, shape_deflection, shape_slope
-from tmodes.equations.coordinates import basis, deformation_basis, deformations
-from tmodes.equations.energy import energies
-from tmodes.equations.kinematics import chord_slopes, line_point, tip
-from tmodes.mechanism import Drive, Mechanism, Reading
-from tmodes.model import Model
+from tmodes.equations.lagrange.coordinates import basis, deformation_basis, deformations
+from tmodes.equations.lagrange.energy import energies
+from tmodes.equations.lagrange.kinematics import chord_slopes, line_point, tip
+from tmodes.paper.local_pd import LocalPD
+from tmodes.paper.mechanism import Drive, Mechanism, Reading
+from tmodes.paper.mode import FlexibleMode, shape_angle, shape_deflection, shape_slope
+from tmodes.paper.model import Model
 
 PHI = np.array([0.3, -0.2, 0.25, 0.15, -0.1, 0.2])
 PHID = np.array([0.5, -1.0, 0.7, 0.3, -0.4, 0.6])

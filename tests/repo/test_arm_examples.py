@@ -8,9 +8,9 @@ from pathlib import Path
 
 import pytest
 
-from tmodes.arm import Arm
 from tmodes.robots.load import load_sheet
 from tmodes.robots.packages import installed_models
+from tmodes.sheet import Arm
 
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "arms.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```yaml\n(.*?)^```$", GUIDE, re.MULTILINE | re.DOTALL)

@@ -10,7 +10,7 @@ import pytest
 
 from links import broken_links, pages
 from notation_doc import quantities
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 
 ROOT = Path(__file__).resolve().parents[2]
 

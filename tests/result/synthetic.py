@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.result import Result
+from tmodes.result.record import Result
 
 COORDINATES = ("q", "delta", "gamma", "vt", "e", "theta")
 DEFORMATIONS = ("th11q", "th12d", "th11m", "th12e", "xi")

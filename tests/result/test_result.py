@@ -11,7 +11,7 @@ import pytest
 from result.synthetic import ROBOT, synthetic_result
 from tmodes.errors import InputError, ResultFileError
 from tmodes.io.resultfile import write_sealed
-from tmodes.result import Result
+from tmodes.result.record import Result
 
 
 @pytest.fixture(scope="module")

@@ -14,7 +14,7 @@ from see.looking import OPTIONS
 from tmodes.plot import drawings
 from tmodes.plot.save import Drawing
 from tmodes.report import write_report
-from tmodes.result import Result
+from tmodes.result.record import Result
 
 NASTY = """<script>alert("1")</script> & 'x' <img src=x onerror=alert(2)> ]]> --> &amp; {braces} %s"""
 """A text that breaks pages that do not escape."""

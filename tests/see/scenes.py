@@ -6,9 +6,9 @@ from functools import cache
 
 from arm.see.runs import QUINTIC, sheet, tube
 from tmodes import load_robot, run, simulate_arm
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm
-from tmodes.result import Result
+from tmodes.result import ArmResult, assemble_arm
+from tmodes.result.record import Result
+from tmodes.sheet import Arm
 
 MOVE = {"reference.duration": 0.2, "integration.duration": 0.2, "integration.line_points": 7}
 

@@ -8,12 +8,12 @@ import numpy as np
 import pytest
 
 from see.scenes import arm_result
-from tmodes.plot.vibration import amplitude_spectrum
-from tmodes.report.arm_facts import arm_facts
-from tmodes.report.charts import charts_of, drafts_of
+from tmodes.plot.paper.vibration import amplitude_spectrum
+from tmodes.report.chart_list import charts_of, drafts_of
 from tmodes.report.data import facts_of, page_data
+from tmodes.report.facts_motion import arm_facts
 from tmodes.report.pack import Coarse, pack
-from tmodes.result import Result
+from tmodes.result.record import Result
 
 PREFIX = {"m": 1e3, "µ": 1e6, "n": 1e9, "k": 1e-3}
 

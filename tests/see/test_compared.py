@@ -10,10 +10,10 @@ import pytest
 
 from see.looking import Window, look
 from tmodes import simulate_arm
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm
 from tmodes.report.data import page_data
 from tmodes.report.viewer import viewer_document
+from tmodes.result import ArmResult, assemble_arm
+from tmodes.sheet import Arm
 
 INERTIA = {"xx": 0.01, "yy": 0.01, "zz": 0.01}
 

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
+from tmodes.paper.simulate import simulate
 from tmodes.report.data import live_page
 from tmodes.report.viewer import viewer_document
 from tmodes.robots import load_robot
-from tmodes.simulate import simulate
 
 from .looking import look
 

@@ -13,12 +13,12 @@ from matplotlib.figure import Figure
 from result.synthetic import synthetic_result
 from tmodes import plot
 from tmodes.errors import InputError
-from tmodes.plot.contact import contact_force
-from tmodes.plot.energy import energies
-from tmodes.plot.load import bending_load, largest_moment
+from tmodes.plot.paper.contact import contact_force
+from tmodes.plot.paper.energy import energies
+from tmodes.plot.paper.load import bending_load, largest_moment
+from tmodes.plot.paper.shape import elastic_line, instants, round_factor
 from tmodes.plot.save import rendered
-from tmodes.plot.shape import elastic_line, instants, round_factor
-from tmodes.result import Result
+from tmodes.result.record import Result
 
 UNIT = re.compile(r"\[(n|µ|m|k)?(m|rad|rad/s²|N|N·m|J|V|A|s|Hz)\]$")
 

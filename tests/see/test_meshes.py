@@ -12,16 +12,16 @@ import pytest
 
 from see.scenes import arm_result
 from see.test_scene import plain
-from tmodes.arm_result import ArmResult
-from tmodes.arm_runs import ArmRunFolder
 from tmodes.errors import InputError
 from tmodes.io.mesh_file import Triangles, read_mesh
 from tmodes.io.primitives import box, cylinder, sphere
 from tmodes.io.urdf_shapes import MOST_SHAPES, LinkShape
+from tmodes.report.folder_motion import ArmRunFolder
 from tmodes.report.mesh_thin import thinned
 from tmodes.report.meshes import MOST_TRIANGLES, kept_meshes, read_shapes, with_shapes
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.scene import scene_of
+from tmodes.result import ArmResult
 
 
 def area(surface: Triangles) -> float:

@@ -9,13 +9,13 @@ import pytest
 
 from live.chain import chain
 from see.looking import look
-from tmodes.arm_result import assemble_arm
-from tmodes.motion.simulate import simulate_arm
+from tmodes.paper.simulate import simulate
 from tmodes.report.data import live_page
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.viewer import viewer_document
+from tmodes.result import assemble_arm
 from tmodes.robots import load_robot
-from tmodes.simulate import simulate
+from tmodes.simulation.simulate import simulate_arm
 
 STATUS = ".sliders-panel [role=status]"
 PANEL = ".lower section[aria-label='Modes of vibration']"

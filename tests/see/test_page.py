@@ -13,7 +13,7 @@ from see.looking import look
 from tmodes.report import write_report
 from tmodes.report.data import page_data
 from tmodes.report.viewer import viewer_document
-from tmodes.result import Result
+from tmodes.result.record import Result
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 INK = """id => { const c = document.querySelector(`[data-chart=${id}] canvas`); const d = c.getContext('2d')

@@ -23,7 +23,7 @@ from tmodes.report import write_report
 from tmodes.report.markup import Markup, tag
 from tmodes.report.quantity import power_of_ten, written
 from tmodes.report.viewer import program
-from tmodes.result import Result
+from tmodes.result.record import Result
 
 VOID = {"meta", "img", "br"}
 

@@ -12,7 +12,7 @@ import pytest
 from tmodes import plot
 from tmodes.errors import InputError, ResultFileError
 from tmodes.plot.save import Drawing
-from tmodes.result import Result
+from tmodes.result.record import Result
 
 TESTS = Path(__file__).parents[1]
 

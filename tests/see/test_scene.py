@@ -10,15 +10,15 @@ from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
 
 from see.scenes import arm_result, robot_result
-from tmodes.arm import Arm
-from tmodes.mechanism import Drive
-from tmodes.model import Model
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.pack import Coarse, Sum, pack
 from tmodes.report.scene import line_of, scene_of
 from tmodes.report.scene_arrays import displaced, kept, stations_shown, steady
-from tmodes.report.scene_robot import real_robot
+from tmodes.report.scene_paper import real_robot
 from tmodes.report.scene_sections import section_of, solid_bar
+from tmodes.sheet import Arm
 
 RESULTS = [robot_result, arm_result]
 
@@ -150,7 +150,7 @@ def test_modes_are_those_of_the_result(made: Any) -> None:
 
 
 def test_the_tip_of_a_mode_moves_by_the_jacobian() -> None:
-    from tmodes.analysis.modes import MotorState, shaped_modes
+    from tmodes.paper.modes import MotorState, shaped_modes
 
     result = robot_result()
     robot = real_robot(result)

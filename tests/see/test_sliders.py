@@ -9,10 +9,10 @@ import pytest
 
 from see.looking import look
 from see.test_page import ink
+from tmodes.paper.simulate import simulate
 from tmodes.report.data import live_page
 from tmodes.report.viewer import viewer_document
 from tmodes.robots import load_robot
-from tmodes.simulate import simulate
 
 PAYLOAD = '[data-path="payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"

@@ -15,8 +15,8 @@ from matplotlib.text import Text
 from result.synthetic import synthetic_result
 from tmodes.errors import InputError
 from tmodes.plot.frequency_marks import keep_apart
-from tmodes.plot.vibration import amplitude_spectrum, spectrum
-from tmodes.result import Result
+from tmodes.plot.paper.vibration import amplitude_spectrum, spectrum
+from tmodes.result.record import Result
 
 TIME = np.arange(1201) * 1e-3
 

@@ -13,10 +13,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.arm_result import ArmResult
 from tmodes.errors import InputError
 from tmodes.io.primitives import box
 from tmodes.report.meshes import Kept, kept_meshes
+from tmodes.result import ArmResult
 from tmodes.studio.folder import WorkingFolder
 from tmodes.studio.looks import MOST_KEPT, Shelf, source_of
 from tmodes.studio.main_file import main_file

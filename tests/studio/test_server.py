@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from tmodes.result import Result
+from tmodes.result.record import Result
 from tmodes.robots.load import sheet_names
 
 

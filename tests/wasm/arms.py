@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.arm import Arm
+from tmodes.sheet import Arm
 
 __all__ = ["two_links"]
 

@@ -10,19 +10,19 @@ import numpy as np
 import pytest
 
 from arm.random_chains import random_chain, random_state
-from tmodes.analysis.arm_line import elastic_line
-from tmodes.arm import Arm
-from tmodes.arm_model import ArmModel
-from tmodes.compile.calls import DIRECT
-from tmodes.compile.ordering import kernel_program
-from tmodes.compile.wasm_parts import schedule_samples
-from tmodes.evaluator import derivatives
+from tmodes.analysis.line.line import elastic_line
+from tmodes.compile.ir.calls import DIRECT
+from tmodes.compile.ir.ordering import kernel_program
+from tmodes.compile.wasm.wasm_parts import schedule_samples
 from tmodes.live.module import Functions, LiveModule
-from tmodes.live.wasm_arm import ArmFunctions, arm_module, needed_for, stationed
-from tmodes.motion.loop import LoopModel
-from tmodes.motion.plan import Follow
-from tmodes.motion.regime import ArmRegime, arm_regime, run_arm_regime
-from tmodes.run_parts import sample_times
+from tmodes.live.wasm_motion import ArmFunctions, arm_module, needed_for, stationed
+from tmodes.model.evaluator import derivatives
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.parts import sample_times
+from tmodes.simulation.plan import Follow
+from tmodes.simulation.start import ArmRegime, arm_regime, run_arm_regime
 from wasm.arms import two_links
 from wasm.node import in_node
 

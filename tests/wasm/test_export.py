@@ -16,8 +16,8 @@ import pytest
 from arm.run.sheets import pendulum
 from tmodes.errors import ResultFileError
 from tmodes.live.wasm_export import Exported, exported
+from tmodes.paper.simulate import simulate
 from tmodes.robots.load import load_sheet
-from tmodes.simulate import simulate
 from wasm.node import ROOT, built_model
 
 SCRIPT = """

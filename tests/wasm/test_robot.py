@@ -9,12 +9,12 @@ import numpy as np
 import pytest
 
 from tmodes.live.module import LiveModule
-from tmodes.live.wasm_robot import robot_module
-from tmodes.mechanism import Drive
-from tmodes.model import Model
+from tmodes.live.wasm_paper import robot_module
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
 from tmodes.robots.load import load_sheet
-from tmodes.run_parts import sample_times
-from tmodes.trajectory import integrate
+from tmodes.simulation.parts import sample_times
+from tmodes.simulation.trajectory import integrate
 from wasm.node import in_node
 
 SAME = {

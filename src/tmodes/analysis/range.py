@@ -7,12 +7,12 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.analysis.arm_line_segment import planes, segment_line
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Beam, Segment
-from tmodes.equations.arm.beam_functions import interval_integrals
-from tmodes.equations.arm.beam_rule import beam_rule
-from tmodes.equations.arm.parts import LinkPart, NodePart
+from tmodes.analysis.line.segment import planes, segment_line
+from tmodes.chain.chain import Beam, Segment
+from tmodes.equations.recursion.beam_functions import interval_integrals
+from tmodes.equations.recursion.beam_rule import beam_rule
+from tmodes.equations.recursion.parts import LinkPart, NodePart
+from tmodes.model.model import ArmModel
 
 __all__ = ["LIMITS", "LinkRange", "bent", "link_angles", "link_ranges"]
 

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.modes import GROWING, Spectrum
 from tmodes.errors import SimulationError
 from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration, Method
+from tmodes.paper.modes import GROWING, Spectrum
 
 __all__ = ["StepVerdict", "chosen_settings", "growth_warnings", "step_size_verdict", "step_times_eigenvalue"]
 

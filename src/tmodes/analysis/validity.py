@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.energy import largest_flow
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 
 __all__ = [
     "BENDING_LIMIT",

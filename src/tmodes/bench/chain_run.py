@@ -15,11 +15,11 @@ from tmodes.bench.equal_error import Runner
 from tmodes.bench.missing import needed
 from tmodes.bench.rigid import RigidChain
 from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved, tolerances_of
-from tmodes.equations.arm.closed_loop_plan import LoopPlan
+from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration, Method
-from tmodes.motion.loop import LoopModel
-from tmodes.reference.schedule import Schedule
-from tmodes.trajectory import integrate
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.trajectory import integrate
 
 __all__ = ["DURATION", "ERROR", "ChainRun"]
 

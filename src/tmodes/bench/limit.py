@@ -16,9 +16,9 @@ from typing import Any
 import numpy as np
 
 from tmodes.bench.clock import now
-from tmodes.compile.latency import BODY, OPERATIONS, chains
-from tmodes.compile.program import READ, Program
-from tmodes.compile.unroll import unrolled
+from tmodes.compile.ir.latency import BODY, OPERATIONS, chains
+from tmodes.compile.ir.program import READ, Program
+from tmodes.compile.ir.unroll import unrolled
 
 __all__ = ["Limit", "Machine", "critical_path", "limit", "machine", "throughput"]
 

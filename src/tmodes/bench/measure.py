@@ -15,11 +15,11 @@ from tmodes.bench.limit import limit, machine
 from tmodes.bench.machine import described
 from tmodes.bench.missing import PeerMissing
 from tmodes.bench.ours import SAMPLES, Ours
+from tmodes.bench.published_run import DURATION as SEED_DURATION
+from tmodes.bench.published_run import ERROR as SEED_ERROR
+from tmodes.bench.published_run import SeedRun
 from tmodes.bench.rigid import RigidChain
 from tmodes.bench.scaling import exponents
-from tmodes.bench.seed_run import DURATION as SEED_DURATION
-from tmodes.bench.seed_run import ERROR as SEED_ERROR
-from tmodes.bench.seed_run import SeedRun
 from tmodes.bench.start import started
 
 __all__ = ["FORMAT", "PEERS", "SIZES", "Plan", "measured"]

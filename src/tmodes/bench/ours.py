@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm_model import ArmModel
-from tmodes.batch.memory import private
 from tmodes.bench.clock import now
 from tmodes.bench.contender import CHECKED, Contender
 from tmodes.bench.rigid import RigidChain
-from tmodes.compile import kernels
-from tmodes.compile.wide import Wide
-from tmodes.equations.arm.forward import forward_dynamics
+from tmodes.compile.ir import kernels
+from tmodes.compile.lanes.wide import Wide
+from tmodes.equations.recursion.forward import forward_dynamics
+from tmodes.model.model import ArmModel
+from tmodes.simulation.batch.memory import private
 
 __all__ = ["LANES", "SAMPLES", "Ours", "cores"]
 

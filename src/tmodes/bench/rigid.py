@@ -10,7 +10,7 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain import Body, Chain, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.chain.chain import Body, Chain, Joint, JointKind, Node, Placement, RigidLink
 
 __all__ = ["CENTER", "GRAVITY", "INERTIA", "MASS", "TURNED", "RigidChain"]
 

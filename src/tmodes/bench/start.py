@@ -49,7 +49,7 @@ def _process(joints: int, cache: Path) -> dict[str, Any]:
 def _here(joints: int) -> dict[str, float]:
     import numpy as np
 
-    import tmodes.compile.block  # with what it imports: loading Python code is no compiling
+    import tmodes.compile.ir.block  # with what it imports: loading Python code is no compiling
     import tmodes.compile.native
     from tmodes.bench.ours import Ours
     from tmodes.bench.rigid import RigidChain

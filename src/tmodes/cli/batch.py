@@ -26,8 +26,8 @@ from tmodes.errors import InputError
 if TYPE_CHECKING:
     from numpy.typing import NDArray
 
-    from tmodes.batch.result import BatchRun
-    from tmodes.vary.study import Spread
+    from tmodes.simulation.batch.result import BatchRun
+    from tmodes.simulation.vary.study import Spread
 
 __all__ = ["batch"]
 
@@ -66,7 +66,7 @@ def batch(
     Each is the real robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
     distance of their tips. Everything is checked before anything runs. A run that cannot go on is named, and disturbs
     no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
-    tmodes.batch.store.load_batch("FOLDER") reads them.
+    tmodes.simulation.batch.store.load_batch("FOLDER") reads them.
 
     Example, a gear whose stiffness is known to 20 %: tmodes batch filipovic2010
     --draw real.gear.stiffness=0.16:0.24 --runs 1000
@@ -88,7 +88,7 @@ def batch(
 
 def _values(vary: list[str], draw: list[str], runs: int, seed: int) -> dict[str, NDArray[Any]]:
     """Numbers of every lane, by path."""
-    from tmodes.vary.study import drawn, grid
+    from tmodes.simulation.vary.study import drawn, grid
 
     if bool(vary) == bool(draw):
         got, mend = (
@@ -139,8 +139,8 @@ def _count(path: str, count: float) -> int:
 def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | None) -> tuple[BatchRun, Spread]:
     from tmodes.cli.interrupt import heard
     from tmodes.cli.progress import Stages
-    from tmodes.vary.simulate import prepared, prepared_alone, run_prepared
-    from tmodes.vary.study import spread
+    from tmodes.simulation.vary.simulate import prepared, prepared_alone, run_prepared
+    from tmodes.simulation.vary.study import spread
 
     with heard() as wish, Stages(wish) as tell:
         lanes = prepared(sheet, values, out=out, progress=tell)

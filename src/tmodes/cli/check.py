@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 
 if TYPE_CHECKING:
-    from tmodes.arm import Arm
-    from tmodes.robot import Robot
+    from tmodes.paper.sheet import Robot
+    from tmodes.sheet import Arm
 
 __all__ = ["check"]
 
@@ -45,9 +45,9 @@ def check(
 
 def _told(sheet: Robot | Arm) -> tuple[str, dict[str, object]]:
     """What the sheet is, in words and for machines."""
-    from tmodes.arm import Arm
-    from tmodes.mechanism import Drive
-    from tmodes.quantities import robot_stops
+    from tmodes.paper.mechanism import Drive
+    from tmodes.paper.quantities import robot_stops
+    from tmodes.sheet import Arm
 
     if isinstance(sheet, Arm):
         return _told_of_arm(sheet)
@@ -57,8 +57,8 @@ def _told(sheet: Robot | Arm) -> tuple[str, dict[str, object]]:
 
 
 def _told_of_arm(arm: Arm) -> tuple[str, dict[str, object]]:
-    from tmodes.arm_model import ArmModel
-    from tmodes.motion.quantities import refuse_wrong_stops
+    from tmodes.model.model import ArmModel
+    from tmodes.simulation.quantities import refuse_wrong_stops
 
     refuse_wrong_stops(arm.pair().real)
     coordinates = list(ArmModel(arm.pair().real.chain()).coordinates)

@@ -18,7 +18,7 @@ def describe(
     as_json: AsJson = False,
 ) -> None:
     """Masses, lengths, stiffnesses, frequencies of each link by itself, sag under weight, what gives way at the tip."""
-    from tmodes.analysis.describe import describe as described
+    from tmodes.analysis.describe.describe import describe as described
     from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice, print_json
     from tmodes.cli.progress import Stages

@@ -35,12 +35,12 @@ def evaluate(
 
     Of an arm M a + h + f_el = effort, free of contact and loads, with gravity g, points, Jacobians, energies, losses.
     """
-    from tmodes.analysis.evaluate import evaluate_states
-    from tmodes.arm import Arm
-    from tmodes.cli.arm_evaluate import evaluate_arm
+    from tmodes.cli.evaluate_chain import evaluate_arm
     from tmodes.cli.output import print_json_list
     from tmodes.errors import InputError
     from tmodes.io.states import read_states
+    from tmodes.paper.evaluate import evaluate_states
+    from tmodes.sheet import Arm
 
     sheet = chosen_sheet(robot, settings, reading, contact or None, roots=root, trust_paths=trust_paths)
     if isinstance(sheet, Arm):
@@ -60,7 +60,7 @@ def evaluate(
 
 def _print(answers: list[dict[str, Any]]) -> None:
     from tmodes.cli.output import print_table
-    from tmodes.equations.layout import COORDINATES
+    from tmodes.equations.lagrange.layout import COORDINATES
 
     accelerations = [[str(k), *(f"{x:.6g}" for x in one["phidd"])] for k, one in enumerate(answers)]
     print_table("Accelerations [rad/s^2]", ["state", *COORDINATES], accelerations)

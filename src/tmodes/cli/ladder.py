@@ -10,7 +10,7 @@ from tmodes.cli.options import AsJson, Roots, Settings, TrustPaths
 from tmodes.cli.static import ArmArgument, chosen_arm
 
 if TYPE_CHECKING:
-    from tmodes.analysis.ladder import Ladder, Rung
+    from tmodes.analysis.hierarchy.hierarchy import Ladder, Rung
 
 __all__ = ["ladder"]
 
@@ -39,7 +39,7 @@ def ladder(
 
     All rungs make the same move, which the motors follow exactly: that of the sheet's drives, else a short one.
     """
-    from tmodes.analysis.ladder import ladder as climbed
+    from tmodes.analysis.hierarchy.hierarchy import ladder as climbed
     from tmodes.cli.interrupt import heard
     from tmodes.cli.output import print_json
     from tmodes.cli.progress import Stages

@@ -11,7 +11,7 @@ from tmodes.cli.static import print_links
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
-    from tmodes.arm import Arm
+    from tmodes.sheet import Arm
 
 __all__ = ["modes"]
 
@@ -51,9 +51,9 @@ def modes(
     `natural` is the undamped frequency (of an arm's ringing modes under control: |eigenvalue|/2 pi), `damped` the one
     at which it rings (- where it is over-damped). Modes of an arm marked ! change with more functions.
     """
-    from tmodes.analysis.modes import all_modes
-    from tmodes.arm import Arm
     from tmodes.cli.output import print_json
+    from tmodes.paper.modes import all_modes
+    from tmodes.sheet import Arm
 
     if angle is not None and not abs(angle) <= _MOST_ANGLE:
         expected = f"an angle between -{_MOST_ANGLE:g} and {_MOST_ANGLE:g} rad"
@@ -81,7 +81,7 @@ def modes(
 
 
 def _modes_of_arm(arm: Arm, *, contact: bool, as_json: bool) -> None:
-    from tmodes.analysis.arm_modes_sheet import vibrations
+    from tmodes.analysis.modes.of_sheet import vibrations
     from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice, print_json
     from tmodes.cli.progress import Stages

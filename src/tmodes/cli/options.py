@@ -8,11 +8,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.errors import InputError
-from tmodes.mechanism import Reading
-from tmodes.robot import Robot
+from tmodes.paper.mechanism import Reading
+from tmodes.paper.sheet import Robot
 
 if TYPE_CHECKING:
-    from tmodes.arm import Arm
+    from tmodes.sheet import Arm
 
 __all__ = [
     "AbsoluteTolerance",
@@ -178,7 +178,7 @@ def _is_arm(robot: str) -> bool:
 
 def _as_wished(arm: Arm, own: dict[str, Any]) -> Arm:
     """An arm in contact or not, as the command line says."""
-    from tmodes.io.arm_check import arm_data
+    from tmodes.io.sheet_check import arm_data
 
     if "reading" in own:
         mend = "leave --reading out"

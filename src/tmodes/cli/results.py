@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from tmodes.arm_result import ArmResult
-    from tmodes.result import Result
+    from tmodes.result import ArmResult
+    from tmodes.result.record import Result
 
 __all__ = ["plain", "result_file", "stored_result"]
 
@@ -36,7 +36,7 @@ def result_file(path: Path) -> Path:
 
 def stored_result(path: Path) -> Result | ArmResult:
     """The result, of either kind, that a path means; the errors are those of reading it."""
-    from tmodes.arm_result import load_result
+    from tmodes.result import load_result
 
     return load_result(result_file(path))
 

@@ -58,10 +58,10 @@ def _kind(data: dict[str, Any]) -> str:
 
 
 def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
-    from tmodes.arm import Arm
     from tmodes.cli.output import print_json
-    from tmodes.io.arm_check import arm_data
+    from tmodes.io.sheet_check import arm_data
     from tmodes.robots.load import load_sheet, sheet_names, sheet_text
+    from tmodes.sheet import Arm
 
     if name not in sheet_names():
         raise _unknown(name, sheet_names())

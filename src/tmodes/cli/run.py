@@ -27,9 +27,9 @@ from tmodes.cli.options import (
 )  # fmt: skip
 
 if TYPE_CHECKING:
-    from tmodes.arm import Arm
-    from tmodes.robot import Robot
-    from tmodes.runs import RunFolder
+    from tmodes.paper.sheet import Robot
+    from tmodes.report.folder import RunFolder
+    from tmodes.sheet import Arm
 
 __all__ = ["folder_name", "run"]
 
@@ -88,11 +88,11 @@ class _Looks(NamedTuple):
 
 
 def _folder(path: Path, sheet: Robot | Arm, overwrite: bool, looks: _Looks, *, live: bool) -> RunFolder:
-    from tmodes.arm import Arm
-    from tmodes.arm_runs import ArmRunFolder
     from tmodes.cli.output import notice
+    from tmodes.report.folder import RunFolder
+    from tmodes.report.folder_motion import ArmRunFolder
     from tmodes.report.meshes import read_shapes
-    from tmodes.runs import RunFolder
+    from tmodes.sheet import Arm
 
     if not isinstance(sheet, Arm):
         return RunFolder(path, sheet, overwrite, live=live)
@@ -125,7 +125,7 @@ def _computed(folder: RunFolder, sheet: Robot | Arm, figures: bool) -> Any:
 
 def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
     from tmodes.cli.output import notice, print_json
-    from tmodes.cli.told import told
+    from tmodes.cli.summary_text import told
 
     print_json(folder.summary(result)) if as_json else told(result, folder)
     for warning in result.warnings:

@@ -16,7 +16,7 @@ def schema(arm: Annotated[bool, typer.Option("--arm", help="Of sheets with `kind
     # yaml-language-server: $schema=arm.schema.json
     """
     from tmodes.cli.output import print_json
-    from tmodes.io.arm_schema import arm_json_schema
     from tmodes.io.schema import json_schema
+    from tmodes.io.sheet_schema import arm_json_schema
 
     print_json(arm_json_schema() if arm else json_schema())

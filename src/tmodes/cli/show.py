@@ -12,9 +12,9 @@ import typer
 from tmodes.cli.options import AsJson
 
 if TYPE_CHECKING:
-    from tmodes.arm_result import ArmResult
     from tmodes.cli.series import Series
-    from tmodes.result import Result
+    from tmodes.result import ArmResult
+    from tmodes.result.record import Result
 
 __all__ = ["show"]
 
@@ -72,10 +72,10 @@ def _extremes(one: Series) -> dict[str, float]:
 
 
 def _show(stored: Result | ArmResult, file: Path, chosen: list[Series], total: int) -> None:
-    from tmodes.cli.integration_told import integration_lines
+    from tmodes.cli.integration_text import integration_lines
     from tmodes.cli.output import notice, print_table
     from tmodes.cli.results import plain
-    from tmodes.cli.told import told_summary
+    from tmodes.cli.summary_text import told_summary
 
     summary = told_summary(stored)
     print(f"end     {plain(stored.message)}")

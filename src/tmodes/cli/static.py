@@ -12,8 +12,8 @@ from tmodes.errors import InputError
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from tmodes.analysis.equilibrium import Equilibrium
-    from tmodes.arm import Arm
+    from tmodes.analysis.statics.equilibrium import Equilibrium
+    from tmodes.sheet import Arm
 
 __all__ = ["ArmArgument", "chosen_arm", "print_links", "print_stiffness", "static"]
 
@@ -63,12 +63,12 @@ def static(
 
     The loads are those of the data sheet and those given here; motors stand at their first command.
     """
-    from tmodes.analysis.equilibrium_arm import arm_rest
-    from tmodes.analysis.equilibrium_loads import Load, point_index
-    from tmodes.arm_model import ArmModel
+    from tmodes.analysis.statics.loads import Load, point_index
+    from tmodes.analysis.statics.rest import arm_rest
     from tmodes.cli.interrupt import heard
     from tmodes.cli.progress import Stages
     from tmodes.cli.static_options import held_of, load_of, three_of
+    from tmodes.model.model import ArmModel
 
     arm = chosen_arm(robot, settings, root, trust_paths=trust_paths)
     loads = [load_of(text) for text in load or []]
@@ -87,7 +87,7 @@ def chosen_arm(
     robot: str, settings: list[str] | None, root: list[Path] | None = None, *, trust_paths: bool = False
 ) -> Arm:
     """The arm that a command line names, with its changes; raises an InputError for a sheet of another kind."""
-    from tmodes.arm import Arm
+    from tmodes.sheet import Arm
 
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     if not isinstance(sheet, Arm):
@@ -97,7 +97,7 @@ def chosen_arm(
 
 
 def _tell(arm: Arm, rest: Equilibrium, index: int, as_json: bool) -> None:
-    from tmodes.analysis.describe import statics_told
+    from tmodes.analysis.describe.describe import statics_told
     from tmodes.cli.output import notice, print_json
 
     told = statics_told(arm, rest, index)

@@ -9,8 +9,8 @@ from typing import TYPE_CHECKING
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
-    from tmodes.analysis.equilibrium_loads import Load
-    from tmodes.arm import Arm
+    from tmodes.analysis.statics.loads import Load
+    from tmodes.sheet import Arm
 
 __all__ = ["held_of", "load_of", "three_of"]
 
@@ -22,7 +22,7 @@ LARGEST = 1e12
 
 def load_of(text: str) -> Load:
     """A load from ``point=tip,force=0,0,-10``; raises an InputError that names the part that is wrong."""
-    from tmodes.analysis.equilibrium_loads import Load
+    from tmodes.analysis.statics.loads import Load
 
     parts = _parts(text)
     if "force" not in parts and "moment" not in parts:

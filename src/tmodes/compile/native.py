@@ -15,7 +15,7 @@ from typing import Any
 import llvmlite.binding as llvm
 from llvmlite.binding.newpassmanagers import NewPassManager
 
-from tmodes.compile.trigonometry import FAR_COSINE, FAR_SINE
+from tmodes.compile.ir.trigonometry import FAR_COSINE, FAR_SINE
 from tmodes.errors import CompileError
 
 __all__ = ["POWER", "Library", "free", "host", "processor", "to_object"]

@@ -8,9 +8,9 @@ from typing import Any, Self
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
-from tmodes.elements.quantity import DataSheet, Misfit, positive, refuse
 from tmodes.errors import InputError
 from tmodes.integrate.condition import MOST, Condition
+from tmodes.kinds.schema.quantity import DataSheet, Misfit, positive, refuse
 
 __all__ = [
     "FIXED_STEP",

@@ -16,7 +16,7 @@ from tmodes.io.paths import set_paths
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import nearest, shown
 from tmodes.io.yaml_file import nearest_line
-from tmodes.robot import FORMAT, Robot
+from tmodes.paper.sheet import FORMAT, Robot
 
 __all__ = ["changed_robot", "robot_from_data"]
 

@@ -3,7 +3,7 @@
     format: 1
     kind: dh
     name: two_link
-    convention: standard        # or modified (Craig), or paper; see tmodes.elements.frames.Convention
+    convention: standard        # or modified (Craig), or paper; see tmodes.kinds.schema.frames.Convention
     rows:
       - {a: 0.3, alpha: 0, d: 0, theta: 0, bodies: [...], limits: {...}, motor: {...}, gear: {...}}
       - {a: 0.2, alpha: 0, d: 0, theta: 0, type: prismatic, name: slide, link: rod}
@@ -18,10 +18,10 @@ import copy
 from collections.abc import Mapping
 from typing import Any
 
-from tmodes.elements.frames import Convention
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import nearest, shown
 from tmodes.io.yaml_file import Positions, nearest_line
+from tmodes.kinds.schema.frames import Convention
 
 __all__ = ["arm_of_table"]
 

@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from tmodes.arm import Arm
-    from tmodes.robot import Robot
+    from tmodes.paper.sheet import Robot
+    from tmodes.sheet import Arm
 
 __all__ = ["doubts_about"]
 
 
 def doubts_about(sheet: Robot | Arm) -> list[str]:
     """Sentences on numbers that look like a wrong unit, and of an arm on what was put right in reading it."""
-    from tmodes.arm import Arm
-    from tmodes.io.arm_plausible import arm_notices, implausible_arm
     from tmodes.io.plausible import implausible
+    from tmodes.io.sheet_plausible import arm_notices, implausible_arm
+    from tmodes.sheet import Arm
 
     return [*implausible_arm(sheet), *arm_notices(sheet)] if isinstance(sheet, Arm) else implausible(sheet)

@@ -13,11 +13,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.elements.axes import matrix_quaternion
-from tmodes.elements.body import entries
 from tmodes.errors import InputError
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
+from tmodes.kinds.links.body import entries
+from tmodes.kinds.schema.axes import matrix_quaternion
 
 __all__ = ["give_mass", "length_of", "line_of", "place_beam", "riding_body", "section_axes"]
 

@@ -12,8 +12,8 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from tmodes.elements.quantity import span_told
-from tmodes.robot import FACTOR, PLANT, Robot
+from tmodes.kinds.schema.quantity import span_told
+from tmodes.paper.sheet import FACTOR, PLANT, Robot
 
 __all__ = ["Place", "children", "number_paths", "place_at", "places"]
 

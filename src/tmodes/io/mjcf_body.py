@@ -14,12 +14,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm.topology import BASE
-from tmodes.elements.axes import matrix_quaternion, quaternion_matrix, rotation_about
-from tmodes.elements.body import entries
 from tmodes.errors import InputError
 from tmodes.io.words import shown
 from tmodes.io.yaml_file import Positions
+from tmodes.kinds.links.body import entries
+from tmodes.kinds.schema.axes import matrix_quaternion, quaternion_matrix, rotation_about
+from tmodes.sheet.topology import BASE
 
 __all__ = ["arm_of_model"]
 

@@ -5,9 +5,9 @@ from __future__ import annotations
 import math
 from collections.abc import Iterator, Sequence
 
-from tmodes.elements.mode import FlexibleMode
 from tmodes.io.fields import places
-from tmodes.robot import Robot
+from tmodes.paper.mode import FlexibleMode
+from tmodes.paper.sheet import Robot
 
 __all__ = ["implausible", "oddity"]
 

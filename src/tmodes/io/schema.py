@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 
 __all__ = ["editor_schema", "json_schema"]
 

@@ -8,10 +8,10 @@ import os
 from collections.abc import Iterator, Mapping
 from typing import Any
 
-from tmodes.elements.quantity import LARGEST
 from tmodes.errors import InputError
 from tmodes.io.files import read_bytes
 from tmodes.io.words import nearest, shown, shown_path
+from tmodes.kinds.schema.quantity import LARGEST
 
 __all__ = ["MOST_BYTES", "check_keys", "is_number", "parsed_json", "read_states"]
 

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.elements.body import principal_moments
 from tmodes.errors import InputError
 from tmodes.io.urdf_values import check_attributes, check_children, fault, number_at, only, origin_at
 from tmodes.io.xml_file import Element
+from tmodes.kinds.links.body import principal_moments
 
 __all__ = ["body_of", "says_massless"]
 
@@ -17,7 +17,7 @@ RULES = {
     "sign": "none is negative",
     "triangle": "the largest is at most the sum of the others (triangle inequality)",
 }
-"""The rules of :func:`tmodes.elements.body.principal_moments` in words."""
+"""The rules of :func:`tmodes.kinds.links.body.principal_moments` in words."""
 
 NOTHING = 1e-12
 """Moments below this [kg*m^2] are the dust of a conversion and count as zero: the body is a point mass."""

@@ -9,7 +9,6 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.elements.axes import rpy_matrix
 from tmodes.errors import InputError
 from tmodes.io.mesh_file import Triangles, read_mesh
 from tmodes.io.primitives import box, cylinder, sphere
@@ -17,6 +16,7 @@ from tmodes.io.urdf import UrdfRobot
 from tmodes.io.urdf_values import fault, number_at, only, origin_at, text_at, triple_at
 from tmodes.io.words import shown
 from tmodes.io.xml_file import Element
+from tmodes.kinds.schema.axes import rpy_matrix
 
 __all__ = ["LinkShape", "Unseen", "link_shapes"]
 

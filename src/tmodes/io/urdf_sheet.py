@@ -6,11 +6,11 @@ from collections.abc import Mapping
 from pathlib import Path
 from typing import Any
 
-from tmodes.arm.topology import BASE
 from tmodes.io.urdf_mimic import hold_followers
 from tmodes.io.urdf_tree import Tree
 from tmodes.io.xml_file import Element
 from tmodes.io.yaml_file import Positions
+from tmodes.sheet.topology import BASE
 
 __all__ = ["name_of", "sheet_of"]
 

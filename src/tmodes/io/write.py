@@ -9,7 +9,7 @@ from pydantic import BaseModel
 
 from tmodes.io.fields import place_at
 from tmodes.io.yaml_text import scalar_text
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 
 __all__ = ["robot_to_yaml"]
 

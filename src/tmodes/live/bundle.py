@@ -8,18 +8,18 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm import ArmPair
 from tmodes.integrate.settings import Integration, Method
-from tmodes.live.arm_bundle import arm_bundle, why_not_arm
-from tmodes.live.arm_loads import evenly, load_places
+from tmodes.live.bundle_motion import arm_bundle, why_not_arm
+from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.template import sheet_template
-from tmodes.plot.facts import steady_part
-from tmodes.robot import NominalRealPair
+from tmodes.paper.sheet import NominalRealPair
+from tmodes.plot.paper.facts import steady_part
+from tmodes.sheet import ArmPair
 
 if TYPE_CHECKING:
-    from tmodes.arm_result import ArmResult
-    from tmodes.result import Result
+    from tmodes.result import ArmResult
+    from tmodes.result.record import Result
 
 __all__ = ["FRAMES_PER_SECOND", "live_bundle", "why_not_live"]
 
@@ -121,9 +121,9 @@ def _note(result: Result | ArmResult) -> str:
 
 
 def _of_robot(pair: NominalRealPair, method: Method) -> dict[str, Any]:
-    from tmodes.equations.coordinates import deformation_basis, free_deformations
-    from tmodes.live.robot_modes import robot_modes
-    from tmodes.live.wasm_robot import robot_module
+    from tmodes.equations.lagrange.coordinates import deformation_basis, free_deformations
+    from tmodes.live.modes_paper import robot_modes
+    from tmodes.live.wasm_paper import robot_module
 
     module = robot_module(pair, [method.value])
     return {

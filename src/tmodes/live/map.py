@@ -12,14 +12,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm import Arm, ArmPair
 from tmodes.errors import InputError, InputErrors
 from tmodes.live.forms import Form, Range, Unfit, fitted
 from tmodes.live.numbers import Blocks, arm_numbers, follow_of, has_reference, robot_numbers, whole, whole_moves
 from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
-from tmodes.mechanism import Drive
-from tmodes.robot import NominalRealPair, Robot
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.sheet import NominalRealPair, Robot
+from tmodes.sheet import Arm, ArmPair
 
 __all__ = ["LiveMap", "live_map"]
 

@@ -6,10 +6,10 @@ from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any
 
-from tmodes.compile.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
-from tmodes.compile.wasm import Part, wasm_module
-from tmodes.compile.wasm_parts import each_once
-from tmodes.native_run import BOUND, EVENT_TIME, MOST_EVENTS
+from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
+from tmodes.compile.wasm.wasm import Part, wasm_module
+from tmodes.compile.wasm.wasm_parts import each_once
+from tmodes.simulation.native_run import BOUND, EVENT_TIME, MOST_EVENTS
 
 __all__ = ["FORMAT", "Functions", "LiveModule"]
 

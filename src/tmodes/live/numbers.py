@@ -7,20 +7,20 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm import Arm
-from tmodes.arm.parts import Command
-from tmodes.arm_model import ArmModel
-from tmodes.arm_passes import ArmPasses
-from tmodes.equations.arm.closed_loop import ClosedLoop
-from tmodes.equations.arm.parts import Parts
-from tmodes.live.arm_loads import load_places, packed_loads
-from tmodes.live.arm_vibrations import vibration_numbers
+from tmodes.equations.loop.closed_loop import ClosedLoop
+from tmodes.equations.recursion.parts import Parts
+from tmodes.kinds.signals.signals import Quintic, Trapezoid
+from tmodes.live.loads import load_places, packed_loads
 from tmodes.live.surface import surface_numbers
-from tmodes.live.wasm_arm import stationed
-from tmodes.mechanism import Drive
-from tmodes.motion.plan import Follow, planned
-from tmodes.reference.signals import Quintic, Trapezoid
-from tmodes.robot import Robot
+from tmodes.live.vibrations import vibration_numbers
+from tmodes.live.wasm_motion import stationed
+from tmodes.model.model import ArmModel
+from tmodes.model.passes import ArmPasses
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
+from tmodes.sheet.parts import Command
+from tmodes.simulation.plan import Follow, planned
 
 __all__ = ["Blocks", "arm_numbers", "follow_of", "has_reference", "robot_numbers", "whole", "whole_moves"]
 
@@ -46,12 +46,12 @@ def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
 
 
 def follow_of(nominal: Arm, run: str) -> Follow:
-    """How the drives of a run follow their signals; the reference's as :func:`tmodes.motion.simulate.simulate_arm`."""
+    """How drives follow their signals; the reference's as :func:`tmodes.simulation.simulate.simulate_arm`."""
     return Follow.WANTED if run == "reference" and _commanded(nominal) else Follow.SHEET
 
 
 def has_reference(nominal: Arm) -> bool:
-    """Whether a run has a reference run, jumps aside, as :func:`tmodes.motion.simulate.simulate_arm` decides it."""
+    """Whether a run has a reference run, jumps aside, as :func:`tmodes.simulation.simulate.simulate_arm` decides it."""
     return _commanded(nominal) or bool(nominal.real)
 
 
@@ -64,8 +64,8 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
 
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
     ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``pose``, of the passes to these,
-    ``surface``, the place of what is touched, ``carried`` of :func:`tmodes.live.arm_loads.packed_loads`, and the blocks
-    of :func:`tmodes.live.arm_vibrations.vibration_numbers`.
+    ``surface``, the place of what is touched, ``carried`` of :func:`tmodes.live.loads.packed_loads`, and the blocks
+    of :func:`tmodes.live.vibrations.vibration_numbers`.
     """
     plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
     loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()

@@ -7,16 +7,16 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-from tmodes.arm import Arm
-from tmodes.elements.material import LIBRARY
-from tmodes.elements.quantity import LARGEST
 from tmodes.errors import InputError
-from tmodes.io.arm_check import arm_data
-from tmodes.io.arm_fields import ArmPlace, Step, named, place_of, quantities
-from tmodes.io.arm_paths import steps_of
-from tmodes.io.arm_units import at
 from tmodes.io.fields import places
-from tmodes.robot import Robot
+from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_fields import ArmPlace, Step, named, place_of, quantities
+from tmodes.io.sheet_paths import steps_of
+from tmodes.io.sheet_units import at
+from tmodes.kinds.links.material import LIBRARY
+from tmodes.kinds.schema.quantity import LARGEST
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
 
 __all__ = ["SheetNumber", "real_entry", "sheet_numbers"]
 

@@ -8,10 +8,10 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
-from tmodes.arm import Arm
 from tmodes.live.sheet_numbers import SheetNumber, real_entry, sheet_numbers
 from tmodes.live.surface import steepest, stretched_length
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
 
 __all__ = ["MOST", "Knob", "Slider", "knobs_of", "sliders_of"]
 

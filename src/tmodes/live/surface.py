@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm import Arm
-from tmodes.arm.contact import Ball, Plane, Wall
+from tmodes.sheet import Arm
+from tmodes.sheet.contact import Ball, Plane, Wall
 
 __all__ = ["steepest", "stretched_length", "surface_numbers", "surface_told"]
 

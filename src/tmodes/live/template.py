@@ -5,12 +5,12 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from tmodes.arm import Arm
-from tmodes.io.arm_write import arm_to_yaml
+from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.io.write import robot_to_yaml
 from tmodes.io.yaml_text import scalar_text
 from tmodes.live.map import LiveMap
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
 
 __all__ = ["sheet_template"]
 

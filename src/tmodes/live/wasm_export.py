@@ -13,21 +13,21 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.modes import closed_loop_spectrum
-from tmodes.arm import Arm
 from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration
 from tmodes.io.atomic import file_error
+from tmodes.kinds.signals.schedule import Schedule
 from tmodes.live.module import LiveModule
-from tmodes.live.wasm_arm import ArmFunctions, arm_module
-from tmodes.live.wasm_robot import robot_module
-from tmodes.mechanism import Drive
-from tmodes.model import Model
-from tmodes.motion import simulate as arm_simulation
-from tmodes.motion.plan import Follow
-from tmodes.motion.regime import arm_regime
-from tmodes.reference.schedule import Schedule
-from tmodes.robot import Robot
+from tmodes.live.wasm_motion import ArmFunctions, arm_module
+from tmodes.live.wasm_paper import robot_module
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
+from tmodes.paper.modes import closed_loop_spectrum
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
+from tmodes.simulation import simulate as arm_simulation
+from tmodes.simulation.plan import Follow
+from tmodes.simulation.start import arm_regime
 
 __all__ = ["Exported", "exported"]
 

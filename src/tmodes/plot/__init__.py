@@ -8,17 +8,17 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
-    from tmodes.plot.angles import deformations
-    from tmodes.plot.contact import contact_force
-    from tmodes.plot.energy import energies
-    from tmodes.plot.figures import FIGURES, all_figures, drawings, left_out, save_figures
-    from tmodes.plot.load import bending_load
-    from tmodes.plot.motor import drive
-    from tmodes.plot.shape import elastic_line, mode_deflection
-    from tmodes.plot.split import stationary_oscillatory
+    from tmodes.plot.paper.angles import deformations
+    from tmodes.plot.paper.contact import contact_force
+    from tmodes.plot.paper.energy import energies
+    from tmodes.plot.paper.figures import FIGURES, all_figures, drawings, left_out, save_figures
+    from tmodes.plot.paper.load import bending_load
+    from tmodes.plot.paper.motor import drive
+    from tmodes.plot.paper.shape import elastic_line, mode_deflection
+    from tmodes.plot.paper.split import stationary_oscillatory
+    from tmodes.plot.paper.tip import tip_tracking
+    from tmodes.plot.paper.vibration import spectrum
     from tmodes.plot.style import house_style
-    from tmodes.plot.tip import tip_tracking
-    from tmodes.plot.vibration import spectrum
 
 __all__ = [
     "FIGURES",

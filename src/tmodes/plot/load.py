@@ -1,80 +1,83 @@
-"""Bending moment and shear force along the link: how far they go over the run, and when the moment is largest."""
+"""What the links of an arm carry at the instant at which each is loaded most, and how far that goes over the run."""
 
 from __future__ import annotations
 
-from itertools import pairwise, product
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
+from numpy.typing import NDArray
 
-from tmodes.plot.facts import mode_lengths
+from tmodes.plot.facts import largest, plain
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
-from tmodes.plot.style import BAND, BLUE, QUIET, RED, house_style
-from tmodes.plot.units import readable
+from tmodes.plot.style import BAND, BLUE, COMPONENTS, QUIET, RED, house_style
+from tmodes.plot.units import Unit, readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import Result
+    from tmodes.result import ArmResult
 
-__all__ = ["bending_load", "largest_moment"]
+__all__ = ["link_loads"]
 
+_MOST_LINKS = 6
+_KINDS = {"torsion": "torsion", "y": "bending about y", "z": "bending about z"}
 
-class Quantity(NamedTuple):
-    """What is drawn: the variable, its SI unit, its name in words, its letter."""
-
-    name: str
-    unit: str
-    words: str
-    symbol: str
-
-
-QUANTITIES = (
-    Quantity("bending_moment", "N m", "Bending moment", "M"),
-    Quantity("shear_force", "N", "Shear force", "V"),
-)
-PLANES = ("horizontal", "vertical")
-
-
-def largest_moment(data: Any) -> tuple[float, int, float]:
-    """The largest bending moment [N m] of either plane, with its sample and its place along the arm [m]."""
-    moment = data["bending_moment"].transpose("time", "mode", "plane", "s").values
-    time, mode, plane, station = np.unravel_index(np.argmax(np.abs(moment)), moment.shape)
-    lengths = mode_lengths(data)
-    place = sum(lengths[:mode]) + lengths[mode] * float(data["s"][station])
-    return float(moment[time, mode, plane, station]), int(time), place
+Array = NDArray[Any]
 
 
 @house_style()
-def bending_load(result: Result, ax: AxesLike = None) -> list[Axes]:
-    """Bending moment [N m] and shear force [N] over the length of the arm [m]: the range over the run, and one instant.
+def link_loads(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+    """Left, moments [N m] along each link when its bending moment is largest; right, stress [Pa], or shear force [N].
 
-    The instant is that of the largest moment. ``ax``: four axes (moment horizontal, vertical, shear horizontal,
-    vertical), or None.
+    The band is the range over the run. Of more than six links, those with the largest moments. ``ax``: two axes for
+    each link, or None.
     """
-    axes = panels(ax, [["mh", "mv"], ["sh", "sv"]], 4.4, sharex=ax is None)
     data = result.data
-    _, sample, _ = largest_moment(data)
-    for panel, (quantity, plane) in zip(axes, product(QUANTITIES, PLANES), strict=True):
-        _along_the_arm(panel, data, quantity, plane, sample)
-    for panel in axes[2:]:
-        panel.set_xlabel("along the arm [m]")
+    names = [str(name) for name in data["bending_link"].values]
+    moments = data["moment"].transpose("bending_link", "time", "s", "moment_kind").values
+    bending = np.linalg.norm(moments[..., 1:], axis=-1)
+    shown = largest(names, bending.max(axis=(1, 2)), _MOST_LINKS)
+    axes = panels(
+        ax, [[f"{k} left", f"{k} right"] for k in range(len(shown))], 0.8 + 1.6 * len(shown), sharex=ax is None
+    )
+    titles = []
+    for k, name in enumerate(shown):
+        index = names.index(name)
+        sample = int(np.unravel_index(np.argmax(bending[index]), bending[index].shape)[0])
+        _moments(axes[2 * k], data, moments[index, sample])
+        titles += [f"{plain(name)} at {float(data['time'][sample]):.3g} s", _right(axes[2 * k + 1], data, name)]
+    for panel in axes[-2:]:
+        panel.set_xlabel("along the link $s$ [–]")
     shared_legend(axes[0])
-    letter(axes, (f"{quantity.words}, {plane}" for quantity, plane in product(QUANTITIES, PLANES)))
+    shared_legend(axes[1], place="lower left")
+    letter(axes, titles)
     return axes
 
 
-def _along_the_arm(panel: Axes, data: Any, quantity: Quantity, plane: str, sample: int) -> None:
-    values = data[quantity.name].sel(plane=plane).transpose("time", "mode", "s").values
-    unit, ends = readable(quantity.unit, values), np.cumsum([0.0, *mode_lengths(data)])
-    along = np.concatenate([start + (end - start) * data["s"].values for start, end in pairwise(ends)])
-    curves = unit.of(values.reshape(len(values), -1))
-    low, high, worst = curves.min(axis=0), curves.max(axis=0), curves[sample]
-    instant = f"at {float(data['time'][sample]):.3f} s, when the moment is largest"
-    panel.fill_between(along, low, high, facecolor=BAND, edgecolor=BLUE, linewidth=0.6, label="range over the run")
-    panel.plot(along, worst, color=RED, linewidth=1.2, linestyle=(0, (5, 1.5)), label=instant)
+def _moments(panel: Axes, data: Any, moments: Array) -> None:
+    unit, s = readable("N m", moments), data["s"].values
+    for label, values, look in zip(_KINDS.values(), moments.T, COMPONENTS, strict=False):
+        panel.plot(s, unit.of(values), label=label, **look)
     panel.axhline(0.0, color=QUIET, linewidth=0.6)
-    for join in ends[1:-1]:
-        panel.axvline(join, color=QUIET, linewidth=0.6, linestyle=(0, (2, 2)))
-    panel.set_xlim(0.0, ends[-1])
-    panel.set_ylabel(f"${quantity.symbol}$ [{unit.name}]")
+    panel.set_xlim(0.0, 1.0)
+    panel.set_ylabel(f"moment [{unit.name}]")
+
+
+def _right(panel: Axes, data: Any, name: str) -> str:
+    """Stress where it is known, else the size of the shear force; returns the panel's title."""
+    known = "stressed_link" in data.dims and name in data["stressed_link"].values
+    if known:
+        values = data["stress"].sel(stressed_link=name).transpose("time", "s").values
+        words, unit = "stress", Unit("MPa", 1e-6)
+    else:
+        shear = data["shear_force"].sel(bending_link=name).transpose("time", "s", "plane").values
+        values = np.linalg.norm(shear, axis=-1)
+        words, unit = "shear force", readable("N", values)
+    s = data["s"].values
+    sample = int(np.unravel_index(np.argmax(values), values.shape)[0])
+    low, high, worst = (unit.of(line) for line in (values.min(axis=0), values.max(axis=0), values[sample]))
+    panel.fill_between(s, low, high, facecolor=BAND, edgecolor=BLUE, linewidth=0.6, label="range over the run")
+    panel.plot(s, worst, color=RED, linewidth=1.2, linestyle=(0, (5, 1.5)), label="when it is largest")
+    panel.set_xlim(0.0, 1.0)
+    panel.set_ylabel(f"{words} [{unit.name}]")
+    return f"{words.capitalize()}, worst at {float(data['time'][sample]):.3g} s"

@@ -1,57 +1,116 @@
-"""The paper's split of Bernoulli's solution: y(x, t) = X(x) (T_st(t) + T_to(t))."""
+"""The elastic coordinates of an arm, each split as y(x, t) = X(x) (T_st(t) + T_to(t)): gears, and links."""
 
 from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tmodes.plot.angles import NAMES
+import numpy as np
+
+from tmodes.plot.facts import deformation_unit, largest, plain, rows_height
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend, time_axis
-from tmodes.plot.style import COMPONENTS, QUIET, house_style
+from tmodes.plot.style import COMPONENTS, QUIET, REFERENCE, house_style
 from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import Result
+    from tmodes.result import ArmResult
 
-__all__ = ["stationary_oscillatory"]
+__all__ = ["gear_deflections", "link_coordinates", "link_tips", "no_bending", "no_gears"]
+
+_MOST_COORDINATES = 6
+_REFERENCE: dict[str, Any] = REFERENCE | {"linewidth": 0.8}
+
+
+def no_gears(data: Any) -> str:
+    """Why no gear is drawn; empty when one is."""
+    return "" if _names(data, gears=True) else "no gear of this arm is elastic"
+
+
+def no_bending(data: Any) -> str:
+    """Why no link is drawn; empty when one is."""
+    return "" if "bending_link" in data.dims else "no link of this arm bends"
+
+
+def _names(data: Any, *, gears: bool) -> list[str]:
+    if "deformation_kind" not in data.dims:
+        return []
+    names = [str(name) for name in data["deformation_kind"].values]
+    return [name for name in names if (name not in data["coordinate"].values) == gears]
 
 
 @house_style()
-def stationary_oscillatory(result: Result, ax: AxesLike = None) -> list[Axes]:
-    """Each elastic angle [rad]: the whole with its stationary part (left), its oscillatory part (right).
+def gear_deflections(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+    """Gear output less input [rad]: the whole with its stationary part (left), its oscillatory part (right).
 
-    The stationary part is what gravity, the gross motion's inertia and contact would hold statically; at rest it is
-    the sag. ``ax``: ten axes, row by row, or None.
+    Of more than eight gears, those that give most. ``ax``: two axes for each, or None.
     """
-    layout = [[f"{name} left", f"{name} right"] for name in NAMES]
-    axes = panels(ax, layout, 7.4, sharex=ax is None)
-    for row, name in enumerate(NAMES):
-        _stationary(axes[2 * row], result.data, name)
-        _oscillatory(axes[2 * row + 1], result.data, name)
-    for panel in axes[-2:]:
-        time_axis(panel, result.data["time"].values)
+    return _split(result.data, _most(result.data, _names(result.data, gears=True), 8), ax)
+
+
+@house_style()
+def link_coordinates(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+    """The six largest coordinates of the links [rad, m], split as :func:`gear_deflections`. ``ax``: two for each."""
+    names = _names(result.data, gears=False)
+    return _split(result.data, _most(result.data, names, _MOST_COORDINATES), ax)
+
+
+def _most(data: Any, names: list[str], most: int) -> list[str]:
+    values = data["deformation"].sel(deformation_kind=names).transpose("deformation_kind", "time").values
+    return largest(names, np.abs(values).max(axis=1), most)
+
+
+def _split(data: Any, names: list[str], ax: AxesLike) -> list[Axes]:
+    layout = [[f"{k} left", f"{k} right"] for k in range(len(names))]
+    axes = panels(ax, layout, rows_height(len(names)), sharex=ax is None)
+    for k, name in enumerate(names):
+        _stationary(axes[2 * k], data, name)
+        _oscillatory(axes[2 * k + 1], data, name)
+    for k, panel in enumerate(axes):
+        time_axis(panel, data["time"].values, label=k >= len(axes) - 2)
     shared_legend(axes[0], axes[1])
-    letter(axes, (place for _, place in NAMES.values() for _ in range(2)))
+    letter(axes, (plain(name) for name in names for _ in range(2)))
     return axes
 
 
 def _stationary(panel: Axes, data: Any, name: str) -> None:
-    whole = data["deformation"].sel(deformation_kind=name).values
-    part = data["deformation_stationary"].sel(deformation_kind=name).values
-    unit, time = readable("rad", whole, part), data["time"].values
+    whole, part = (data[key].sel(deformation_kind=name).values for key in ("deformation", "deformation_stationary"))
+    unit, time = readable(deformation_unit(data, name), whole, part), data["time"].values
     panel.plot(time, unit.of(whole), color=QUIET, linewidth=0.8, label="whole")
     panel.plot(time, unit.of(part), label="stationary $T_{st}$", **COMPONENTS[0])
-    _finish(panel, name, unit.name, time)
+    if "deformation_reference" in data:
+        planned = data["deformation_reference"].sel(deformation_kind=name).values
+        panel.plot(time, unit.of(planned), label="reference", **_REFERENCE)
+    panel.set_ylabel(f"[{unit.name}]")
 
 
 def _oscillatory(panel: Axes, data: Any, name: str) -> None:
-    part, time = data["deformation_oscillatory"].sel(deformation_kind=name).values, data["time"].values
-    unit = readable("rad", part)
-    panel.plot(time, unit.of(part), label="oscillatory $T_{to}$", color=COMPONENTS[1]["color"], linewidth=1.0)
-    _finish(panel, name, unit.name, time)
+    part = data["deformation_oscillatory"].sel(deformation_kind=name).values
+    unit = readable(deformation_unit(data, name), part)
+    panel.plot(
+        data["time"].values, unit.of(part), label="oscillatory $T_{to}$", color=COMPONENTS[2]["color"], linewidth=1.0
+    )
+    panel.set_ylabel(f"[{unit.name}]")
 
 
-def _finish(panel: Axes, name: str, unit: str, time: Any) -> None:
-    panel.set_ylabel(f"{NAMES[name][0]} [{unit}]")
-    time_axis(panel, time, label=False)
+@house_style()
+def link_tips(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+    """Deflection of the end of each link that bends from its root's tangent [m], along y and z of its root.
+
+    Of more than eight links, those that bend most. ``ax``: one axes for each link, or None.
+    """
+    data = result.data
+    names = [str(name) for name in data["bending_link"].values]
+    ends = data["deflection"].isel(s=-1).transpose("bending_link", "time", "plane")
+    names = largest(names, np.abs(ends.values).max(axis=(1, 2)))
+    axes = panels(ax, [[str(k)] for k in range(len(names))], 0.8 + 1.25 * len(names), sharex=ax is None)
+    for panel, name in zip(axes, names, strict=True):
+        bent = ends.sel(bending_link=name)
+        unit = readable("m", bent.values)
+        for plane, look in zip(("y", "z"), COMPONENTS, strict=False):
+            panel.plot(data["time"].values, unit.of(bent.sel(plane=plane)), label=f"along {plane}", **look)
+        panel.set_ylabel(f"[{unit.name}]")
+        time_axis(panel, data["time"].values, label=panel is axes[-1])
+    shared_legend(axes[0])
+    letter(axes, (f"End of {plain(name)}" for name in names))
+    return axes

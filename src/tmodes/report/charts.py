@@ -1,25 +1,144 @@
-"""The linked charts of one or several runs."""
+"""The charts of an arm's run, drafted from its result."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from collections.abc import Iterator, Sequence
+from typing import Any
 
-from tmodes.report.arm_charts import arm_charts
-from tmodes.report.drafts import Draft, in_readable_units
-from tmodes.report.robot_charts import robot_charts
+import numpy as np
 
-if TYPE_CHECKING:
-    from tmodes.result import RunRecord
+from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit
+from tmodes.report.common_charts import contact_parts, energy_charts, tip_charts
+from tmodes.report.drafts import Draft, Line, line_of
+from tmodes.report.spectra import arm_spectra
 
-__all__ = ["charts_of", "drafts_of"]
+__all__ = ["arm_charts"]
+
+_TOGETHER = 6
+"""Coordinates or joints in one chart, at most."""
+
+_PARTS = {"real": "", "reference": "_reference", "stationary": "_stationary", "oscillatory": "_oscillatory"}
 
 
-def charts_of(results: Sequence[RunRecord]) -> list[list[dict[str, Any]]]:
-    """The charts of each run as ``Chart`` of ``web/src/contract.ts``; charts of one name have one unit in all runs."""
-    return in_readable_units([drafts_of(result) for result in results])
+def arm_charts(data: Any) -> Iterator[Draft]:
+    """Every chart, the first of each group being the one to look at first."""
+    yield from tip_charts(data)
+    yield from _contact(data)
+    yield from _deformations(data)
+    yield from _joints(data)
+    yield from energy_charts(data)
+    yield from arm_spectra(data)
 
 
-def drafts_of(result: RunRecord) -> list[Draft]:
-    """The charts of a run in SI units."""
-    return list(arm_charts(result.data) if result.kind == "arm" else robot_charts(result.data))
+def _contact(data: Any) -> Iterator[Draft]:
+    if "contact_force" not in data:
+        return
+    time = data["time"].values
+    lines = [line_of(data, ("contact_force_normal", 0), "normal", "real")]
+    if "contact_force_normal_reference" in data:
+        lines.append(line_of(data, ("contact_force_normal_reference", 0), "normal", "reference"))
+    yield Draft("contact_normal", "Force into the surface", "contact", "N", time, tuple(lines))
+    yield contact_parts(data, "Contact force, by the point on the surface")
+    deep = (line_of(data, ("penetration", 0), "penetration", "real"),)
+    yield Draft("penetration", "Penetration (below zero: distance)", "contact", "m", time, deep)
+
+
+def _deformations(data: Any) -> Iterator[Draft]:
+    """One chart for each gear and each link; a link with many coordinates, or coordinates of two units, has several."""
+    if "deformation_kind" not in data.dims:
+        return
+    names = [str(name) for name in data["deformation_kind"].values]
+    groups: dict[tuple[str, str], list[int]] = {}
+    for k, name in enumerate(names):
+        groups.setdefault((_owner(data, name), deformation_unit(data, name)), []).append(k)
+    for (owner, unit), places in groups.items():
+        yield from _element(data, owner, unit, names, places)
+
+
+def _owner(data: Any, name: str) -> str:
+    """The gear itself, or the link of a coordinate."""
+    return name.rpartition(".")[0] if name in data["coordinate"].values else name
+
+
+def _element(data: Any, owner: str, unit: str, names: Sequence[str], places: Sequence[int]) -> Iterator[Draft]:
+    for first in range(0, len(places), _TOGETHER):
+        part = places[first : first + _TOGETHER]
+        title = f"{owner.removesuffix('.gear')}, gear" if owner.endswith(".gear") else f"Link {owner}"
+        if len(places) > _TOGETHER:
+            title += f", coordinates {first + 1} to {first + len(part)} of {len(places)}"
+        lines = tuple(
+            line_of(data, (f"deformation{end}", k), names[k].removeprefix(f"{owner}."), role, shown=_shown(role, part))
+            for k in part
+            for role, end in _PARTS.items()
+            if f"deformation{end}" in data
+        )
+        own = f"deformation_{owner}_{unit}_{first}"
+        yield Draft(own, title, "deformations", unit, data["time"].values, lines)
+
+
+def _shown(role: str, together: Sequence[int]) -> bool:
+    """One coordinate shows all its parts, of several only how they move."""
+    return role == "real" or len(together) == 1
+
+
+def _joints(data: Any) -> Iterator[Draft]:
+    if "drive" not in data.dims:
+        return
+    drives = [str(name) for name in data["drive"].values]
+    yield from _by_unit(data, "effort", "Effort", drives, _effort, effort_unit)
+    yield from _by_unit(data, "joint_error", "Joint less wanted", drives, _error, drive_unit)
+    yield from _by_unit(data, "joint", "Joints", drives, _position, drive_unit)
+    yield from _by_unit(data, "gear_torque", "Gear torque", drives, _gear_torque, effort_unit)
+    for name, title, unit in (("voltage", "Motor voltage", "V"), ("current", "Motor current", "A")):
+        if name in data:
+            lines = [(line_of(data, (name, k), drive, "real"),) for k, drive in enumerate(drives)]
+            yield from _chunks(name, title, unit, data, [part for part in lines if np.any(part[0].values)])
+
+
+def _by_unit(data: Any, name: str, title: str, drives: Sequence[str], lines: Any, unit_of: Any) -> Iterator[Draft]:
+    groups: dict[str, list[tuple[Line, ...]]] = {}
+    for k, drive in enumerate(drives):
+        if found := lines(data, k, drive):
+            groups.setdefault(unit_of(data, drive), []).append(found)
+    for unit, found in groups.items():
+        yield from _chunks(f"{name}_{unit}", title, unit, data, found)
+
+
+def _chunks(name: str, title: str, unit: str, data: Any, groups: Sequence[tuple[Line, ...]]) -> Iterator[Draft]:
+    for first in range(0, len(groups), _TOGETHER):
+        part = groups[first : first + _TOGETHER]
+        more = f", {first + 1} to {first + len(part)} of {len(groups)}" if len(groups) > _TOGETHER else ""
+        lines = tuple(line for group in part for line in group)
+        yield Draft(f"{name}_{first}", f"{title}{more}", "motors", unit, data["time"].values, lines)
+
+
+def _place(data: Any, drive: str) -> tuple[str, int]:
+    return "q", [str(name) for name in data["coordinate"].values].index(drive)
+
+
+def _wanted(data: Any, drive: str) -> bool:
+    return command_of(data, drive) in ("position", "prescribed")
+
+
+def _position(data: Any, k: int, drive: str) -> tuple[Line, ...]:
+    real = line_of(data, _place(data, drive), drive, "real")
+    return (real, line_of(data, ("wanted", k), drive, "reference")) if _wanted(data, drive) else (real,)
+
+
+def _error(data: Any, k: int, drive: str) -> tuple[Line, ...]:
+    if not _wanted(data, drive):
+        return ()
+    return (line_of(data, _place(data, drive), drive, "real", less=("wanted", k)),)
+
+
+def _effort(data: Any, k: int, drive: str) -> tuple[Line, ...]:
+    return (line_of(data, ("effort", k), drive, "real"),)
+
+
+def _gear_torque(data: Any, k: int, drive: str) -> tuple[Line, ...]:
+    line = line_of(data, ("gear_torque", k), drive, "real")
+    if not np.any(line.values):
+        return ()
+    if "gear_torque_reference" not in data:
+        return (line,)
+    return line, line_of(data, ("gear_torque_reference", k), drive, "reference", shown=False)

@@ -9,19 +9,19 @@ from typing import TYPE_CHECKING, Any, cast
 
 import numpy as np
 
-from tmodes.arm_result import ArmResult
 from tmodes.errors import TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
-from tmodes.report.arm_facts import arm_facts
-from tmodes.report.charts import charts_of
+from tmodes.report.chart_list import charts_of
 from tmodes.report.facts import Fact
+from tmodes.report.facts_motion import arm_facts
+from tmodes.report.facts_paper import robot_facts
 from tmodes.report.mode_shapes import modes_of
-from tmodes.report.robot_facts import robot_facts
 from tmodes.report.scene import line_of, scene_of
 from tmodes.report.thin import scene_frames
+from tmodes.result import ArmResult
 
 if TYPE_CHECKING:
-    from tmodes.result import Result, RunRecord
+    from tmodes.result.record import Result, RunRecord
 
 __all__ = ["facts_of", "live_page", "page_data", "robot_name", "sheet_of"]
 
@@ -101,7 +101,7 @@ def facts_of(result: Result | ArmResult) -> list[Fact]:
 
 def sheet_of(result: Result | ArmResult) -> str:
     """The data sheet of this very run as YAML; empty where it is no longer one that this version knows."""
-    from tmodes.io.arm_write import arm_to_yaml
+    from tmodes.io.sheet_write import arm_to_yaml
     from tmodes.io.write import robot_to_yaml
 
     try:

@@ -17,7 +17,7 @@ from tmodes.report.mesh_thin import thinned
 from tmodes.robots.load import urdf_of
 
 if TYPE_CHECKING:
-    from tmodes.arm_result import ArmResult
+    from tmodes.result import ArmResult
 
 __all__ = ["Kept", "few_shapes", "kept_meshes", "read_shapes", "seen_shapes", "with_few_shapes", "with_shapes"]
 

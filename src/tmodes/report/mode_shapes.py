@@ -8,14 +8,14 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.arm_modes import ArmMode
-from tmodes.analysis.modes import MotorState, VibrationMode, shaped_modes
-from tmodes.arm_result import ArmResult
+from tmodes.analysis.modes.modes import ArmMode
 from tmodes.errors import SimulationError
-from tmodes.report.scene_arm import drawn_links, lines_at, real_arm_of
+from tmodes.paper.modes import MotorState, VibrationMode, shaped_modes
+from tmodes.report.scene_chain import drawn_links, lines_at, real_arm_of
 from tmodes.report.scene_meshes import carriers
-from tmodes.report.scene_robot import line_at, real_robot
-from tmodes.result import Result
+from tmodes.report.scene_paper import line_at, real_robot
+from tmodes.result import ArmResult
+from tmodes.result.record import Result
 
 __all__ = ["modes_of"]
 
@@ -57,9 +57,9 @@ def _of_robot(result: Result) -> list[dict[str, Any]]:
 
 
 def _of_arm(result: ArmResult) -> list[dict[str, Any]]:
-    from tmodes.analysis.arm_modes import arm_modes
-    from tmodes.analysis.arm_modes_sheet import servos_of
-    from tmodes.analysis.equilibrium_arm import arm_rest
+    from tmodes.analysis.modes.modes import arm_modes
+    from tmodes.analysis.modes.of_sheet import servos_of
+    from tmodes.analysis.statics.rest import arm_rest
 
     arm = real_arm_of(result)
     rest = arm_rest(arm, contact=arm.contact is not None)

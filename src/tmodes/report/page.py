@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmodes.plot.figures import FIGURES, left_out
+from tmodes.plot.paper.figures import FIGURES, left_out
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
 from tmodes.report.markup import Markup, tag
@@ -18,7 +18,7 @@ from tmodes.report.viewer import application, policy
 
 if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
-    from tmodes.result import Result
+    from tmodes.result.record import Result
 
 __all__ = ["page"]
 

@@ -11,9 +11,9 @@ from tmodes.report.markup import Markup, tag
 from tmodes.report.picture import picture
 
 if TYPE_CHECKING:
-    from tmodes.plot.figures import FigureEntry
+    from tmodes.plot.paper.figures import FigureEntry
     from tmodes.plot.save import Drawing
-    from tmodes.result import RunRecord
+    from tmodes.result.record import RunRecord
 
 __all__ = ["SECTIONS", "document", "figures_section", "rows_of", "section", "status", "title_of", "warnings"]
 

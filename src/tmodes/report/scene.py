@@ -7,11 +7,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm_result import ArmResult
-from tmodes.report.scene_arm import arm_line_panel, arm_scene
-from tmodes.report.scene_robot import robot_line_panel, robot_scene
+from tmodes.report.scene_chain import arm_line_panel, arm_scene
+from tmodes.report.scene_paper import robot_line_panel, robot_scene
 from tmodes.report.thin import scene_frames
-from tmodes.result import Result
+from tmodes.result import ArmResult
+from tmodes.result.record import Result
 
 __all__ = ["line_of", "scene_of"]
 

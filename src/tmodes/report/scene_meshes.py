@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm.topology import BASE
-from tmodes.chain import Chain, RigidLink
+from tmodes.chain.chain import Chain, RigidLink
 from tmodes.report.meshes import Kept, kept_meshes
+from tmodes.sheet.topology import BASE
 
 __all__ = ["carriers", "meshes_in", "nearest_drawn"]
 

@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.arm import Arm
-from tmodes.elements.beam import BeamSheet
-from tmodes.elements.section import Round, Tube
-from tmodes.elements.section_numbers import SectionNumbers
+from tmodes.kinds.links.beam import BeamSheet
+from tmodes.kinds.links.section import Round, Tube
+from tmodes.kinds.links.section_numbers import SectionNumbers
+from tmodes.sheet import Arm
 
 __all__ = ["section_of", "solid_bar"]
 

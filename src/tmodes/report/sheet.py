@@ -8,10 +8,10 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from pydantic import BaseModel
 
+from tmodes.paper.sheet import Robot
 from tmodes.plot.units import pretty
 from tmodes.report.markup import Markup, tag
 from tmodes.report.tables import grouped_table
-from tmodes.robot import Robot
 
 if TYPE_CHECKING:
     from pydantic.fields import FieldInfo

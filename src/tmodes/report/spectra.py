@@ -10,10 +10,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.arm_facts import after_move, deformation_unit
-from tmodes.plot.facts import move_duration, steady_part
+from tmodes.plot.facts import after_move, deformation_unit
 from tmodes.plot.frequency_marks import NO_PEAK
-from tmodes.plot.vibration import amplitude_spectrum
+from tmodes.plot.paper.facts import move_duration, steady_part
+from tmodes.plot.paper.vibration import amplitude_spectrum
 from tmodes.report.drafts import Draft, Line, line_of
 
 __all__ = ["arm_spectra", "own_frequencies", "robot_spectra", "spectrum_draft"]

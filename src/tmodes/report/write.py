@@ -7,12 +7,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tmodes.io.atomic import atomic_write
-from tmodes.plot.figures import drawings
+from tmodes.plot.paper.figures import drawings
 from tmodes.report.page import page
 
 if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
-    from tmodes.result import Result
+    from tmodes.result.record import Result
 
 __all__ = ["write_report"]
 

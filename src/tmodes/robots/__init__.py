@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
-    from tmodes.robot import Robot
+    from tmodes.paper.sheet import Robot
 
 __all__ = ["kept_lines", "load_robot", "names", "text", "unknown"]
 
@@ -32,7 +32,7 @@ def text(name: str) -> str:
 def load_robot(name_or_path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None) -> Robot:
     """A checked robot from the name of a published one, or from a file (a name wins; write ``./name`` for a file).
 
-    ``changes`` are values by dotted path, as in :meth:`tmodes.robot.Robot.with_`. Raises
+    ``changes`` are values by dotted path, as in :meth:`tmodes.paper.sheet.Robot.with_`. Raises
     :class:`tmodes.errors.InputError` when there is no such robot or the file is no YAML, and
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
     """

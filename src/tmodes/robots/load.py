@@ -15,9 +15,9 @@ from tmodes.robots import kept_lines, unknown
 from tmodes.robots.packages import MODELS, installed_models
 
 if TYPE_CHECKING:
-    from tmodes.arm import Arm
     from tmodes.io.urdf import UrdfRobot
-    from tmodes.robot import Robot
+    from tmodes.paper.sheet import Robot
+    from tmodes.sheet import Arm
 
 __all__ = ["load_sheet", "sheet_names", "sheet_text", "urdf_of"]
 
@@ -54,8 +54,8 @@ def load_sheet(
 ) -> Robot | Arm:
     """A checked data sheet from the name of a published one, or from a file (a name wins; write ``./name`` for a file).
 
-    A sheet without a kind becomes the 2010 paper's :class:`tmodes.robot.Robot`; one with ``kind: arm``, a
-    Denavit-Hartenberg table, URDF, xacro, MJCF and an elasticity file beside a URDF an :class:`tmodes.arm.Arm`.
+    A sheet without a kind becomes the 2010 paper's :class:`tmodes.paper.sheet.Robot`; one with ``kind: arm``, a
+    Denavit-Hartenberg table, URDF, xacro, MJCF and an elasticity file beside a URDF an :class:`tmodes.sheet.Arm`.
     ``changes`` are values by dotted path; ``roots`` and ``trust_paths`` say where the files that a file names may lie.
     Raises :class:`tmodes.errors.InputError` when there is no such sheet or it cannot be read, and
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
@@ -107,7 +107,7 @@ def _refuse_without_model(data: dict[str, Any], roots: Roots) -> None:
 def _read(path: Path, roots: Roots, trust_paths: bool) -> Sheet:
     """Plain data of a file and the line of each dotted path."""
     if path.suffix.lower() in FOREIGN:
-        from tmodes.io.arm_files import read_arm_data
+        from tmodes.io.sheet_files import read_arm_data
 
         return read_arm_data(path, roots=(*roots, *installed_models()), trust_paths=trust_paths)[:2]
     from tmodes.io.yaml_file import read_yaml
@@ -119,7 +119,7 @@ def _whole(path: Path, data: dict[str, Any], positions: dict[str, int], roots: R
     """The sheet that a YAML file means: itself, or what is read with it of a table or of a robot's other file."""
     if "urdf" not in data and data.get("kind") != "dh":
         return data, positions
-    from tmodes.io.arm_files import arm_of_yaml
+    from tmodes.io.sheet_files import arm_of_yaml
 
     return arm_of_yaml(path, data, positions, (*roots, *installed_models()), trust_paths)
 
@@ -135,8 +135,8 @@ def _checked(data: dict[str, Any], positions: dict[str, int], source: str, chang
 
         where = f"{source}:{positions.get('kind', 1)}"
         raise InputError("kind", shown(data["kind"]), "arm", "write `kind: arm`", where)
-    from tmodes.io.arm_check import arm_from_data
-    from tmodes.io.arm_paths import changed_places
+    from tmodes.io.sheet_check import arm_from_data
+    from tmodes.io.sheet_paths import changed_places
 
     changed, places = changed_places(data, changes)
     return arm_from_data(changed, kept_lines(positions, places), source)

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from tmodes.arm import Arm
-from tmodes.robot import Robot
-from tmodes.sensitivity.arm_changes import ArmChanges
+from tmodes.paper.sheet import Robot
+from tmodes.sensitivity.changes_motion import ArmChanges
+from tmodes.sensitivity.changes_paper import RobotChanges
 from tmodes.sensitivity.differences import Change
 from tmodes.sensitivity.lowering import Lowered
-from tmodes.sensitivity.robot_changes import RobotChanges
+from tmodes.sheet import Arm
 
 __all__ = ["Change", "Changes"]
 

@@ -16,16 +16,16 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.arm import Arm
 from tmodes.errors import InputError
-from tmodes.recording import MOST_BYTES, Recording
-from tmodes.replay import Replay
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.differences import Change
 from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.lowering import Lowered, lowered
 from tmodes.sensitivity.quantities import Quantities
+from tmodes.sheet import Arm
+from tmodes.simulation.recording import MOST_BYTES, Recording
+from tmodes.simulation.replay import Replay
 
 __all__ = ["Cost", "Gradient", "Sensitivities", "adjoint_gradient", "forward_sensitivities"]
 

@@ -8,25 +8,25 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.modes import closed_loop_spectrum as robot_spectrum
 from tmodes.analysis.stability import chosen_settings
-from tmodes.arm import Arm
-from tmodes.arm.contact import ContactLaw, ContactSheet
-from tmodes.equations.arm.closed_loop import ClosedLoop
+from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
-from tmodes.mechanism import Drive, Mechanism
-from tmodes.model import Model
-from tmodes.model_schedules import implicit_schedule, rate_schedule
-from tmodes.motion.loop import LoopModel
-from tmodes.motion.plan import Planned, planned
-from tmodes.motion.regime import ArmRegime, arm_regime
-from tmodes.motion.simulate import closed_loop_spectrum
-from tmodes.recording import MOST_BYTES, record
-from tmodes.reference.schedule import Schedule
-from tmodes.replay import Replay
-from tmodes.robot import Robot
-from tmodes.trajectory import Moving, Numbers
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.paper.mechanism import Drive, Mechanism
+from tmodes.paper.model import Model
+from tmodes.paper.model_schedules import implicit_schedule, rate_schedule
+from tmodes.paper.modes import closed_loop_spectrum as robot_spectrum
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
+from tmodes.sheet.contact import ContactLaw, ContactSheet
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.plan import Planned, planned
+from tmodes.simulation.recording import MOST_BYTES, record
+from tmodes.simulation.replay import Replay
+from tmodes.simulation.simulate import closed_loop_spectrum
+from tmodes.simulation.start import ArmRegime, arm_regime
+from tmodes.simulation.trajectory import Moving, Numbers
 
 __all__ = ["Lowered", "lowered", "replanned", "rows_of", "structure"]
 

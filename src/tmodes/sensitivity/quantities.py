@@ -8,11 +8,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.derivatives import Blocks
-from tmodes.model import Model
-from tmodes.recording import Recording
+from tmodes.model.derivatives import Blocks
+from tmodes.paper.model import Model
 from tmodes.sensitivity.lowering import Lowered
-from tmodes.sensitivity.seen import ArmSeen, RobotSeen
+from tmodes.sensitivity.outputs import ArmSeen, RobotSeen
+from tmodes.simulation.recording import Recording
 
 __all__ = ["Quantities", "Weights"]
 
@@ -30,8 +30,9 @@ class Weights(NamedTuple):
 class Quantities:
     """Quantities at the samples of a run, by their names.
 
-    ``state`` (n, size); of the 2010 robot all of :data:`tmodes.equations.layout.OBSERVED`, as ``tip`` (n, 3) [m]; of an
-    arm what :meth:`tmodes.motion.loop.LoopModel.observe` tells, and ``tip``, ``tip_velocity``, ``points.NAME`` and
+    ``state`` (n, size); of the 2010 robot all of :data:`tmodes.equations.lagrange.layout.OBSERVED`, as ``tip`` (n, 3)
+    [m]; of an
+    arm what :meth:`tmodes.simulation.loop.LoopModel.observe` tells, and ``tip``, ``tip_velocity``, ``points.NAME`` and
     ``points.NAME_velocity`` (n, 3) [m, m/s] of its named points, in the world. Raises
     :class:`tmodes.errors.InputError` for other names.
     """

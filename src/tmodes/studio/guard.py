@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 from urllib.parse import parse_qs
 
-from tmodes.studio.told import told_error
+from tmodes.studio.messages import told_error
 
 __all__ = ["MOST_BODY", "Guard"]
 

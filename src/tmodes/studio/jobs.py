@@ -9,8 +9,8 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tmodes.errors import InputError
+from tmodes.studio.messages import told_error
 from tmodes.studio.pool import Pool, WorkerLost
-from tmodes.studio.told import told_error
 
 __all__ = ["Job", "JobBook"]
 

@@ -14,19 +14,19 @@ from fastapi import FastAPI, Query, Request, Response
 from fastapi.exceptions import RequestValidationError
 from starlette.concurrency import run_in_threadpool
 
-from tmodes.arm import Arm
 from tmodes.errors import InputError, ResultFileError, TmodesError
 from tmodes.io.words import shown
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
 from tmodes.studio import sheets
 from tmodes.studio.folder import WorkingFolder
 from tmodes.studio.guard import Guard
 from tmodes.studio.jobs import JobBook
 from tmodes.studio.looks import Shelf, source_of
+from tmodes.studio.messages import told_error, told_errors
 from tmodes.studio.page import add_page
 from tmodes.studio.pool import Pool
 from tmodes.studio.requests import body_of, word_of
-from tmodes.studio.told import told_error, told_errors
 from tmodes.studio.upload import uploaded
 from tmodes.studio.work import PRODUCTS
 

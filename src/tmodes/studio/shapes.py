@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import TmodesError
 from tmodes.studio.looks import GONE
-from tmodes.studio.told import told_error, told_unseen
+from tmodes.studio.messages import told_error, told_unseen
 
 if TYPE_CHECKING:
-    from tmodes.arm_result import ArmResult
     from tmodes.io.urdf_shapes import LinkShape
-    from tmodes.result import Result
+    from tmodes.result import ArmResult
+    from tmodes.result.record import Result
 
 __all__ = ["Shapes"]
 

@@ -7,11 +7,11 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from tmodes.arm import Arm
 from tmodes.errors import InputError
-from tmodes.io.arm_check import arm_data, arm_from_data
 from tmodes.io.check import robot_from_data
-from tmodes.robot import Robot
+from tmodes.io.sheet_check import arm_data, arm_from_data
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
 
 __all__ = ["catalogue", "checked_sheet", "loaded", "plain_sheet", "schema_of", "sheet_yaml", "told_sheet", "units_of"]
 
@@ -39,8 +39,8 @@ def schema_of(kind: str) -> dict[str, Any]:
 
     Raises :class:`tmodes.errors.InputError` for another kind.
     """
-    from tmodes.io.arm_schema import arm_json_schema
     from tmodes.io.schema import json_schema
+    from tmodes.io.sheet_schema import arm_json_schema
 
     if kind not in ("robot", "arm"):
         raise InputError("kind", repr(kind[:60]), "robot or arm", "ask for the kind that a sheet tells")
@@ -74,7 +74,7 @@ def _finite(value: Any) -> Any:
 
 def sheet_yaml(sheet: Robot | Arm) -> str:
     """The sheet as YAML, with units and meanings."""
-    from tmodes.io.arm_write import arm_to_yaml
+    from tmodes.io.sheet_write import arm_to_yaml
     from tmodes.io.write import robot_to_yaml
 
     return arm_to_yaml(sheet) if isinstance(sheet, Arm) else robot_to_yaml(sheet)
@@ -98,6 +98,6 @@ def units_of(data: Any) -> dict[str, str]:
     """
     if not isinstance(data, dict) or data.get("kind") != "arm":
         return {}
-    from tmodes.io.arm_fields import quantities
+    from tmodes.io.sheet_fields import quantities
 
     return {".".join(map(str, steps)): place.unit or "" for _, _, steps, place in quantities(data)}

@@ -4,10 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.arm import Arm
-from tmodes.io.arm_paths import steps_of
+from tmodes.io.sheet_paths import steps_of
 from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
 
 __all__ = ["told_sliders"]
 

@@ -8,18 +8,18 @@ from collections.abc import Mapping
 from pathlib import Path, PurePosixPath
 from typing import Any, NamedTuple
 
-from tmodes.arm import Arm
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import shown
-from tmodes.robot import Robot
+from tmodes.paper.sheet import Robot
 from tmodes.robots.load import urdf_of
+from tmodes.sheet import Arm
 from tmodes.studio.folder import LONGEST_NAME, NAME, SIGNS
 from tmodes.studio.lay_out import lay_out
 from tmodes.studio.looks import Shelf
 from tmodes.studio.main_file import main_file
+from tmodes.studio.messages import as_sent
 from tmodes.studio.own_folder import make_within, remove
 from tmodes.studio.sheets import loaded
-from tmodes.studio.told import as_sent
 
 __all__ = ["MOST_UPLOADED", "Uploaded", "uploaded"]
 

@@ -10,15 +10,15 @@ from dataclasses import dataclass
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tmodes.arm import Arm
 from tmodes.errors import InputError
+from tmodes.sheet import Arm
 from tmodes.studio.shapes import Shapes
 from tmodes.studio.sheets import MOST_BYTES, checked_sheet, plain_sheet
 
 if TYPE_CHECKING:
-    from tmodes.arm_result import ArmResult
-    from tmodes.result import Result
-    from tmodes.robot import Robot
+    from tmodes.paper.sheet import Robot
+    from tmodes.result import ArmResult
+    from tmodes.result.record import Result
 
 __all__ = ["PRODUCTS", "Answer", "Workshop"]
 
@@ -85,15 +85,15 @@ class _Laps:
 
 def _simulated(sheet: Robot | Arm, progress: Progress) -> Result | ArmResult:
     if isinstance(sheet, Arm):
-        from tmodes.arm_result import assemble_arm
-        from tmodes.arm_runs import ready_to_run, result_bytes
-        from tmodes.motion.simulate import simulate_arm
+        from tmodes.report.folder_motion import ready_to_run, result_bytes
+        from tmodes.result import assemble_arm
+        from tmodes.simulation.simulate import simulate_arm
 
         arm = ready_to_run(sheet)
         _refuse_large(result_bytes(arm))
         return assemble_arm(simulate_arm(arm, progress=progress), arm, progress=progress)
-    from tmodes.simulate import simulate
-    from tmodes.trajectory import sample_times
+    from tmodes.paper.simulate import simulate
+    from tmodes.simulation.trajectory import sample_times
 
     _refuse_large(len(sample_times(sheet.integration)) * sheet.integration.bytes_per_sample)
     return simulate(sheet, progress=progress)
@@ -144,8 +144,8 @@ def _data(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
 
 def _report(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
     from tmodes.report import write_report
-    from tmodes.report.arm_write import write_arm_report
-    from tmodes.result import Result
+    from tmodes.report.write_motion import write_arm_report
+    from tmodes.result.record import Result
 
     del name
     with tempfile.TemporaryDirectory(prefix="tmodes-report-") as folder:

@@ -19,7 +19,7 @@ import time as clock
 from typing import Any, BinaryIO
 
 from tmodes.errors import TmodesError
-from tmodes.studio.told import told_error, told_errors
+from tmodes.studio.messages import told_error, told_errors
 
 __all__ = ["main"]
 

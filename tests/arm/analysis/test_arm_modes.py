@@ -11,12 +11,12 @@ from scipy.optimize import brentq
 
 from arm.statics.beams import clamped
 from arm.statics.test_elements import ROD, geared, on_joint
-from tmodes.analysis.arm_modes import MotorState, Servo, _undamped, arm_modes
-from tmodes.analysis.equilibrium import Load, equilibrium
-from tmodes.arm.contact import ContactLaw, ContactSheet, Plane
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, JointKind, Motor, Node, Segment
+from tmodes.analysis.modes.modes import MotorState, Servo, _undamped, arm_modes
+from tmodes.analysis.statics.equilibrium import Load, equilibrium
+from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, JointKind, Motor, Node, Segment
 from tmodes.errors import SimulationError
+from tmodes.model.model import ArmModel
+from tmodes.sheet.contact import ContactLaw, ContactSheet, Plane
 
 INERTIA, ROTOR, STIFFNESS = 0.1 + 2 * 0.25, 0.1, 300.0
 NONE = np.zeros(3)

@@ -6,10 +6,10 @@ import numpy as np
 import pytest
 
 from arm.statics.test_elements import geared, on_joint
-from tmodes.analysis.arm_compliance import LOADS, point_compliance, springs_of
-from tmodes.analysis.equilibrium import Load, equilibrium
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Beam, BeamPiece, Chain, Joint, JointKind, Node
+from tmodes.analysis.statics.compliance import LOADS, point_compliance, springs_of
+from tmodes.analysis.statics.equilibrium import Load, equilibrium
+from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, JointKind, Node
+from tmodes.model.model import ArmModel
 
 STIFFNESS, BENDING, TORSION, LENGTH = 300.0, 7.5, 5.0, 1.2
 

@@ -8,15 +8,15 @@ import numpy as np
 import pytest
 
 from arm.analysis.sheets import clamped_sheet, locked_sheet
-from tmodes.analysis.arm_modes_sheet import servos_of, sheet_modes, vibrations
-from tmodes.analysis.describe import describe, statics_told
-from tmodes.analysis.describe_bare import bare_beam
-from tmodes.analysis.equilibrium_arm import arm_rest, first_commands
-from tmodes.analysis.equilibrium_loads import Load
-from tmodes.arm import Arm
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Beam, BeamPiece
+from tmodes.analysis.describe.bare import bare_beam
+from tmodes.analysis.describe.describe import describe, statics_told
+from tmodes.analysis.modes.of_sheet import servos_of, sheet_modes, vibrations
+from tmodes.analysis.statics.loads import Load
+from tmodes.analysis.statics.rest import arm_rest, first_commands
+from tmodes.chain.chain import Beam, BeamPiece
+from tmodes.model.model import ArmModel
 from tmodes.robots.load import load_sheet
+from tmodes.sheet import Arm
 
 
 def taper(mass: float) -> Beam:

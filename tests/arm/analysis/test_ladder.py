@@ -13,12 +13,12 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from arm.analysis.sheets import clamped_sheet
-from tmodes.analysis.ladder import Ladder, ladder
-from tmodes.analysis.ladder_arms import driven, input_mix, moved_chain, rungs, whole_chain
-from tmodes.analysis.ladder_move import chosen_move, followed
-from tmodes.arm import Arm
-from tmodes.arm_model import ArmModel
+from tmodes.analysis.hierarchy.hierarchy import Ladder, ladder
+from tmodes.analysis.hierarchy.move import chosen_move, followed
+from tmodes.analysis.hierarchy.variants import driven, input_mix, moved_chain, rungs, whole_chain
 from tmodes.errors import InputError
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
 
 LENGTH, EI, MASS = 0.7, 12.0, 1.1
 

@@ -7,13 +7,13 @@ import pytest
 
 from arm.analysis.sheets import clamped_sheet
 from arm.statics.beams import clamped
-from tmodes.analysis.arm_line import elastic_line
-from tmodes.analysis.arm_validity import STRAIN_LIMIT, run_warnings
-from tmodes.analysis.equilibrium import Load, equilibrium
+from tmodes.analysis.line.line import elastic_line
+from tmodes.analysis.model_validity import STRAIN_LIMIT, run_warnings
 from tmodes.analysis.range import link_angles, link_ranges
-from tmodes.arm import Arm
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Chain, Joint, JointKind, Node, Segment
+from tmodes.analysis.statics.equilibrium import Load, equilibrium
+from tmodes.chain.chain import Chain, Joint, JointKind, Node, Segment
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
 
 
 @pytest.mark.parametrize(("turn", "verdict"), [(np.pi / 2, "good"), (2 * np.pi, "fair"), (9.0, "beyond the model")])

@@ -12,9 +12,9 @@ import pytest
 from arm.cli.command import tmodes
 from arm.see.runs import SHEETS
 from disturbed import running
-from tmodes.arm import Arm
-from tmodes.arm_result import load_result
-from tmodes.io.arm_write import arm_to_yaml
+from tmodes.io.sheet_write import arm_to_yaml
+from tmodes.result import load_result
+from tmodes.sheet import Arm
 
 URDF = """<robot name="two"><link name="base"/>
 <link name="rod"><inertial><origin xyz="0 0 -1"/><mass value="1"/>

@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from pydantic import ValidationError
 
-from tmodes.elements.material import LIBRARY, Material, find_material
 from tmodes.errors import InputError
+from tmodes.kinds.links.material import LIBRARY, Material, find_material
 
 SODEN = {
     "AS4/3501-6": (126e9, 11e9, 6.6e9, 0.28, 1950e6, 48e6, 79e6),

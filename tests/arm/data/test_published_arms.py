@@ -11,9 +11,9 @@ import pytest
 from scipy.linalg import eigh
 
 from arm.data.exact import UniformBeam
-from tmodes.arm import Arm
-from tmodes.arm_model import ArmModel
 from tmodes.io.yaml_file import parse_yaml
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
 
 FOLDER = resources.files("tmodes.robots") / "arms"
 NAMES = sorted(entry.name.removesuffix(".yaml") for entry in FOLDER.iterdir() if entry.name.endswith(".yaml"))
@@ -210,7 +210,7 @@ def test_elasticity_over_a_urdf_holds_no_urdf(name):
 )
 def test_elasticity_over_the_urdf_is_an_arm(name, beams, gears, mass):
     """Where example-robot-data is installed: what bends, and the mass on the joints is the URDF's."""
-    from tmodes.chain import Beam, Drive, RigidLink
+    from tmodes.chain.chain import Beam, Drive, RigidLink
     from tmodes.io.elasticity import read_elasticity
 
     with resources.as_file(FOLDER / f"{name}.yaml") as path:

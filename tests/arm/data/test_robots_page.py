@@ -7,8 +7,8 @@ from pathlib import Path
 
 import pytest
 
-from tmodes.elements.material import LIBRARY
-from tmodes.elements.section import SHAPES
+from tmodes.kinds.links.material import LIBRARY
+from tmodes.kinds.links.section import SHAPES
 
 PAGE = (Path(__file__).resolve().parents[3] / "docs" / "robots.md").read_text(encoding="utf-8")
 ROWS = {cells[0].strip(" `"): cells for line in PAGE.splitlines() if (cells := line.strip("| ").split(" | "))}

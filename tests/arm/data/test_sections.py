@@ -12,9 +12,9 @@ from pydantic import TypeAdapter, ValidationError
 from scipy.sparse import coo_matrix
 from scipy.sparse.linalg import spsolve
 
-from tmodes.elements.material import LIBRARY, Material
-from tmodes.elements.section import SHAPES, Box, GivenSection, IBeam, Round, Section, Tube, between
 from tmodes.errors import InputError
+from tmodes.kinds.links.material import LIBRARY, Material
+from tmodes.kinds.links.section import SHAPES, Box, GivenSection, IBeam, Round, Section, Tube, between
 
 UNIT = Material(young=1.0, shear=1.0, density=1.0)
 SECTION = TypeAdapter(Section)

@@ -10,10 +10,10 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from arm.random_chains import random_body, random_placement
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
-from tmodes.equations.arm.framing import STRAIGHT, Framing, ScrewWay
-from tmodes.equations.arm.screw_rates import rates_kernel
+from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
+from tmodes.equations.recursion.framing import STRAIGHT, Framing, ScrewWay
+from tmodes.equations.recursion.screw_rates import rates_kernel
+from tmodes.model.model import ArmModel
 
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 

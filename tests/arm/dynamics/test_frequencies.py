@@ -11,8 +11,8 @@ from scipy.linalg import eigh
 
 from arm.dynamics.exact_beams import bending, ritz_errors, rotating, torsion
 from arm.oracle.robots import piece
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Beam, Body, Chain, Joint, JointKind, Node, Placement, RigidLink, Segment
+from tmodes.chain.chain import Beam, Body, Chain, Joint, JointKind, Node, Placement, RigidLink, Segment
+from tmodes.model.model import ArmModel
 
 Array = NDArray[np.float64]
 

@@ -13,8 +13,8 @@ from arm.oracle.lagrange import Lagrangian
 from arm.oracle.pair import SPRUNG, Pair, assert_equations_agree, assert_near, assert_parts_agree
 from arm.oracle.robots import GRAVITY, arms, turned
 from arm.random_chains import random_body, random_state
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, RigidLink
+from tmodes.chain.chain import Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, RigidLink
+from tmodes.model.model import ArmModel
 
 RUBBED = Friction(0.3, 0.5, 0.2, 0.4, 1e-2)
 LINEAR, RISING = Gear((100.0,), damping=0.5), Gear((100.0, 200.0, 300.0), (5.0, 20.0), damping=0.5)

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from arm.oracle.robots import arms
-from tmodes.arm_model import ArmModel
-from tmodes.compile import kernels
-from tmodes.compile.wide import Wide
+from tmodes.compile.ir import kernels
+from tmodes.compile.lanes.wide import Wide
+from tmodes.model.model import ArmModel
 
 
 def test_lanes_equal_single_robots() -> None:

@@ -11,17 +11,17 @@ import numpy as np
 import pytest
 
 from arm.random_chains import random_chain
-from tmodes.arm_model import ArmModel
 from tmodes.bench.gcc import build
 from tmodes.bench.rigid import RigidChain
-from tmodes.chain import Chain, Drive, Gear, Motor
-from tmodes.compile import kernels
-from tmodes.compile.c_text import c_text
-from tmodes.compile.ordering import in_good_order, kernel_program
-from tmodes.compile.program import READ, Instruction, block_program
-from tmodes.compile.tracing import traced
-from tmodes.compile.unroll import Unrolled
-from tmodes.equations.arm.kernel import Kernel
+from tmodes.chain.chain import Chain, Drive, Gear, Motor
+from tmodes.compile.ir import kernels
+from tmodes.compile.ir.c_text import c_text
+from tmodes.compile.ir.ordering import in_good_order, kernel_program
+from tmodes.compile.ir.program import READ, Instruction, block_program
+from tmodes.compile.ir.tracing import traced
+from tmodes.compile.ir.unroll import Unrolled
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.model.model import ArmModel
 
 OPERATIONS: dict[str, Any] = {
     "add": lambda x, y: x + y, "sub": lambda x, y: x - y, "mul": lambda x, y: x * y, "div": lambda x, y: x / y,

@@ -14,8 +14,8 @@ from numpy.typing import NDArray
 from arm.oracle.robots import arms
 from arm.oracle.variants import carried, reordered, rigidified, split_placements, stiffened
 from arm.random_chains import random_chain, random_placement, random_state
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Chain
+from tmodes.chain.chain import Chain
+from tmodes.model.model import ArmModel
 
 Array = NDArray[np.float64]
 

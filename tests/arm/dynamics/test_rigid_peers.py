@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from arm.oracle.pinocchio_bridge import chain_of, model_of
 from arm.oracle.robots import ur5, ur5_table
 from arm.random_chains import random_chain
-from tmodes.arm_model import ArmModel
+from tmodes.model.model import ArmModel
 
 Array = NDArray[np.float64]
 

@@ -10,8 +10,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Beam, BeamPiece, Body, Chain, Joint, JointKind, Node, Point
+from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Joint, JointKind, Node, Point
+from tmodes.model.model import ArmModel
 
 Array = NDArray[np.float64]
 

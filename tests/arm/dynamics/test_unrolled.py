@@ -10,12 +10,12 @@ import pytest
 
 from arm.random_chains import random_chain
 from arm.run.sheets import arm, pendulum, torque
-from tmodes.arm_model import ArmModel
-from tmodes.compile import calls, kernels, unroll
-from tmodes.compile.program import block_program
-from tmodes.motion.loop import LoopModel
-from tmodes.motion.plan import planned
-from tmodes.motion.simulate import simulate_arm
+from tmodes.compile.ir import calls, kernels, unroll
+from tmodes.compile.ir.program import block_program
+from tmodes.model.model import ArmModel
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.plan import planned
+from tmodes.simulation.simulate import simulate_arm
 
 
 def landing() -> Any:

@@ -7,8 +7,8 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tmodes.arm import Arm
-from tmodes.chain import Beam, JointKind, Placement
+from tmodes.chain.chain import Beam, JointKind, Placement
+from tmodes.sheet import Arm
 
 __all__ = ["chain_frames", "mass_matrix", "matrix", "sheet_frames"]
 

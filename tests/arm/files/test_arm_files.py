@@ -7,7 +7,7 @@ from pathlib import Path
 import pytest
 
 from tmodes.errors import InputError, TmodesError
-from tmodes.io.arm_files import read_arm_data
+from tmodes.io.sheet_files import read_arm_data
 
 
 def test_a_sheet_is_handed_on_as_it_is(tmp_path: Path) -> None:

@@ -8,7 +8,7 @@ from pathlib import Path
 import pytest
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.arm_files import read_arm_data
+from tmodes.io.sheet_files import read_arm_data
 
 GOOD = """<?xml version="1.0"?>
 <robot name="two">
@@ -269,9 +269,9 @@ def test_a_zero_mass_that_is_said_is_refused_also_in_the_middle(tmp_path: Path) 
 
 
 def test_a_negative_damping_is_read_and_told(tmp_path: Path) -> None:
-    from tmodes.arm import Arm
-    from tmodes.io.arm_plausible import implausible_arm
+    from tmodes.io.sheet_plausible import implausible_arm
     from tmodes.robots.load import load_sheet
+    from tmodes.sheet import Arm
 
     path = tmp_path / "good.urdf"
     path.write_text(GOOD.replace('damping="0.3"', 'damping="-0.3"'))
@@ -312,7 +312,7 @@ def test_a_chain_of_3000_links_takes_bounded_time(tmp_path: Path) -> None:
     data = read_arm_data(path)[0]
     assert time.process_time() - start < 5.0
     assert len(data["joints"]) == 3000
-    from tmodes.io.arm_check import arm_from_data
+    from tmodes.io.sheet_check import arm_from_data
 
     with pytest.raises(InputErrors, match="500"):
         arm_from_data(data)

@@ -11,8 +11,8 @@ from numpy import cos, sin
 
 from arm.files.frames import chain_frames
 from tmodes.errors import InputErrors
-from tmodes.io.arm_check import arm_from_data
-from tmodes.io.arm_files import read_arm_data
+from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_files import read_arm_data
 
 ROWS = [(0.1, 0.5, 0.3, 0.2), (0.4, -1.2, -0.1, 0.9), (0.0, 0.7, 0.2, -0.4)]
 BODY = "{mass: 1.0, center: [0.1, 0, 0.05], inertia: {xx: 0.1, yy: 0.1, zz: 0.1}}"

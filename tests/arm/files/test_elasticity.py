@@ -10,13 +10,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from arm.files.frames import chain_frames, matrix, sheet_frames
-from tmodes.arm import Arm
-from tmodes.chain import Beam, Drive
+from tmodes.chain.chain import Beam, Drive
 from tmodes.errors import InputError, InputErrors, TmodesError
-from tmodes.io.arm_check import arm_from_data
-from tmodes.io.arm_files import read_arm_data
 from tmodes.io.elasticity_beam import section_axes
+from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_files import read_arm_data
 from tmodes.io.urdf import read_urdf
+from tmodes.sheet import Arm
 
 INERTIAL = """<inertial><origin xyz="0.1 0.02 0.2" rpy="0.3 -0.4 0.5"/><mass value="2.4"/>
 <inertia ixx="0.02" iyy="0.03" izz="0.04" ixy="0.001" ixz="0.002" iyz="-0.003"/></inertial>"""

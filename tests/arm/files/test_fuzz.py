@@ -18,8 +18,8 @@ from arm.files.test_dh_table import ROWS
 from arm.files.test_elasticity import BOTH, URDF
 from arm.files.test_xacro import MACROS
 from tmodes.errors import TmodesError
-from tmodes.io.arm_check import arm_from_data
-from tmodes.io.arm_files import read_arm_data
+from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_files import read_arm_data
 
 CASES = int(os.environ.get("TMODES_FUZZ", "300"))
 LONGEST = 5.0

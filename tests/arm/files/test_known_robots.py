@@ -12,8 +12,8 @@ import pytest
 
 from arm.files.frames import chain_frames, mass_matrix, sheet_frames
 from tmodes.errors import TmodesError
-from tmodes.io.arm_check import arm_from_data
-from tmodes.io.arm_files import read_arm_data
+from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_files import read_arm_data
 from tmodes.io.urdf import read_urdf
 
 SHARE = Path(sysconfig.get_path("purelib")) / "cmeel.prefix/share"

@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from arm.files.frames import mass_matrix, sheet_frames
-from tmodes.chain import Drive
+from tmodes.chain.chain import Drive
 from tmodes.errors import InputError
-from tmodes.io.arm_check import arm_from_data
-from tmodes.io.arm_files import read_arm_data
+from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_files import read_arm_data
 
 needs_mujoco = pytest.mark.skipif(find_spec("mujoco") is None, reason="needs MuJoCo (`pip install mujoco`)")
 

@@ -9,8 +9,8 @@ from pathlib import Path
 import pytest
 
 from tmodes.errors import InputError, TmodesError
-from tmodes.io.arm_files import read_arm_data
 from tmodes.io.mesh_paths import folders_of
+from tmodes.io.sheet_files import read_arm_data
 from tmodes.io.xacro import expand_xacro, read_xacro
 from tmodes.io.xacro_expression import FormulaError, evaluate
 from tmodes.io.xml_file import Element, parse_xml

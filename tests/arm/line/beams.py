@@ -6,8 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Beam, BeamPiece, Chain, Drive, Joint, JointKind, Node, Placement, Point
+from tmodes.chain.chain import Beam, BeamPiece, Chain, Drive, Joint, JointKind, Node, Placement, Point
+from tmodes.model.model import ArmModel
 
 __all__ = ["EI", "LENGTH", "MASS", "beam", "clamped", "piece", "turning"]
 

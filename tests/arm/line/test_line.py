@@ -10,11 +10,11 @@ import pytest
 from arm.line.beams import EI, LENGTH, MASS, beam, clamped, piece, turning
 from arm.oracle.robots import arms
 from arm.random_chains import random_chain, random_state
-from tmodes.analysis.arm_line import elastic_line
-from tmodes.analysis.arm_split import held_shape
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Body, Chain, JointKind, Point
+from tmodes.analysis.line.line import elastic_line
+from tmodes.analysis.quasistatic import held_shape
+from tmodes.chain.chain import Body, Chain, JointKind, Point
 from tmodes.errors import InputError, SimulationError
+from tmodes.model.model import ArmModel
 
 S = np.linspace(0, 1, 21)
 X = LENGTH * S
@@ -265,7 +265,7 @@ def test_segment_line() -> None:
 
 def test_segment_in_balance_carries_what_bends_it() -> None:
     """In equilibrium the moment of a tip force is the mode's own all along."""
-    from tmodes.chain import Joint, Node, Segment
+    from tmodes.chain.chain import Joint, Node, Segment
 
     node = Node("mode", -1, Joint("wall", JointKind.FIXED), Segment(0.5, 800.0, 800.0, bodies=(Body(0.2),)))
     model = ArmModel(Chain("mode", (node,), np.zeros(3)))

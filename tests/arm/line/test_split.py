@@ -10,10 +10,10 @@ from scipy.integrate import solve_ivp
 
 from arm.line.beams import EI, LENGTH, MASS, beam, clamped, piece, turning
 from arm.oracle.robots import arms
-from tmodes.analysis.arm_line import elastic_line
-from tmodes.analysis.arm_split import deflections, elastic_names, held_shape, split_motion
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Chain, Drive, Gear, Joint, JointKind, Motor, Node
+from tmodes.analysis.line.line import elastic_line
+from tmodes.analysis.quasistatic import deflections, elastic_names, held_shape, split_motion
+from tmodes.chain.chain import Chain, Drive, Gear, Joint, JointKind, Motor, Node
+from tmodes.model.model import ArmModel
 
 
 def test_at_rest_the_stationary_part_is_the_sag() -> None:
@@ -52,7 +52,7 @@ def test_held_shape_is_an_equilibrium_of_the_loads_and_the_gross_motion() -> Non
 
 def test_gear_deflection_is_output_less_input() -> None:
     """A mass on a horizontal arm behind a gear: xi = -m g l cos(q)/C, the motor's angle apart."""
-    from tmodes.chain import Body, Placement, RigidLink
+    from tmodes.chain.chain import Body, Placement, RigidLink
 
     tilted = Placement(np.array([[1.0, 0, 0], [0, 0, -1.0], [0, 1.0, 0]]))
     joint = Joint("hub", JointKind.REVOLUTE, tilted, drive=Drive.ELASTIC, motor=Motor(0.1), gear=Gear((500.0,)))

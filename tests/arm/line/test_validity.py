@@ -9,13 +9,13 @@ import numpy as np
 import pytest
 
 from arm.line.beams import beam, clamped
-from tmodes.analysis.arm_line import elastic_line
-from tmodes.analysis.arm_split import held_shape
-from tmodes.analysis.arm_validity import missing_share, run_warnings
-from tmodes.arm import Arm
-from tmodes.arm_model import ArmModel
-from tmodes.motion.simulate import simulate_arm
-from tmodes.motion.told import run_warnings as joint_warnings
+from tmodes.analysis.line.line import elastic_line
+from tmodes.analysis.model_validity import missing_share, run_warnings
+from tmodes.analysis.quasistatic import held_shape
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.warnings import run_warnings as joint_warnings
 
 
 def sheet(**beam_changes: Any) -> dict[str, Any]:

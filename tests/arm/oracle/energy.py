@@ -9,7 +9,7 @@ import numpy as np
 
 from arm.oracle.motion import Motion, moves
 from arm.oracle.rotation import vee
-from tmodes.chain import Beam, Drive, Friction, Gear, Motor, Node, Segment
+from tmodes.chain.chain import Beam, Drive, Friction, Gear, Motor, Node, Segment
 
 __all__ = ["elastic_gear", "elastic_link", "gravity", "kinetic", "lost", "momentum"]
 

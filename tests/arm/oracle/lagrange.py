@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from arm.oracle import energy
 from arm.oracle.motion import Motion
 from arm.oracle.rotation import vee
-from tmodes.chain import Chain, Drive, JointKind
+from tmodes.chain.chain import Chain, Drive, JointKind
 
 __all__ = ["Lagrangian"]
 

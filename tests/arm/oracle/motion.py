@@ -10,7 +10,7 @@ import numpy as np
 
 from arm.oracle.line import DIRECTIONS, Line, counts
 from arm.oracle.rotation import about
-from tmodes.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Placement, Segment
+from tmodes.chain.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Placement, Segment
 
 __all__ = ["Frame", "Mass", "Motion", "moves"]
 

@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 
 from arm.oracle.lagrange import Lagrangian
 from arm.random_chains import random_state
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Chain
+from tmodes.chain.chain import Chain
+from tmodes.model.model import ArmModel
 
 __all__ = ["FREE", "SPRUNG", "Pair", "assert_equations_agree", "assert_near", "assert_parts_agree", "reachable"]
 

@@ -7,7 +7,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.chain import Body, Chain, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
+from tmodes.chain.chain import Body, Chain, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
 
 __all__ = ["chain_of", "model_of"]
 

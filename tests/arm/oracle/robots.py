@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.chain import (
+from tmodes.chain.chain import (
     Beam,
     BeamPiece,
     Body,

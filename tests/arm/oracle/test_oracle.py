@@ -11,7 +11,7 @@ from arm.oracle.lagrange import Lagrangian
 from arm.oracle.pinocchio_bridge import model_of
 from arm.oracle.robots import arms, piece, ur5, ur5_table
 from arm.random_chains import random_chain, random_state
-from tmodes.chain import Beam, Body, Chain, Drive, Gear, Joint, JointKind, Motor, Node, Segment
+from tmodes.chain.chain import Beam, Body, Chain, Drive, Gear, Joint, JointKind, Motor, Node, Segment
 
 pytest.importorskip("casadi")
 

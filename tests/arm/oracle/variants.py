@@ -10,7 +10,7 @@ import casadi as ca
 import numpy as np
 
 from arm.oracle.line import Line, counts
-from tmodes.chain import (
+from tmodes.chain.chain import (
     Beam,
     BeamPiece,
     Body,

@@ -7,10 +7,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Body, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Segment
-from tmodes.mechanism import Drive as SeedDrive
-from tmodes.model import Model
+from tmodes.chain.chain import Body, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Segment
+from tmodes.model.model import ArmModel
+from tmodes.paper.mechanism import Drive as SeedDrive
+from tmodes.paper.model import Model
 from tmodes.robots import load_robot
 
 

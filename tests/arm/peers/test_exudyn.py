@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.arm import Arm
-from tmodes.motion.simulate import simulate_arm
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
 
 exudyn: Any = pytest.importorskip("exudyn", reason="needs `pip install exudyn`")
 

@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.arm import Arm
+from tmodes.sheet import Arm
 
 REFERENCE = json.loads((Path(__file__).parent / "data" / "reference_values.json").read_text(encoding="utf-8"))
 

@@ -7,7 +7,7 @@ import pytest
 
 from arm.run.sheets import pendulum
 from tmodes.errors import SimulationError
-from tmodes.motion.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_arm
 
 SIGNAL = {"type": "quintic", "start": 0.0, "end": 0.5, "duration": 0.3}
 DRIVE = {"command": "position", "signal": SIGNAL,

@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from arm.run.sheets import REFERENCE, TIGHT, ZERO, arm, at_times, beam
 from tmodes.errors import InputError
-from tmodes.motion.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_arm
 
 
 def slider(mass, contact, *, axis=(1, 0, 0), gravity=0.0, drive=None, rate=0.0, **more):

@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from arm.run.sheets import REFERENCE, at_times, pendulum, torque, ur5
-from tmodes.motion.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_arm
 
 MOTOR = {"inertia": 0.3}
 

@@ -8,11 +8,11 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import arm
-from tmodes.arm import Arm
-from tmodes.compile.time_loop import Status
-from tmodes.motion.simulate import simulate_arm
-from tmodes.result import STATUSES
-from tmodes.run_endings import Lost
+from tmodes.compile.loops.time_loop import Status
+from tmodes.result.record import STATUSES
+from tmodes.sheet import Arm
+from tmodes.simulation.endings import Lost
+from tmodes.simulation.simulate import simulate_arm
 
 G = 9.81
 

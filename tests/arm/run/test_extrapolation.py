@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import arm, landing, pendulum, sunk, torque
-from tmodes.motion.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_arm
 
 Integration = dict[str, Any]
 

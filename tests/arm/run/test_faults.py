@@ -9,16 +9,16 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import TIGHT, arm, pendulum, torque
-from tmodes.arm import Arm
 from tmodes.errors import InputErrors
 from tmodes.integrate.settings import Method
-from tmodes.mechanism import Drive
-from tmodes.model import Model
-from tmodes.motion.regime import ArmRegime, arm_regime
-from tmodes.motion.simulate import simulate_arm
-from tmodes.reference.schedule import Schedule
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
 from tmodes.robots import load_robot
-from tmodes.trajectory import Trajectory, integrate
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.start import ArmRegime, arm_regime
+from tmodes.simulation.trajectory import Trajectory, integrate
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 BREAK = 0.0537

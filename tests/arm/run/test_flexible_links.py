@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import REFERENCE, ZERO, arm, at_times, beam
-from tmodes.motion.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_arm
 
 
 def test_slewing_link():

@@ -8,13 +8,13 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import arm, beam, pendulum, torque
-from tmodes import trajectory
-from tmodes.arm import Arm
-from tmodes.compile.tableau import difference_weights
+from tmodes.compile.loops.tableau import difference_weights
 from tmodes.errors import CompileError
-from tmodes.motion.regime import arm_regime, run_arm_regime
-from tmodes.motion.simulate import simulate_arm
-from tmodes.trajectory import Trajectory
+from tmodes.sheet import Arm
+from tmodes.simulation import trajectory
+from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.start import arm_regime, run_arm_regime
+from tmodes.simulation.trajectory import Trajectory
 
 FINE = {"method": "dormand_prince", "relative_tolerance": 1e-12, "absolute_tolerance": 1e-14}
 

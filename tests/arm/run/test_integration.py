@@ -6,11 +6,11 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import TIGHT, ZERO, arm, pendulum, torque
-from tmodes.arm import Arm
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Method
-from tmodes.io.arm_check import arm_data
-from tmodes.motion.simulate import simulate_arm
+from tmodes.io.sheet_check import arm_data
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
 
 GEAR = {"stiffness": 100.0, "damping": 0.5}
 MOTOR = {"inertia": 0.3}

@@ -9,10 +9,10 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import pendulum
-from tmodes.motion.plan import planned
-from tmodes.motion.regime import ArmRegime, arm_regime
-from tmodes.motion.simulate import simulate_arm
-from tmodes.motion.told import jumps
+from tmodes.simulation.plan import planned
+from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.start import ArmRegime, arm_regime
+from tmodes.simulation.warnings import jumps
 
 RIGID = {"stiffness": float("inf")}
 MOTOR = {"inertia": 0.3}

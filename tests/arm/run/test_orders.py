@@ -8,10 +8,10 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import arm
-from tmodes.arm import Arm
-from tmodes.motion.regime import arm_regime, run_arm_regime
-from tmodes.native_run import NativeRun
-from tmodes.trajectory import Trajectory
+from tmodes.sheet import Arm
+from tmodes.simulation.native_run import NativeRun
+from tmodes.simulation.start import arm_regime, run_arm_regime
+from tmodes.simulation.trajectory import Trajectory
 
 JUMPS = (0.1234, 0.3217)
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")

@@ -11,7 +11,7 @@ from arm.run.sheets import landing, ringing, sliding, sunk
 from arm.run.test_extrapolation import stiff
 from tmodes.integrate.choice import STIFF, TRIAL, chosen_method, worth_keeping, worth_switching
 from tmodes.integrate.settings import Integration, Method
-from tmodes.motion.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_arm
 
 
 @pytest.mark.parametrize("method", ["auto", "dormand_prince", "dop853"])
@@ -65,8 +65,8 @@ def test_a_change_that_does_not_pay_is_taken_back() -> None:
 
 def test_trials_are_the_same_whatever_the_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
     whole = simulate_arm(sliding(method="auto"))
-    monkeypatch.setattr("tmodes.trajectory._FIRST_PIECE", 7)
-    monkeypatch.setattr("tmodes.trajectory._PIECE_SECONDS", 1e-4)
+    monkeypatch.setattr("tmodes.simulation.trajectory._FIRST_PIECE", 7)
+    monkeypatch.setattr("tmodes.simulation.trajectory._PIECE_SECONDS", 1e-4)
     pieces = simulate_arm(sliding(method="auto"))
     assert "by dormand_prince again" in whole.message
     assert pieces.states.tobytes() == whole.states.tobytes()
@@ -107,8 +107,8 @@ class Journal:
 def test_same_bits_after_a_kill_on_either_side(share: float, monkeypatch: pytest.MonkeyPatch) -> None:
     """Killed before the method changes, about then, or after: the bytes, counts and errors of a whole run."""
     whole = simulate_arm(landing(method="auto"))
-    monkeypatch.setattr("tmodes.trajectory._FIRST_PIECE", 20)
-    monkeypatch.setattr("tmodes.trajectory._PIECE_SECONDS", 1e-4)
+    monkeypatch.setattr("tmodes.simulation.trajectory._FIRST_PIECE", 20)
+    monkeypatch.setattr("tmodes.simulation.trajectory._PIECE_SECONDS", 1e-4)
     journal = Journal()
 
     def progress(stage: str, done: float) -> None:
@@ -128,14 +128,14 @@ def test_same_bits_after_a_kill_on_either_side(share: float, monkeypatch: pytest
 
 def test_chattering_ends_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
     """A contact that sets in and ends too often within a time: a status of its own, and what was done is kept."""
-    monkeypatch.setattr("tmodes.native_run.MOST_EVENTS", 3)
-    monkeypatch.setattr("tmodes.native_run.EVENT_TIME", 10.0)
+    monkeypatch.setattr("tmodes.simulation.native_run.MOST_EVENTS", 3)
+    monkeypatch.setattr("tmodes.simulation.native_run.EVENT_TIME", 10.0)
     run = simulate_arm(landing(damping=0.0, method="dormand_prince", duration=1.0))
     assert run.status == "chattering"
     assert "more than 3 times" in run.message
     assert 10 < len(run.times) < 101
     assert np.isfinite(run.q).all()
-    monkeypatch.setattr("tmodes.native_run.EVENT_TIME", 1e-3)
+    monkeypatch.setattr("tmodes.simulation.native_run.EVENT_TIME", 1e-3)
     assert simulate_arm(landing(damping=0.0, method="dormand_prince", duration=1.0)).status == "finished"
 
 
@@ -152,7 +152,7 @@ def test_errors_bound_the_true_ones(method: str) -> None:
 
 def test_errors_of_an_arms_figures() -> None:
     """Beside each headline figure of an arm; sharp with a second run."""
-    from tmodes.arm_result import assemble_arm
+    from tmodes.result import assemble_arm
 
     coarse = {"method": "dormand_prince", "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8, "duration": 0.1}
     tight = {**coarse, "relative_tolerance": 1e-12, "absolute_tolerance": 1e-14}

@@ -9,13 +9,13 @@ import pytest
 from scipy.special import ellipk, ellipkinc
 
 from arm.run.sheets import arm
-from tmodes import trajectory
-from tmodes.arm import Arm
 from tmodes.errors import InputError, SimulationError
-from tmodes.motion.quantities import arm_quantities, arm_stops
-from tmodes.motion.regime import arm_regime, run_arm_regime
-from tmodes.motion.simulate import simulate_arm
-from tmodes.stops import Instants
+from tmodes.sheet import Arm
+from tmodes.simulation import trajectory
+from tmodes.simulation.quantities import arm_quantities, arm_stops
+from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.start import arm_regime, run_arm_regime
+from tmodes.simulation.stops import Instants
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 G = 9.81

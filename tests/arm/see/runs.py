@@ -5,11 +5,11 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm
-from tmodes.arm_runs import ready_to_run
-from tmodes.motion.run import ArmRun
-from tmodes.motion.simulate import simulate_arm
+from tmodes.report.folder_motion import ready_to_run
+from tmodes.result import ArmResult, assemble_arm
+from tmodes.sheet import Arm
+from tmodes.simulation.motion_run import ArmRun
+from tmodes.simulation.simulate import simulate_arm
 
 LENGTH, FORCE = 0.8, 2.0
 OUTER, THICK, YOUNG = 0.02, 0.002, 70e9

@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from arm.see.runs import NASTY, SHEETS, result_of
-from tmodes.arm_result import ArmResult
 from tmodes.errors import InputError
-from tmodes.plot.arm_figures import ARM_FIGURES, all_arm_figures, arm_drawings, arm_left_out
-from tmodes.plot.arm_shape import arm_shape
-from tmodes.plot.arm_spectrum import ringing
-from tmodes.plot.arm_tip import tip_path, views
+from tmodes.plot.figures import ARM_FIGURES, all_arm_figures, arm_drawings, arm_left_out
 from tmodes.plot.save import rendered
-from tmodes.report.arm_write import write_arm_report
+from tmodes.plot.shape import arm_shape
+from tmodes.plot.spectrum import ringing
+from tmodes.plot.tip import tip_path, views
+from tmodes.report.write_motion import write_arm_report
+from tmodes.result import ArmResult
 
 
 @pytest.fixture(scope="module", params=SHEETS)

@@ -9,15 +9,15 @@ import pytest
 
 from arm.see.runs import FORCE, LENGTH, OUTER, SHEETS, THICK, YOUNG, pendulum, result_of, run_of, sheet, tube
 from result.synthetic import synthetic_result
-from tmodes.arm import Arm
-from tmodes.arm_result import ArmResult, assemble_arm, load_result
-from tmodes.arm_result.lines import run_wrenches, straight_shape
-from tmodes.arm_result.told import move_end
-from tmodes.arm_runs import ready_to_run, result_bytes
 from tmodes.errors import InputError, ResultFileError
-from tmodes.motion.plan import planned
-from tmodes.motion.simulate import simulate_arm
-from tmodes.result import Result
+from tmodes.report.folder_motion import ready_to_run, result_bytes
+from tmodes.result import ArmResult, assemble_arm, load_result
+from tmodes.result.lines import run_wrenches, straight_shape
+from tmodes.result.provenance import move_end
+from tmodes.result.record import Result
+from tmodes.sheet import Arm
+from tmodes.simulation.plan import planned
+from tmodes.simulation.simulate import simulate_arm
 
 AREA_MOMENT = np.pi / 64 * (OUTER**4 - (OUTER - 2 * THICK) ** 4)
 

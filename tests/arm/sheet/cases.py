@@ -9,9 +9,9 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tmodes.arm import Arm
-from tmodes.chain import Beam, Chain, JointKind, Placement, RigidLink
+from tmodes.chain.chain import Beam, Chain, JointKind, Placement, RigidLink
 from tmodes.errors import InputErrors
+from tmodes.sheet import Arm
 
 SECTION = {"bending_stiffness": [120.0, 80.0], "torsional_stiffness": 60.0, "mass_per_length": 0.7}
 SECTION = {**SECTION, "polar_inertia_per_length": 2e-4}

@@ -7,7 +7,7 @@ import math
 import pytest
 
 from arm.sheet.cases import arm_of, beam, body, changed, complaint, joint, sheet
-from tmodes.io.arm_plausible import arm_notices, implausible_arm
+from tmodes.io.sheet_plausible import arm_notices, implausible_arm
 
 QUINTIC = {"type": "quintic", "start": 0.0, "end": 1.0, "duration": 1.0}
 STEEL = {"young": 210e9, "shear": 81e9, "density": 7850.0}

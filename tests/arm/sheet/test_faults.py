@@ -11,8 +11,8 @@ from hypothesis import strategies as st
 
 from arm.sheet.cases import arm_of, beam, body, changed, complaint, joint, one_link, sheet
 from tmodes.errors import InputErrors, TmodesError
-from tmodes.io.arm_check import arm_from_data
-from tmodes.io.arm_plausible import implausible_arm
+from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_plausible import implausible_arm
 from tmodes.io.yaml_file import parse_yaml
 
 KEYS = [

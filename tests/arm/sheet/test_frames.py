@@ -11,9 +11,9 @@ from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
 from arm.sheet.cases import arm_of, at, body, complaint, joint, matrix, one_link, points, sheet, turned
-from tmodes.elements.axes import bent_line, rotation_about, unit
-from tmodes.elements.frames import Convention, DenavitHartenberg, Origin
-from tmodes.io.arm_plausible import arm_notices
+from tmodes.io.sheet_plausible import arm_notices
+from tmodes.kinds.schema.axes import bent_line, rotation_about, unit
+from tmodes.kinds.schema.frames import Convention, DenavitHartenberg, Origin
 
 ANGLE = st.floats(-7, 7)
 

@@ -7,13 +7,13 @@ from pathlib import Path
 import pytest
 
 from arm.sheet.cases import sheet
-from tmodes.arm import Arm
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.arm_schema import arm_json_schema
-from tmodes.io.arm_write import arm_to_yaml
-from tmodes.robot import Robot
+from tmodes.io.sheet_schema import arm_json_schema
+from tmodes.io.sheet_write import arm_to_yaml
+from tmodes.paper.sheet import Robot
 from tmodes.robots import text
 from tmodes.robots.load import load_sheet, sheet_names, sheet_text
+from tmodes.sheet import Arm
 
 
 @pytest.fixture

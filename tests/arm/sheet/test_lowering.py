@@ -9,8 +9,8 @@ import pytest
 from scipy.integrate import quad_vec
 
 from arm.sheet.cases import SECTION, arm_of, at, beam, body, changed, joint, matrix, one_link, points, sheet, turned
-from tmodes.chain import Beam, Drive, JointKind, RigidLink, Segment
-from tmodes.elements.axes import bent_line
+from tmodes.chain.chain import Beam, Drive, JointKind, RigidLink, Segment
+from tmodes.kinds.schema.axes import bent_line
 
 MOTOR = {"inertia": 0.1, "side": "joint"}
 GEAR = {"stiffness": 900.0, "damping": 1.5}

@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 
 from arm.sheet.cases import SECTION, arm_of, at, beam, body, changed, complaint, one_link, sheet
-from tmodes.chain import Beam, RigidLink
+from tmodes.chain.chain import Beam, RigidLink
 
 INERTIAS = [
     ({"xx": 1, "yy": 1, "zz": 3}, "triangle inequality"),

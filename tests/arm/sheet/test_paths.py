@@ -9,12 +9,12 @@ from hypothesis import given, settings
 from hypothesis import strategies as st
 
 from arm.sheet.cases import SECTION, arm_of, beam, body, complaint, joint, sheet
-from tmodes.arm import Arm
-from tmodes.elements.material import LIBRARY
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.arm_check import arm_data, arm_from_data
-from tmodes.io.arm_write import arm_to_yaml
+from tmodes.io.sheet_check import arm_data, arm_from_data
+from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.io.yaml_file import parse_yaml
+from tmodes.kinds.links.material import LIBRARY
+from tmodes.sheet import Arm
 
 ROUND = {"shape": "round", "diameter": 0.02}
 

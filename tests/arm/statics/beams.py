@@ -7,9 +7,9 @@ from typing import Any
 import numpy as np
 
 from arm.statics.exact import Load as ExactLoad
-from tmodes.analysis.equilibrium import Load
-from tmodes.arm_model import ArmModel
-from tmodes.chain import Beam, BeamPiece, Chain, Joint, JointKind, Node
+from tmodes.analysis.statics.equilibrium import Load
+from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, JointKind, Node
+from tmodes.model.model import ArmModel
 
 __all__ = ["clamped", "loads_of"]
 

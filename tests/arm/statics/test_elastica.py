@@ -9,7 +9,7 @@ from scipy.special import ellipe, ellipk
 from arm.statics.beams import clamped, loads_of
 from arm.statics.exact import BENDS, PLANAR, Bend, Planar, Rod, solve
 from arm.statics.exact import Load as ExactLoad
-from tmodes.analysis.equilibrium import Equilibrium, Load, equilibrium
+from tmodes.analysis.statics.equilibrium import Equilibrium, Load, equilibrium
 
 PUBLISHED = {1: {4: 2e-7, 6: 1e-11}, 5: {4: 2e-5, 6: 2e-7}, 10: {4: 3e-5, 6: 3e-6}}
 """Distance of the tip from exact over L, by P L^2/EI and number of functions: of a prototype of this model."""

@@ -8,14 +8,12 @@ import numpy as np
 import pytest
 
 from arm.statics.beams import clamped
-from tmodes.analysis.equilibrium import Load, equilibrium
-from tmodes.analysis.equilibrium_held import free_coordinates
-from tmodes.analysis.equilibrium_loads import acts_of
-from tmodes.analysis.equilibrium_surface import surface_act
-from tmodes.analysis.equilibrium_system import StaticSystem
-from tmodes.arm.contact import ContactLaw, ContactSheet
-from tmodes.arm_model import ArmModel
-from tmodes.chain import (
+from tmodes.analysis.statics.equilibrium import Load, equilibrium
+from tmodes.analysis.statics.held import free_coordinates
+from tmodes.analysis.statics.loads import acts_of
+from tmodes.analysis.statics.surface import surface_act
+from tmodes.analysis.statics.system import StaticSystem
+from tmodes.chain.chain import (
     Beam,
     BeamPiece,
     Body,
@@ -30,6 +28,8 @@ from tmodes.chain import (
     Point,
     RigidLink,
 )  # fmt: skip
+from tmodes.model.model import ArmModel
+from tmodes.sheet.contact import ContactLaw, ContactSheet
 
 LENGTH, BENDING = 1.2, 7.466666666666667
 TORSION = 26e9 * 3.728854453606258e-10

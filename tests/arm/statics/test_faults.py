@@ -7,8 +7,8 @@ import pytest
 
 from arm.statics.beams import clamped
 from arm.statics.test_elements import DOWN, ROD, geared, on_joint
-from tmodes.analysis.equilibrium import Load, equilibrium
-from tmodes.chain import Gear, Joint, JointKind, RigidLink
+from tmodes.analysis.statics.equilibrium import Load, equilibrium
+from tmodes.chain.chain import Gear, Joint, JointKind, RigidLink
 from tmodes.errors import InputError, SimulationError
 
 

@@ -6,10 +6,10 @@ from typing import Any
 
 import pytest
 
-from tmodes.analysis.equilibrium_arm import arm_rest, first_value, sheet_loads
-from tmodes.analysis.ladder_move import chosen_move
-from tmodes.arm import Arm
-from tmodes.motion.simulate import simulate_arm
+from tmodes.analysis.hierarchy.move import chosen_move
+from tmodes.analysis.statics.rest import arm_rest, first_value, sheet_loads
+from tmodes.sheet import Arm
+from tmodes.simulation.simulate import simulate_arm
 
 ENDING = {"type": "expression", "formula": "sqrt(0.6 - t)"}
 FAST = {"type": "sine", "frequency": 9000, "amplitude": 0.1, "offset": 0.3}

@@ -1,0 +1,160 @@
+"""What an arm is, in numbers: masses, lengths, stiffnesses, frequencies, sag, and what gives way at the tip."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping
+from dataclasses import asdict
+from typing import Any
+
+import numpy as np
+
+from tmodes.analysis.describe.links import gear_rows, joint_rows, link_rows
+from tmodes.analysis.describe.notices import doubts, rest_doubts
+from tmodes.analysis.line.line import LinkLines, elastic_line
+from tmodes.analysis.model_validity import missing_share, rest_warnings
+from tmodes.analysis.range import link_ranges
+from tmodes.analysis.statics.compliance import DIRECTIONS, PointCompliance, point_compliance
+from tmodes.analysis.statics.compliance_missing import missing_functions
+from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.path import Progress
+from tmodes.analysis.statics.rest import arm_rest
+from tmodes.chain.chain import Beam
+from tmodes.errors import SimulationError
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
+
+__all__ = ["NOTHING_MOVES", "compliance_table", "describe", "link_states", "sag", "statics_told"]
+
+NOTHING_MOVES = "nothing in it moves or bends: its joints are locked or fixed, and no link has a function"
+
+BAD_SHARE = 0.05
+"""Share of a link's energy in shapes that its functions do not have, from which its model does not hold."""
+
+
+def describe(
+    arm: Arm, held: Mapping[str, float] | None = None, progress: Progress = lambda stage, share: None
+) -> dict[str, Any]:
+    """All that ``tmodes describe`` tells of an arm, as plain data with units in the names.
+
+    The sag and the stiffness are those under the arm's weight alone, the driven coordinates at ``held``, else at their
+    first command. An arm that finds no rest is described too: then ``sag`` and ``stiffness`` are None and ``warnings``
+    say why. Raises :class:`tmodes.errors.InputError` for an unknown name in ``held``.
+    """
+    chain = arm.chain()
+    model = ArmModel(chain)
+    links = link_rows(arm, chain)
+    progress("statics", 0.0)
+    rest, trouble = _rest(arm, model, held, progress)
+    told = {
+        "name": arm.name,
+        "title": arm.title,
+        "assumed": arm.assumed,
+        "gravity_m_per_s2": list(arm.gravity),
+        "coordinates": list(model.coordinates),
+        "total_mass_kg": float(sum(link["mass_kg"] for link in links)),
+        "joints": joint_rows(arm),
+        "links": links,
+        "gears": gear_rows(arm, links),
+        "sag": sag(rest) if rest else None,
+        "stiffness": compliance_table(rest) if rest else None,
+    }
+    found = [*trouble, *doubts(arm, chain, told, rest)]
+    return told | {"warnings": [*found, *(rest_warnings(arm, model, _lines(rest)) if rest else ()), *_still(model)]}
+
+
+def _still(model: ArmModel) -> list[str]:
+    return [] if model.nq else [NOTHING_MOVES]
+
+
+def _lines(rest: Equilibrium) -> LinkLines:
+    wrenches = None if rest.wrenches is None else rest.wrenches[None]
+    return elastic_line(rest.model, rest.q, wrenches=wrenches)
+
+
+def link_states(rest: Equilibrium, lines: LinkLines | None = None) -> list[dict[str, Any]]:
+    """The flexible links at rest, and whether the model of each holds: ``verdict`` good, fair, bad, beyond the model.
+
+    ``missing_share``: of its energy in shapes that its functions do not have, None of segments. A link that carries
+    more than a twentieth of it so is bad, however little it bends.
+    """
+    lines, told = lines or _lines(rest), []
+    for link in link_ranges(rest.model, rest.q):
+        line = lines[link.link]
+        shape = rest.model.chain.nodes[line.node].link
+        share = max(missing_share(line, shape).values(), default=0.0) if isinstance(shape, Beam) else None
+        row = asdict(link) | {"missing_share": share}
+        told.append(row | {"verdict": "bad"} if (share or 0.0) > BAD_SHARE else row)
+    return told
+
+
+def _rest(
+    arm: Arm, model: ArmModel, held: Mapping[str, float] | None, progress: Progress
+) -> tuple[Equilibrium | None, list[str]]:
+    try:
+        return arm_rest(arm, model=model, held=held, sheet=False, contact=False, progress=progress), []
+    except SimulationError as error:
+        return None, [f"no rest under its own weight: {error}"]
+
+
+def statics_told(arm: Arm, rest: Equilibrium, point: int = 0) -> dict[str, Any]:
+    """All that ``tmodes static`` tells of an arm at rest, as plain data; ``point``: whose stiffness."""
+    free, lines = rest.lowest_frequency_Hz, _lines(rest)
+    return {
+        "coordinates": rest.named,
+        "held": [name for k, name in enumerate(rest.model.coordinates) if k not in rest.free],
+        "residual": rest.residual,
+        "stable": rest.stable,
+        "lowest_frequency_Hz": free if np.isfinite(free) else None,
+        "unstable_modes": [asdict(mode) for mode in rest.unstable_modes],
+        "lost_stability_at": rest.lost_stability_at,
+        "load_steps": len(rest.load_path) - 1,
+        "points": [sag(rest, k) for k in range(len(rest.model.parts.points))],
+        "links": link_states(rest, lines),
+        "stiffness": compliance_table(rest, point),
+        "warnings": [*rest_doubts(arm, rest), *rest_warnings(arm, rest.model, lines), *_still(rest.model)],
+    }
+
+
+def sag(rest: Equilibrium, point: int = 0) -> dict[str, Any]:
+    """How far a point is moved and turned by weight and loads, from the unloaded arm."""
+    travel, turn = rest.displacement(point)
+    position = rest.model.pose(rest.q)[0][point]
+    return {
+        "point": rest.model.parts.points[point].name,
+        "position_m": position.tolist(),
+        "displacement_m": travel.tolist(),
+        "displacement_size_m": float(np.linalg.norm(travel)),
+        "rotation_vector_rad": turn.tolist(),
+        "rotation_rad": float(np.linalg.norm(turn)),
+    }
+
+
+def compliance_table(rest: Equilibrium, point: int = 0) -> dict[str, Any] | None:
+    """Stiffness of a point by direction and the share of each element in its compliance; None where it has none.
+
+    A direction in which the sheet leaves out how the arm gives has no numbers, and ``why`` says so; one without a
+    stiffness and a reason is rigid.
+    """
+    try:
+        found = point_compliance(rest, point)
+    except SimulationError:
+        return None
+    matrix, missing = found.stiffness_matrix, missing_functions(rest, found, point)
+    return {
+        "point": found.point,
+        "directions": [_direction(found, k, missing[k]) for k in range(6)],
+        "compliance_matrix_SI": found.compliance.tolist(),
+        "stiffness_matrix_SI": None if matrix is None else matrix.tolist(),
+    }
+
+
+def _direction(found: PointCompliance, k: int, missing: str) -> dict[str, Any]:
+    stiffness = float(found.stiffness[k])
+    return {
+        "direction": DIRECTIONS[k],
+        "stiffness": stiffness if np.isfinite(stiffness) and not missing else None,
+        "unit": "N/m" if k < 3 else "N*m/rad",
+        "compliance": None if missing else float(found.compliance[k, k]),
+        "why": f"not modelled (no {missing} functions)" if missing else None,
+        "shares": {} if missing else found.shares(k),
+    }

@@ -1,0 +1,98 @@
+"""What looks wrong with an arm, or is beyond what its models tell: sentences, never errors."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+
+from tmodes.analysis.range import link_ranges
+from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.chain.chain import Beam, Chain
+from tmodes.sheet import Arm
+
+__all__ = ["doubts", "rest_doubts"]
+
+FIRST_FREQUENCY = (0.05, 5e3)
+"""Usual range of the first frequency of a bare link [Hz]."""
+
+GEAR_OVER_LINK = (1e-2, 1e4)
+"""Usual range of a gear's stiffness over EI/L of its link."""
+
+THICK = 10.0
+"""Length over the distance of the outer fibre below which shear, which is left out, would count."""
+
+
+def doubts(arm: Arm, chain: Chain, told: dict[str, Any], rest: Equilibrium | None) -> list[str]:
+    """Sentences on what is told of an arm, and on its rest where it has one."""
+    found = [*_frequencies(told["links"]), *_gears(told["gears"]), *_thick(chain)]
+    return [*found, *(rest_doubts(arm, rest) if rest else ())]
+
+
+def _frequencies(links: list[dict[str, Any]]) -> Iterator[str]:
+    low, high = FIRST_FREQUENCY
+    for link in links:
+        for axis in ("y", "z"):
+            value = link.get(f"bare_bend_{axis}_Hz")
+            if value is not None and not low <= value <= high:
+                yield (
+                    f"link {link['name']}: its first frequency by itself is {value:.3g} Hz, usual are {low:g} to "
+                    f"{high:g} Hz; is a unit of its stiffness, mass or length wrong (GPa, mm, g)?"
+                )
+
+
+def _gears(gears: list[dict[str, Any]]) -> Iterator[str]:
+    low, high = GEAR_OVER_LINK
+    for gear in gears:
+        ratio = gear["stiffness_over_EI_per_L"]
+        if ratio is not None and not low <= ratio <= high:
+            yield (
+                f"joint {gear['joint']}: its gear has {ratio:.3g} times the stiffness EI/L of link {gear['link']}, "
+                f"usual are {low:g} to {high:g}; is it in {gear['unit']}, at the joint?"
+            )
+
+
+def _thick(chain: Chain) -> Iterator[str]:
+    for node in chain.nodes:
+        outer = max(node.link.outer) if isinstance(node.link, Beam) else 0.0
+        if outer and isinstance(node.link, Beam) and node.link.length / outer < THICK:
+            yield (
+                f"link {node.name}: {node.link.length:.3g} m long and {2 * outer:.3g} m thick: shear, which is left "
+                "out, makes so short a beam softer"
+            )
+
+
+def rest_doubts(arm: Arm, rest: Equilibrium) -> list[str]:
+    """What is doubtful of an arm at rest: unstable, bent beyond its models, past a joint's limits."""
+    return [*_stability(rest), *_ranges(rest), *_limits(arm, rest)]
+
+
+def _stability(rest: Equilibrium) -> Iterator[str]:
+    if rest.lost_stability_at is not None:
+        yield f"the arm buckles: it lost its stability at {rest.lost_stability_at:.4g} of its weight and loads"
+    if not rest.stable:
+        where = f", first in {rest.unstable_modes[0].coordinate}" if rest.unstable_modes else ""
+        yield f"this equilibrium is not stable: the arm does not stay there{where}"
+
+
+def _ranges(rest: Equilibrium) -> Iterator[str]:
+    for link in link_ranges(rest.model, rest.q):
+        if link.verdict != "good":
+            mend = "take the model strain" if link.model == "segments" else "give it more functions or points"
+            yield (
+                f"link {link.link} bends by {link.deflection_over_length:.1%} of its length: {link.verdict} for its "
+                f"model ({link.model}, angle {link.angle_rad:.3g} rad); {mend}"
+            )
+
+
+def _limits(arm: Arm, rest: Equilibrium) -> Iterator[str]:
+    pose = rest.named
+    for joint in arm.joints:
+        if joint.limits is None or joint.name not in pose:
+            continue
+        value = pose[joint.name]
+        low = -np.inf if joint.limits.lower is None else joint.limits.lower
+        high = np.inf if joint.limits.upper is None else joint.limits.upper
+        if not low <= value <= high:
+            yield f"joint {joint.name} stands at {value:.4g}, beyond its limits {low:g} to {high:g}"

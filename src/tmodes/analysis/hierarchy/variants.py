@@ -1,0 +1,98 @@
+"""The rungs of the ladder: one arm with each model of its links; and the same arm with its motors' motion given."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import replace
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.chain.chain import Chain, Drive, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.errors import InputError
+from tmodes.kinds.links.beam import BeamModel, BeamSheet, Functions
+from tmodes.sheet import Arm
+from tmodes.sheet.parts import LinkSheet
+
+__all__ = ["SEGMENTS", "driven", "input_mix", "moved_chain", "rungs", "whole_chain"]
+
+SEGMENTS = (1, 2, 3)
+"""Numbers of segments that are tried."""
+
+
+def rungs(arm: Arm, finest: int) -> Iterator[tuple[str, Arm]]:
+    """Name and arm of every rung, from rigid to ``strain(finest)``; directions that do not bend stay so.
+
+    Raises :class:`tmodes.errors.InputError` for an arm without a beam.
+    """
+    if not any(link.beam for link in arm.links):
+        mend = "give a link a `beam`; without one there is but one model"
+        raise InputError("links", "no link with a beam", "at least one link that can bend", mend)
+    yield "rigid", _with_beams(arm, BeamModel.RIGID, None)
+    for count in SEGMENTS:
+        yield f"segments({count})", _with_beams(arm, BeamModel.SEGMENTS, count)
+    for count in range(1, finest + 1):
+        yield f"strain({count})", _with_beams(arm, BeamModel.STRAIN, count)
+
+
+def _with_beams(arm: Arm, model: BeamModel, count: int | None) -> Arm:
+    """The arm with another model of every beam; its numbers have been checked, and stay."""
+
+    def changed(link: LinkSheet) -> LinkSheet:
+        return link.model_copy(update={"beam": _beam(link.beam, model, count)}) if link.beam else link
+
+    return arm.model_copy(update={"links": tuple(changed(link) for link in arm.links)})
+
+
+def _beam(beam: BeamSheet, model: BeamModel, count: int | None) -> BeamSheet:
+    given = beam.functions or Functions(bend_y=1, bend_z=1)
+    changes: dict[str, object] = {"model": model, "points": 0, "functions": given}
+    if model is BeamModel.SEGMENTS:
+        changes |= {"segments": count, "rest_curvature": (0.0, 0.0, 0.0)}
+    elif model is BeamModel.STRAIN:
+        bends = {name: count for name in ("bend_y", "bend_z") if getattr(given, name)}
+        changes["functions"] = given.model_copy(update=bends)
+    return beam.model_copy(update=changes)
+
+
+def whole_chain(arm: Arm) -> Chain:
+    """The chain of an arm with all its motors, whatever its drives prescribe."""
+    return arm.model_copy(update={"drives": ()}).chain()
+
+
+def moved_chain(chain: Chain) -> Chain:
+    """The same arm, its gear inputs given motions: an elastic drive is a given joint, then a spring on the same axis.
+
+    The given joints come in the order of the chain's moving joints that have a drive of their own.
+    """
+    nodes: list[Node] = []
+    last: dict[int, int] = {-1: -1}
+    for index, node in enumerate(chain.nodes):
+        parent, joint = last[node.parent], node.joint
+        if joint.kind is not JointKind.FIXED and joint.drive is Drive.ELASTIC:
+            name = f"{joint.name}.input"
+            nodes.append(Node(name, parent, replace(joint, name=name, drive=Drive.PRESCRIBED, gear=None), RigidLink()))
+            sprung = replace(joint, placement=Placement(), drive=Drive.SPRING, motor=None, rest=0.0)
+            parent, joint = len(nodes) - 1, sprung
+        elif joint.kind is not JointKind.FIXED and joint.drive is Drive.EFFORT:
+            joint = replace(joint, drive=Drive.PRESCRIBED)
+        nodes.append(Node(node.name, parent, joint, node.link))
+        last[index] = len(nodes) - 1
+    points = tuple(replace(point, node=last[point.node]) for point in chain.points or (chain.tip,))
+    return replace(chain, nodes=tuple(nodes), points=points, couplings=None)
+
+
+def driven(chain: Chain) -> list[Joint]:
+    """Joints that a motor or an effort moves, in the order of the chain."""
+    moving = [node.joint for node in chain.nodes if node.joint.kind is not JointKind.FIXED]
+    return [joint for joint in moving if joint.drive in {Drive.ELASTIC, Drive.EFFORT}]
+
+
+def input_mix(chain: Chain) -> NDArray[np.float64]:
+    """Given joints over motors, in the order of :func:`driven`: the couplings of the gears' inputs."""
+    joints = driven(chain)
+    mix = np.eye(len(joints))
+    if chain.couplings is not None:
+        elastic = [k for k, joint in enumerate(joints) if joint.drive is Drive.ELASTIC]
+        mix[np.ix_(elastic, elastic)] = chain.couplings
+    return mix

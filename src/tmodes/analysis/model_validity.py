@@ -1,0 +1,178 @@
+"""Where a run of an arm leaves what its model or its material are good for: told, never hidden."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.analysis.line.line import LinkLine, LinkLines
+from tmodes.analysis.line.segment import planes
+from tmodes.analysis.line.tables import pieces_at
+from tmodes.analysis.range import bent
+from tmodes.chain.chain import Beam, Segment
+from tmodes.equations.recursion.beam_tables import beam_tables, section_edges
+from tmodes.kinds.links.material import find_material
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
+
+__all__ = [
+    "MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "rest_warnings", "run_warnings",
+    "yield_strength",
+]  # fmt: skip
+
+Array = NDArray[np.float64]
+
+SEGMENT_LIMIT = 0.1
+"""Angle [rad] of a segment up to which tan th = th, on which the paper's mode rests, is true to 0.3 %."""
+
+STRAIN_LIMIT = 1.0
+"""Angle [rad] between neighbouring points of a strain link up to which its series are exact to rounding."""
+
+MISSING_SHARE = 0.01
+"""Share of a link's bending energy in shapes that its functions do not have, from which more are advised."""
+
+_NEGLIGIBLE = 1e-4
+"""Share of a link's energy below which a direction does not count."""
+
+
+def run_warnings(arm: Arm, model: ArmModel, times: ArrayLike, q: ArrayLike, lines: LinkLines) -> list[str]:
+    """Sentences on the links in a run at n times [s]; each says what, when first, how far, and what to do.
+
+    ``q`` (n, nq); ``lines`` of the same samples, under the same wrenches.
+    """
+    time, q = (np.asarray(x, dtype=float) for x in (times, q))
+    return [*_range(model, time, q), *_of_lines(arm, model, time, lines)]
+
+
+def rest_warnings(arm: Arm, model: ArmModel, lines: LinkLines) -> list[str]:
+    """Sentences on an arm at rest: functions that are missing, material that yields, links pressed too hard.
+
+    ``lines``: of the one pose, under its loads.
+    """
+    return [*_of_lines(arm, model, np.zeros(1), lines)]
+
+
+def _of_lines(arm: Arm, model: ArmModel, time: Array, lines: LinkLines) -> Iterator[str]:
+    yield from _functions(model, lines)
+    for line in lines.bending():
+        yield from _yielding(arm, time, line)
+        yield from _buckling(model, time, line)
+
+
+def _range(model: ArmModel, time: Array, q: Array) -> Iterator[str]:
+    """Angles beyond what the equations of a link are good for."""
+    for part in model.parts.nodes:
+        if part.link is None:
+            continue
+        own, link = q[:, part.link.own], part.node.link
+        if isinstance(link, Segment):
+            yield from _beyond(
+                time, np.abs(planes(link, own)).max(axis=1), SEGMENT_LIMIT,
+                f"link {part.node.name} leaves the small angles of its segments (|th| <= {SEGMENT_LIMIT:g} rad)",
+                "rad", "take the model `strain`, which is exact in large deflection",
+            )  # fmt: skip
+        elif isinstance(link, Beam):
+            yield from _beyond(
+                time, _turns(link, tuple(s for s, _ in part.link.stations), own), STRAIN_LIMIT,
+                f"link {part.node.name} turns by more than {STRAIN_LIMIT:g} rad between two of its points",
+                "rad", "give its beam more `points`",
+            )  # fmt: skip
+
+
+def _turns(beam: Beam, stations: tuple[float, ...], q: Array) -> Array:
+    """Largest angle [rad] between neighbouring sections of the model, (n,)."""
+    tables = beam_tables(beam, stations)
+    edges = section_edges(tables.shape, tables.points, stations)
+    return np.linalg.norm(bent(beam, q, edges), axis=2).max(axis=1)
+
+
+def missing_share(line: LinkLine, link: Beam) -> dict[str, float]:
+    """For each direction that has functions: the share of its bending energy in shapes that they do not have.
+
+    The material's moment is the projection of the balance's moment M on the functions (Galerkin), so what is missing is
+    int (M - EI kappa)^2/EI over int M^2/EI, all samples together: twist, bend_y, bend_z. By it a static deflection is
+    too small.
+    """
+    if line.shape is None or len(line.s) < 2:
+        return {}
+    shares, totals = {}, {}
+    for k, (name, quantity) in enumerate((("twist", "torsion"), ("bend_y", "bend_y"), ("bend_z", "bend_z"))):
+        if getattr(link, name):
+            weight = 1 / pieces_at(link, quantity, line.s)
+            gap = line.moment[..., k] - line.shape.elastic_moment[..., k]
+            totals[name] = float(np.trapezoid(line.moment[..., k] ** 2 * weight, line.s, axis=1).sum())
+            shares[name] = float(np.trapezoid(gap**2 * weight, line.s, axis=1).sum())
+    whole = sum(totals.values())
+    return {name: shares[name] / total for name, total in totals.items() if total > _NEGLIGIBLE * whole}
+
+
+def _functions(model: ArmModel, lines: LinkLines) -> Iterator[str]:
+    """Links whose load bends them in ways that their functions do not have."""
+    for line in lines.bending():
+        link = model.chain.nodes[line.node].link
+        for name, share in (missing_share(line, link) if isinstance(link, Beam) else {}).items():
+            if share > MISSING_SHARE:
+                yield (
+                    f"link {line.name}: {share:.1%} of its energy of {name} would be in shapes that its "
+                    f"{getattr(link, name)} function(s) do not have (limit {MISSING_SHARE:.0%}): take more "
+                    f"functions.{name}"
+                )
+
+
+def _yielding(arm: Arm, time: Array, line: LinkLine) -> Iterator[str]:
+    strength = yield_strength(arm, line.name)
+    if line.stress is None or strength is None:
+        return
+    worst = line.largest("mises_stress")
+    place = "" if worst is None else f", most at s = {worst.s:.2g}"
+    yield from _beyond(
+        time, line.stress.mises_stress.max(axis=1) / 1e6, strength / 1e6,
+        f"link {line.name} is stressed beyond the yield strength of its material ({strength / 1e6:.4g} MPa{place})",
+        "MPa", "the elastic model ends there; take a stronger section, or a slower move",
+    )  # fmt: skip
+
+
+def yield_strength(arm: Arm, name: str) -> float | None:
+    """Least yield strength [Pa] of a link's materials, None where none is told. Segments of a link bear its name."""
+    names = {link.name for link in arm.links}
+    beam = arm.link(name if name in names else name.rpartition(".")[0]).beam if arm.links else None
+    if beam is None:
+        return None
+    choices = [beam.material, *(piece.material for piece in beam.pieces)]
+    told = [choice for choice in choices if choice is not None]
+    materials = [find_material(choice) if isinstance(choice, str) else choice for choice in told]
+    strengths = [material.yield_strength for material in materials if material.yield_strength is not None]
+    return min(strengths, default=None)
+
+
+def _buckling(model: ArmModel, time: Array, line: LinkLine) -> Iterator[str]:
+    """Axial compression against pi^2 EI/(4 L^2), a link clamped at its root and free at its tip."""
+    link = model.chain.nodes[line.node].link
+    stiffness = []
+    if isinstance(link, Beam):
+        stiffness = [pieces_at(link, name, line.s).min() for name in ("bend_y", "bend_z") if getattr(link, name)]
+    elif isinstance(link, Segment):
+        bends = ((link.bend_y, link.stiffness_y), (link.bend_z, link.stiffness_z))
+        stiffness = [k * link.length**3 / 3 for bend, k in bends if bend]
+    if not stiffness:
+        return
+    critical = float(np.pi**2 * min(stiffness) / (4 * line.length**2))
+    yield from _beyond(
+        time, -line.axial.min(axis=1), critical,
+        f"link {line.name} is pressed beyond its buckling load pi^2 EI/(4 L^2) = {critical:.4g} N", "N",
+        "it may buckle: shorten it, stiffen it, or press less",
+    )  # fmt: skip
+
+
+def _beyond(time: Array, value: Array, bound: float, what: str, unit: str, mend: str) -> Iterator[str]:
+    """A sentence where a value passes its bound."""
+    past = np.flatnonzero(value > bound)
+    if len(past):
+        worst = int(past[np.argmax(value[past])])
+        if len(time) == 1:
+            yield f"{what}: {value[worst]:.4g} {unit}; {mend}"
+            return
+        reached = f"reaches {value[worst]:.4g} {unit} at t = {time[worst]:.4g} s"
+        yield f"{what} first at t = {time[past[0]]:.4g} s and {reached}: {mend}"

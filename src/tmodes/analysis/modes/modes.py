@@ -1,0 +1,232 @@
+"""Small vibrations of an arm about its rest: frequencies, damping, shapes, and the element in which each mode lives."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.statics.compliance import Spring, springs_of
+from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.held import driven
+from tmodes.analysis.statics.stability import mass_root
+from tmodes.chain.chain import Chain, Drive, Friction
+from tmodes.model.model import ArmModel
+from tmodes.paper.modes import GROWING, MotorState, damped_motions
+
+__all__ = ["ArmMode", "MotorState", "Servo", "arm_modes", "moving_coordinates", "without_dry_friction"]
+
+Array = NDArray[np.float64]
+Complex = NDArray[np.complex128]
+
+RINGS = 1e-9
+"""Imaginary over absolute value of an eigenvalue above which its motion rings."""
+
+ROUNDING = 1e-13
+"""Real over absolute value of an eigenvalue below which its motion is undamped."""
+
+NOTHING = 1e-13
+"""Share of the largest squared frequency, per coordinate, below which a motion is the whole arm's, free to drift."""
+
+
+MOST_WHOLE = 120
+"""Coordinates up to which all modes are told."""
+
+LOWEST = 60
+"""Modes that are told of an arm with more: the lowest, their damping by their own motions."""
+
+
+class Servo(NamedTuple):
+    """What a controller is to a coordinate: ``stiffness`` [N*m/rad, N/m], ``damping`` [N*m*s/rad, N*s/m]."""
+
+    stiffness: float
+    damping: float
+
+
+@dataclass(frozen=True, eq=False)
+class ArmMode:
+    """One mode of vibration.
+
+    ``frequency_Hz``: natural, from mass and stiffness alone, 0 for a free motion and for one that buckles; of a mode
+    that rings under control |lambda|/2 pi, because strong controllers make other motions than masses and springs do;
+    ``damped_frequency_Hz``: as it rings, None when it does not; ``damping_ratio``: -Re/|lambda|, 1 when over-damped;
+    ``element``: where most of its elastic energy is, and the ``share`` of it; ``shares`` of all elements; ``stable`` is
+    False where it grows, by the factor e in ``growth_time_s``, else None. ``shape`` (nq,): of the undamped mode, its
+    largest entry 1. ``motion`` (nq,): complex, as the damped arm moves.
+    """
+
+    frequency_Hz: float
+    damped_frequency_Hz: float | None
+    damping_ratio: float
+    element: str
+    share: float
+    shares: dict[str, float]
+    stable: bool
+    growth_time_s: float | None
+    shape: Array
+    motion: Complex | None = None
+
+
+def arm_modes(
+    rest: Equilibrium, motors: MotorState = MotorState.LOCKED, servos: Mapping[str, Servo] | None = None
+) -> list[ArmMode]:
+    """Modes by rising frequency about an arm at rest.
+
+    ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on
+    the springs and dampers ``servos`` of their controllers, those without one stand still. Prescribed joints always
+    stand still. Dry friction, which has no slope at rest, is left out. Of an arm of more than 120 coordinates the
+    lowest 60 modes. Raises :class:`SimulationError` for a mass
+    matrix that is not positive definite.
+    """
+    chosen = servos or {} if motors is MotorState.CONTROLLED else {}
+    moving = moving_coordinates(rest, motors, chosen)
+    springs = springs_of(rest.model, rest.q) if len(moving) else {}
+    mass, damping, stiffness = (matrix.copy() for matrix in _matrices(rest))
+    for name, servo in chosen.items():
+        k = rest.model.coordinates.index(name)
+        springs[f"{name.removesuffix('.motor')}.controller"] = _single(rest.model.nq, k, servo.stiffness)
+        stiffness[k, k] += servo.stiffness
+        damping[k, k] += servo.damping
+    if not len(moving):
+        return []
+    block = np.ix_(moving, moving)
+    mass, damping, stiffness = mass[block], damping[block], stiffness[block]
+    squares, shapes = _undamped(mass, stiffness)
+    eigenvalues, motions = _eigenvalues(mass, damping, stiffness, shapes)
+    whole = np.zeros((rest.model.nq, len(squares)), dtype=shapes.dtype)
+    moved = np.zeros(whole.shape, dtype=complex)
+    whole[moving], moved[moving] = shapes, motions
+    zero = NOTHING * len(mass) * float(np.abs(squares).max())
+    stored = {name: spring.energy(whole) for name, spring in springs.items()}
+    modes = [
+        _mode(float(square), eigenvalues[k], whole[:, k], {name: float(part[k]) for name, part in stored.items()}, zero)
+        for k, square in enumerate(squares)
+    ]
+    modes = [replace(mode, motion=moved[:, k]) for k, mode in enumerate(modes)]
+    return [_controlled(mode, eigenvalues[k]) for k, mode in enumerate(modes)] if chosen else modes
+
+
+def _single(size: int, k: int, value: float) -> Spring:
+    row = np.zeros((1, size))
+    row[0, k] = 1.0
+    return Spring(row, value * row)
+
+
+def _eigenvalues(mass: Array, damping: Array, stiffness: Array, shapes: Array) -> tuple[Complex, Complex]:
+    """Of each mode [1/s], and its damped motion; where only some were found, by the motions that they span."""
+    spanned = shapes
+    if len(shapes) > shapes.shape[1]:
+        mass, damping, stiffness = (shapes.T @ matrix @ shapes for matrix in (mass, damping, stiffness))
+        shapes = np.eye(len(mass))
+    values, damped = damped_motions(mass, damping, stiffness)
+    chosen = _partners(mass, shapes, values, damped)
+    motions = damped[:, chosen]
+    return values[chosen], motions if spanned is shapes else spanned @ motions
+
+
+def _controlled(mode: ArmMode, value: complex) -> ArmMode:
+    return replace(mode, frequency_Hz=abs(value) / (2 * np.pi)) if mode.damped_frequency_Hz else mode
+
+
+def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
+    """Indices of the coordinates that move in one of the cases of :func:`arm_modes`."""
+    model = rest.model
+    prescribed = {part.angle for part in model.parts.nodes if part.node.joint.drive is Drive.PRESCRIBED}
+    added: Sequence[int] = driven(model) if motors is MotorState.FREE else [model.coordinates.index(n) for n in servos]
+    return np.array(sorted(({*rest.free.tolist(), *added}) - prescribed), dtype=np.intp)
+
+
+def _matrices(rest: Equilibrium) -> tuple[Array, Array, Array]:
+    """M, D, K about the rest; dry friction has no part in D."""
+    mass, damping, stiffness = rest.matrices
+    smooth = without_dry_friction(rest.model.chain)
+    if smooth is not None:
+        damping = ArmModel(smooth).linearised(rest.q)[1]
+    return mass, damping, stiffness
+
+
+def without_dry_friction(chain: Chain) -> Chain | None:
+    """The chain with viscous friction only; None where it has no other."""
+
+    def viscous(friction: Friction) -> Friction:
+        return replace(friction, coulomb=0.0, static_extra=0.0)
+
+    nodes = []
+    for node in chain.nodes:
+        motor = node.joint.motor
+        own = replace(motor, friction=viscous(motor.friction)) if motor else None
+        nodes.append(replace(node, joint=replace(node.joint, friction=viscous(node.joint.friction), motor=own)))
+    dry = [friction.coulomb or friction.static_extra for node in chain.nodes for friction in (
+        node.joint.friction, *((node.joint.motor.friction,) if node.joint.motor else ()))]  # fmt: skip
+    return replace(chain, nodes=tuple(nodes)) if any(dry) else None
+
+
+def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
+    """Squared circular frequencies, rising, and shapes with unit modal mass.
+
+    From 1/w^2 where K is positive definite: the low frequencies then keep all their digits.
+    """
+    from scipy.linalg import eigh
+
+    mass_root(mass)  # refuses one that is not positive definite, before anything is divided by it
+    size = len(mass)
+    if np.abs(stiffness - stiffness.T).max() > 1e-9 * np.abs(stiffness).max():
+        values, vectors = np.linalg.eig(np.linalg.solve(mass, stiffness))
+        squares = np.real(values)
+        order = np.argsort(squares)
+        shapes = np.real(vectors[:, order])
+        return squares[order], shapes / np.sqrt(np.einsum("ik,ij,jk->k", shapes, mass, shapes))
+    stiffness = (stiffness + stiffness.T) / 2
+    some = size > MOST_WHOLE
+    lowest: dict[str, Any] = {"subset_by_index": [0, LOWEST - 1]} if some else {}
+    highest: dict[str, Any] = {"subset_by_index": [size - LOWEST, size - 1]} if some else {}
+    try:
+        inverse, shapes = eigh(mass, stiffness, **highest)
+    except np.linalg.LinAlgError:
+        return eigh(stiffness, mass, **lowest)
+    if inverse.min() <= 0:  # K was singular, and by rounding passed for positive definite
+        return eigh(stiffness, mass, **lowest)
+    values = 1 / inverse[::-1]
+    if values[0] <= NOTHING * size * values[-1]:
+        return eigh(stiffness, mass, **lowest)
+    return values, shapes[:, ::-1] * np.sqrt(values)
+
+
+def _partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> NDArray[np.intp]:
+    """For each undamped mode the index of the damped motion most like it, each taken once, ringing ones first."""
+    from scipy.optimize import linear_sum_assignment
+
+    root = np.linalg.cholesky(mass).T
+    ours, theirs = (x / np.linalg.norm(x, axis=0) for x in (root @ shapes, root @ damped))
+    rings = values.imag > RINGS * np.abs(values)
+    still = np.abs(values.imag) <= RINGS * np.abs(values)
+    slow = np.argsort(np.argsort(-values.real)) / (10.0 * len(values))
+    worth = np.abs(ours.T @ theirs) ** 2 + 10.0 * rings - slow
+    worth[:, ~(rings | still)] = -100.0
+    _, chosen = linear_sum_assignment(-worth)
+    return chosen
+
+
+def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float) -> ArmMode:
+    """A mode with unit modal mass and twice the energies ``stored`` in the springs; squares up to ``zero`` are none."""
+    shown = shape / shape[np.abs(shape).argmax()]
+    total = sum(stored.values())
+    if abs(square) <= zero and total <= zero:
+        return ArmMode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, shown)
+    shares = {name: energy / total for name, energy in stored.items()} if total > zero else {}
+    home = max(shares, key=lambda name: shares[name]) if shares else "whole arm, in its weight and loads"
+    size, stable = abs(value), bool(value.real <= GROWING * abs(value))
+    return ArmMode(
+        frequency_Hz=float(np.sqrt(max(square, 0.0))) / (2 * np.pi),
+        damped_frequency_Hz=float(value.imag) / (2 * np.pi) if value.imag > RINGS * size else None,
+        damping_ratio=float(-value.real / size) if abs(value.real) > ROUNDING * size else 0.0,
+        element=home,
+        share=shares.get(home, 1.0),
+        shares=shares,
+        stable=stable,
+        growth_time_s=None if stable else float(1 / value.real),
+        shape=shown,
+    )

@@ -1,0 +1,108 @@
+"""The modes of an arm as its data sheet tells it: about its rest, for each thing that its motors may do."""
+
+from __future__ import annotations
+
+from dataclasses import asdict
+from typing import Any, NamedTuple
+
+from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
+from tmodes.analysis.modes.converged import CONVERGED, MOST_CHECKED, finer, frequency_errors
+from tmodes.analysis.modes.modes import ArmMode, MotorState, Servo, arm_modes
+from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.path import Progress
+from tmodes.analysis.statics.rest import arm_rest
+from tmodes.chain.chain import Motor
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
+
+__all__ = ["Vibrations", "servos_of", "sheet_modes", "vibrations"]
+
+
+class Vibrations(NamedTuple):
+    """``states``: modes for each state of the motors; ``links``: whether the model of each holds; ``warnings``."""
+
+    states: dict[str, list[dict[str, Any]]]
+    links: list[dict[str, Any]]
+    warnings: list[str]
+
+
+def sheet_modes(
+    arm: Arm, *, contact: bool = False, progress: Progress = lambda stage, share: None
+) -> dict[str, list[dict[str, Any]]]:
+    """Modes for each state of the motors about the arm's rest under its loads, as plain data.
+
+    ``controlled`` is there only where a drive has a controller. Errors as of
+    :func:`tmodes.analysis.statics.rest.arm_rest`.
+    """
+    rest = arm_rest(arm, contact=contact, progress=progress)
+    return {state: [_plain(mode, rest) for mode in modes] for state, modes in _states(arm, rest, progress).items()}
+
+
+def vibrations(arm: Arm, *, contact: bool = False, progress: Progress = lambda stage, share: None) -> Vibrations:
+    """The modes of :func:`sheet_modes`, how far each is converged, and whether the links' models hold at rest.
+
+    ``frequency_error`` of a mode: by which share it is higher than with two more functions a direction, None where that
+    is not known (arms of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
+    """
+    rest = arm_rest(arm, contact=contact, progress=progress)
+    states = _states(arm, rest, progress)
+    told = {state: [_plain(mode, rest) for mode in modes] for state, modes in states.items()}
+    fine_arm = finer(arm) if rest.model.nq <= MOST_CHECKED else None
+    fine = arm_rest(fine_arm, contact=contact, progress=progress) if fine_arm else None
+    others = _states(arm, fine, progress) if fine else {}
+    for state, modes in states.items():
+        errors = frequency_errors(rest, modes, fine, others[state]) if fine else [None] * len(modes)
+        for row, error in zip(told[state], errors, strict=True):
+            row |= {"frequency_error": error, "converged": None if error is None else abs(error) <= CONVERGED}
+    return Vibrations(told, link_states(rest), _doubts(arm, rest, told))
+
+
+def _states(arm: Arm, rest: Equilibrium, progress: Progress) -> dict[str, list[ArmMode]]:
+    servos = servos_of(arm, rest.model)
+    states = [MotorState.LOCKED, MotorState.FREE, *([MotorState.CONTROLLED] if servos else [])]
+    found = {}
+    for k, state in enumerate(states):
+        progress("modes", k / len(states))
+        found[str(state)] = arm_modes(rest, state, servos)
+    return found
+
+
+def _doubts(arm: Arm, rest: Equilibrium, told: dict[str, list[dict[str, Any]]]) -> list[str]:
+    found = [] if rest.model.nq else [f"no modes: {NOTHING_MOVES}"]
+    if rest.model.nq > MOST_CHECKED and finer(arm):
+        found.append(f"whether the modes are converged was not checked: more than {MOST_CHECKED} coordinates")
+    if any(row["converged"] is False for modes in told.values() for row in modes):
+        found.append(
+            f"modes marked `!` are not converged: with two more functions a direction their frequencies change by "
+            f"more than {CONVERGED:.0%}; take more functions where they matter"
+        )
+    return found
+
+
+def servos_of(arm: Arm, model: ArmModel) -> dict[str, Servo]:
+    """The controllers of a data sheet as springs and dampers of the coordinates that they keep.
+
+    Volts become torque by CM/R, and the back electromotive force damps: Eq. (41) of Filipovic & Djuric 2010.
+    """
+    motors = {node.joint.name: node.joint.motor for node in model.chain.nodes}
+    found = {}
+    for drive in arm.drives:
+        names = [name for name in (f"{drive.joint}.motor", drive.joint) if name in model.coordinates]
+        if drive.controller and names:
+            gains = drive.controller.position_gain, drive.controller.velocity_gain
+            found[names[0]] = _servo(motors.get(drive.joint), *gains)
+    return found
+
+
+def _servo(motor: Motor | None, position_gain: float, velocity_gain: float) -> Servo:
+    if motor is None or motor.resistance is None:
+        return Servo(position_gain, velocity_gain)
+    per_volt = motor.torque_constant / motor.resistance
+    return Servo(per_volt * position_gain, per_volt * (velocity_gain + motor.back_emf))
+
+
+def _plain(mode: ArmMode, rest: Equilibrium) -> dict[str, Any]:
+    told = asdict(mode)
+    del told["motion"]
+    told["shape"] = dict(zip(rest.model.coordinates, mode.shape.tolist(), strict=True))
+    return told

@@ -1,0 +1,135 @@
+"""How an arm gives way at a point: its compliance and stiffness, and which gear or link gives how much of it."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.errors import SimulationError
+from tmodes.model.model import ArmModel
+
+__all__ = ["DIRECTIONS", "LOADS", "PointCompliance", "Spring", "point_compliance", "spring_rows", "springs_of"]
+
+Array = NDArray[np.float64]
+
+DIRECTIONS = ("x", "y", "z", "about x", "about y", "about z")
+"""Of forces [N] and moments [N*m] in world axes."""
+
+LOADS = "weight and loads"
+"""The share of the loads themselves, which turn with the arm or pull at it as it turns: geometric stiffness."""
+
+NOTHING = 1e-14
+"""Compliance over the largest of its kind below which a direction does not give."""
+
+
+@dataclass(frozen=True, eq=False)
+class PointCompliance:
+    """Travel and turn of a point per force and moment on it, in world axes, the driven coordinates held.
+
+    ``compliance`` (6, 6) [m/N, rad/N, m/(N*m), rad/(N*m)]; ``by_element``: the same for each element, (6, 6), sums to
+    the compliance; ``stiffness`` (6,): force per travel, or moment per turn, in each direction alone, infinite where
+    nothing gives; ``stiffness_matrix`` (6, 6), None where some direction does not give.
+    """
+
+    point: str
+    compliance: Array
+    by_element: dict[str, Array]
+
+    @property
+    def stiffness(self) -> Array:
+        """Force per travel [N/m] or moment per turn [N*m/rad] in each of the six directions alone."""
+        own = np.diagonal(self.compliance)
+        return np.array([1 / c if moves else np.inf for c, moves in zip(own, self._moves(), strict=True)])
+
+    @property
+    def stiffness_matrix(self) -> Array | None:
+        """The inverse of the compliance; None where it has none."""
+        scale = np.sqrt(np.abs(np.diagonal(self.compliance)))
+        if not scale.all() or np.linalg.cond(self.compliance / np.outer(scale, scale)) > 1e12:
+            return None
+        return np.asarray(np.linalg.inv(self.compliance), dtype=float)
+
+    def shares(self, direction: int) -> dict[str, float]:
+        """Share of each element in the compliance of one direction; they sum to 1, none where nothing gives."""
+        whole = self.compliance[direction, direction]
+        if not self._moves()[direction]:
+            return {}
+        return {name: float(part[direction, direction] / whole) for name, part in self.by_element.items()}
+
+    def _moves(self) -> list[bool]:
+        own = np.abs(np.diagonal(self.compliance))
+        largest = np.repeat([own[:3].max(), own[3:].max()], 3)
+        return [bool(c > NOTHING * most) for c, most in zip(own, largest, strict=True)]
+
+
+class Spring(NamedTuple):
+    """One spring of an arm: its stiffness matrix (nq, nq) is left^T right, both (rows, nq) of few rows."""
+
+    left: Array
+    right: Array
+
+    @property
+    def matrix(self) -> Array:
+        """The stiffness matrix (nq, nq)."""
+        return self.left.T @ self.right
+
+    def energy(self, shapes: Array) -> Array:
+        """x^T K x of each column of shapes (nq, n), shape (n,)."""
+        return np.asarray(np.einsum("rn,rn->n", self.left @ shapes, self.right @ shapes), dtype=float)
+
+
+def springs_of(model: ArmModel, q: Array) -> dict[str, Spring]:
+    """Each spring of an arm about a pose: ``joint.gear``, ``link.bend_y``, ``link.twist``, ...
+
+    Together they are the slope of the elastic forces; the weight has no part in it.
+    """
+    elastic = model.stiffness(q, base=model.at_rest(gravity=0.0))
+    found: dict[str, Spring] = {}
+    gears, links = spring_rows(model)
+    for name, angle in gears.items():
+        row = elastic[[angle]]
+        own = row[0, angle]
+        found[name] = Spring(row / own if own else np.zeros_like(row), row)
+    for name, own in links.items():
+        left = np.zeros((len(own), model.nq))
+        left[np.arange(len(own)), own] = 1.0
+        found[name] = Spring(left, elastic[own])
+    return found
+
+
+def spring_rows(model: ArmModel) -> tuple[dict[str, int], dict[str, list[int]]]:
+    """The joint of each elastic gear, and the coordinates of each kind of bending of a link, by the springs' names."""
+    parts = [part for part in model.parts.nodes if part.drive and part.drive.ranges]
+    gears = {f"{part.node.joint.name}.gear": part.angle for part in parts}
+    links: dict[str, list[int]] = {}
+    for k in model.deformations:
+        links.setdefault(model.coordinates[k].rstrip("0123456789"), []).append(int(k))
+    return gears, links
+
+
+def point_compliance(rest: Equilibrium, point: int = 0) -> PointCompliance:
+    """Compliance of a point (its index) of an arm at rest, by its tangent, and each element's part of it.
+
+    With u = K^-1 J^T, C = J u = u^T K u, and K is the sum of the elements' stiffness and that of the loads: the parts
+    u^T K_e u are, without loads, J_e K_e^-1 J_e^T of springs in a row. Raises :class:`SimulationError` where a free
+    coordinate has no stiffness.
+    """
+    model, free = rest.model, rest.free
+    tangent = rest.matrices[2][np.ix_(free, free)]
+    jacobian = model.jacobian(rest.q)[point][:, free]
+    try:
+        flow = np.linalg.solve(tangent, jacobian.T)
+    except np.linalg.LinAlgError:
+        raise SimulationError(
+            "compliance: got an arm that gives way without force; expected springs along every free coordinate. Mend: "
+            "hold the loose joint, or lower the load that buckles it"
+        ) from None
+    springs = springs_of(model, rest.q)
+    parts = {name: (one.left[:, free] @ flow).T @ (one.right[:, free] @ flow) for name, one in springs.items()}
+    compliance = flow.T @ tangent @ flow
+    parts[LOADS] = compliance - np.sum([*parts.values()], axis=0) if parts else compliance
+    return PointCompliance(model.parts.points[point].name, compliance, parts)

@@ -1,0 +1,120 @@
+"""Static equilibrium of an arm: its pose under weight and loads, whether it is stable, and where it buckled."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.statics.held import free_coordinates, starting_pose
+from tmodes.analysis.statics.loads import Load, acts_of
+from tmodes.analysis.statics.path import LoadPath, Progress, follow
+from tmodes.analysis.statics.surface import surface_act
+from tmodes.analysis.statics.system import StaticSystem
+from tmodes.model.model import ArmModel
+from tmodes.sheet.contact import ContactSheet
+
+__all__ = ["Equilibrium", "Load", "UnstableMode", "equilibrium"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class UnstableMode:
+    """A motion that grows: in which coordinate most, at which rate [1/s]; its frequency [Hz], 0 for buckling."""
+
+    coordinate: str
+    rate: float
+    frequency_Hz: float
+
+
+@dataclass(frozen=True, eq=False)
+class Equilibrium:
+    """An arm at rest.
+
+    ``q`` (nq,): the pose. ``residual``: force left over against the largest in play. ``lowest_frequency_Hz``: of the
+    undamped arm with its held coordinates fixed; 0 where it is not ``stable``, infinite where nothing is free.
+    ``load_path`` (stations, 1 + nq): load factor and pose on the way; ``lost_stability_at``: load factor at which the
+    arm first lost its stability (buckled), None where it did not. ``free``: indices of the coordinates that were
+    found. ``matrices``: M, D, K (nq, nq) about the pose, with the stiffness of loads and surfaces. ``wrenches``
+    (points, 6): what acts on the points, world axes, None for nothing. ``positions`` (points, 3) [m] and ``rotations``
+    (points, 3, 3) of the points, and the same without loads.
+    """
+
+    model: ArmModel
+    q: Array
+    residual: float
+    stable: bool
+    lowest_frequency_Hz: float
+    unstable_modes: tuple[UnstableMode, ...]
+    load_path: Array
+    lost_stability_at: float | None
+    free: NDArray[np.intp]
+    matrices: tuple[Array, Array, Array] = field(repr=False)
+    wrenches: Array | None
+    unloaded: Array
+    """Pose without weight and loads (nq,)."""
+
+    @property
+    def named(self) -> dict[str, float]:
+        """Coordinates by name [rad, m]."""
+        return dict(zip(self.model.coordinates, self.q.tolist(), strict=True))
+
+    def displacement(self, point: int = 0) -> tuple[Array, Array]:
+        """Travel (3,) [m] and rotation vector (3,) [rad] of a point from the unloaded arm, world axes."""
+        from scipy.spatial.transform import Rotation
+
+        (before, after), turns = self.model.pose(np.stack([self.unloaded, self.q]))
+        turned = Rotation.from_matrix(turns[1, point] @ turns[0, point].T)
+        return after[point] - before[point], turned.as_rotvec()
+
+
+def equilibrium(
+    model: ArmModel,
+    loads: Sequence[Load] = (),
+    *,
+    held: Mapping[str, float] | None = None,
+    free: Sequence[str] = (),
+    start: Mapping[str, float] | None = None,
+    contact: ContactSheet | None = None,
+    progress: Progress = lambda stage, share: None,
+) -> Equilibrium:
+    """The pose in which an arm rests under its weight and ``loads``, reached from the unloaded arm.
+
+    Motors and joints that are driven directly or prescribed are held: at ``held`` [rad, m], else at ``start``, else
+    at 0; all other coordinates, and those named in ``free``, are found, from ``start`` on. The load, weight included,
+    rises from nothing in steps that keep to their branch (Crisfield, Non-linear Finite Element Analysis of Solids and
+    Structures 1, 1991, ch. 9); an arm with loose joints first sinks to where a thousandth of the load puts it.
+
+    Raises :class:`tmodes.errors.InputError` for an unknown name or a number that is not finite, and
+    :class:`tmodes.errors.SimulationError` with the last load factor reached where the whole load finds no rest.
+    """
+    acts = acts_of(model, loads)
+    acts += [surface_act(model, contact)] if contact else []
+    system = StaticSystem(model, acts, free_coordinates(model, held or {}, free))
+    pose = starting_pose(model, held or {}, start or {})
+    return _told(system, follow(system, pose, progress), pose)
+
+
+def _told(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
+    model, end = system.model, path.end
+    growing = (
+        UnstableMode(model.coordinates[system.free[one.coordinate]], one.rate, one.frequency_Hz)
+        for one in end.stability.growing
+    )
+    return Equilibrium(
+        model=model,
+        q=end.q,
+        residual=end.residual,
+        stable=end.stability.stable,
+        lowest_frequency_Hz=end.stability.lowest_frequency_Hz,
+        unstable_modes=tuple(growing),
+        load_path=np.array([[station.factor, *station.q] for station in path.stations]),
+        lost_stability_at=path.lost_at,
+        free=system.free,
+        matrices=system.matrices(end.q, 1.0),
+        wrenches=system.wrenches(end.q),
+        unloaded=path.stations[0].q if path.stations[0].factor == 0.0 else pose,
+    )

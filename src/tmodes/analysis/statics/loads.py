@@ -1,0 +1,128 @@
+"""Loads on the named points of an arm at rest: dead or following forces and moments, and elastic surfaces.
+
+Each tells its wrench on the points, and what the turning of its direction adds to the stiffness.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.errors import InputError
+from tmodes.kinds.schema.axes import cross_matrix
+from tmodes.model.model import ArmModel
+
+__all__ = ["Act", "Load", "Pose", "acts_of", "point_index"]
+
+Array = NDArray[np.float64]
+
+LARGEST = 1e12
+"""Largest magnitude of a load's component [N, N*m]."""
+
+
+@dataclass(frozen=True)
+class Load:
+    """A force [N] and a moment [N*m] on a named point.
+
+    ``follows`` False: both keep their direction in the world (dead load). True: they are given in the axes of the
+    point and turn with it (follower load).
+    """
+
+    point: str = "tip"
+    force: ArrayLike = (0.0, 0.0, 0.0)
+    moment: ArrayLike = (0.0, 0.0, 0.0)
+    follows: bool = False
+
+    def wrench(self) -> Array:
+        """Force then moment, shape (6,). Raises :class:`InputError` for what are no three finite numbers each."""
+        return np.concatenate([_three(f"load on {self.point}: force", self.force, "N"),
+                               _three(f"load on {self.point}: moment", self.moment, "N*m")])  # fmt: skip
+
+
+@dataclass(frozen=True, eq=False)
+class Pose:
+    """Where a point is: ``position`` (3,) [m], ``rotation`` (3, 3), ``jacobian`` (6, nq), all in world axes."""
+
+    position: Array
+    rotation: Array
+    jacobian: Array
+
+
+class Act(Protocol):
+    """Something that acts on one point."""
+
+    @property
+    def point(self) -> int:
+        """The point's index."""
+        ...
+
+    def wrench(self, pose: Pose) -> Array:
+        """Force and moment on the point, world axes, shape (6,)."""
+        ...
+
+    def stiffness(self, pose: Pose) -> Array | None:
+        """What it adds to the stiffness (nq, nq) beyond a wrench that keeps its direction; None: nothing."""
+        ...
+
+    def carried(self, pose: Pose) -> tuple[Array, Array] | None:
+        """What it adds to the masses and to the damping (nq, nq) of the arm; None: nothing."""
+        ...
+
+
+@dataclass(frozen=True, eq=False)
+class _Dead:
+    point: int
+    told: Array
+
+    def wrench(self, pose: Pose) -> Array:
+        del pose
+        return self.told
+
+    def stiffness(self, pose: Pose) -> None:
+        del pose
+
+    def carried(self, pose: Pose) -> None:
+        del pose
+
+
+@dataclass(frozen=True, eq=False)
+class _Follower:
+    point: int
+    told: Array
+
+    def wrench(self, pose: Pose) -> Array:
+        return np.concatenate([pose.rotation @ self.told[:3], pose.rotation @ self.told[3:]])
+
+    def stiffness(self, pose: Pose) -> Array:
+        """A turn d of the section turns a vector F by d x F, which is a force less -[F]x d."""
+        wrench, turn = self.wrench(pose), pose.jacobian[3:]
+        force, moment = cross_matrix(wrench[:3]) @ turn, cross_matrix(wrench[3:]) @ turn
+        return pose.jacobian[:3].T @ force + turn.T @ moment
+
+    def carried(self, pose: Pose) -> None:
+        del pose
+
+
+def acts_of(model: ArmModel, loads: Sequence[Load]) -> list[Act]:
+    """Loads as acts on points by index. Raises :class:`InputError` for an unknown point and numbers not finite."""
+    return [(_Follower if load.follows else _Dead)(point_index(model, load.point), load.wrench()) for load in loads]
+
+
+def point_index(model: ArmModel, name: str) -> int:
+    """Index of a named point. Raises :class:`InputError` where there is none."""
+    names = [point.name for point in model.parts.points]
+    if name not in names:
+        raise InputError("point", f"`{name}`", f"one of {', '.join(names)}", "name a point of the arm, or add it there")
+    return names.index(name)
+
+
+def _three(which: str, values: ArrayLike, unit: str) -> Array:
+    array = np.asarray(values, dtype=float)
+    if array.shape != (3,) or not (np.abs(array) <= LARGEST).all():
+        expected = f"three finite numbers in {unit}, none beyond {LARGEST:g}"
+        raise InputError(which, str(values), expected, "give x, y and z")
+    return array

@@ -1,0 +1,181 @@
+"""From the unloaded arm to the loaded one in steps of the load factor, each short enough to stay on its branch."""
+
+from __future__ import annotations
+
+from collections.abc import Callable
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.statics.newton import Root, descend, newton
+from tmodes.analysis.statics.stability import Stability, stability_of
+from tmodes.analysis.statics.system import StaticSystem
+from tmodes.errors import SimulationError
+
+__all__ = ["LoadPath", "Progress", "Station", "follow"]
+
+Array = NDArray[np.float64]
+
+Progress = Callable[[str, float], None]
+"""Told the name of the work and the share of it that is done."""
+
+LONGEST = 0.4
+"""Largest change of a coordinate in one step [rad, m], by the tangent."""
+
+STRAY = 0.5
+"""Largest correction after a step, as a share of the step: beyond it another branch may have been caught."""
+
+ROUNDING = 1e-10
+"""Correction [rad, m] that is rounding."""
+
+NEAR = 1e-5
+"""Step of the load factor within which stability may be lost: a longer one may have missed a branch that keeps it."""
+
+SMALLEST = 1e-9
+"""Smallest step of the load factor."""
+
+LITTLE = 1e-3
+"""Load factor with which the path begins where springs hold the unloaded arm nowhere."""
+
+LOOSE = 1e7
+"""Change [rad, m] per load factor of an arm that its springs hold nowhere."""
+
+MOST_STEPS = 1000
+
+
+@dataclass(frozen=True, eq=False)
+class Station:
+    """An equilibrium on the way: load factor, pose (nq,), residual, and its stability."""
+
+    factor: float
+    q: Array
+    residual: float
+    stability: Stability
+    tangent: Array
+    """Change of the free coordinates per load factor."""
+
+
+@dataclass(eq=False)
+class LoadPath:
+    """The stations from load factor 0 to 1; ``lost_at``: the factor at which stability was first lost, or None."""
+
+    stations: list[Station] = field(default_factory=list)
+    lost_at: float | None = None
+
+    @property
+    def end(self) -> Station:
+        """The arm under its full load."""
+        return self.stations[-1]
+
+
+def follow(system: StaticSystem, q: Array, progress: Progress = lambda stage, share: None) -> LoadPath:
+    """The equilibria from the unloaded arm, near pose q (nq,), to the full load.
+
+    An arm that hardly anything holds when it is unloaded sinks from q to where a little of its load puts it. Tangent
+    predictor, Newton corrector, steps that adapt. Raises :class:`SimulationError` with the last factor that
+    was reached where the branch turns back (the arm snaps) or cannot be followed.
+    """
+    path = LoadPath([_first(system, q)])
+    step = 1.0
+    while path.end.factor < 1.0:
+        here = path.end
+        step = _held_short(here, min(step, 1.0 - here.factor))
+        found = _next(system, here, step)
+        if found is None:
+            step /= 2
+            if step < SMALLEST:
+                raise SimulationError(_stopped(system, here))
+            continue
+        path.stations.append(found)
+        if path.lost_at is None and here.stability.stable and not found.stability.stable:
+            path.lost_at = _crossing(system, here, found)
+        _check_length(path)
+        progress("statics", found.factor)
+        step *= 2
+    return path
+
+
+def _held_short(here: Station, step: float) -> float:
+    """The step, so that no coordinate changes too much; what is left is taken whole, so that 1 is met exactly."""
+    pace = float(np.abs(here.tangent).max(initial=0.0))
+    step = min(step, LONGEST / pace) if pace else step
+    left = 1.0 - here.factor
+    return left if step > left * (1 - 1e-9) else step
+
+
+def _next(system: StaticSystem, here: Station, step: float) -> Station | None:
+    predicted = here.q.copy()
+    predicted[system.free] += step * here.tangent
+    factor = 1.0 if step == 1.0 - here.factor else here.factor + step
+    root = newton(system, predicted, factor)
+    if root is None:
+        return None
+    stray, moved = np.abs(root.q - predicted).max(initial=0.0), np.abs(predicted - here.q).max(initial=0.0)
+    if stray > STRAY * moved + ROUNDING:
+        return None
+    found = _at(system, root, factor)
+    lost = here.stability.stable and not found.stability.stable
+    return None if lost and step > NEAR else found
+
+
+def _first(system: StaticSystem, q: Array) -> Station:
+    """The unloaded arm, or one with a little load where its springs hold it (almost) nowhere: loose joints, play."""
+    held = stability_of(*system.reduced(q, 0.0)).margin != 0.0
+    root = newton(system, q, 0.0) if held else None
+    start = _at(system, root, 0.0) if root else None
+    if start is not None and np.abs(start.tangent).max(initial=0.0) <= LOOSE:
+        return start
+    root = descend(system, q, LITTLE)
+    if root is None:
+        stiffness = np.abs(np.diagonal(system.stiffness(q, 0.0)[system.block]))
+        loose = system.model.coordinates[system.free[int(stiffness.argmin())]]
+        raise SimulationError(
+            f"static equilibrium: got coordinate {loose} that no spring holds and that comes to no rest; expected a "
+            "pose in which the loads balance. Mend: hold it, or give it a spring"
+        )
+    return _at(system, root, LITTLE)
+
+
+def _at(system: StaticSystem, root: Root, factor: float) -> Station:
+    mass = system.mass(root.q)[system.block]
+    by_factor = system.forces(root.q, factor).by_factor
+    try:
+        tangent = -np.asarray(np.linalg.solve(root.stiffness, by_factor), dtype=float)
+    except np.linalg.LinAlgError:
+        tangent = np.zeros_like(by_factor)
+    return Station(factor, root.q, root.residual, stability_of(mass, root.stiffness), tangent)
+
+
+def _crossing(system: StaticSystem, stable: Station, unstable: Station) -> float:
+    """The load factor between two stations at which the lowest squared frequency is zero, or two modes join."""
+    from scipy.optimize import brentq
+
+    def margin(factor: float) -> float:
+        share = (factor - stable.factor) / (unstable.factor - stable.factor)
+        root = newton(system, stable.q + share * (unstable.q - stable.q), factor)
+        if root is None:
+            return -1.0
+        return stability_of(system.mass(root.q)[system.block], root.stiffness).margin
+
+    if unstable.stability.margin == 0.0:
+        return unstable.factor
+    return float(brentq(margin, stable.factor, unstable.factor, xtol=1e-10))  # pyright: ignore[reportArgumentType]
+
+
+def _check_length(path: LoadPath) -> None:
+    if len(path.stations) > MOST_STEPS:
+        raise SimulationError(
+            f"static equilibrium: got to load factor {path.end.factor:.6g} in {MOST_STEPS} steps; expected the full "
+            "load. Mend: lower the load; the arm is wound up by it"
+        )
+
+
+def _stopped(system: StaticSystem, here: Station) -> str:
+    names = system.model.coordinates
+    fastest = names[int(system.free[int(np.abs(here.tangent).argmax())])] if len(here.tangent) else "none"
+    return (
+        f"static equilibrium: got no further than load factor {here.factor:.6g} of the full load, where coordinate "
+        f"{fastest} gives way; expected an arm that carries its whole load without snapping. Mend: keep the load below "
+        f"{here.factor:.4g} of the given one, raise the stiffness there, or start in the pose beyond the snap (start)"
+    )

@@ -1,5 +1,0 @@
-"""The data sheet of any arm: what a person writes, checked once, and its way to a Chain."""
-
-from tmodes.arm.sheet import ARM_FORMAT, MOST_JOINTS, Arm, ArmPair
-
-__all__ = ["ARM_FORMAT", "MOST_JOINTS", "Arm", "ArmPair"]

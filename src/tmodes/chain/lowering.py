@@ -1,0 +1,170 @@
+"""From the data sheet of an arm to a Chain: frames, joints, drives and points."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.chain.chain import (
+    Chain,
+    Drive,
+    Friction,
+    Gear,
+    Joint,
+    JointKind,
+    Motor,
+    Node,
+    Placement,
+    Point,
+    RigidLink,
+)
+from tmodes.chain.links import Lowered, lowered_link, placed
+from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
+from tmodes.kinds.joints.joint import JointSheet, JointState, JointType, MeasuredFrom
+from tmodes.kinds.schema.axes import rotation_about, unit
+from tmodes.sheet.parts import Command, TipSheet
+from tmodes.sheet.topology import last_link, parents, rooted_order
+
+if TYPE_CHECKING:
+    from tmodes.sheet import Arm
+
+__all__ = ["lowered"]
+
+
+class _Hung(NamedTuple):
+    """A lowered link and the index of its first node in the chain."""
+
+    first: int
+    link: Lowered
+
+    @property
+    def last(self) -> int:
+        return self.first + len(self.link.nodes) - 1
+
+
+def lowered(arm: Arm) -> Chain:
+    """The chain of an arm; see :meth:`tmodes.sheet.Arm.chain`."""
+    names, hung, nodes = parents(arm.joints), {}, []
+    for index in rooted_order(arm.joints):
+        joint = arm.joints[index]
+        holder: _Hung | None = hung.get(names[index])
+        placement, frame = _frames(joint, holder)
+        node = Node(joint.child, holder.last if holder else -1, _joint(joint, placement, arm), RigidLink())
+        chord = joint.dh.chord() if joint.dh else 0.0
+        sheet = arm.link(joint.child)
+        link = lowered_link(sheet, node, frame, chord)
+        hung[joint.child] = _Hung(len(nodes), link)
+        nodes.extend(_numbered(link.nodes, len(nodes)))
+    return Chain(
+        name=arm.name,
+        nodes=tuple(nodes),
+        gravity=np.array(arm.gravity),
+        base=placed(arm.base),
+        points=tuple(_points(arm, hung)),
+        couplings=_couplings(arm, nodes),
+    )
+
+
+def _numbered(nodes: tuple[Node, ...], first: int) -> list[Node]:
+    """The nodes of a link, each but the first with the one before as its parent."""
+    rest = [Node(node.name, first + k, node.joint, node.link) for k, node in enumerate(nodes[1:])]
+    return [nodes[0], *rest]
+
+
+def _frames(joint: JointSheet, holder: _Hung | None) -> tuple[Placement, Placement]:
+    """The joint's frame in the chain's tip frame of its parent, and the link's frame in the joint's moved one."""
+    tip = holder.link.tip if holder else Placement()
+    if joint.measured_from is MeasuredFrom.FRAME and holder:
+        tip = tip @ holder.link.undeformed.inverse()
+    if joint.dh:
+        return tip @ Placement(*joint.dh.before()), Placement(*joint.dh.after())
+    return tip @ placed(joint.origin), Placement()
+
+
+def _joint(sheet: JointSheet, placement: Placement, arm: Arm) -> Joint:
+    axis = unit(sheet.axis) if sheet.axis else np.array([0.0, 0.0, 1.0])
+    if sheet.is_locked:
+        return Joint(sheet.name, JointKind.FIXED, placement @ _locked(sheet, axis), axis)
+    drive, limits = _drive(sheet, arm), sheet.limits
+    lower, upper = (limits.lower, limits.upper) if limits else (None, None)
+    return Joint(
+        name=sheet.name,
+        kind=JointKind(str(sheet.type)),
+        placement=placement,
+        axis=axis,
+        drive=drive,
+        motor=_motor(sheet.motor) if sheet.motor and drive in {Drive.EFFORT, Drive.ELASTIC} else None,
+        gear=_gear(sheet.gear) if sheet.gear and drive in {Drive.SPRING, Drive.ELASTIC} else None,
+        friction=_friction(sheet.friction),
+        rest=sheet.locked_at,
+        lower=-np.inf if lower is None else lower,
+        upper=np.inf if upper is None else upper,
+    )
+
+
+def _locked(sheet: JointSheet, axis: NDArray[np.float64]) -> Placement:
+    """The motion of a joint that does not move: to where it is locked."""
+    if sheet.type is JointType.REVOLUTE:
+        return Placement(rotation=rotation_about(axis, sheet.locked_at))
+    if sheet.type is JointType.PRISMATIC:
+        return Placement(position=axis * sheet.locked_at)
+    return Placement()
+
+
+def _drive(sheet: JointSheet, arm: Arm) -> Drive:
+    if sheet.state is JointState.LOCKED:
+        return Drive.SPRING
+    if sheet.is_elastic:
+        return Drive.ELASTIC
+    commands = [drive.command for drive in arm.drives if drive.joint == sheet.name]
+    return Drive.PRESCRIBED if Command.PRESCRIBED in commands else Drive.EFFORT
+
+
+def _friction(sheet: FrictionSheet | None) -> Friction:
+    if sheet is None:
+        return Friction()
+    return Friction(sheet.viscous, sheet.coulomb, sheet.static_extra, sheet.stribeck_rate or 1.0, sheet.smoothing)
+
+
+def _motor(sheet: MotorSheet) -> Motor:
+    told = sheet.at_joint()
+    return Motor(
+        inertia=told.inertia,
+        friction=Friction(told.viscous, told.coulomb, told.static_extra, told.stribeck_rate, told.smoothing),
+        resistance=told.resistance,
+        back_emf=told.back_emf,
+        torque_constant=told.torque_constant,
+        inductance=told.inductance,
+    )
+
+
+def _gear(sheet: GearSheet) -> Gear:
+    return Gear(sheet.stiffness, sheet.torque_limits, sheet.damping, sheet.backlash)
+
+
+def _points(arm: Arm, hung: dict[str, _Hung]) -> list[Point]:
+    tip = arm.tip or TipSheet(link=last_link(arm.joints))
+    named = [("tip", tip), *((point.name, point) for point in arm.points)]
+    return [_point(name, point, hung) for name, point in named]
+
+
+def _point(name: str, sheet: TipSheet, hung: dict[str, _Hung]) -> Point:
+    first, link = hung[sheet.link]
+    spot = link.spot(1.0 if sheet.at is None else sheet.at)
+    return Point(name, first + spot.node, spot.s, spot.placement @ placed(sheet))
+
+
+def _couplings(arm: Arm, nodes: list[Node]) -> NDArray[np.float64] | None:
+    """Gear inputs over motor angles, in the order of the nodes with an elastic drive; None where each has its own."""
+    if not arm.couplings:
+        return None
+    names = [node.joint.name for node in nodes if node.joint.drive is Drive.ELASTIC]
+    matrix = np.eye(len(names))
+    for joint, factors in arm.couplings.items():
+        row = names.index(joint)
+        matrix[row] = 0.0
+        for motor, factor in factors.items():
+            matrix[row, names.index(motor)] = factor
+    return matrix

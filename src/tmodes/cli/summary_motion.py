@@ -1,0 +1,81 @@
+"""What the finished run of an arm says on the terminal."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+from tmodes.cli.integration_text import error_of
+
+__all__ = ["arm_rows"]
+
+_MOST_JOINTS = 8
+_MOST_DEFORMATIONS = 8
+
+
+def arm_rows(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    """Rows of quantity, value, error, where and when; of many joints and deformations the largest ones."""
+    yield from _tip(summary)
+    yield from _deformations(summary)
+    for name, link in summary["links"].items():
+        yield from _link(name, link, summary)
+    yield from _efforts(summary)
+    force = summary["contact_force"]
+    if force:
+        error = error_of(summary, "contact_force.max_N", 1.0, "N")
+        value = f"{force['min_N']:.3f} ... {force['max_N']:.3f} N"
+        yield "contact force", value, error, f"mean {force['mean_N']:.3f} N"
+    energy = summary["energy"]
+    yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", f"of {energy['moved_J']:.3g} J moved"
+
+
+def _tip(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    deviation, settling = summary["deviation"], summary["settling"]
+    if deviation is None:
+        return
+    errors = [error_of(summary, f"deviation.{key}", 1e3, "mm") for key in ("max_m", "end_m")]
+    when = f"t = {deviation['time_of_max_s']:.3f} s"
+    yield "largest tip deviation", f"{deviation['max_m'] * 1e3:.4g} mm", errors[0], when
+    yield "tip deviation at the end", f"{deviation['end_m'] * 1e3:.4g} mm", errors[1], ""
+    if settling["time_s"] is not None:
+        limit = f"within {settling['limit_m'] * 1e3:.3g} mm"
+        yield "settling after the move", f"{settling['time_s']:.3f} s", "", limit
+
+
+def _deformations(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    told = summary["deformations"]
+    largest = sorted(told, key=lambda name: -told[name]["max"])[:_MOST_DEFORMATIONS]
+    for name in (name for name in told if name in largest):
+        one = told[name]
+        unit = "1e-3" if one["unit"] == "1" else f"m{one['unit']}"
+        parts = f"T_st {one['max_stationary'] * 1e3:.4g}, T_to {one['max_oscillatory'] * 1e3:.4g}"
+        error = error_of(summary, f"deformations.{name}.max", 1e3, unit)
+        yield f"largest {name}", f"{one['max'] * 1e3:.4g} {unit}", error, parts
+
+
+def _link(name: str, link: dict[str, Any], summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    bent, moment, stress = link["deflection"], link["bending_moment"], link["stress"]
+    error = error_of(summary, f"links.{name}.deflection.max_m", 1e3, "mm")
+    yield f"deflection of {name}", f"{bent['max_m'] * 1e3:.4g} mm", error, f"t = {bent['time_s']:.3f} s"
+    place = f"s = {moment['s']:.2f}, t = {moment['time_s']:.3f} s"
+    error = error_of(summary, f"links.{name}.bending_moment.max_Nm", 1.0, "N m")
+    yield f"bending moment of {name}", f"{moment['max_Nm']:.4g} N m", error, place
+    if stress:
+        place = f"s = {stress['s']:.2f}, t = {stress['time_s']:.3f} s"
+        error = error_of(summary, f"links.{name}.stress.max_Pa", 1e-6, "MPa")
+        yield f"stress of {name}", f"{stress['max_Pa'] / 1e6:.4g} MPa", error, place
+
+
+def _efforts(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    told = summary["joints"]
+    largest = sorted(told, key=lambda name: -abs(told[name]["largest_effort"]))[:_MOST_JOINTS]
+    for name in (name for name in told if name in largest):
+        one = told[name]
+        unit = "N" if one["unit"] == "m" else "N m"
+        error = error_of(summary, f"joints.{name}.largest_effort", 1.0, unit)
+        yield (
+            f"effort of {name}",
+            f"{one['largest_effort']:.4g} {unit}",
+            error,
+            f"t = {one['time_of_largest_effort_s']:.3f} s",
+        )

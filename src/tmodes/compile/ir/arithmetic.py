@@ -1,0 +1,250 @@
+"""What a number is in compiled code: a double, a vector of lanes, or a value with its derivative.
+
+One straight-line program becomes the code of each of them: many robots side by side, or exact derivatives, cost no
+second set of equations.
+"""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Callable, Sequence
+from typing import Any, NamedTuple
+
+from llvmlite import ir
+
+from tmodes.compile.ir.emit import F64, at, number, whole
+from tmodes.compile.ir.trigonometry import sine_and_cosine, sines_and_cosines
+
+__all__ = ["Arithmetic", "Derivative", "Double", "Lanes"]
+
+_FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
+_SIDE_BY_SIDE = 8  # sines that go at once: where a vector holds fewer, as two halves
+
+
+class Arithmetic(ABC):
+    """How numbers of one kind are kept and reckoned with; ``stride`` doubles each."""
+
+    stride: int
+    name: str
+    unrolls = True
+    """Whether small schedules become one program."""
+
+    def __init__(self, module: Any) -> None:
+        self.module = module
+
+    @abstractmethod
+    def load(self, b: Any, base: Any, index: int) -> Any:
+        """Number ``index`` of a block."""
+
+    @abstractmethod
+    def store(self, b: Any, value: Any, base: Any, index: int) -> None:
+        """Keep a number in a block."""
+
+    @abstractmethod
+    def constant(self, value: float) -> Any:
+        """A number known beforehand."""
+
+    @abstractmethod
+    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine."""
+
+    def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
+        """Sine and cosine of several angles."""
+        return [self.turn(b, angle) for angle in angles]
+
+    @abstractmethod
+    def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
+        """The result of an operation of a program."""
+
+
+_PLAIN: dict[str, Callable[..., Any]] = {
+    "add": lambda b, x, y, _: b.fadd(x, y, flags=_FUSE),
+    "sub": lambda b, x, y, _: b.fsub(x, y, flags=_FUSE),
+    "mul": lambda b, x, y, _: b.fmul(x, y, flags=_FUSE),
+    "sq": lambda b, x, _, __: b.fmul(x, x, flags=_FUSE),
+    "twice": lambda b, x, _, constant: b.fmul(x, constant(2.0), flags=_FUSE),
+    "div": lambda b, x, y, _: b.fdiv(x, y),
+    "inv": lambda b, x, _, constant: b.fdiv(constant(1.0), x),
+    "neg": lambda b, x, _, __: b.fneg(x),
+    "copy": lambda b, x, _, __: x,
+}
+
+
+class Double(Arithmetic):
+    """One double."""
+
+    stride = 1
+    name = "double"
+    kind: Any = F64
+
+    def load(self, b: Any, base: Any, index: int) -> Any:
+        """Number ``index`` of a block."""
+        return b.load(self._place(b, base, index), align=8, typ=self.kind)
+
+    def store(self, b: Any, value: Any, base: Any, index: int) -> None:
+        """Keep a number in a block."""
+        b.store(value, self._place(b, base, index), align=8)
+
+    def _place(self, b: Any, base: Any, index: int) -> Any:
+        return at(b, base, index * self.stride)
+
+    def constant(self, value: float) -> Any:
+        """A number known beforehand."""
+        return number(value)
+
+    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine."""
+        pair = b.call(sine_and_cosine(self.module), [angle])
+        return b.extract_value(pair, 0), b.extract_value(pair, 1)
+
+    def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
+        """Sine and cosine of several angles, eight at a time: to the bit those of each alone."""
+        found: list[tuple[Any, Any]] = []
+        for start in range(0, len(angles), _SIDE_BY_SIDE):
+            found += self._turn_together(b, angles[start : start + _SIDE_BY_SIDE])
+        return found
+
+    def _turn_together(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
+        if len(angles) == 1:
+            return [self.turn(b, angles[0])]
+        lanes = 1 << (len(angles) - 1).bit_length()
+        packed = ir.Constant(ir.VectorType(F64, lanes), [0.0] * lanes)
+        for lane, angle in enumerate(angles):
+            packed = b.insert_element(packed, angle, whole(lane))
+        pair = b.call(sines_and_cosines(self.module, lanes), [packed])
+        both = [b.extract_value(pair, k) for k in range(2)]
+        places = [whole(lane) for lane in range(len(angles))]
+        return [(b.extract_element(both[0], place), b.extract_element(both[1], place)) for place in places]
+
+    def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
+        """The result of an operation of a program."""
+        if kind in ("sqrt", "fabs"):
+            return b.call(self._intrinsic(kind), [x])
+        if kind in _PLAIN:
+            return _PLAIN[kind](b, x, y, self.constant)
+        return self._condition(b, kind, x, y)
+
+    def _intrinsic(self, kind: str) -> Any:
+        return self.module.declare_intrinsic(f"llvm.{kind}", [self.kind])
+
+    def _condition(self, b: Any, kind: str, x: Any, y: Any) -> Any:
+        """Truth values are the numbers 1 and 0."""
+        zero = self.constant(0.0)
+        if kind == "sign":  # of 0 it is 1: the slope of the absolute value, taken from above
+            return b.select(b.fcmp_ordered("<", x, zero), self.constant(-1.0), self.constant(1.0))
+        if kind == "if_else_zero":
+            return b.select(b.fcmp_unordered("!=", x, zero), y, zero)
+        sign = {"lt": "<", "le": "<=", "not": "=="}[kind]
+        holds = b.fcmp_ordered(sign, x, zero if kind == "not" else y)
+        return b.select(holds, self.constant(1.0), zero)
+
+
+class Lanes(Double):
+    """Four doubles side by side: the same robot with other numbers in each."""
+
+    stride = 4
+    name = "lanes"
+    kind: Any = ir.VectorType(F64, 4)
+
+    def constant(self, value: float) -> Any:
+        """A number known beforehand."""
+        return ir.Constant(self.kind, [value] * self.stride)
+
+    def _intrinsic(self, kind: str) -> Any:
+        name = f"llvm.{kind}.v{self.stride}f64"  # llvmlite names the intrinsics of single numbers only
+        known = self.module.globals.get(name)
+        return known or ir.Function(self.module, ir.FunctionType(self.kind, [self.kind]), name)
+
+    def _place(self, b: Any, base: Any, index: int) -> Any:
+        return b.bitcast(at(b, base, index * self.stride), self.kind.as_pointer())
+
+    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine."""
+        pair = b.call(sines_and_cosines(self.module, self.stride), [angle])
+        return b.extract_value(pair, 0), b.extract_value(pair, 1)
+
+    def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
+        """Sine and cosine of several angles."""
+        return [self.turn(b, angle) for angle in angles]
+
+
+class _Pair(NamedTuple):
+    """A value and its derivative, None where that is zero for certain."""
+
+    value: Any
+    slope: Any
+
+
+_SLOPES: dict[str, Callable[[Any, Any, Any], Any]] = {
+    "neg": lambda b, _, x: b.fneg(x.slope),
+    "copy": lambda b, _, x: x.slope,
+    "twice": lambda b, _, x: b.fmul(number(2.0), x.slope),
+    "sq": lambda b, _, x: b.fmul(b.fmul(number(2.0), x.value), x.slope),
+    "inv": lambda b, value, x: b.fneg(b.fmul(b.fmul(value, value), x.slope)),
+    "sqrt": lambda b, value, x: b.fdiv(b.fmul(number(0.5), x.slope), value),
+    "fabs": lambda b, _, x: b.select(b.fcmp_ordered("<", x.value, number(0.0)), b.fneg(x.slope), x.slope),
+}
+"""Slope of a function of one number: of (its value, the number)."""
+
+
+class Derivative(Arithmetic):
+    """A value with its derivative in one direction: forward differentiation, exact."""
+
+    stride = 2
+    name = "derivative"
+    unrolls = False  # seldom called, and twice as long
+
+    def __init__(self, module: Any) -> None:
+        super().__init__(module)
+        self._plain = Double(module)
+
+    def load(self, b: Any, base: Any, index: int) -> Any:
+        """Number ``index`` of a block."""
+        return _Pair(self._plain.load(b, base, 2 * index), self._plain.load(b, base, 2 * index + 1))
+
+    def store(self, b: Any, value: Any, base: Any, index: int) -> None:
+        """Keep a number in a block."""
+        self._plain.store(b, value.value, base, 2 * index)
+        self._plain.store(b, number(0.0) if value.slope is None else value.slope, base, 2 * index + 1)
+
+    def constant(self, value: float) -> Any:
+        """A number known beforehand."""
+        return _Pair(number(value), None)
+
+    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine."""
+        sine, cosine = self._plain.turn(b, angle.value)
+        slope = angle.slope
+        if slope is None:
+            return _Pair(sine, None), _Pair(cosine, None)
+        return _Pair(sine, self._times(b, cosine, slope)), _Pair(cosine, b.fneg(self._times(b, sine, slope)))
+
+    def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
+        """The result of an operation of a program."""
+        value = self._plain.operation(b, kind, x.value, y.value if y else None)
+        return _Pair(value, self._slope(b, kind, value, x, y))
+
+    def _slope(self, b: Any, kind: str, value: Any, x: Any, y: Any) -> Any:
+        if kind in ("lt", "le", "not"):
+            return None
+        if kind == "if_else_zero":
+            return None if y.slope is None else self._plain.operation(b, kind, x.value, y.slope)
+        if kind == "div":
+            top = self._plus(b, x.slope, self._less(b, self._times(b, y.slope, value)))
+            return None if top is None else b.fdiv(top, y.value)
+        if kind == "mul":
+            return self._plus(b, self._times(b, x.slope, y.value), self._times(b, y.slope, x.value))
+        if kind in ("add", "sub"):
+            return self._plus(b, x.slope, y.slope if kind == "add" else self._less(b, y.slope))
+        return None if x.slope is None else _SLOPES[kind](b, value, x)
+
+    def _times(self, b: Any, slope: Any, factor: Any) -> Any:
+        return None if slope is None else b.fmul(slope, factor, flags=_FUSE)
+
+    def _less(self, b: Any, slope: Any) -> Any:
+        return None if slope is None else b.fneg(slope)
+
+    def _plus(self, b: Any, one: Any, other: Any) -> Any:
+        if one is None or other is None:
+            return other if one is None else one
+        return b.fadd(one, other, flags=_FUSE)

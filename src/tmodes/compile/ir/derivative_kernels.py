@@ -1,0 +1,208 @@
+"""Native kernels of values, slopes and weights, each ``kernel(values, slopes, row)``: a row tells where its blocks are.
+
+Slopes may be ``lanes`` wide, values never: what depends on no slope is computed once for all directions.
+"""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass
+from typing import Any, NamedTuple
+
+from llvmlite import ir
+
+from tmodes.compile.ir.arithmetic import Double, Lanes
+from tmodes.compile.ir.derivative_program import Elements, Written, adjoint_program, tangent_program, turned
+from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, declare
+from tmodes.compile.ir.kernels import row_function
+from tmodes.compile.native import Library
+
+__all__ = ["ADD", "LANES", "NONE", "STORE", "Adjoint", "Tangent"]
+
+LANES = 8
+"""Directions side by side: as many doubles as the widest registers hold."""
+
+NONE, STORE, ADD = 0, 1, 2
+"""What an adjoint does with the weights of an input: nothing, first to write there, or one more term."""
+
+_LONG = 3000
+"""Operations above which code that is seldom called is made quicker to compile than to run."""
+
+
+class _Wide(Lanes):
+    stride = LANES
+    kind: Any = ir.VectorType(F64, LANES)
+
+
+class _Block(NamedTuple):
+    """A block of a row: among the slopes or the values, read or written, as one more term or not."""
+
+    sloped: bool
+    given: bool
+    adds: bool = False
+
+
+@dataclass(frozen=True)
+class Tangent:
+    """Slopes of a kernel's outputs along ``lanes`` directions of the ``active`` elements of its inputs.
+
+    With ``valued`` the outputs themselves too; ``seldom``: few calls are expected.
+
+    Row: inputs; outputs where valued; slopes of each input that has active elements; slopes of each output that has
+    any; where the kernel takes sines of inputs, those and their cosines, which the one that computes values keeps, and
+    others take.
+    """
+
+    kernel: Any
+    active: tuple[Elements, ...]
+    lanes: int
+    valued: bool
+    seldom: bool = False
+
+    def library(self) -> tuple[str, Library]:
+        """The native function, made at its first use."""
+        told = f"tangent {self.active} {self.lanes} {self.valued} {self.seldom}"
+        return _library(self, told, self.lanes, seldom=self.seldom)
+
+    def written(self) -> tuple[Written, list[_Block]]:
+        """The program and the blocks of the row."""
+        written = tangent_program(self.kernel, self.active, valued=self.valued)
+        values = len(self.kernel.outputs) if self.valued else 0
+        blocks = [_Block(sloped=False, given=False) for _ in self.active]
+        blocks += [_Block(sloped=False, given=True) for _ in range(values)]
+        blocks += [_Block(sloped=True, given=False) for elements in self.active if elements]
+        return written, blocks + [_Block(sloped=True, given=True) for _ in written.elements[values:]]
+
+
+@dataclass(frozen=True)
+class Adjoint:
+    """Weights of the ``seeded`` outputs of a kernel carried to its inputs as ``modes`` says of each.
+
+    Row: inputs; weights of each seeded output; weights of each input whose mode is not ``NONE``; sines and cosines.
+    """
+
+    kernel: Any
+    seeded: tuple[bool, ...]
+    modes: tuple[int, ...]
+
+    def library(self) -> tuple[str, Library]:
+        """The native function, made at its first use."""
+        return _library(self, f"adjoint {self.seeded} {self.modes}", 1)
+
+    def written(self) -> tuple[Written, list[_Block]]:
+        """The program and the blocks of the row."""
+        written = adjoint_program(self.kernel, self.seeded, tuple(mode != NONE for mode in self.modes))
+        blocks = [_Block(sloped=False, given=False) for _ in self.modes]
+        blocks += [_Block(sloped=True, given=False) for used in self.seeded if used]
+        return written, blocks + [_Block(sloped=True, given=True, adds=mode == ADD) for mode in self.modes if mode]
+
+
+def _library(variant: Any, told: str, lanes: int, *, seldom: bool = False) -> tuple[str, Library]:
+    kernel = variant.kernel
+    digest = hashlib.sha256(f"{kernel.key} {kernel.inputs} {kernel.outputs} {told} {LANES}".encode())
+    symbol = f"derived_{digest.hexdigest()[:32]}"
+
+    def write() -> tuple[Any, int]:
+        module, (written, blocks) = ir.Module(symbol), variant.written()
+        _write(module, symbol, _Writing(written, blocks, lanes, turned(kernel), getattr(variant, "valued", False)))
+        return module, 0 if seldom and len(written.program.values) > _LONG else 1
+
+    return symbol, row_function(symbol, write)
+
+
+class _Writing(NamedTuple):
+    """What is to be written: a program, the blocks of its row, and which angles have their sines kept or taken."""
+
+    written: Written
+    blocks: list[_Block]
+    lanes: int
+    angles: tuple[tuple[int, int], ...]
+    keeps: bool
+
+
+def _write(module: Any, symbol: str, writing: _Writing) -> None:
+    arguments = [("values", POINTER), ("slopes", POINTER), ("row", I64.as_pointer())]
+    function = declare(module, symbol, VOID, arguments)
+    writer = _Writer(module, function, writing)
+    values = writer.values(writing.written.program)
+    writer.give(writing.written, values)
+    writer.b.ret_void()
+
+
+class _Writer:
+    """Writes the operations of a program on numbers and on rows of lanes."""
+
+    def __init__(self, module: Any, function: Any, writing: _Writing) -> None:
+        self.b: Any = ir.IRBuilder(function.append_basic_block("entry"))
+        self.plain, self.wide = Double(module), _Wide(module) if writing.lanes > 1 else Double(module)
+        self.blocks, self.angles, self.keeps = writing.blocks, writing.angles, writing.keeps
+        self.kinds = [self.wide if block.sloped else self.plain for block in self.blocks]
+        self.spread_values: dict[int, Any] = {}
+        blocks = [*self.blocks, _Block(sloped=False, given=True)] if self.angles else self.blocks
+        values, slopes, row = function.args
+        self.places = []
+        for k, block in enumerate(blocks):
+            place = self.b.load(self.b.gep(row, [ir.Constant(I64, k)], source_etype=I64), typ=I64)
+            self.places.append(at(self.b, slopes if block.sloped else values, place))
+
+    def values(self, program: Any) -> list[Any]:
+        """All values of the program."""
+        taken = [k for k, block in enumerate(self.blocks) if not block.given]
+        found: list[Any] = []
+        turned: dict[int, tuple[Any, Any]] = {}
+        for instruction in program.values:
+            if instruction.kind == "constant":
+                value = self.plain.constant(instruction.value)
+            elif instruction.kind == "input":
+                k = taken[instruction.source[0]]
+                value = self.kinds[k].load(self.b, self.places[k], instruction.source[1])
+            elif instruction.kind in ("sin", "cos"):
+                angle = instruction.args[0]
+                if angle not in turned:
+                    turned[angle] = self._turned(program.values[angle], found[angle])
+                value = turned[angle][0 if instruction.kind == "sin" else 1]
+            else:
+                value = self._operation(instruction.kind, [found[arg] for arg in instruction.args])
+            found.append(value)
+        return found
+
+    def _turned(self, instruction: Any, angle: Any) -> tuple[Any, Any]:
+        """Sine and cosine; those of inputs are kept for the derivatives, which are spared to compute them again."""
+        kept = instruction.kind == "input" and instruction.source in self.angles
+        place = 2 * self.angles.index(instruction.source) if kept else 0
+        if kept and not self.keeps:
+            return tuple(self.plain.load(self.b, self.places[-1], place + k) for k in range(2))
+        pair = self.plain.turn(self.b, angle)
+        for k in range(2 * kept):
+            self.plain.store(self.b, pair[k], self.places[-1], place + k)
+        return pair
+
+    def give(self, written: Written, values: list[Any]) -> None:
+        """Write the results, after all is read: an input's weights may stand where others are added."""
+        given = [k for k, block in enumerate(self.blocks) if block.given]
+        for output, number, index in sorted(written.program.results):
+            k, element = given[output], written.elements[output][number]
+            kind = self.kinds[k]
+            value = self.plain.constant(0.0) if index is None else values[index]
+            value = self._spread(value) if kind is self.wide else value
+            if self.blocks[k].adds:
+                value = kind.operation(self.b, "add", kind.load(self.b, self.places[k], element), value)
+            kind.store(self.b, value, self.places[k], element)
+
+    def _operation(self, kind: str, args: list[Any]) -> Any:
+        if any(isinstance(arg.type, ir.VectorType) for arg in args):
+            return self.wide.operation(self.b, kind, *map(self._spread, args))
+        return self.plain.operation(self.b, kind, *args)
+
+    def _spread(self, value: Any) -> Any:
+        """A number in every lane."""
+        if self.wide.stride == 1 or isinstance(value.type, ir.VectorType):
+            return value
+        if isinstance(value, ir.Constant):
+            return self.wide.constant(value.constant)
+        if id(value) not in self.spread_values:
+            empty = ir.Constant(self.wide.kind, ir.Undefined)
+            first = self.b.insert_element(empty, value, ir.Constant(ir.IntType(32), 0))
+            mask = ir.Constant(ir.VectorType(ir.IntType(32), LANES), [0] * LANES)
+            self.spread_values[id(value)] = self.b.shuffle_vector(first, empty, mask)
+        return self.spread_values[id(value)]

@@ -1,0 +1,168 @@
+"""Groups of native functions, each made at its first use and kept on disk: a second start reads them in no time."""
+
+from __future__ import annotations
+
+import gc
+from collections import OrderedDict
+from collections.abc import Callable, Iterator, Mapping
+from contextlib import contextmanager
+from functools import partial
+from typing import Any
+
+from tmodes.compile import cache
+from tmodes.compile.native import Library, host, to_object
+
+__all__ = [
+    "arithmetic_of", "called", "kernels_of", "library", "native_functions", "row_function",
+    "sample_functions", "sample_module", "schedule_function", "schedule_module",
+]  # fmt: skip
+
+
+_loaded: OrderedDict[str, Library] = OrderedDict()
+_KEPT = 512
+
+
+def library(
+    name: str,
+    key: str,
+    write: Callable[[], Any],
+    functions: dict[str, int],
+    level: int | None = None,
+    imports: Callable[[], Mapping[str, Library]] = dict,
+    *,
+    tidy: bool = True,
+) -> Library:
+    """The functions of one module: as loaded before, from the cache, or written, optimised and kept.
+
+    Without a ``level`` what is written tells it.
+    """
+    key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
+    if key not in _loaded:
+        with _without_collector():
+            _loaded[key] = Library(name, _binary(key, write, level, tidy=tidy), functions, imports())
+        while len(_loaded) > _KEPT:
+            _loaded.popitem(last=False)
+    _loaded.move_to_end(key)
+    return _loaded[key]
+
+
+def _binary(key: str, write: Callable[[], Any], level: int | None, *, tidy: bool) -> bytes:
+    binary = cache.load(key)
+    if binary is None:
+        binary = to_object(*write()) if level is None else to_object(write(), level, tidy=tidy)
+        cache.save(key, binary)
+    return binary
+
+
+@contextmanager
+def _without_collector() -> Iterator[None]:
+    """Python's cyclic garbage collector waits: it would look at all objects of all modules again and again meanwhile.
+
+    That took an eighth of the time to compile.
+    """
+    was_on = gc.isenabled()
+    gc.disable()
+    try:
+        yield
+    finally:
+        if was_on:
+            gc.enable()
+
+
+def sample_functions(name: str, key: str, make: Callable[[], Mapping[str, Any]], inputs: Mapping[str, int]) -> Library:
+    """Functions over many samples; ``make`` gives a CasADi function for each name, parameters last.
+
+    ``inputs`` holds the number of inputs of each, parameters not counted.
+    """
+    # Called for some thousand samples: ten times quicker to compile is worth more here than quicker to run.
+    write = partial(sample_module, name, make, inputs)
+    return library(name, key, write, {label: count + 3 for label, count in inputs.items()}, level=0)
+
+
+def sample_module(name: str, make: Callable[[], Mapping[str, Any]], inputs: Mapping[str, int]) -> Any:
+    """The IR of :func:`sample_functions`."""
+    from llvmlite import ir
+
+    from tmodes.compile.ir.lower import lower
+    from tmodes.compile.ir.program import straight_line
+    from tmodes.compile.loops.sample_loop import write_sample_loop
+
+    module = ir.Module(name)
+    for label, function in make().items():
+        program = straight_line(function, invariant=inputs[label])
+        write_sample_loop(module, label, lower(module, program))
+    return module
+
+
+def kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
+    """The libraries of all kernels that a schedule calls, by symbol; each is made once, whatever schedule needs it."""
+    from tmodes.compile.ir.block import kernel_symbol
+
+    kernels = {kernel_symbol(kernel, arithmetic): kernel for kernel, _, _ in schedule.calls}
+    return {symbol: _kernel(symbol, kernel, arithmetic) for symbol, kernel in kernels.items()}
+
+
+def called(schedule: Any, arithmetic: str) -> dict[str, Library]:
+    """The same of a schedule as it is written: one that is unrolled calls nothing."""
+    from tmodes.compile.ir.unroll import pays
+
+    unrolled = arithmetic_of(arithmetic).unrolls and pays(schedule)
+    return {} if unrolled else kernels_of(schedule, arithmetic)
+
+
+def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.ir.block import write_kernel
+
+        module = ir.Module(symbol)
+        write_kernel(module, kernel, arithmetic_of(arithmetic)(module))
+        return module
+
+    # Differentiated code is twice as long and seldom called: quicker to compile is worth more than quicker to run.
+    level = 0 if arithmetic == "derivative" else 1
+    functions = {symbol: len(kernel.inputs) + len(kernel.outputs)}
+    return library(symbol, symbol, write, functions, level, tidy=kernel.long)
+
+
+def arithmetic_of(name: str) -> Any:
+    """The kind of numbers of a name: ``double``, ``lanes`` or ``derivative``."""
+    from tmodes.compile.ir.arithmetic import Derivative, Double, Lanes
+    from tmodes.compile.lanes.wide import Wide
+
+    return {kind.name: kind for kind in (Double, Lanes, Wide, Derivative)}[name]
+
+
+def schedule_function(name: str, schedule: Any, arithmetic: str) -> Library:
+    """The function ``run(n, each, parameters, workspace, in, out)`` of a schedule of kernels over many samples.
+
+    ``arithmetic``: ``double``, ``lanes`` (four samples at once; ``wide8``: eight) or ``derivative`` (each with a
+    direction).
+    """
+    write, imports = partial(schedule_module, schedule, arithmetic, "run"), partial(called, schedule, arithmetic)
+    return library(f"{name}.{arithmetic}", schedule.key, write, {"run": 6}, 1, imports, tidy=False)
+
+
+def schedule_module(schedule: Any, arithmetic: str, symbol: str) -> Any:
+    """The IR of the function of :func:`schedule_function`, called ``symbol``."""
+    from llvmlite import ir
+
+    from tmodes.compile.ir.arithmetic import Lanes
+    from tmodes.compile.ir.block import write_samples
+    from tmodes.compile.lanes.lane_rows import write_lane_samples
+
+    module, kind = ir.Module(symbol), arithmetic_of(arithmetic)
+    write = write_lane_samples if issubclass(kind, Lanes) else write_samples
+    write(module, schedule, kind(module), symbol)
+    return module
+
+
+def native_functions(name: str, write: Callable[[], Any], functions: dict[str, int]) -> Library:
+    """Functions, with their numbers of arguments, of the module that ``write`` gives; ``name`` says all of it."""
+    return library(name, name, write, functions, 2)
+
+
+def row_function(symbol: str, write: Callable[[], tuple[Any, int]]) -> Library:
+    """One function ``symbol(values, slopes, row)``; ``write`` gives its module and the level, ``symbol`` tells all."""
+    return library(symbol, symbol, write, {symbol: 3})

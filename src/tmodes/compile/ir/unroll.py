@@ -1,0 +1,148 @@
+"""A whole schedule as one straight-line program: no calls, and nothing computed that is zero, known, or known twice.
+
+What follows from the parameters alone is computed once per set of parameters and kept in the workspace, where nothing
+else stands: the kernels' blocks between inputs and outputs do not exist here.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import Any
+
+from tmodes.compile.ir.ordering import kernel_program
+from tmodes.compile.ir.program import BlockProgram, Instruction, needed
+
+__all__ = ["LIMIT", "Unrolled", "pays", "unrolled"]
+
+LIMIT = 500
+"""Numbers that the calls of a schedule give up to which unrolling pays: eight rigid joints, 3,000 operations.
+
+Measured: a longer program does not fit into the processor's first cache of instructions (32 kB on most), and then the
+calls of kernels, which do, are quicker by a fifth.
+"""
+
+_COMMUTATIVE = ("add", "mul")
+_ZERO_OF_ZERO = ("neg", "sq", "twice", "sin", "fabs", "sqrt", "copy")
+_ZERO_OF_ANY = ("mul", "div", "if_else_zero")
+
+
+@dataclass(frozen=True)
+class Unrolled:
+    """Two programs on one workspace; an input's ``source`` is (0, its place in the workspace).
+
+    ``prepare`` follows from the parameters, ``main`` from these and from what prepare gave. Results are (place, index).
+    """
+
+    prepare: list[Instruction]
+    prepared: list[tuple[int, int]]
+    main: list[Instruction]
+    results: list[tuple[int, int]]
+
+
+def pays(schedule: Any) -> bool:
+    """Whether a schedule is called often and is small enough."""
+    kernels = [kernel for kernel, _, _ in schedule.calls]
+    short = schedule.often and not any(kernel.long for kernel in kernels)
+    return short and sum(sum(kernel.outputs) for kernel in kernels) <= LIMIT
+
+
+def unrolled(schedule: Any) -> Unrolled:
+    """The programs of a schedule; its outputs and its gate are given where the kernels would have put them."""
+    numbered = _Numbered()
+    given = [range(schedule.parameters), *(_span(schedule, slot) for slot in schedule.inputs.values())]
+    memory = {place: numbered.value("input", source=(0, place)) for places in given for place in places}
+    inputs = set(memory)
+    memory |= {place: numbered.zero for slot in schedule.zeros for place in _span(schedule, slot)}
+    programs: dict[Any, BlockProgram] = {}
+    for kernel, *slots in schedule.calls:
+        same = (kernel.key, kernel.inputs, kernel.outputs)
+        if same not in programs:
+            programs[same] = kernel_program(kernel)
+        taken, put = ([_span(schedule, slot) for slot in side] for side in slots)
+        for output, element, value in numbered.inlined(programs[same], [[memory[i] for i in s] for s in taken]):
+            memory[put[output][element]] = value
+    told = [*(slot for slots in schedule.outputs.values() for slot in slots), *([schedule.gate] * bool(schedule.gate))]
+    wanted = sorted({place for slot in told for place in _span(schedule, slot)} - inputs)
+    results = [(place, memory[place]) for place in wanted]
+    return _parted(numbered.values, results, schedule, set(wanted))
+
+
+def _span(schedule: Any, slot: Any) -> range:
+    return range(schedule.offset(slot), schedule.offset(slot) + slot.size)
+
+
+class _Numbered:
+    """Values in the order in which they are first computed, each once (value numbering); zeros fold away."""
+
+    def __init__(self) -> None:
+        self._known: dict[Instruction, int] = {}
+        self.zero = self.value("constant")
+
+    @property
+    def values(self) -> list[Instruction]:
+        return list(self._known)
+
+    def value(self, kind: str, args: tuple[int, ...] = (), source: tuple[int, int] = (0, 0), value: float = 0.0) -> int:
+        """Index of a value."""
+        if self.zero_in(args):
+            folded = self._folded(kind, args)
+            if folded is not None:
+                return folded
+        args = tuple(sorted(args)) if kind in _COMMUTATIVE else args
+        return self._known.setdefault(Instruction(kind, args, source, value), len(self._known))
+
+    def zero_in(self, args: tuple[int, ...]) -> bool:
+        """Whether any of the values is zero for certain."""
+        return bool(args) and self.zero in args
+
+    def _folded(self, kind: str, args: tuple[int, ...]) -> int | None:
+        """The value of an operation with a zero, None where it is nothing simpler."""
+        if kind in _ZERO_OF_ZERO or (kind in _ZERO_OF_ANY and (kind != "div" or args[0] == self.zero)):
+            return self.zero
+        if kind == "add":
+            return args[0] if args[1] == self.zero else args[1]
+        if kind == "sub":
+            return args[0] if args[1] == self.zero else self.value("neg", (args[1],))
+        return None
+
+    def inlined(self, program: BlockProgram, inputs: list[list[int]]) -> list[tuple[int, int, int]]:
+        """The values of a kernel for given inputs; its results as (output, element, index)."""
+        here: list[int] = []
+        for step in program.values:
+            if step.kind == "input":
+                here.append(inputs[step.source[0]][step.source[1]])
+            else:
+                here.append(self.value(step.kind, tuple(here[arg] for arg in step.args), value=step.value))
+        return [(out, element, self.zero if i is None else here[i]) for out, element, i in program.results]
+
+
+def _parted(values: list[Instruction], results: list[tuple[int, int]], schedule: Any, taken: set[int]) -> Unrolled:
+    """What follows from the parameters apart from what changes, and a place in the workspace for what is kept."""
+    fixed: list[bool] = []
+    for value in values:
+        known = value.kind == "constant" or (value.kind == "input" and value.source[1] < schedule.parameters)
+        fixed.append(known or (value.kind != "input" and all(fixed[arg] for arg in value.args)))
+    ends = [index for _, index in results]
+    used = {arg for index in needed(values, ends) if not fixed[index] for arg in values[index].args} | {*ends}
+    kept = [i for i in sorted(used) if fixed[i] and values[i].kind not in ("input", "constant")]
+    taken |= {place for slot in schedule.inputs.values() for place in _span(schedule, slot)}
+    free = [place for place in range(schedule.parameters, schedule.workspace) if place not in taken]
+    prepared = [(place, index) for place, index in zip(free, kept, strict=False)]
+    main = list(values)
+    for place, index in prepared:
+        main[index] = Instruction("input", source=(0, place))
+    return Unrolled(*_shortened(values, prepared), *_shortened(main, results))
+
+
+def _shortened(
+    values: Sequence[Instruction], results: Sequence[tuple[int, int]]
+) -> tuple[list[Instruction], list[tuple[int, int]]]:
+    """The part of a program that its results need."""
+    chosen = needed(values, [index for _, index in results])
+    places = dict(zip(chosen, range(len(chosen)), strict=True))
+    kept: list[Instruction] = []
+    for index in chosen:
+        kind, args, source, value = values[index]
+        kept.append(Instruction(kind, tuple([places[arg] for arg in args]), source, value))
+    return kept, [(place, places[index]) for place, index in results]

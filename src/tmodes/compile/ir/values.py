@@ -1,0 +1,64 @@
+"""The values of a straight-line program as IR, each written once: what is read, only where it is needed."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterable, Sequence
+from typing import Any
+
+from tmodes.compile.ir.arithmetic import Arithmetic
+from tmodes.compile.ir.program import READ, Instruction
+from tmodes.compile.ir.turning import early_angles, order_of_evaluation
+
+__all__ = ["write_values"]
+
+
+def write_values(
+    b: Any, program: Sequence[Instruction], arithmetic: Arithmetic, read: Callable[[int, int], Any]
+) -> dict[int, Any]:
+    """All values of a program by index; ``read`` gives an element of an argument."""
+    writer = _Writer(b, program, arithmetic, read)
+    angles = early_angles(program)
+    first, rest = order_of_evaluation(program, angles)
+    writer.compute(first)
+    found = arithmetic.turns(b, [writer.needed(angle) for angle in angles])
+    writer.turned.update(zip(angles, found, strict=True))
+    writer.compute(rest)
+    return {index: writer.needed(index) for index in range(len(program))}
+
+
+class _Writer:
+    """Writes values where they are first needed, and so keeps few waiting."""
+
+    def __init__(
+        self, b: Any, program: Sequence[Instruction], arithmetic: Arithmetic, read: Callable[[int, int], Any]
+    ) -> None:
+        self.b, self.program, self.arithmetic, self.read = b, program, arithmetic, read
+        self.values: dict[int, Any] = {}
+        self.turned: dict[int, tuple[Any, Any]] = {}
+
+    def compute(self, chosen: Iterable[int]) -> None:
+        """Those of the chosen values that are not merely read, in their order."""
+        for index in chosen:
+            if self.program[index].kind not in READ:
+                self.needed(index)
+
+    def needed(self, index: int) -> Any:
+        """A value of which all that it follows from is known, or read."""
+        if index not in self.values:
+            self.values[index] = self._written(self.program[index])
+        return self.values[index]
+
+    def _written(self, instruction: Instruction) -> Any:
+        if instruction.kind == "constant":
+            return self.arithmetic.constant(instruction.value)
+        if instruction.kind == "input":
+            return self.read(*instruction.source)
+        if instruction.kind in ("sin", "cos"):
+            return self._turn(instruction.args[0])[0 if instruction.kind == "sin" else 1]
+        args = [self.needed(arg) for arg in instruction.args]
+        return self.arithmetic.operation(self.b, instruction.kind, *args)
+
+    def _turn(self, angle: int) -> tuple[Any, Any]:
+        if angle not in self.turned:
+            self.turned[angle] = self.arithmetic.turn(self.b, self.needed(angle))
+        return self.turned[angle]

@@ -1,0 +1,125 @@
+"""A whole arm in a run as schedules: signals, controllers, motors, chain, loads, contact, works.
+
+Inputs ``time`` (1), ``state``, ``row``, and ``step`` h (1). The output ``rate`` is the derivative of the state; with
+h > 0 its accelerations are those of a linearly implicit Euler step of h.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field, replace
+from functools import cached_property
+
+from tmodes.chain.chain import Drive
+from tmodes.equations.loop.instant import Instant
+from tmodes.equations.loop.plan import DrivePlan, LoopPlan, StateLayout
+from tmodes.equations.loop.powers import Powers
+from tmodes.equations.recursion.drive_kernels import DriveKind, drive_kind, drive_numbers
+from tmodes.equations.recursion.parts import NodePart, Parts
+from tmodes.equations.recursion.passes import resting_base
+from tmodes.kinds.kernel.schedule import Schedule, Slot
+
+__all__ = ["ClosedLoop", "Driver"]
+
+
+@dataclass(frozen=True)
+class Driver:
+    """A drive of the plan at its node: the numbers and kernels that its motion needs."""
+
+    plan: DrivePlan
+    part: NodePart
+    index: int
+    numbers: Slot
+    kind: DriveKind
+    kind_numbers: Slot
+    current: int
+
+    @property
+    def coordinate(self) -> int:
+        """Index of the coordinate that its motor turns."""
+        return self.part.motor if self.part.motor >= 0 else self.part.angle
+
+
+@dataclass(eq=False)
+class ClosedLoop:
+    """The schedules of a plan, and its numbers; every schedule reads the same parameters."""
+
+    plan: LoopPlan
+    parts: Parts = field(init=False)
+    drivers: tuple[Driver, ...] = field(init=False)
+
+    def __post_init__(self) -> None:
+        plan, chain = self.plan, self.plan.chain
+        self.parts = Parts(chain)
+        numbers = self.parts.numbers
+        self.drivers = tuple(self._driver(drive) for drive in plan.drives)
+        self.loads = [numbers.block(load.wrench) for load in plan.loads]
+        self.always = numbers.block([1.0, 0.0, 0.0])
+        self.touch = numbers.block(plan.touch.numbers) if plan.touch else None
+        placed = chain.base
+        moved = [*placed.rotation.ravel(), *placed.position, *chain.gravity]
+        self.base = numbers.block(moved if plan.base else resting_base(chain))
+
+    def _driver(self, plan: DrivePlan) -> Driver:
+        names = [part.node.joint.name for part in self.parts.nodes]
+        index = names.index(plan.joint)
+        part = self.parts.nodes[index]
+        kind, slot = part.drive, part.drive_numbers
+        if kind is None or slot is None:
+            free = replace(part.node.joint, drive=Drive.EFFORT)
+            kind, slot = drive_kind(free), self.parts.numbers.block(drive_numbers(free))
+        currents = self.plan.currents
+        current = currents.index(plan.joint) if plan.joint in currents else -1
+        return Driver(plan, part, index, self.parts.numbers.block(plan.numbers), kind, slot, current)
+
+    @property
+    def layout(self) -> StateLayout:
+        """Where the state holds what."""
+        return StateLayout.of(self.parts.size, len(self.plan.currents))
+
+    @cached_property
+    def rate(self) -> Schedule:
+        """(time, state, row, step) -> derivative of the state."""
+        return self._rate(Instant(self))
+
+    @cached_property
+    def implicit_rate(self) -> Schedule:
+        """(time, state, row, step, start) -> derivative of the state, for the steps of implicit methods.
+
+        Springs, dampers and servos start from ``start`` (2 nq), and h D + h^2 K stand beside the masses; all else is
+        taken where ``state`` is, at ``time``.
+        """
+        return self._rate(Instant(self, apart=True))
+
+    @cached_property
+    def euler_rate(self) -> Schedule:
+        """The same for implicit Euler steps, whose ``state`` is h of its rates ahead of ``start``.
+
+        A surface in contact with a tip is taken at the end of the step as well.
+        """
+        return self._rate(Instant(self, apart=True, euler=True))
+
+    def _rate(self, instant: Instant) -> Schedule:
+        currents = [instant.change[k] for k in sorted(instant.change)]
+        works = Powers(instant).works
+        instant.schedule.often = True
+        instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *works)
+        return instant.schedule
+
+    @cached_property
+    def observe(self) -> Schedule:
+        """(time, state, row, step) -> q, v, a, drives (4 each), gear, contact (6), the base's row, powers."""
+        instant = Instant(self)
+        powers, drives = Powers(instant), range(len(self.drivers))
+        shown = {
+            "q": [instant.way.q],
+            "v": [instant.way.v],
+            "a": instant.accelerations,
+            "drives": [powers.told[k] for k in drives],
+            "gear": [powers.gear[k] for k in drives],
+            "contact": [powers.contact],
+            "base": [instant.way.base],
+            "powers": powers.works,
+        }
+        for name, blocks in shown.items():
+            instant.schedule.output(name, *blocks)
+        return instant.schedule

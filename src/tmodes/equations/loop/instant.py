@@ -1,0 +1,169 @@
+"""One instant of an arm in a run: signals, controllers, loads and contact, and the recursion that they drive.
+
+The calls of a schedule, in the order in which one thing follows from another.
+"""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING
+
+from tmodes.equations.loop.contact_kernels import load_kernel
+from tmodes.equations.loop.signals_kernels import base_kernel, packing_kernel, replacing_kernel, signal_kernel
+from tmodes.equations.recursion.ahead import Ahead
+from tmodes.equations.recursion.forward import Recursion
+from tmodes.equations.recursion.passes import Blocks, Passes
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.spatial import FORCE
+
+if TYPE_CHECKING:
+    from tmodes.equations.loop.closed_loop import ClosedLoop, Driver
+
+__all__ = ["Instant"]
+
+
+class Instant:
+    """Blocks of one schedule by what they mean.
+
+    ``way`` and ``recursion`` have what the passes found; ``accelerations`` are blocks in the order of the coordinates.
+    By the number of a drive: ``efforts`` of servos, and ``told`` (4); by the number of a current: its ``change``.
+    ``dead``: wrenches on points but for the contact's.
+    """
+
+    def __init__(self, loop: ClosedLoop, *, apart: bool = False, euler: bool = False) -> None:
+        """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates).
+
+        ``euler``: the state has the rates of the start, so that a surface can be taken at the end of the step too.
+        """
+        self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
+        self.none = loop.parts.none
+        self.schedule = Schedule(loop.parts.numbers.size, zeros=tuple(self.none.values()))
+        self.time = self.schedule.input("time", 1)
+        self.state = self.schedule.input("state", loop.layout.size)
+        self.row = self.schedule.input("row", loop.plan.row_size)
+        self.step = self.schedule.input("step", 1)
+        self.signals = [self._signal(k) for k in range(loop.plan.signals)]
+        self.way = self._outwards()
+        self.apart, self.euler, self.start = apart, euler, self._start(apart=apart)
+        self.efforts: dict[int, Slot] = {}
+        self.told: dict[int, Slot] = {}
+        self.change: dict[int, Slot] = {}
+        self.dead: dict[int, Slot] = {}
+        self._push()
+        self.recursion = self._drive()
+        self.accelerations = self.recursion.run()
+
+    def call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
+        """Call a kernel; its outputs are new blocks."""
+        return self.schedule.call(kernel, *blocks)
+
+    def pack(self, *blocks: Slot) -> Slot:
+        """Blocks that must stand side by side."""
+        if not blocks:
+            return self.none[1].part(0, 0)
+        return self.call(packing_kernel(tuple(block.size for block in blocks)), *blocks)[0]
+
+    def _signal(self, k: int) -> Slot:
+        count = self.plan.degree + 1
+        block = self.row.part(1 + k * count, count)
+        return self.call(signal_kernel(self.plan.degree), self.time, self.row.part(0, 1), block)[0]
+
+    def _outwards(self) -> Passes:
+        q, rates = self._moved(self.state)
+        base = self.loop.base
+        if self.plan.base:
+            base = self.call(base_kernel(), base, *(self.signals[k] for k in self.plan.base))[0]
+        posed = bool(self.plan.loads or self.plan.touch)
+        way = Passes(self.parts, posed=posed, loaded=False, blocks=Blocks(self.schedule, q, rates, base), short=True)
+        way.outwards()
+        return way
+
+    def _moved(self, state: Slot) -> tuple[Slot, Slot]:
+        """Coordinates and rates of a state; those that follow their signals exactly are where these are."""
+        n = self.parts.size
+        q, rates = state.part(0, n), state.part(n, n)
+        exact = [driver for driver in self.loop.drivers if driver.plan.servo is None]
+        if not exact:
+            return q, rates
+        places = tuple(driver.coordinate for driver in exact)
+        moved = [self.signals[driver.plan.signal] for driver in exact]
+        q, rates = self.call(replacing_kernel(n, places), q, rates, *moved)
+        return q, rates
+
+    def _start(self, *, apart: bool) -> tuple[Divisible, Slot]:
+        """Coordinates and rates that springs start from: an input, or h of their rates ahead of the state's."""
+        if apart:
+            return self._moved(self.schedule.input("start", 2 * self.parts.size))
+        return Ahead(self.way, self.step), self.way.v
+
+    def _frame(self, point: int) -> tuple[Slot, Slot, Slot]:
+        """Pose of the frame that a point is fixed to, pose of its link's axes, and its rate in them."""
+        told = self.parts.points[point]
+        way, station = self.way.ways[told.node], self.parts.station(told)
+        assert way.root_pose is not None  # noqa: S101
+        assert way.tip_pose is not None  # noqa: S101
+        if station is None:
+            return way.tip_pose, way.root_pose, way.tip_rate
+        return way.section_poses[station], way.root_pose, way.sections[station].part(12, 3)
+
+    def _push(self) -> None:
+        """Loads and contact, as wrenches on points, and the contact's mass."""
+        wrenches = self.way.wrenches
+        for load, numbers in zip(self.plan.loads, self.loop.loads, strict=True):
+            signal = self.signals[load.signal] if load.signal >= 0 else self.loop.always
+            pose, before = self._frame(load.point)[0], wrenches.get(load.point, self.none[FORCE])
+            blocks = (pose, self.parts.offsets[load.point], numbers, signal, before)
+            (wrenches[load.point],) = self.call(load_kernel(follower=load.follower), *blocks)
+        self.dead |= wrenches
+        touch = self.plan.touch
+        if touch and self.loop.touch:
+            blocks = (*self._frame(touch.point), self.parts.offsets[touch.point], self.loop.touch)
+            before = wrenches.get(touch.point, self.none[FORCE])
+            wrenches[touch.point], gate = self.call(touch.touch.wrench(), *blocks, before)
+            self.schedule.gate = gate if touch.touch.unilateral else None
+            told = self.parts.points[touch.point]
+            if touch.has_mass or (self.euler and self.parts.station(told) is None):
+                step = self.step if self.euler else self.none[1]
+                inertia, bias = self.call(touch.touch.inertia(), *blocks, step)
+                self.way.attached[told.node] = (inertia, bias)
+
+    def _drive(self) -> Recursion:
+        """Efforts of the servos, and the motions that are given."""
+        efforts: dict[str, Slot] = {}
+        feedback: dict[str, Slot] = {}
+        given: dict[str, Slot] = {}
+        followed: dict[int, Slot] = {}
+        for k, driver in enumerate(self.loop.drivers):
+            plan, signal = driver.plan, self.signals[driver.plan.signal]
+            if plan.servo is None:
+                if driver.part.motor >= 0:
+                    followed[driver.part.motor] = signal.part(2, 1)
+                else:
+                    given[plan.joint] = signal.part(2, 1)
+                continue
+            found = self._serve(driver, *self.start)
+            efforts[plan.joint], feedback[plan.joint], change, self.told[k] = found
+            self.efforts[k] = efforts[plan.joint]
+            if self.apart:  # what is told and works is the effort where the state is
+                self.efforts[k], _, _, self.told[k] = self._serve(driver, self.way.q, self.way.v)
+            if driver.current >= 0:
+                self.change[driver.current] = change
+        parts, none = self.parts, self.none
+        effort = self.pack(*(efforts.get(name, none[1]) for name in parts.efforts))
+        swing = self.pack(*(feedback.get(name, none[2]) for name in parts.efforts))
+        moved = self.pack(*(given[name] for name in parts.given))
+        recursion = Recursion(self.way, effort, moved, self.step, self.start, feedback=swing)
+        recursion.followed = followed
+        return recursion
+
+    def _serve(self, driver: Driver, q: Divisible, rates: Slot) -> tuple[Slot, ...]:
+        """The servo's effort, feedback, rate of the current, and what is told, at coordinates and rates."""
+        place, signal = driver.coordinate, self.signals[driver.plan.signal]
+        assert driver.plan.servo is not None  # noqa: S101
+        blocks = (driver.numbers, signal, q.part(place, 1), rates.part(place, 1), self._current(driver), self.step)
+        return self.call(driver.plan.servo.kernel(), *blocks)
+
+    def _current(self, driver: Driver) -> Slot:
+        if driver.current < 0:
+            return self.none[1]
+        return self.state.part(self.loop.layout.currents.start + driver.current, 1)

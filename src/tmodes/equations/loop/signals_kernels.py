@@ -1,0 +1,100 @@
+"""Kernels of given motions: a signal and its two derivatives from the row of a schedule, and the base that it moves."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import casadi as ca
+
+from tmodes.equations.recursion.hinge import POSE
+from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.spatial import FORCE
+
+__all__ = ["BASE_NUMBERS", "SIGNAL", "base_kernel", "packing_kernel", "replacing_kernel", "signal_kernel"]
+
+SIGNAL = 3
+"""What is known of a signal at an instant: value, rate, acceleration."""
+
+BASE_NUMBERS = 15
+"""Numbers of a moving base: rotation (9) and position (3) of its placement, gravity (3) in the world."""
+
+
+def signal_kernel(degree: int) -> Kernel:
+    """(time, start of the piece, coefficients) -> (value, rate, acceleration) of the piece's polynomial."""
+
+    def build(time: Any, start: Any, coefficients: Any) -> list[list[Any]]:
+        tau = time[0] - start[0]
+        value, rate, half = coefficients[degree], 0.0, 0.0
+        for k in reversed(range(degree)):
+            half = half * tau + rate
+            rate = rate * tau + value
+            value = value * tau + coefficients[k]
+        return [[value, rate, 2 * half]]
+
+    return Kernel(f"signal {degree}", (1, 1, degree + 1), (SIGNAL,), build)
+
+
+def packing_kernel(sizes: tuple[int, ...]) -> Kernel:
+    """Blocks one after the other in one block."""
+
+    def build(*blocks: Any) -> list[list[Any]]:
+        return [[block[i] for block, size in zip(blocks, sizes, strict=True) for i in range(size)]]
+
+    return Kernel(f"packing {sizes}", sizes, (sum(sizes),), build)
+
+
+def replacing_kernel(size: int, places: tuple[int, ...]) -> Kernel:
+    """(q, v, a signal for each place) -> (q, v) whose coordinates at the places move as their signals."""
+
+    def build(q: Any, rates: Any, *signals: Any) -> list[list[Any]]:
+        kept = dict(zip(places, signals, strict=True))
+        return [
+            [kept[i][0] if i in kept else q[i] for i in range(size)],
+            [kept[i][1] if i in kept else rates[i] for i in range(size)],
+        ]
+
+    return Kernel(f"replacing {size} {places}", (size, size, *(SIGNAL,) * len(places)), (size, size), build)
+
+
+def base_kernel() -> Kernel:
+    """(numbers, six signals) -> the base's row: acceleration less gravity (6), rate (3), pose (15).
+
+    The signals are the travels x, y, z [m] and the angles roll, pitch, yaw [rad] about fixed axes (R = Rz Ry Rx), all
+    in the axes of the base's placement.
+    """
+
+    def build(numbers: Any, *signals: Any) -> list[list[Any]]:
+        placed, place, gravity = v.tri(numbers), v.vec(numbers, 9), v.vec(numbers, 12)
+        travel = [[signal[k] for signal in signals[:3]] for k in range(SIGNAL)]
+        angle, rates, more = ([signal[k] for signal in signals[3:]] for k in range(SIGNAL))
+        turned, rate = _turned(angle), _rate(angle, rates)
+        angles, speeds = ca.SX.sym("angles", 3), ca.SX.sym("speeds", 3)
+        told = ca.vertcat(*_rate([angles[i] for i in range(3)], [speeds[i] for i in range(3)]))
+        change = ca.jtimes(told, ca.vertcat(angles, speeds), ca.vertcat(speeds, ca.SX(ca.vertcat(*more))))
+        change = ca.substitute(change, ca.vertcat(angles, speeds), ca.vertcat(*angle, *rates))
+        world = v.matmul(placed, turned)
+        linear = v.sub(v.matvec(placed, travel[2]), gravity)
+        return [v.flat(
+            v.vec(change), v.matvec(v.transpose(world), linear), rate,
+            world, v.add(place, v.matvec(placed, travel[0])), v.matvec(placed, travel[1]),
+        )]  # fmt: skip
+
+    return Kernel("moving base", (BASE_NUMBERS, *(SIGNAL,) * 6), (FORCE + 3 + POSE,), build)
+
+
+def _turned(angle: v.Vector) -> v.Matrix:
+    """Rz(yaw) Ry(pitch) Rx(roll)."""
+    (cr, cp, cy), (sr, sp, sy) = (ca.cos(a) for a in angle), (ca.sin(a) for a in angle)
+    return [
+        [cy * cp, cy * sp * sr - sy * cr, cy * sp * cr + sy * sr],
+        [sy * cp, sy * sp * sr + cy * cr, sy * sp * cr - cy * sr],
+        [-sp, cp * sr, cp * cr],
+    ]
+
+
+def _rate(angle: v.Vector, speed: v.Vector) -> v.Vector:
+    """Angular velocity in the axes that turn."""
+    (roll, pitch, _), (p, q, r) = angle, speed
+    cr, sr, cp, sp = ca.cos(roll), ca.sin(roll), ca.cos(pitch), ca.sin(pitch)
+    return [p - r * sp, q * cr + r * sr * cp, r * cr * cp - q * sr]

@@ -1,0 +1,192 @@
+"""Kernels of a joint: into it (rates), out of it (articulated inertia, forces), and on (accelerations).
+
+The joint frame stands in its parent's tip frame; ``hinge`` is what one pass tells the next: E (9) from the parent's
+axes to the link's, the joint's place from the parent's tip (3), and the bias acceleration of the link's root (6). The
+axes of a bending parent are those of its root, so that inertias are turned once on their way and not twice.
+Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7, with classical accelerations.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, replace
+from typing import Any
+
+import casadi as ca
+
+from tmodes.chain.chain import JointKind
+from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
+
+__all__ = ["HELD", "HINGE", "PLACEMENT", "POSE", "Hinge"]
+
+PLACEMENT = 12
+"""Numbers of a placement: rotation (9) row by row, position (3)."""
+
+HINGE = 18
+"""Numbers of ``hinge``."""
+
+HELD = 8
+"""What the way out keeps for the way on: U = I S (6), 1/(S.U + own inertia), and the free effort."""
+
+POSE = 15
+"""Numbers of a pose in the world: rotation (9), position (3), velocity of the origin (3)."""
+
+
+@dataclass(frozen=True)
+class Hinge:
+    """The kernels of one kind of joint.
+
+    ``axis`` is 0, 1 or 2 where the joint moves along or about an axis of its frame, else None: the axis is data.
+    ``aside``: the joint stands aside of its parent's tip; ``on_section``: the parent bends, its tip frame is turned.
+    """
+
+    kind: JointKind
+    axis: int | None = 2
+    driven: bool = False
+    aside: bool = True
+    on_section: bool = False
+
+    @property
+    def moves(self) -> bool:
+        """Whether the joint has a coordinate."""
+        return self.kind is not JointKind.FIXED
+
+    @property
+    def key(self) -> str:
+        """The structure in words."""
+        axis = "data" if self.axis is None else "xyz"[self.axis]
+        flags = f"{' driven' * self.driven}{' aside' * self.aside}{' on section' * self.on_section}"
+        return f"{self.kind} {axis}{flags}" if self.moves else f"fixed{flags}"
+
+    def as_driven(self) -> Hinge:
+        """The same joint with its motion given."""
+        return replace(self, driven=self.moves)
+
+    def _direction(self, axis: Any) -> v.Vector:
+        return v.vec(axis) if self.axis is None else v.unit(self.axis)
+
+    def _arm(self, packed: Any, start: int) -> v.Vector:
+        """From the parent's tip to the joint; nothing where the joint stands on it."""
+        return v.vec(packed, start) if self.aside or self.kind is JointKind.PRISMATIC else v.zero()
+
+    def _screw(self, axis: Any) -> Force:
+        """S: the motion that the joint allows, as [angular; linear]."""
+        e = self._direction(axis)
+        return Force(e, v.zero()) if self.kind is JointKind.REVOLUTE else Force(v.zero(), e)
+
+    def inward(self) -> Kernel:
+        """(placement, rotation of the parent's tip, axis, its rate, angle, speed) -> (hinge, rate of the root)."""
+
+        def build(placement: Any, tip: Any, axis: Any, parent_rate: Any, angle: Any, speed: Any) -> list[list[Any]]:
+            frame, place, w = v.tri(placement), self._arm(placement, 9), v.vec(parent_rate)
+            if self.on_section:
+                frame, place = v.matmul(v.tri(tip), frame), v.matvec(v.tri(tip), place)
+            e, extra, arm = self._direction(axis), v.zero(), place
+            to_parent = frame
+            if self.kind is JointKind.REVOLUTE:
+                to_parent = v.matmul(frame, _about(self.axis, e, angle[0]))
+            elif self.kind is JointKind.PRISMATIC:
+                along = v.matvec(frame, e)
+                arm = v.add(place, v.scale(angle[0], along))
+                extra = v.scale(2 * speed[0], v.cross(w, along))
+            turned = v.transpose(to_parent)
+            carried = v.matvec(turned, w)
+            linear = v.matvec(turned, v.add(v.cross(w, v.cross(w, arm)), extra))
+            rate, angular = carried, v.zero()
+            if self.kind is JointKind.REVOLUTE:
+                own = v.scale(speed[0], e)
+                rate, angular = v.add(carried, own), v.cross(carried, own)
+            return [v.flat(turned, arm, angular, linear), rate]
+
+        return Kernel(f"inward {self.key}", (PLACEMENT, 9, 3, 3, 1, 1), (HINGE, 3), build)
+
+    def outward(self) -> Kernel:
+        """Articulated inertia and bias force of the link's root, added to those of the parent's tip.
+
+        (I, p, hinge, axis, effort, own inertia, sum of I, sum of p) -> (I, p, held). The effort of a driven joint is
+        its acceleration.
+        """
+
+        def build(
+            inertia: Any, bias: Any, hinge: Any, axis: Any, effort: Any, own: Any, inertia_sum: Any, bias_sum: Any
+        ) -> list[list[Any]]:
+            articulated, force, kept = Inertia.of(inertia), Force.of(bias), [0.0] * HELD
+            turned, arm, drift = v.tri(hinge), self._arm(hinge, 9), Force.of(hinge, 12)
+            after, pushed = articulated, force + articulated.times(drift)
+            if self.driven:
+                pushed = pushed + articulated.times(self._screw(axis).scaled(effort[0]))
+            elif self.moves:
+                s = self._screw(axis)
+                u = articulated.times(s)
+                share = 1 / (s.dot(u) + own[0])
+                free = effort[0] - s.dot(pushed)
+                after = articulated.less([u], [u.scaled(share)])
+                pushed = pushed + u.scaled(share * free)
+                kept = [*u.packed(), share, free]
+            back = v.transpose(turned)
+            moved = after.turned(back).at(arm) + Inertia.of(inertia_sum)
+            push = pushed.turned(back).force_at(arm) + Force.of(bias_sum)
+            return [moved.packed(), push.packed(), kept]
+
+        inputs = (INERTIA, FORCE, HINGE, 3, 1, 1, INERTIA, FORCE)
+        return Kernel(f"outward {self.key}", inputs, (INERTIA, FORCE, HELD), build)
+
+    def hold(self) -> Kernel:
+        """(I, p, hinge, axis, effort, own inertia) -> held: where nobody asks for what is passed to the base."""
+
+        def build(*blocks: Any) -> list[list[Any]]:
+            return [self.outward().build(*blocks, [0.0] * INERTIA, [0.0] * FORCE)[2]]
+
+        return Kernel(f"hold {self.key}", (INERTIA, FORCE, HINGE, 3, 1, 1), (HELD,), build)
+
+    def onward(self) -> Kernel:
+        """(acceleration of the parent's tip, hinge, axis, held, a given one) -> (that of the root, the joint's)."""
+
+        def build(parent: Any, hinge: Any, axis: Any, held: Any, given: Any) -> list[list[Any]]:
+            turned, drift = v.tri(hinge), Force.of(hinge, 12)
+            carried = Force.of(parent).motion_at(self._arm(hinge, 9)).turned(turned)
+            acceleration = given[0]
+            if self.moves and not self.driven:
+                acceleration = held[6] * (held[7] - Force.of(held).dot(carried))
+            root = carried + drift
+            if self.moves:
+                root = root + self._screw(axis).scaled(acceleration)
+            return [root.packed(), [acceleration]]
+
+        return Kernel(f"onward {self.key}", (FORCE, HINGE, 3, HELD, 1), (FORCE, 1), build)
+
+    def load(self) -> Kernel:
+        """(force at the link's root, hinge, axis, sum at the parent's tip) -> (sum, effort along the joint)."""
+
+        def build(force: Any, hinge: Any, axis: Any, sum_: Any) -> list[list[Any]]:
+            push, turned = Force.of(force), v.tri(hinge)
+            told = push.turned(v.transpose(turned)).force_at(self._arm(hinge, 9)) + Force.of(sum_)
+            return [told.packed(), [self._screw(axis).dot(push) if self.moves else 0.0]]
+
+        return Kernel(f"load {self.key}", (FORCE, HINGE, 3, FORCE), (FORCE, 1), build)
+
+    def pose(self) -> Kernel:
+        """(pose and rate of the parent's tip, in the parent's axes, hinge, axis, speed) -> pose of the link's root."""
+
+        def build(pose: Any, rate: Any, hinge: Any, axis: Any, speed: Any) -> list[list[Any]]:
+            world, arm = v.tri(pose), self._arm(hinge, 9)
+            back = v.transpose(v.tri(hinge))
+            moved = v.cross(v.vec(rate), arm)
+            if self.kind is JointKind.PRISMATIC:
+                moved = v.add(moved, v.scale(speed[0], v.matvec(back, self._direction(axis))))
+            place = v.add(v.vec(pose, 9), v.matvec(world, arm))
+            velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
+            return [v.flat(v.matmul(world, back), place, velocity)]
+
+        return Kernel(f"pose {self.key}", (POSE, 3, HINGE, 3, 1), (POSE,), build)
+
+
+def _about(axis: int | None, e: v.Vector, angle: Any) -> v.Matrix:
+    """Rotation by an angle about an axis of the frame, or about any unit vector (Rodrigues)."""
+    c, s = ca.cos(angle), ca.sin(angle)
+    if axis is None:
+        part = v.outer(v.scale(1 - c, e), e)
+        lever = v.skew(e)
+        return [[part[i][j] + (c if i == j else 0.0) + s * lever[i][j] for j in range(3)] for i in range(3)]
+    return v.about(axis, c, s)

@@ -1,0 +1,225 @@
+"""Kernels of links and rigid bodies: what hangs on a tip is carried to the root, and motion from the root to the tip.
+
+The coordinates of a bending link are eliminated inside the recursion (a link-level Schur complement), so the cost stays
+proportional to the number of links.
+"""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from typing import Any
+
+from tmodes.equations.recursion.body_kernels import BODY
+from tmodes.equations.recursion.hinge import POSE
+from tmodes.equations.recursion.link_kinds import SegmentKind, StrainKind
+from tmodes.equations.recursion.link_terms import LinkTerms, Section
+from tmodes.equations.recursion.strain_shape import frame_size
+from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
+from tmodes.kinds.kernel.triangular import factor, forward_substitution
+
+__all__ = ["BendingLink"]
+
+
+@dataclass(frozen=True)
+class BendingLink:
+    """The kernels of one kind of bending link."""
+
+    kind: SegmentKind | StrainKind
+
+    @property
+    def n(self) -> int:
+        """Number of coordinates."""
+        return self.kind.size
+
+    @property
+    def long(self) -> bool:
+        """Whether its line is integrated point by point, in thousands of operations."""
+        return isinstance(self.kind, StrainKind)
+
+    @property
+    def frame(self) -> int:
+        """Numbers of a section."""
+        return frame_size(self.n)
+
+    @property
+    def solved_size(self) -> int:
+        """What elimination keeps: rows of L, 1/d, L^-1 M_qb, L^-1 of the free force."""
+        return self.n * (self.n - 1) // 2 + self.n + 6 * self.n + self.n
+
+    def inward(self) -> Kernel:
+        """(tables, rate of the root, q, qd) -> (terms, section at the tip, sections at the stations)."""
+
+        def build(tables: Any, rate: Any, q: Any, qd: Any) -> list[list[Any]]:
+            terms, sections = self.kind.sections(tables, rate, q, qd)
+            return [terms, *sections]
+
+        outputs = (self.kind.terms_size, *(self.frame,) * (1 + len(self.kind.stations)))
+        return Kernel(f"inward {self.kind.key}", (self.kind.table_size, 3, self.n, self.n), outputs, build, self.long)
+
+    def station_load(self) -> Kernel:
+        """A body and a bias force on a section at a station: (terms, section, body, force in link axes) -> terms."""
+
+        def build(terms: Any, section: Any, body: Any, force: Any) -> list[list[Any]]:
+            link, place = LinkTerms.of(terms, self.n), Section.of(section, self.n)
+            moment = v.matvec(place.rotation, v.vec(body, 1))
+            inertia = v.turn(place.rotation, v.symmetric(body, 4), is_symmetric=True)
+            load = Force.of(force) + body_bias(moment, inertia, place.rate)
+            mass, coupling, base, bias_q, bias = link.with_load(place, body_inertia(body[0], moment, inertia), load)
+            lever = base.coupling
+            packed = LinkTerms(mass, coupling, base.angular, [lever[2][1], lever[0][2], lever[1][0]],
+                               base.linear[0][0], bias_q, bias)  # fmt: skip
+            return [packed.packed()]
+
+        sizes = (self.kind.terms_size, self.frame, BODY, FORCE)
+        return Kernel(f"station load {self.kind.key}", sizes, (self.kind.terms_size,), build)
+
+    def _spring(self, packed: Any, q: Any) -> list[Any]:
+        """K q of the packed stiffness."""
+        return [v.total([k * q[j] for j, k in row]) for row in self._rows(packed)]
+
+    def _rows(self, packed: Any) -> list[list[tuple[int, Any]]]:
+        """Rows of the packed stiffness, each with the columns that it has."""
+        rows: list[list[tuple[int, Any]]] = []
+        first = entry = 0
+        for n in self.kind.stiffness_sizes:
+            if not self.kind.full:
+                rows += [[(first + i, packed[entry + i])] for i in range(n)]
+                entry += n
+            else:
+                place = {}
+                for i in range(n):
+                    for j in range(i + 1):
+                        place[i, j] = place[j, i] = packed[entry]
+                        entry += 1
+                rows += [[(first + j, place[i, j]) for j in range(n)] for i in range(n)]
+            first += n
+        return rows
+
+    def outward(self) -> Kernel:
+        """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia, as an implicit step wants it.
+
+        (terms, section at the tip, I and p of the tip in the link's axes, stiffness, damping, q, qd, h)
+        -> (I and p at the root, solved). Springs and dampers start from q and qd.
+        """
+
+        def build(*packed: Any) -> list[list[Any]]:
+            terms, tip, inertia, bias, stiffness, damping, q, qd, step = packed
+            section, h = Section.of(tip, self.n), step[0]
+            link = LinkTerms.of(terms, self.n) if self.kind.own_terms else LinkTerms.nothing(self.n)
+            mass, coupling, base, bias_q, bias_b = link.with_load(section, Inertia.of(inertia), Force.of(bias))
+            spring, damper = (
+                self._spring(m, [x[j] for j in range(self.n)]) for m, x in ((stiffness, q), (damping, qd))
+            )
+            free = [-s - d - p for s, d, p in zip(spring, damper, bias_q, strict=True)]
+            for i, (k_row, d_row) in enumerate(zip(self._rows(stiffness), self._rows(damping), strict=True)):
+                for (j, k), (_, d) in zip(k_row, d_row, strict=True):
+                    if j <= i:
+                        mass[i][j] = mass[i][j] + h * (d + h * k)
+            lower, share = factor(mass)
+            columns = forward_substitution(lower, [[*c.packed(), f] for c, f in zip(coupling, free, strict=True)])
+            parts = [Force.of(column) for column in columns]
+            root = base.less(parts, [p.scaled(s) for p, s in zip(parts, share, strict=True)])
+            for part, column, s in zip(parts, columns, share, strict=True):
+                bias_b = bias_b + part.scaled(s * column[6])
+            kept = v.flat(
+                [row[:i] for i, row in enumerate(lower)], share, [c[:6] for c in columns], [c[6] for c in columns]
+            )
+            return [root.packed(), bias_b.packed(), kept]
+
+        k, n = self.kind.stiffness_size, self.n
+        inputs = (self.kind.terms_size, self.frame, INERTIA, FORCE, k, k, n, n, 1)
+        return Kernel(f"outward {self.kind.key}", inputs, (INERTIA, FORCE, self.solved_size), build, self.long)
+
+    def onward(self) -> Kernel:
+        """(acceleration of the root, solved, section at the tip) -> (accelerations of the coordinates, of the tip)."""
+
+        def build(root: Any, solved: Any, tip: Any) -> list[list[Any]]:
+            n, section, motion = self.n, Section.of(tip, self.n), Force.of(root)
+            start = n * (n - 1) // 2
+            lower = [[solved[i * (i - 1) // 2 + j] for j in range(i)] for i in range(n)]
+            columns = [Force.of(solved, start + n + 6 * j) for j in range(n)]
+            result = [solved[start + j] * (solved[start + 7 * n + j] - columns[j].dot(motion)) for j in range(n)]
+            for i in reversed(range(n)):
+                for k in range(i + 1, n):
+                    result[i] = result[i] - lower[k][i] * result[k]
+            return [result, _tip_motion(section, motion, result).packed()]
+
+        return Kernel(f"onward {self.kind.key}", (FORCE, self.solved_size, self.frame), (self.n, FORCE), build)
+
+    def motion(self) -> Kernel:
+        """(acceleration of the root, section, accelerations of the coordinates) -> that of the section."""
+
+        def build(root: Any, section: Any, qdd: Any) -> list[list[Any]]:
+            told = Section.of(section, self.n)
+            return [_tip_motion(told, Force.of(root), [qdd[j] for j in range(self.n)]).packed()]
+
+        return Kernel(f"motion {self.n}", (FORCE, self.frame, self.n), (FORCE,), build)
+
+    def load(self) -> Kernel:
+        """(terms, section at the tip, acceleration of the root, qdd, force on the tip) -> (force on the root, on q).
+
+        Forces of inertia alone: springs and dampers are told apart from them.
+        """
+
+        def build(terms: Any, tip: Any, root: Any, qdd: Any, force: Any) -> list[list[Any]]:
+            n, section, motion = self.n, Section.of(tip, self.n), Force.of(root)
+            link = LinkTerms.of(terms, n) if self.kind.own_terms else LinkTerms.nothing(n)
+            push = Force.of(force)
+            along = []
+            for i in range(n):
+                own = [link.mass[max(i, j)][min(i, j)] * qdd[j] for j in range(n)]
+                parts = [*own, link.coupling[i].dot(motion), link.bias_q[i], section.columns[i].dot(push)]
+                along.append(v.total(parts))
+            root_force = link.base.times(motion) + link.bias + push.force_at(section.position)
+            for j in range(n):
+                root_force = root_force + link.coupling[j].scaled(qdd[j])
+            return [root_force.packed(), along]
+
+        inputs = (self.kind.terms_size, self.frame, FORCE, self.n, FORCE)
+        return Kernel(f"load {self.kind.key}", inputs, (FORCE, self.n), build)
+
+    def pose(self) -> Kernel:
+        """(pose and rate of the root, section, qd) -> (pose of the section, the same in the link's axes)."""
+
+        def build(pose: Any, rate: Any, section: Any, qd: Any) -> list[list[Any]]:
+            told, world = Section.of(section, self.n), v.tri(pose)
+            moved = v.cross(v.vec(rate), told.position)
+            for j in range(self.n):
+                moved = v.add(moved, v.scale(qd[j], told.columns[j].linear))
+            place = v.add(v.vec(pose, 9), v.matvec(world, told.position))
+            velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
+            turned = v.matmul(world, told.rotation)
+            return [v.flat(turned, place, velocity), v.flat(world, place, velocity)]
+
+        return Kernel(f"pose section {self.n}", (POSE, 3, self.frame, self.n), (POSE, POSE), build)
+
+    def elastic(self) -> Kernel:
+        """(stiffness, damping, q, qd) -> (spring and damper forces on the coordinates, energy [J], power lost [W])."""
+
+        def build(stiffness: Any, damping: Any, q: Any, qd: Any) -> list[list[Any]]:
+            here, rates = [q[j] for j in range(self.n)], [qd[j] for j in range(self.n)]
+            spring, damper = self._spring(stiffness, here), self._spring(damping, rates)
+            energy = v.total([s * x for s, x in zip(spring, here, strict=True)]) / 2
+            loss = v.total([d * x for d, x in zip(damper, rates, strict=True)])
+            return [[s + d for s, d in zip(spring, damper, strict=True)], [energy], [loss]]
+
+        k, n = self.kind.stiffness_size, self.n
+        return Kernel(f"elastic {self.kind.key}", (k, k, n, n), (n, 1, 1), build)
+
+    def moment(self) -> Kernel:
+        """(terms, pose of the root, sum) -> sum of mass times position [kg*m], in the world."""
+
+        def build(terms: Any, pose: Any, sum_: Any) -> list[list[Any]]:
+            link = LinkTerms.of(terms, self.n)
+            return [v.add(v.vec(sum_), v.scale(link.total, v.vec(pose, 9)), v.matvec(v.tri(pose), link.moment))]
+
+        return Kernel(f"moment {self.kind.key}", (self.kind.terms_size, POSE, 3), (3,), build)
+
+
+def _tip_motion(section: Section, root: Force, qdd: list[Any]) -> Force:
+    motion = root.motion_at(section.position) + section.bias
+    for column, acceleration in zip(section.columns, qdd, strict=True):
+        motion = motion + column.scaled(acceleration)
+    return motion

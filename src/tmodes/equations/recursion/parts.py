@@ -1,0 +1,218 @@
+"""The parts of a chain for the recursion: the kernels of each node, and its numbers in the vector of parameters."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.chain.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Point, RigidLink, Segment
+from tmodes.equations.recursion.beam_tables import beam_tables, stations_of
+from tmodes.equations.recursion.body_kernels import BODY
+from tmodes.equations.recursion.drive_kernels import DriveKind, drive_kind, drive_numbers
+from tmodes.equations.recursion.framing import STRAIGHT, Framing
+from tmodes.equations.recursion.hinge import HELD, Hinge
+from tmodes.equations.recursion.link_kernels import BendingLink
+from tmodes.equations.recursion.link_kinds import SegmentKind, StrainKind
+from tmodes.equations.recursion.screw import Screw, screw_numbers
+from tmodes.kinds.kernel.schedule import Numbers, Slot
+from tmodes.kinds.kernel.spatial import FORCE, INERTIA
+
+__all__ = ["LinkPart", "NodePart", "Parts", "packed_bodies"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True)
+class LinkPart:
+    """A bending link: its kernels, where its numbers stand, and its stations (s, body or None)."""
+
+    kernels: BendingLink
+    tables: Slot
+    stiffness: Slot
+    damping: Slot
+    stations: tuple[tuple[float, Slot | None], ...]
+    first: int
+    names: tuple[str, ...]
+
+    @property
+    def own(self) -> slice:
+        """Where its coordinates stand."""
+        return slice(self.first, self.first + len(self.names))
+
+
+@dataclass(frozen=True)
+class NodePart:
+    """A node: its joint's kernels and numbers, its coordinates (indices, -1 where it has none), its link.
+
+    ``screw`` and ``way``: kernels and numbers of the short way to its joint, where there is one.
+    """
+
+    node: Node
+    hinge: Hinge
+    placement: Slot
+    axis: Slot
+    drive: DriveKind | None
+    drive_numbers: Slot | None
+    angle: int
+    motor: int
+    effort: int
+    given: int
+    link: LinkPart | None
+    tip_body: Slot | None
+    screw: Screw | None = None
+    way: Slot | None = None
+
+
+@dataclass
+class Parts:
+    """Everything that the passes need of a chain. Rigid links stand in frames of our own choice, see Framing."""
+
+    chain: Chain
+    numbers: Numbers = field(default_factory=Numbers)
+    nodes: list[NodePart] = field(default_factory=list)
+    points: tuple[Point, ...] = ()
+    offsets: list[Slot] = field(default_factory=list)
+
+    def __post_init__(self) -> None:
+        chain = self.chain
+        self.points, self.framing = chain.points or (chain.tip,), Framing(chain)
+        self.none = {size: self.numbers.block(np.zeros(size)) for size in (1, 2, 3, FORCE, HELD, 9, BODY, INERTIA)}
+        joints = [node.joint for node in chain.nodes]
+        moving = [joint for joint in joints if joint.kind is not JointKind.FIXED]
+        elastic = [joint for joint in moving if joint.drive is Drive.ELASTIC]
+        self.motors = range(len(elastic))
+        self.joints = range(len(elastic), len(elastic) + len(moving))
+        self.names = [f"{joint.name}.motor" for joint in elastic] + [joint.name for joint in moving]
+        self.efforts = [joint.name for joint in moving if joint.drive in (Drive.EFFORT, Drive.ELASTIC)]
+        self.given = [joint.name for joint in moving if joint.drive is Drive.PRESCRIBED]
+        told = (self.names, self.efforts, self.given)
+        self._places = tuple({name: place for place, name in enumerate(names)} for names in told)
+        for index, node in enumerate(chain.nodes):
+            self.nodes.append(self._node(index, node))
+        self.phases = self.numbers.block(self._phases())
+        self.couplings = None if chain.couplings is None else self.numbers.block(chain.couplings)
+        self.offsets = [self._offset(point) for point in self.points]
+
+    @property
+    def size(self) -> int:
+        """Number of coordinates."""
+        return len(self.names)
+
+    def bodies(self) -> list[list[int]]:
+        """The coordinates of each motor, joint and link, in the order of the nodes."""
+        found: list[list[int]] = []
+        for part in self.nodes:
+            found += [[index] for index in (part.motor, part.angle) if index >= 0]
+            found += [[*range(self.size)[part.link.own]]] if part.link else []
+        return found
+
+    @cached_property
+    def held(self) -> list[int]:
+        """The coordinates whose accelerations are given."""
+        return [part.angle for part in self.nodes if part.given >= 0]
+
+    @cached_property
+    def driven(self) -> list[int]:
+        """The coordinate that each effort acts along."""
+        along = {part.effort: part.motor if part.motor >= 0 else part.angle for part in self.nodes}
+        return [along[index] for index in range(len(self.efforts))]
+
+    def _node(self, index: int, node: Node) -> NodePart:
+        joint, link = node.joint, node.link
+        along = self.framing.axis(index)
+        axis = _axis_of(along)
+        moves = joint.kind is not JointKind.FIXED
+        on_section = node.parent >= 0 and not isinstance(self.chain.nodes[node.parent].link, RigidLink)
+        placed, screw = self.framing.placements[index], self.framing.screws[index]
+        driven, aside = joint.drive is Drive.PRESCRIBED and moves, bool(np.any(placed.position))
+        hinge = Hinge(joint.kind, axis if moves else 2, driven, aside, on_section)
+        placement = self.numbers.block([*placed.rotation.ravel(), *placed.position])
+        kind = drive_kind(joint) if moves and joint.drive is not Drive.PRESCRIBED else None
+        angle, effort, given = (places.get(joint.name, -1) if moves else -1 for places in self._places)
+        return NodePart(
+            node, hinge, placement, self.numbers.block(along), kind,
+            self.numbers.block(drive_numbers(joint)) if kind else None,
+            angle=angle,
+            motor=self._motor(joint) if moves else -1,
+            effort=effort, given=given,
+            link=None if isinstance(link, RigidLink) else self._link(index, node.name, link),
+            tip_body=self._tip_body(index, link),
+            screw=Screw.of(screw, driven=driven) if screw else None,
+            way=self.numbers.block(screw_numbers(screw)) if screw else None,
+        )  # fmt: skip
+
+    def _motor(self, joint: Joint) -> int:
+        name = f"{joint.name}.motor"
+        return self._places[0][name] if joint.drive is Drive.ELASTIC else -1
+
+    def _link(self, index: int, name: str, link: Beam | Segment) -> LinkPart:
+        first = len(self.names)
+        if isinstance(link, Segment):
+            return self._segment(name, link, first)
+        stations = stations_of(link, tuple(point.s for point in self.points if point.node == index))
+        tables = beam_tables(link, stations)
+        told = (("twist", link.twist), ("bend_y", link.bend_y), ("bend_z", link.bend_z), ("stretch", link.stretch))
+        names = tuple(f"{name}.{kind}{k + 1}" for kind, count in told for k in range(count))
+        self.names += names
+        bodies = []
+        for s in stations:
+            there = tuple(body for at, body in link.bodies if at == s)
+            bodies.append((s, self.numbers.block(packed_bodies(there)) if there else None))
+        block = self.numbers.block
+        blocks = (block(tables.packed), block(tables.stiffness), block(tables.damping))
+        return LinkPart(BendingLink(StrainKind(tables.shape)), *blocks, tuple(bodies), first, names)
+
+    def _segment(self, name: str, link: Segment, first: int) -> LinkPart:
+        planes = ((link.bend_y, "bend_y", link.stiffness_y, link.damping_y),
+                  (link.bend_z, "bend_z", link.stiffness_z, link.damping_z))  # fmt: skip
+        free = [plane for plane in planes if plane[0]]
+        names = tuple(f"{name}.{plane[1]}" for plane in free)
+        self.names += names
+        square, block = link.length**2, self.numbers.block
+        springs, dampers = [plane[2] * square for plane in free], [plane[3] * square for plane in free]
+        blocks = (block([link.length]), block(springs), block(dampers))
+        return LinkPart(BendingLink(SegmentKind(link.bend_y, link.bend_z)), *blocks, (), first, names)
+
+    def _phases(self) -> list[tuple[float, float]]:
+        """Cosine and sine of what each joint's angle is told from in its short way, in the order of the joints."""
+        screws = zip(self.nodes, self.framing.screws, strict=True)
+        phases = {part.angle: screw.phase for part, screw in screws if screw}
+        return [phases.get(angle, STRAIGHT) for angle in self.joints]
+
+    def _tip_body(self, index: int, link: RigidLink | Beam | Segment) -> Slot | None:
+        bodies = tuple(body for s, body in link.bodies if s >= 1.0) if isinstance(link, Beam) else link.bodies
+        bodies = self.framing.bodies(index, bodies)
+        return self.numbers.block(packed_bodies(bodies)) if bodies else None
+
+    def _offset(self, point: Point) -> Slot:
+        offset = self.framing.offset(point.node, point.offset)
+        return self.numbers.block([*offset.rotation.ravel(), *offset.position])
+
+    def station(self, point: Point) -> int | None:
+        """The number of the station at which a point stands, None for a tip."""
+        link = self.nodes[point.node].link
+        if link is None or not link.stations or point.s >= 1.0:
+            return None
+        return [s for s, _ in link.stations].index(point.s)
+
+
+def _axis_of(axis: Array) -> int | None:
+    """0, 1 or 2 for an axis of the frame itself."""
+    for k in range(3):
+        if np.array_equal(axis, np.eye(3)[k]):
+            return k
+    return None
+
+
+def packed_bodies(bodies: tuple[Body, ...]) -> Array:
+    """Mass, first moment and inertia about the frame's origin of bodies that move as one."""
+    total = np.zeros(10)
+    for body in bodies:
+        c = np.asarray(body.center, dtype=float)
+        inertia = body.inertia + body.mass * (c @ c * np.eye(3) - np.outer(c, c))
+        six = [inertia[0, 0], inertia[1, 1], inertia[2, 2], inertia[0, 1], inertia[0, 2], inertia[1, 2]]
+        total += [body.mass, *(body.mass * c), *six]
+    return total

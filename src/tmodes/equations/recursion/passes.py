@@ -1,0 +1,234 @@
+"""The outward pass over a chain, which every schedule begins with: rates, sections, and poses where they are needed."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.chain.chain import Chain
+from tmodes.equations.recursion.body_kernels import body_inertia_kernel, body_kernel, push_kernel, sum_kernel
+from tmodes.equations.recursion.drive_kernels import mixing_kernel
+from tmodes.equations.recursion.hinge import POSE, Hinge
+from tmodes.equations.recursion.parts import LinkPart, NodePart, Parts
+from tmodes.equations.recursion.screw import TURN, Screw, turn_kernel
+from tmodes.equations.recursion.screw_rates import rates_kernel
+from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.spatial import FORCE
+
+__all__ = ["BASE", "Blocks", "Passes", "Way", "resting_base"]
+
+BASE = 2 * FORCE - 3 + POSE
+"""Numbers of the base: acceleration less gravity (6) and rate (3) in its own axes, pose in the world (15)."""
+
+_TOGETHER = 8
+
+
+def resting_base(chain: Chain, factor: float = 1.0) -> NDArray[np.float64]:
+    """The row of a base that stands still under ``factor`` times gravity."""
+    placed = chain.base
+    pull = placed.rotation.T @ (factor * np.asarray(chain.gravity, dtype=float))
+    return np.concatenate([np.zeros(3), -pull, np.zeros(3), placed.rotation.ravel(), placed.position, np.zeros(3)])
+
+
+@dataclass
+class Way:
+    """What the outward pass found of a node: ``joint``, the kernels of its joint, to be called with ``axis``."""
+
+    joint: Hinge | Screw
+    axis: Slot
+    hinge: Slot
+    root_rate: Slot
+    tip_rate: Slot
+    root_pose: Slot | None = None
+    tip_pose: Slot | None = None
+    carried_pose: Slot | None = None
+    terms: Slot | None = None
+    tip: Slot | None = None
+    push: Slot | None = None
+    """Bias force of the body of a rigid link, where it is known."""
+    sections: tuple[Slot, ...] = ()
+    section_poses: list[Slot] = field(default_factory=list)
+
+
+@dataclass(frozen=True)
+class Blocks:
+    """What the passes start from, in the schedule that they add to: coordinates, rates, and the base."""
+
+    schedule: Schedule
+    q: Slot
+    v: Slot
+    base: Slot
+
+    @classmethod
+    def as_inputs(cls, parts: Parts) -> Blocks:
+        """Inputs of a new schedule."""
+        schedule = Schedule(parts.numbers.size, zeros=tuple(parts.none.values()))
+        q, v = schedule.input("q", parts.size), schedule.input("v", parts.size)
+        return cls(schedule, q, v, schedule.input("base", BASE))
+
+
+class Passes:
+    """Blocks of one schedule by what they mean; each pass adds its calls.
+
+    ``wrenches``: number of a point -> force and moment on it, in world axes. ``attached``: index of a node -> inertia
+    and bias force of what moves with its tip beside its own body, as those of the tip.
+    """
+
+    def __init__(
+        self, parts: Parts, *, posed: bool, loaded: bool, blocks: Blocks | None = None, short: bool = False
+    ) -> None:
+        """``posed``: poses in the world are needed; ``loaded``: forces act on the points.
+
+        ``short``: joints take the short way where they have one, else all take the general one.
+        """
+        self.short = short
+        self.parts, self.posed, self.loaded = parts, posed or loaded, loaded
+        blocks = blocks or Blocks.as_inputs(parts)
+        self.schedule, self.q, self.v, self.base = blocks.schedule, blocks.q, blocks.v, blocks.base
+        self.ways: list[Way] = []
+        self.turns: dict[int, Slot] = {}
+        self.none = parts.none
+        self.wrenches: dict[int, Slot] = {}
+        self.attached: dict[int, tuple[Slot, Slot]] = {}
+
+    def take_wrenches(self) -> None:
+        """The input of forces on the points (6 each, in world axes)."""
+        if self.loaded:
+            block = self.schedule.input("wrenches", 6 * len(self.parts.points))
+            self.wrenches = {k: block.part(6 * k, 6) for k in range(len(self.parts.points))}
+
+    def angle(self, part: NodePart) -> tuple[Slot, Slot]:
+        """Coordinate and rate of a joint."""
+        return self._pair(part.angle)
+
+    def motor(self, part: NodePart) -> tuple[Slot, Slot]:
+        """Angle and rate of a motor."""
+        return self._pair(part.motor)
+
+    def _pair(self, index: int) -> tuple[Slot, Slot]:
+        return (self.none[1], self.none[1]) if index < 0 else (self.q.part(index, 1), self.v.part(index, 1))
+
+    def bend(self, link: LinkPart, block: Divisible) -> Slot:
+        """The link's part of a block of all coordinates."""
+        return block.part(link.first, link.kernels.n)
+
+    def parent(self, part: NodePart) -> Way | None:
+        """What was found of the parent, None for the base."""
+        return self.ways[part.node.parent] if part.node.parent >= 0 else None
+
+    def outwards(self) -> None:
+        """Rates, and poses where they are needed, from the base to the tips."""
+        call = self.schedule.call
+        for part in self.parts.nodes:
+            parent = self.parent(part)
+            rate = parent.tip_rate if parent else self.base.part(FORCE, 3)
+            angle, speed = self.angle(part)
+            tip = parent.tip.part(0, 9) if parent and parent.tip else self.none[9]
+            if self.short and part.screw and part.way:
+                blocks, body = (part.way, rate, self._turn(part.angle), speed), part.tip_body
+                inward = rates_kernel(part.screw, with_body=body is not None)
+                hinge, root_rate, *push = call(inward, *blocks, *([body] if body else []))
+                way = Way(part.screw, part.way, hinge, root_rate, root_rate, push=push[0] if push else None)
+            else:
+                hinge, root_rate = call(part.hinge.inward(), part.placement, tip, part.axis, rate, angle, speed)
+                way = Way(part.hinge, part.axis, hinge, root_rate, root_rate)
+            if self.posed:
+                pose = parent.carried_pose if parent else self.base.part(FORCE + 3, POSE)
+                assert pose is not None  # noqa: S101
+                (way.root_pose,) = call(way.joint.pose(), pose, rate, hinge, way.axis, speed)
+                way.tip_pose = way.carried_pose = way.root_pose
+            if part.link:
+                self._bend_outwards(part.link, way)
+            self.ways.append(way)
+
+    def _turn(self, angle: int) -> Slot:
+        """Cosine and sine of the angle of a joint with a short way; eight at a time cost little more than one.
+
+        They are called where the first is needed: so they are found while one joint waits for the joint before.
+        """
+        if angle not in self.turns:
+            first = angle - (angle - self.parts.joints.start) % _TOGETHER
+            group = range(first, min(first + _TOGETHER, self.parts.joints.stop))
+            phases = self.parts.phases.part(TURN * (first - self.parts.joints.start), TURN * len(group))
+            (both,) = self.schedule.call(turn_kernel(len(group)), self.q.part(first, len(group)), phases)
+            self.turns |= {index: both.part(TURN * k, TURN) for k, index in enumerate(group)}
+        return self.turns[angle]
+
+    def _bend_outwards(self, link: LinkPart, way: Way) -> None:
+        q, v = self.bend(link, self.q), self.bend(link, self.v)
+        blocks = (link.tables, way.root_rate, q, v)
+        way.terms, way.tip, *sections = self.schedule.call(link.kernels.inward(), *blocks)
+        way.tip_rate, way.sections = way.tip.part(12, 3), tuple(sections)
+        if way.root_pose:
+            pose, root = link.kernels.pose(), (way.root_pose, way.root_rate)
+            way.tip_pose, way.carried_pose = self.schedule.call(pose, *root, way.tip, v)
+            way.section_poses = [self.schedule.call(pose, *root, section, v)[0] for section in way.sections]
+
+    def load_of_tip(self, index: int) -> tuple[Slot, Slot]:
+        """Inertia and bias force of what is fixed to a node's tip, less the forces on its points."""
+        part, way = self.parts.nodes[index], self.ways[index]
+        inertia, bias = self.none[21], self.none[FORCE]
+        if part.tip_body and way.push:
+            (inertia,), bias = self.schedule.call(body_inertia_kernel(), part.tip_body), way.push
+        elif part.tip_body:
+            kernel = body_kernel(on_section=way.tip is not None)
+            inertia, bias = self.schedule.call(kernel, part.tip_body, self.frame(way.tip), way.tip_rate)
+        if index in self.attached:
+            inertia, bias = self.schedule.call(sum_kernel(), inertia, bias, *self.attached[index])
+        for k in self.wrenches:
+            point = self.parts.points[k]
+            if point.node == index and self.parts.station(point) is None:
+                bias = self._pushed(k, way, way.tip, bias)
+        return inertia, bias
+
+    def frame(self, section: Slot | None) -> Slot:
+        """Rotation of a section in its link."""
+        return section.part(0, 9) if section else self.none[9]
+
+    def _pushed(self, k: int, way: Way, section: Slot | None, bias: Slot) -> Slot:
+        assert way.root_pose is not None  # noqa: S101
+        arm, wrench = self.parts.offsets[k].part(9, 3), self.wrenches[k]
+        kernel = push_kernel(on_section=section is not None)
+        return self.schedule.call(kernel, way.root_pose, self.frame(section), arm, wrench, bias)[0]
+
+    def terms_with_stations(self, index: int) -> Slot:
+        """Inertia terms of a bending link with the bodies at its stations, less the forces on its points there."""
+        part, way = self.parts.nodes[index], self.ways[index]
+        link, terms = part.link, way.terms
+        assert link is not None  # noqa: S101
+        assert terms is not None  # noqa: S101
+        for number, (section, (_, body)) in enumerate(zip(way.sections, link.stations, strict=True)):
+            force = self.none[FORCE]
+            for k in self.wrenches:
+                point = self.parts.points[k]
+                if point.node == index and self.parts.station(point) == number:
+                    force = self._pushed(k, way, section, force)
+            if body or force is not self.none[FORCE]:
+                (terms,) = self.schedule.call(link.kernels.station_load(), terms, section, body or self.none[10], force)
+        return terms
+
+    def coupled_inputs(self) -> dict[int, tuple[Slot, Slot]]:
+        """Angle and rate at the input of each coupled gear, by the index of its motor; empty without couplings."""
+        matrix, motors = self.parts.couplings, self.parts.motors
+        if matrix is None:
+            return {}
+        mix = mixing_kernel(len(motors), transposed=False)
+        angles = self.schedule.call(mix, matrix, *(self.q.part(i, 1) for i in motors))
+        rates = self.schedule.call(mix, matrix, *(self.v.part(i, 1) for i in motors))
+        return dict(zip(motors, zip(angles, rates, strict=True), strict=True))
+
+    def coupled_loads(self, torques: dict[int, Slot]) -> dict[int, Slot]:
+        """Load of all coupled gears on each motor, by the motor's index."""
+        matrix, motors = self.parts.couplings, self.parts.motors
+        if matrix is None:
+            return {}
+        mix = mixing_kernel(len(motors), transposed=True)
+        return dict(zip(motors, self.schedule.call(mix, matrix, *(torques[i] for i in motors)), strict=True))
+
+    def by_coordinate(self, motors: dict[int, Slot], joints: dict[int, Slot], links: dict[int, Slot]) -> list[Slot]:
+        """Blocks of the coordinates in their order: motors, joints, links."""
+        none = self.none[1]
+        first = [motors.get(i, none) for i in self.parts.motors] + [joints.get(i, none) for i in self.parts.joints]
+        return first + [links[part.link.first] for part in self.parts.nodes if part.link]

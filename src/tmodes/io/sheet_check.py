@@ -1,0 +1,191 @@
+"""From plain data to a checked Arm; all that is wrong is told in one go, each with its line."""
+
+from __future__ import annotations
+
+import copy
+import math
+from collections.abc import Iterator, Mapping
+from itertools import islice
+from typing import Any
+
+from pydantic import ValidationError
+
+from tmodes.errors import InputError, InputErrors
+from tmodes.io.sheet_complaints import MOST_TOLD, SHEET, Complaint, arm_complaints
+from tmodes.io.sheet_fields import ArmPlace, Step, named, place_of, quantities
+from tmodes.io.sheet_paths import entered, set_arm_paths, steps_of
+from tmodes.io.sheet_units import at
+from tmodes.io.units import NotANumber, number
+from tmodes.io.words import shown
+from tmodes.io.yaml_file import nearest_line
+from tmodes.sheet import ARM_FORMAT, Arm
+
+__all__ = ["arm_data", "arm_from_data", "changed_arm", "real_arm"]
+
+MOST_ERRORS = 100
+MOST_VALUES = 200_000
+"""Largest number of values in the plain data of an arm."""
+
+MOST_DEPTH = 40
+
+FACTORED = ("gravity", "base", "joints", "links", "tip", "points", "couplings", "loads", "drives", "contact")
+"""The groups of which a number may be otherwise in the real arm."""
+
+
+def arm_from_data(data: Any, positions: Mapping[str, int] | None = None, source: str = "") -> Arm:
+    """The checked arm of plain data (maps, lists and scalars, as a YAML file holds them).
+
+    ``positions`` gives the line of each dotted path and ``source`` the name of the file, for messages. Numbers may be
+    text with a unit. Raises :class:`tmodes.errors.InputErrors` that holds every wrong value.
+    """
+    positions = positions or {}
+    _refuse_huge(data, source)
+    if wrong := list(_other_format(data)):
+        raise _located(wrong, data, positions, source)
+    plain = copy.deepcopy(data)
+    if len(wrong := dict(islice(_read_numbers(plain), MOST_TOLD))) == MOST_TOLD:
+        raise _located([*wrong.items()], data, positions, source)
+    try:
+        arm = Arm.model_validate(plain)
+    except ValidationError as error:
+        told = [
+            (steps, _as_typed(one, steps, data)) for steps, one in arm_complaints(error, plain) if steps not in wrong
+        ]
+        raise _located([*wrong.items(), *told], data, positions, source) from None
+    if wrong:
+        raise _located(list(wrong.items()), data, positions, source)
+    if told := list(_wrong_real(arm)):
+        raise _located(told, data, positions, source)
+    return arm
+
+
+def arm_data(arm: Arm) -> dict[str, Any]:
+    """The plain data of an arm: reading it gives the same arm."""
+    return arm.model_dump(mode="json", by_alias=True, exclude_none=True)
+
+
+def changed_arm(arm: Arm, changes: Mapping[str, Any]) -> Arm:
+    """The checked arm with changes by path; see :func:`tmodes.io.sheet_paths.set_arm_paths`."""
+    return arm_from_data(set_arm_paths(arm_data(arm), changes))
+
+
+def real_arm(arm: Arm) -> Arm:
+    """The arm as it really is: each number that ``real`` names times its factor.
+
+    Raises :class:`tmodes.errors.InputErrors` for paths that name no number, and for numbers that no arm can have.
+    """
+    if not arm.real:
+        return arm
+    data, wrong = arm_data(arm), []
+    for path, factor in arm.real.items():
+        try:
+            _scale(data, path, factor)
+        except InputError as error:
+            wrong.append(InputError(f"real.{path}", error.got, error.expected, error.mend))
+    if wrong:
+        raise InputErrors(wrong)
+    return arm_from_data({**data, "real": {}})
+
+
+def _scale(data: dict[str, Any], path: str, factor: float) -> None:
+    steps = steps_of(path, data)
+    key: Any = steps[-1]
+    inner = entered(data, steps[:-1], path)
+    place = place_of(steps, data)
+    if steps[0] not in FACTORED or place is None or place.unit is None or place.whole:
+        expected = f"the path of a number of {', '.join(FACTORED)}"
+        raise InputError(path, "a path that names no number", expected, "name a number of the sheet")
+    value = inner[key] if isinstance(inner, list) or key in inner else None
+    if value is None:
+        raise InputError(path, "a path to a number that the sheet leaves out", "a number to scale", "write the number")
+    inner[key] = _scaled(value, factor)
+
+
+def _scaled(value: Any, factor: float) -> Any:
+    if isinstance(value, list):
+        return [_scaled(item, factor) for item in value]
+    if isinstance(value, dict):
+        return {key: _scaled(item, factor) for key, item in value.items()}
+    known = float(value)  # infinite ones are text in plain data
+    return known if math.isinf(known) else known * factor
+
+
+def _wrong_real(arm: Arm) -> Iterator[Complaint]:
+    try:
+        real_arm(arm)
+    except InputErrors as errors:
+        for error in errors.errors:
+            path = error.which.removeprefix("real.")
+            if path in arm.real:
+                yield ("real", path), InputError("", error.got, error.expected, error.mend)
+            else:
+                got = f"factors that make {path} {error.got}"
+                yield ("real",), InputError("", got, error.expected, f"change the factor: {error.mend}")
+
+
+def _refuse_huge(data: Any, source: str) -> None:
+    """Bounded before anything is copied."""
+    count, waiting, mend = 0, [(data, 0)], "check that this is a data sheet"
+    while waiting:
+        value, depth = waiting.pop()
+        count += 1
+        if count > MOST_VALUES:
+            got = f"more than {MOST_VALUES} values"
+            raise InputErrors([InputError(SHEET, got, f"at most {MOST_VALUES}", mend, source)])
+        if depth > MOST_DEPTH:
+            got = f"more than {MOST_DEPTH} levels"
+            raise InputErrors([InputError(SHEET, got, f"at most {MOST_DEPTH}", mend, source)])
+        inner = value.values() if isinstance(value, dict) else value if isinstance(value, (list, tuple)) else ()
+        waiting.extend((item, depth + 1) for item in inner)
+
+
+def _other_format(data: Any) -> Iterator[Complaint]:
+    """A sheet of another version is not read any further: its keys may mean something else."""
+    if not isinstance(data, Mapping):
+        yield (), InputError("", shown(data), "keys and values, such as `kind: arm`", "see a published arm")
+    elif "format" in data:
+        version, mend = data["format"], f"write `format: {ARM_FORMAT}`"
+        if type(version) is not int or version < ARM_FORMAT:
+            yield ("format",), InputError("", shown(version), f"the number {ARM_FORMAT}", mend)
+        elif version > ARM_FORMAT:
+            got = f"{shown(version)}, newer than this program"
+            yield ("format",), InputError("", got, f"at most {ARM_FORMAT}", "update tmodes")
+
+
+def _read_numbers(data: Any) -> Iterator[Complaint]:
+    """Put plain numbers in place of text with units, where numbers belong; tell those that are none."""
+    for container, key, steps, place in quantities(data):
+        try:
+            container[key] = _read_number(container[key], place)
+        except NotANumber as error:
+            yield steps, InputError("", error.got, place.expected, error.mend)
+
+
+def _read_number(value: Any, place: ArmPlace) -> float:
+    result = number(value, place.unit or "-")
+    if math.isinf(result) and not (place.may_be_infinite and result > 0):
+        mend = "write a finite number" + ("; .inf makes it rigid" if place.may_be_infinite else "")
+        raise NotANumber(f"the infinite number {shown(result)}", mend)
+    return int(result) if result.is_integer() and int in place.members else result
+
+
+def _as_typed(error: InputError, steps: tuple[Step, ...], data: Any) -> InputError:
+    """A number that was refused, shown as it stands in the file: with its own unit."""
+    place, value = place_of(steps, data), at(data, *steps)
+    if isinstance(value, str) and place and place.unit is not None and error.got != shown(value):
+        error.got = f"{shown(value)}, which is {error.got} {place.unit}"
+    return error
+
+
+def _located(told: list[Complaint], data: Any, positions: Mapping[str, int], source: str) -> InputErrors:
+    """The errors in the order of the file, each with its place, and with names in its path."""
+    lines = {id(error): nearest_line(".".join(map(str, steps)), positions) for steps, error in told}
+    for steps, error in told:
+        error.which = named(steps, data) or SHEET
+        line = lines[id(error)]
+        error.where = f"{source}:{line}" if source and line else source
+    errors = [error for _, error in sorted(told, key=lambda one: lines[id(one[1])])]
+    if len(errors) > MOST_ERRORS:
+        got, mend = f"more than {MOST_ERRORS} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
+        errors = [*errors[:MOST_ERRORS], InputError("the file", got, "a data sheet of this format", mend, source)]
+    return InputErrors(errors)

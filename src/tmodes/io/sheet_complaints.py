@@ -1,0 +1,163 @@
+"""What the validator found wrong in an arm's data sheet, in our words: which, got, expected, mend."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from enum import Enum
+from itertools import islice
+from typing import Any
+
+from pydantic import ValidationError
+from pydantic_core import ErrorDetails
+
+from tmodes.errors import InputError
+from tmodes.io.sheet_fields import ROOT, ArmPlace, Step, chosen, inside, keys, place_of
+from tmodes.io.sheet_units import at
+from tmodes.io.sheet_words import kind_of
+from tmodes.io.words import nearest, shown
+from tmodes.kinds.schema.quantity import LARGEST
+
+__all__ = ["Complaint", "arm_complaints"]
+
+SHEET = "the data sheet"
+
+MOST_TOLD = 500
+"""Number of wrong places for which words are sought: more are told by none."""
+
+Complaint = tuple[tuple[Step, ...], InputError]
+"""The path of a wrong value by keys and numbers, and what is to be said of it."""
+
+
+def arm_complaints(error: ValidationError, data: Any) -> list[Complaint]:
+    """One complaint for each wrong place of the plain data that was refused, of very many the first."""
+    told: dict[tuple[Step, ...], InputError] = {}
+    for detail in islice(error.errors(include_url=False), MOST_TOLD):
+        for steps, complaint in _complaints(detail, data):
+            told.setdefault(steps, complaint)
+    return list(told.items())
+
+
+def _complaints(detail: ErrorDetails, data: Any) -> Iterator[Complaint]:
+    steps = _steps(detail["loc"], data)
+    match detail["type"]:
+        case "extra_forbidden" | "invalid_key":
+            yield steps, _unknown(steps, data)
+        case "missing" if steps and isinstance(steps[-1], int):
+            yield steps[:-1], _short(steps[:-1], data)
+        case "missing":
+            yield steps, _missing(steps, data)
+        case "union_tag_not_found" | "union_tag_invalid":
+            yield _kind(steps, data)
+        case "misfits":
+            for field, got, expected, mend in detail.get("ctx", {})["misfits"]:
+                inner = tuple(int(step) if step.isdecimal() else step for step in field.split(".") if step)
+                yield (*steps, *inner), InputError("", got, expected, mend)
+        case kind:
+            yield steps, _wrong(steps, kind, detail, data)
+
+
+def _steps(loc: tuple[Step, ...], data: Any) -> tuple[Step, ...]:
+    """The validator's location without the kinds that it names on the way into a section, a signal, a material."""
+    steps: list[Step] = []
+    place: ArmPlace | None = ROOT
+    value = data
+    skipped = False
+    for step in loc:
+        if step == "[key]":
+            continue
+        if place is not None and len(place.members) > 1 and not skipped:
+            skipped = True
+            continue
+        skipped = False
+        place = inside(place, step, value, [*steps, step], data) if place else None
+        steps.append(step)
+        value = at(value, step)
+    return tuple(steps)
+
+
+def _group(steps: tuple[Step, ...], data: Any) -> Any:
+    """The type of the group at a path, of the kind that the data names."""
+    place = place_of(steps, data)
+    return chosen(place.members, at(data, *steps)) if place else None
+
+
+def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
+    known = keys(_group(steps[:-1], data))
+    key = str(steps[-1])
+    close = nearest(key, known)
+    mend = f"did you mean `{close}`?" if close else _elsewhere(key)
+    return InputError("", f"the unknown key {shown(key)}", f"one of {', '.join(known) or 'the known keys'}", mend)
+
+
+def _elsewhere(key: str) -> str:
+    """A key that belongs to the sheet's outermost level, or to none."""
+    return f"put `{key}` at the outermost level" if key in keys(ROOT.annotation) else "remove it"
+
+
+def _short(steps: tuple[Step, ...], data: Any) -> InputError:
+    place = place_of(steps, data)
+    expected = place.expected if place else "a longer list"
+    return InputError("", shown(at(data, *steps)), expected, "write each of its numbers")
+
+
+def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
+    place = place_of(steps, data)
+    expected = place.expected if place else "a value"
+    if place and place.info and place.info.description:
+        expected += f": {place.meaning}"
+    choices = _choices(place) if place else []
+    lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in choices or ["..."]) if steps else ""
+    return InputError("", "nothing", expected, f"add the line {lines}" if lines else "add it")
+
+
+def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
+    """A group that does not say, or says wrongly, of which of several kinds it is."""
+    place, value = place_of(steps, data), at(data, *steps)
+    kinds = [(key, str(kind)) for key, kind, _ in map(kind_of, place.members if place else []) if kind]
+    key, names = kinds[0][0] if kinds else "type", [kind for _, kind in kinds]
+    if not isinstance(value, Mapping):
+        return steps, InputError("", shown(value), place.expected if place else "a group", f"write `{key}: ...` in it")
+    got = at(value, key)
+    close = nearest(got, names) if isinstance(got, str) else None
+    mend = f"did you mean `{close}`?" if close else f"write `{key}: {names[0] if names else '...'}`"
+    expected = f"one of {', '.join(names)}"
+    return (*steps, key), InputError("", shown(got), expected, mend)
+
+
+def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) -> InputError:
+    value, place = detail["input"], place_of(steps, data)
+    if place is None or not steps:
+        expected = f"a group with the keys {', '.join(keys(ROOT.annotation))}" if not steps else detail["msg"]
+        return InputError("", shown(value), expected, "compare it with a published robot")
+    bounds = {} if place.extra.get("span") else detail.get("ctx", {})
+    if LARGEST in map(_magnitude, bounds.values()):
+        expected = f"{place.expected} of a magnitude of at most {LARGEST:g}"
+        return InputError("", shown(value), expected, "correct the exponent or the unit")
+    if kind == "arithmetic" and bounds:
+        expected = f"a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
+        rigid = "; .inf makes it rigid" if place.may_be_infinite else ""
+        return InputError("", shown(value), expected, f"correct the exponent or the unit{rigid}")
+    return InputError("", shown(value), place.expected, _mend(place, value))
+
+
+def _magnitude(bound: Any) -> float:
+    return abs(bound) if isinstance(bound, float) else 0.0
+
+
+def _mend(place: ArmPlace, value: Any) -> str:
+    """How a value of the right kind or of the wrong one is put right."""
+    if place.unit is not None and isinstance(value, (int, float)) and not isinstance(value, bool):
+        return f"correct the sign, the size or the unit of the {place.meaning}"
+    if place.unit is not None:
+        return f"write {place.expected}"
+    if isinstance(value, str) and (close := nearest(value, _choices(place))):
+        return f"did you mean `{close}`?"
+    return f"write the {place.meaning} as {place.expected}"
+
+
+def _choices(place: ArmPlace) -> list[str]:
+    return [str(choice.value) for member in place.members if _is_enum(member) for choice in member]
+
+
+def _is_enum(member: Any) -> bool:
+    return isinstance(member, type) and issubclass(member, Enum)

@@ -1,0 +1,118 @@
+"""Change the plain data of an arm by dotted path: ``joints.shoulder.gear.stiffness``, ``links.0.beam.length``.
+
+Items of a list go by their name, or by their number where none has that name.
+"""
+
+from __future__ import annotations
+
+import copy
+from collections.abc import Mapping, Sequence
+from typing import Any, get_args, get_origin
+
+from tmodes.errors import InputError
+from tmodes.io.sheet_fields import ROOT, ArmPlace, Step, chosen, inside, keys
+from tmodes.io.sheet_units import at
+from tmodes.io.words import nearest, shown
+from tmodes.kinds.links.material import LIBRARY
+
+__all__ = ["changed_places", "entered", "set_arm_paths", "steps_of"]
+
+LONGEST = 500
+
+
+def set_arm_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """A copy of an arm's plain data with the value at each path replaced; the values are checked elsewhere.
+
+    Every key that a data sheet may hold can be set, also one that this one leaves out. Raises
+    :class:`tmodes.errors.InputError` with the nearest name for a path that does not exist.
+    """
+    return changed_places(data, changes)[0]
+
+
+def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple[dict[str, Any], list[str]]:
+    """The changed data, as :func:`set_arm_paths` gives it, and where each change stands, by keys and numbers alone.
+
+    A path is looked up in what the changes before it have left: one may give a signal its type, the next a number that
+    only this type has.
+    """
+    changed = copy.deepcopy(dict(data))
+    places = []
+    for path, value in changes.items():
+        *groups, key = steps = steps_of(path, changed)
+        inner = entered(changed, groups, path)
+        if not isinstance(inner, (dict, list)):
+            raise InputError(path, f"{shown(inner)} around it", "a group", "mend the group first")
+        inner[key] = copy.deepcopy(value)  # pyright: ignore[reportCallIssue, reportArgumentType]
+        places.append(".".join(map(str, steps)))
+    return changed, places
+
+
+def entered(data: Any, steps: Sequence[Step], path: str) -> Any:
+    """What stands at steps of plain data. Groups that are left out are added; a material's name gives its numbers."""
+    inner = data
+    for step in steps:
+        value = _expanded(at(inner, step), [step])
+        if value is None:
+            value = {}
+        if not isinstance(inner, (dict, list)):
+            raise InputError(path, f"{shown(inner)} around it", "a group", "mend the group first")
+        inner[step] = value  # pyright: ignore[reportCallIssue, reportArgumentType]
+        inner = value
+    return inner
+
+
+def steps_of(path: str, data: Any) -> list[Step]:
+    """The keys and numbers that lead to a path.
+
+    Raises :class:`tmodes.errors.InputError` when nothing may stand there.
+    """
+    if not isinstance(path, str) or not 0 < len(path) <= LONGEST:
+        raise InputError(shown(path), "an unknown path", "the path of a value of the data sheet", "write one")
+    steps: list[Step] = []
+    place: ArmPlace | None = ROOT
+    value, words = data, path.split(".")
+    while words:
+        step, used = _step(value, words, place)
+        where = ".".join(words[:used])
+        group = _expanded(value, steps)
+        inner = inside(place, step, group, [*steps, step], data) if place else None
+        if inner is None:
+            raise _unknown(path, where, value, place)
+        steps.append(step)
+        place, value, words = inner, at(group, step), words[used:]
+    return steps
+
+
+def _expanded(value: Any, steps: Sequence[Step]) -> Any:
+    """The numbers of a material that is given by name."""
+    if isinstance(value, str) and steps and steps[-1] == "material" and value in LIBRARY:
+        return LIBRARY[value].model_dump(mode="json", exclude_none=True)
+    return value
+
+
+def _step(value: Any, words: list[str], place: ArmPlace | None) -> tuple[Step, int]:
+    """The next step, and how many words it takes: a name may hold dots itself."""
+    if isinstance(value, (list, tuple)):
+        names = [item.get("name") if isinstance(item, Mapping) else None for item in value]
+        for count in range(len(words), 0, -1):
+            if (name := ".".join(words[:count])) in names:
+                return names.index(name), count
+        if words[0].isdecimal() and len(words[0]) < 6 and int(words[0]) < len(value):
+            return int(words[0]), 1
+        return words[0], 1
+    kinds = get_args(chosen(place.members, value)) if place is not None and place.unit is not None else ()
+    if kinds and get_origin(kinds[-1]) is not dict:
+        return ".".join(words), len(words)  # an entry of `real`, or of the initial state
+    return words[0], 1
+
+
+def _unknown(path: str, where: str, value: Any, place: ArmPlace | None) -> InputError:
+    if isinstance(value, (list, tuple)):
+        known = [str(item.get("name") or k) if isinstance(item, Mapping) else str(k) for k, item in enumerate(value)]
+        expected = f"one of {', '.join(known[:12])}" if known else "an empty list"
+    else:
+        known = keys(chosen(place.members, value)) if place else []
+        expected = f"one of {', '.join(known)}" if known else "no further key"
+    close = nearest(where, known)
+    mend = f"did you mean `{close}`?" if close else "look the path up in the data sheet"
+    return InputError(path, f"the unknown name {shown(where)}", expected, mend)

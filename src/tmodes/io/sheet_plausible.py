@@ -1,0 +1,125 @@
+"""Numbers of an arm that are allowed and yet look like a wrong unit: warnings with the likely factor, never errors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from tmodes.io.plausible import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, oddity
+from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_fields import named, quantities
+from tmodes.io.sheet_plausible_motion import implausible_motion
+from tmodes.kinds.links.beam import BeamModel, BeamSheet
+from tmodes.kinds.links.material import Material
+from tmodes.kinds.schema.frames import Origin
+
+if TYPE_CHECKING:
+    from tmodes.sheet import Arm
+
+__all__ = ["arm_notices", "implausible_arm"]
+
+SLENDERNESS = (5.0, 1000.0)
+"""Range of the length of a beam over the height of its section [-]: thicker ones shear, thinner ones are threads."""
+
+POISSON = (-1.0, 0.5)
+"""Range of the Poisson ratio of an isotropic material [-]."""
+
+MOST_SEGMENTS = 3
+"""Number of segments beyond which the model `segments` is used for what it cannot do."""
+
+CLAMPED_FREE = 1.8751040687119611
+"""First root of cos x cosh x = -1: a clamped bare beam has 2 pi f = (x/L)^2 sqrt(EI/w)."""
+
+
+def implausible_arm(arm: Arm) -> list[str]:
+    """Sentences on numbers that look like a wrong unit, each with the likely factor; empty when all look right."""
+    beams = [(link.name, link.beam) for link in arm.links if link.beam]
+    found = (sentence for name, beam in beams for sentence in (*_beam(name, beam), *_model(name, beam)))
+    return [*_ranges(arm), *found, *implausible_motion(arm)]
+
+
+def arm_notices(arm: Arm) -> list[str]:
+    """Sentences on what was put right in reading the arm: directions and quaternions not of length 1."""
+    places: dict[str, Origin | None] = {"base": arm.base, "tip": arm.tip}
+    places |= {f"points.{point.name}": point for point in arm.points}
+    places |= {f"joints.{joint.name}.origin": joint.origin for joint in arm.joints}
+    for link in arm.links:
+        if link.beam:
+            places[f"links.{link.name}.beam.root_mount"] = link.beam.root_mount
+            places[f"links.{link.name}.beam.tip_mount"] = link.beam.tip_mount
+    told = {path: origin.notice() for path, origin in places.items() if origin}
+    told |= {f"joints.{joint.name}.axis": joint.notice() for joint in arm.joints}
+    return [f"{path}: {notice}" for path, notice in told.items() if notice]
+
+
+def _ranges(arm: Arm) -> Iterator[str]:
+    data = arm_data(arm)
+    for container, key, steps, place in quantities(data):
+        value = float(container[key])
+        odd = oddity(value, place.unit or "-", place.extra.get("plausible"))
+        if odd and value != 0.0:
+            yield f"{named(steps, data)} {odd}"
+
+
+def _beam(name: str, beam: BeamSheet) -> Iterator[str]:
+    """The first of what is strange about a beam: the others follow from it."""
+    yield from [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)][:1]
+
+
+def _model(name: str, beam: BeamSheet) -> Iterator[str]:
+    """A model that is not what its name promises, and moduli that no isotropic material has."""
+    functions = beam.functions
+    if beam.model is BeamModel.STRAIN and functions and not any(dict(functions).values()):
+        yield f"links.{name}.beam is rigid: its model `strain` has 0 functions in every direction"
+    if beam.model is BeamModel.SEGMENTS and (beam.segments or 0) > MOST_SEGMENTS:
+        told = "more segments do not converge (docs/links.md); was the model `strain` meant?"
+        yield f"links.{name}.beam has {beam.segments} segments, more than {MOST_SEGMENTS}: {told}"
+    low, high = POISSON
+    for material in (beam.material, *(piece.material for piece in beam.pieces)):
+        if isinstance(material, Material) and not low <= (ratio := material.young / (2 * material.shear) - 1) <= high:
+            told = f"young/(2 shear) - 1 = {ratio:.3g}, a Poisson ratio outside {low:g} to {high:g}"
+            yield f"links.{name}.beam.material has {told}; right for a laminate only: are both moduli in Pa?"
+
+
+def _slenderness(name: str, beam: BeamSheet) -> Iterator[str]:
+    root = beam.section_pieces()[0].start
+    height = 2 * max(root.outer_y, root.outer_z)
+    low, high = SLENDERNESS
+    if not height or beam.model is BeamModel.RIGID or low <= beam.length / height <= high:
+        return
+    ratio = beam.length / height
+    slip = "length in mm (factor 0.001)" if ratio > high else "section in mm (factor 0.001)"
+    scaled = ratio * (1e-3 if ratio > high else 1e3)
+    guess = f"was its {slip} meant?" if low <= scaled <= high else "are its length and its section both in m?"
+    yield f"links.{name}.beam is {ratio:.3g} times as long as high, outside the usual {low:g} to {high:g}; {guess}"
+
+
+def _material(name: str, beam: BeamSheet) -> Iterator[str]:
+    """Of a round rod w^2/(4 pi EI) is rho^2/E; by the mean of both directions, other shapes come near it."""
+    root: Any = beam.section_pieces()[0].start
+    low, high = DENSITY_OVER_MODULUS
+    stiffness = math.sqrt(root.bend_y) * math.sqrt(root.bend_z)
+    ratio = root.mass**2 / (4 * math.pi * stiffness)
+    if math.isinf(stiffness) or low <= ratio <= high:
+        return
+    heavy = "mass or density in g (factor 0.001), or E in MPa or GPa (factor 1e+06 or 1e+09)"
+    light = "stiffness in N*mm^2 (factor 1e-06), or density in g/cm^3 (factor 1000)"
+    told = f"EI = {stiffness:g} N*m^2 and {root.mass:g} kg/m"
+    yield f"links.{name}.beam with {told} is of no known material; was its {heavy if ratio > high else light} meant?"
+
+
+def _frequency(name: str, beam: BeamSheet) -> Iterator[str]:
+    low, high = FIRST_FREQUENCY
+    root: Any = beam.section_pieces()[0].start
+    stiffness = min(root.bend_y, root.bend_z)
+    if math.isinf(stiffness) or beam.model is BeamModel.RIGID:
+        return
+    frequency = (CLAMPED_FREE / beam.length) ** 2 * math.sqrt(stiffness / root.mass) / (2 * math.pi)
+    if not low <= frequency <= high:
+        factors = {1e6: "length in mm (factor 0.001)", math.sqrt(1e9): "E in GPa (factor 1e+09)"}
+        factors |= {1e3: "E in MPa (factor 1e+06)", 1e-3: "stiffness in N*mm^2 (factor 1e-06)"}
+        likely = next((told for factor, told in factors.items() if low <= factor * frequency <= high), None)
+        guess = f"was its {likely} meant?" if likely else "are its length, stiffness and mass in SI units?"
+        usual = f"outside the usual {low:g} to {high:g} Hz"
+        yield f"links.{name}.beam, clamped, swings at {frequency:.3g} Hz, {usual}; {guess}"

@@ -1,0 +1,79 @@
+"""What an arm does and how large it is, where that looks like a slip: warnings, never errors."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Any
+
+from tmodes.kinds.joints.joint import JointType
+from tmodes.sheet.checks import coordinate_count
+from tmodes.sheet.parts import Command
+
+if TYPE_CHECKING:
+    from tmodes.sheet import Arm
+
+__all__ = ["implausible_motion"]
+
+GRAVITY = 30.0
+"""Largest usual gravity [m/s^2]: that of Jupiter is 24.8."""
+
+TURNS = 4 * math.pi
+"""Largest usual angle of a joint in a motion [rad]: two turns; beyond, degrees are likely."""
+
+TRAVEL = 50.0
+"""Largest usual position of a prismatic joint [m]."""
+
+MANY = 60
+"""Number of coordinates beyond which every answer takes its time."""
+
+LEVELS = ("value", "start", "end", "amplitude", "offset", "values")
+"""Keys of a signal that are values of it, of whatever type it is."""
+
+
+def implausible_motion(arm: Arm) -> Iterator[str]:
+    """Sentences on gravity, motions and limits that look like a wrong unit, and on an arm of very many coordinates."""
+    pull = math.hypot(*arm.gravity)
+    if pull > GRAVITY:
+        yield f"gravity = {pull:g} m/s^2 is more than the usual {GRAVITY:g}; is the unit right?"
+    yield from _limits(arm)
+    yield from _signals(arm)
+    if (count := coordinate_count(arm)) > MANY:
+        told = "each answer takes long; fewer functions or segments will do for most links"
+        yield f"the arm has {count} coordinates, more than {MANY}: {told}"
+
+
+def _limits(arm: Arm) -> Iterator[str]:
+    for joint in arm.joints:
+        if joint.type is JointType.PRISMATIC and joint.limits:
+            for name in ("lower", "upper"):
+                value = getattr(joint.limits, name)
+                if value is not None and abs(value) > TRAVEL:
+                    yield _far(f"joints.{joint.name}.limits.{name}", value)
+
+
+def _signals(arm: Arm) -> Iterator[str]:
+    kinds = {joint.name: joint.type for joint in arm.joints}
+    for index, drive in enumerate(arm.drives):
+        if drive.command not in {Command.POSITION, Command.PRESCRIBED}:
+            continue
+        path, slides = f"drives.{index} (`{drive.joint}`)", kinds[drive.joint] is JointType.PRISMATIC
+        value = _largest(drive.signal)
+        if slides and abs(value) > TRAVEL:
+            yield _far(f"{path}.signal", value)
+        elif not slides and abs(value) > TURNS:
+            turned = f"{value:g} rad, {abs(value) / (2 * math.pi):.3g} turns"
+            yield f"{path}.signal goes to {turned}; was it meant in deg (factor {math.pi / 180:.4g})?"
+
+
+def _far(path: str, value: float) -> str:
+    slip = "was it meant in mm (factor 0.001)?" if abs(value) * 1e-3 <= TRAVEL else "is the unit right?"
+    return f"{path} = {value:g} m is more than the usual {TRAVEL:g} m; {slip}"
+
+
+def _largest(signal: Any) -> float:
+    """The value of a signal with the largest magnitude, by its numbers; 0 where it has none (an expression)."""
+    found = [getattr(signal, name, None) for name in LEVELS]
+    values = [0.0, *(value for value in found if isinstance(value, float))]
+    values += [value for table in found if isinstance(table, tuple) for value in table]
+    return max(values, key=abs)

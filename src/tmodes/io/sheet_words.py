@@ -1,0 +1,101 @@
+"""The types of an arm's data sheet, and what belongs in a place of each type, told in words."""
+
+from __future__ import annotations
+
+import inspect
+from enum import Enum
+from types import NoneType, UnionType
+from typing import Annotated, Any, Literal, Union, get_args, get_origin
+
+from pydantic import BaseModel
+from pydantic.fields import FieldInfo
+
+from tmodes.kinds.schema.quantity import LARGEST, span_told
+
+__all__ = ["bounds", "expected_kind", "fields", "first_line", "is_group", "kind_of", "members_of", "own_unit"]
+
+
+def members_of(annotation: Any) -> list[Any]:
+    """The types that an annotation allows, without None and without their notes."""
+    origin = get_origin(annotation)
+    if origin is Annotated:
+        return members_of(get_args(annotation)[0])
+    if origin in {Union, UnionType}:
+        return [member for one in get_args(annotation) if one is not NoneType for member in members_of(one)]
+    return [annotation]
+
+
+def fields(member: Any) -> dict[str, FieldInfo]:
+    """Fields of a group by the keys of the file; none for what is no group."""
+    if not is_group(member):
+        return {}
+    return {info.alias or name: info for name, info in member.model_fields.items()}
+
+
+def is_group(member: Any) -> bool:
+    """True for a type that is a group of keys."""
+    return inspect.isclass(member) and issubclass(member, BaseModel)
+
+
+def own_unit(info: FieldInfo) -> str | None:
+    """The unit as the field says it, which may depend on where it stands."""
+    extra = info.json_schema_extra
+    return str(extra["unit"]) if isinstance(extra, dict) and "unit" in extra else None
+
+
+def kind_of(member: Any) -> tuple[str, Any, Any]:
+    """The key that says which of several groups this is, its value here, and what it is when it is left out."""
+    for name, info in fields(member).items():
+        if get_origin(info.annotation) is Literal:
+            return name, get_args(info.annotation)[0], None if info.is_required() else info.default
+    return "", None, None
+
+
+def expected_kind(members: list[Any], info: FieldInfo | None) -> str:
+    """What belongs in a place that is no quantity."""
+    if len(members) > 1:
+        kinds = [str(kind) for _, kind, _ in map(kind_of, members) if kind]
+        return f"a group of the kind {', '.join(kinds)}" if kinds else "a name, or a group of numbers"
+    member = members[0]
+    if is_group(member):
+        return f"a group with the keys {', '.join(fields(member))}"
+    if inspect.isclass(member) and issubclass(member, Enum):
+        return f"one of {', '.join(str(choice.value) for choice in member)}"
+    plain = {tuple: f"a list{_length(info, 'items')}", dict: "a group of names"}
+    if origin := get_origin(member):
+        return repr(get_args(member)[0]) if origin is Literal else plain[origin]
+    return "true or false" if member is bool else f"text{_length(info, 'characters')}"
+
+
+def bounds(info: FieldInfo | None, annotation: Any) -> str:
+    """The bounds of a number, such as `` greater than 0``, but for those of arithmetic."""
+    extra = info.json_schema_extra if info else None
+    if info and isinstance(extra, dict) and extra.get("span"):
+        largest = next((rule.le for rule in info.metadata if hasattr(rule, "le")), None)
+        return span_told(extra, largest, whole=annotation is int)
+    words = {"gt": "greater than", "ge": "not less than", "le": "not more than"}
+    found = [
+        f"{word} {getattr(rule, name):.15g}"
+        for rule in [*(info.metadata if info else ()), *_notes(annotation)]
+        for name, word in words.items()
+        if getattr(rule, name, None) is not None and abs(getattr(rule, name)) < LARGEST
+    ]
+    return " " + " and ".join(dict.fromkeys(found)) if found else ""
+
+
+def _notes(annotation: Any) -> list[Any]:
+    """Rules that a type itself carries."""
+    notes = get_args(annotation)[1:] if get_origin(annotation) is Annotated else ()
+    return [rule for note in notes for rule in (note.metadata if isinstance(note, FieldInfo) else [note])]
+
+
+def first_line(member: Any) -> str:
+    """What a group is, by the first line of its docstring."""
+    return (inspect.getdoc(member) or "").split("\n")[0].rstrip(".") if is_group(member) else "value"
+
+
+def _length(info: FieldInfo | None, of: str) -> str:
+    rules = info.metadata if info else ()
+    longest = [rule.max_length for rule in rules if hasattr(rule, "max_length")]
+    shortest = [rule.min_length for rule in rules if hasattr(rule, "min_length")]
+    return f" of {max([0, *shortest])} to {min(longest)} {of}" if longest else ""

@@ -1,0 +1,56 @@
+"""Write an arm as a data sheet that reads back as the same arm, with symbols, units and meanings as comments."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator, Mapping
+from typing import TYPE_CHECKING, Any
+
+from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_fields import Step, place_of
+from tmodes.io.yaml_text import scalar_text, text
+
+if TYPE_CHECKING:
+    from tmodes.sheet import Arm
+
+__all__ = ["arm_to_yaml"]
+
+COLUMN = 48
+
+
+def arm_to_yaml(arm: Arm) -> str:
+    """The data sheet of an arm as YAML. Every number is written with all its digits; reading it gives ``arm``."""
+    data = arm_data(arm)
+    return "\n".join([*_group(data, (), "", data), ""])
+
+
+def _group(group: Mapping[str, Any], steps: tuple[Step, ...], indent: str, data: Any) -> Iterator[str]:
+    for key, value in group.items():
+        if value not in ({}, []):
+            yield from _entry(f"{indent}{text(key)}:", value, (*steps, key), indent, data)
+
+
+def _entry(key: str, value: Any, steps: tuple[Step, ...], indent: str, data: Any) -> Iterator[str]:
+    if isinstance(value, dict):
+        yield key
+        yield from _group(value, steps, f"{indent}  ", data)
+    elif isinstance(value, list) and any(isinstance(item, dict) for item in value):
+        yield key
+        for index, item in enumerate(value):
+            first, *rest = _group(item, (*steps, index), f"{indent}    ", data)
+            yield from (f"{indent}  - {first.lstrip()}", *rest)
+    else:
+        yield from _values(key, value, steps, indent, data)
+
+
+def _values(key: str, value: Any, steps: tuple[Step, ...], indent: str, data: Any) -> Iterator[str]:
+    """A scalar or a list of numbers, with what it is; a long list one number in a line."""
+    place = place_of(steps, data)
+    quantity = place is not None and place.unit is not None
+    comment = f" # {place.extra['symbol']} [{place.unit}] {place.meaning}" if quantity and place else ""
+    if isinstance(value, list) and len(value) > 12:
+        yield f"{key:<{COLUMN}}{comment}" if comment else key
+        yield from (f"{indent}  - {scalar_text(item, quantity)}" for item in value)
+        return
+    items = f"[{', '.join(scalar_text(item, quantity) for item in value)}]" if isinstance(value, list) else ""
+    line = f"{key} {items or scalar_text(value, quantity)}"
+    yield f"{line:<{COLUMN}}{comment}" if comment else line

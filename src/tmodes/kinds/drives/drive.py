@@ -1,0 +1,183 @@
+"""What drives a joint: friction, motor with its reducer, elastic gear. Motor-side quantities are reflected here."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from enum import StrEnum
+from itertools import pairwise
+from typing import Annotated, Any, NamedTuple, Self
+
+from pydantic import Field, field_validator, model_validator
+
+from tmodes.kinds.schema.frames import list_of_numbers
+from tmodes.kinds.schema.quantity import (
+    LARGEST,
+    SMALLEST,
+    DataSheet,
+    Misfit,
+    any_sign,
+    dissipation,
+    not_negative,
+    positive,
+    refuse,
+)
+
+__all__ = ["FrictionSheet", "GearSheet", "MotorNumbers", "MotorSheet", "Side"]
+
+_Stiffness = Annotated[float, Field(gt=0.0, allow_inf_nan=True)]
+_Limit = Annotated[float, Field(gt=0.0, le=LARGEST)]
+
+MOST_RANGES = 5
+"""Largest number of stiffnesses of one gear; harmonic drives are told with three."""
+
+
+class FrictionSheet(DataSheet):
+    """Friction at a rate v: viscous v + (coulomb + static_extra/(1 + (v/stribeck_rate)^2)) sgn v, with a smooth sgn."""
+
+    viscous: float = dissipation("N*m*s/rad|N*s/m", "Bv", "viscous friction")
+    coulomb: float = not_negative("N*m|N", "Tc", "dry friction in motion", default=0.0)
+    static_extra: float = not_negative("N*m|N", "Ts - Tc", "dry friction at rest beyond that in motion", default=0.0)
+    stribeck_rate: float | None = positive(
+        "rad/s|m/s", "vs", "rate at which half of `static_extra` is gone", default=None
+    )
+    smoothing: float = positive("rad/s|m/s", "veps", "rate below which dry friction is smoothed", default=1e-3)
+
+    @model_validator(mode="after")
+    def _whole(self) -> Self:
+        if self.static_extra > 0 and self.stribeck_rate is None:
+            mend = "add `stribeck_rate`, or remove `static_extra`"
+            refuse([Misfit("stribeck_rate", "nothing", "a rate, because `static_extra` is given", mend)])
+        return self
+
+
+class Side(StrEnum):
+    """Of which side of the reducer a motor's quantities are."""
+
+    JOINT = "joint"
+    MOTOR = "motor"
+
+
+class MotorNumbers(NamedTuple):
+    """A motor's numbers on the joint side: SI, ``friction`` of the same keys as its sheet."""
+
+    inertia: float
+    viscous: float
+    coulomb: float
+    static_extra: float
+    stribeck_rate: float
+    smoothing: float
+    resistance: float | None
+    back_emf: float
+    torque_constant: float
+    inductance: float
+
+
+class MotorSheet(DataSheet):
+    """A motor with its reducer. ``side: joint``: quantities as felt at the joint; ``motor``: as on its shaft."""
+
+    inertia: float = positive("kg*m^2|kg", "I", "rotor inertia", plausible=(1e-9, 1e4))
+    side: Side = Field(
+        strict=False,
+        description="of which side of the reducer the quantities are: joint (after it) or motor (before it)",
+    )
+    ratio: float | None = any_sign(
+        "-|rad/m", "N", "motor angle over joint angle (over joint travel)", default=None, plausible=(-1e5, 1e5)
+    )
+    friction: FrictionSheet | None = Field(default=None, description="friction of the motor; none: no friction")
+    resistance: float | None = positive("ohm", "R", "armature resistance", default=None, plausible=(1e-3, 1e3))
+    back_emf_constant: float | None = positive("V*s/rad|V*s/m", "CE", "back electromotive force constant", default=None)
+    torque_constant: float | None = positive("N*m/A|N/A", "CM", "torque constant", default=None)
+    inductance: float = not_negative("H", "La", "armature inductance", default=0.0, plausible=(0.0, 10.0))
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        refuse([*self._ratio_misfits(), *self._electric_misfits()])
+        return self
+
+    def _ratio_misfits(self) -> Iterator[Misfit]:
+        if self.ratio is None and self.side is Side.MOTOR:
+            mend = "add the line `ratio: ...`, or give all quantities joint side"
+            yield Misfit("ratio", "nothing", "the reducer's ratio, because `side` is motor", mend)
+        if self.ratio is not None and abs(self.ratio) < SMALLEST:
+            yield Misfit("ratio", repr(self.ratio), "a ratio that is not zero", "write motor speed over joint speed")
+
+    def _electric_misfits(self) -> Iterator[Misfit]:
+        names = ("resistance", "back_emf_constant", "torque_constant")
+        missing = [name for name in names if getattr(self, name) is None]
+        if len(missing) in {1, 2}:
+            mend = f"add {' and '.join(missing)}, or remove the others"
+            for name in missing:
+                yield Misfit(name, "nothing", "all three of the electric side, or none", mend)
+        if len(missing) == 3 and self.inductance:
+            mend = f"add {', '.join(names)}"
+            yield Misfit("inductance", repr(self.inductance), "0 without the rest of the electric side", mend)
+
+    def at_joint(self) -> MotorNumbers:
+        """Its numbers on the joint side: inertia and viscous friction with ratio^2, torques with |ratio|."""
+        ratio = self.ratio if self.side is Side.MOTOR and self.ratio else 1.0
+        friction, turns = self.friction or FrictionSheet(viscous=0.0), abs(ratio)
+        return MotorNumbers(
+            inertia=self.inertia * ratio**2,
+            viscous=friction.viscous * ratio**2,
+            coulomb=friction.coulomb * turns,
+            static_extra=friction.static_extra * turns,
+            stribeck_rate=(friction.stribeck_rate or turns) / turns,
+            smoothing=friction.smoothing / turns,
+            resistance=self.resistance,
+            back_emf=(self.back_emf_constant or 0.0) * ratio,
+            torque_constant=(self.torque_constant or 1.0) * ratio,
+            inductance=self.inductance,
+        )
+
+
+class GearSheet(DataSheet):
+    """An elastic gear, all quantities at the joint. Several stiffnesses: one for each range of the torque."""
+
+    stiffness: tuple[_Stiffness, ...] = list_of_numbers(
+        "N*m/rad|N/m",
+        "Cxi",
+        "stiffness of the gear; a list: of each range of the torque",
+        rigid_when_infinite=True,
+        plausible=[1.0, 1e9],
+    )
+    torque_limits: tuple[_Limit, ...] = list_of_numbers(
+        "N*m|N", "T1, T2", "torques at which one stiffness gives way to the next, rising", default=()
+    )
+    damping: float = dissipation("N*m*s/rad|N*s/m", "Bxi", "damping of the gear")
+    backlash: float = not_negative("rad|m", "b", "half-width of the play", default=0.0, plausible=(0.0, 0.1))
+
+    @field_validator("stiffness", mode="before")
+    @classmethod
+    def _one_number_is_a_list(cls, value: Any) -> Any:
+        return (value,) if isinstance(value, (int, float)) and not isinstance(value, bool) else value
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        refuse([*self._range_misfits(), *self._limit_misfits()])
+        return self
+
+    def _range_misfits(self) -> Iterator[Misfit]:
+        count = len(self.stiffness)
+        if not 1 <= count <= MOST_RANGES:
+            most = f"1 to {MOST_RANGES} stiffnesses"
+            yield Misfit("stiffness", f"a list of {count}", most, "write one for each range of the torque")
+        for value in self.stiffness:
+            if not (SMALLEST <= value <= LARGEST or (math.isinf(value) and count == 1)):
+                bounds = f"a magnitude from {SMALLEST:g} to {LARGEST:g}"
+                mend = "correct the exponent or the unit" + ("; one .inf alone makes it rigid" if count > 1 else "")
+                yield Misfit("stiffness", f"{value:g}", bounds, mend)
+
+    def _limit_misfits(self) -> Iterator[Misfit]:
+        wanted, limits = len(self.stiffness) - 1, self.torque_limits
+        if len(limits) != wanted:
+            expected = f"{wanted}: one less than there are stiffnesses"
+            mend = "write the torque between each stiffness and the next"
+            yield Misfit("torque_limits", f"a list of {len(limits)}", expected, mend)
+        if any(later <= earlier for earlier, later in pairwise(limits)):
+            yield Misfit("torque_limits", str(list(limits)), "limits that rise", "put them in rising order")
+
+    @property
+    def is_rigid(self) -> bool:
+        """True when it does not give: rigid, by wish."""
+        return math.isinf(self.stiffness[0])

@@ -1,0 +1,139 @@
+"""A joint as a person writes it: where it is, about what it moves, what drives it."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from enum import StrEnum
+from typing import Self
+
+import numpy as np
+from pydantic import ConfigDict, Field, model_validator
+
+from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
+from tmodes.kinds.schema.frames import DenavitHartenberg, Origin, Vector, list_of_numbers
+from tmodes.kinds.schema.quantity import DataSheet, Misfit, any_sign, positive, refuse
+
+__all__ = ["JointSheet", "JointState", "JointType", "Limits", "MeasuredFrom"]
+
+SHORTEST_AXIS = 1e-9
+"""Length below which an axis is zero but for round-off, and has no direction [-]."""
+
+
+class JointType(StrEnum):
+    """How a joint moves."""
+
+    REVOLUTE = "revolute"
+    PRISMATIC = "prismatic"
+    FIXED = "fixed"
+
+
+class JointState(StrEnum):
+    """Whether a joint's motor moves, or is locked."""
+
+    ACTIVE = "active"
+    LOCKED = "locked"
+
+
+class MeasuredFrom(StrEnum):
+    """From which frame of its parent link a joint's origin is measured.
+
+    ``tip``: the frame at the parent's end, which moves with it; ``frame``: the parent's own frame, as it is undeformed
+    (what URDF means). A rigid link's tip frame is its own frame.
+    """
+
+    TIP = "tip"
+    FRAME = "frame"
+
+
+class Limits(DataSheet):
+    """What a joint may do; a limit that is left out does not bound."""
+
+    lower: float | None = any_sign("rad|m", "q_min", "lowest position", default=None, plausible=(-700.0, 700.0))
+    upper: float | None = any_sign("rad|m", "q_max", "highest position", default=None, plausible=(-700.0, 700.0))
+    speed: float | None = positive("rad/s|m/s", "v_max", "highest speed", default=None, plausible=(1e-3, 1e3))
+    effort: float | None = positive("N*m|N", "tau_max", "highest effort", default=None, plausible=(1e-4, 1e6))
+
+    @model_validator(mode="after")
+    def _in_order(self) -> Self:
+        if self.lower is not None and self.upper is not None and self.lower > self.upper:
+            expected = f"at most `upper`, {self.upper!r}"
+            refuse([Misfit("lower", repr(self.lower), expected, "exchange the two, or correct one")])
+        return self
+
+
+class JointSheet(DataSheet):
+    """A joint and the link it carries."""
+
+    model_config = ConfigDict(validate_by_name=True, validate_by_alias=True, serialize_by_alias=True)
+
+    name: str = Field(min_length=1, max_length=100, description="name of the joint")
+    type: JointType = Field(strict=False, description="how it moves")
+    parent: str | None = Field(
+        default=None, min_length=1, max_length=100, description="link that holds it; none: child of the joint before"
+    )
+    child: str = Field(min_length=1, max_length=100, description="link that it carries")
+    origin: Origin | None = Field(default=None, description="where it is; none: at its parent's tip")
+    measured_from: MeasuredFrom = Field(
+        default=MeasuredFrom.TIP, alias="from", strict=False, description="frame of the parent that origin is given in"
+    )
+    axis: Vector | None = list_of_numbers("-", "e", "direction of the joint's axis, in its frame", default=None)
+    dh: DenavitHartenberg | None = Field(default=None, description="Denavit-Hartenberg row for origin and axis")
+    state: JointState = Field(default=JointState.ACTIVE, strict=False, description="active, or locked")
+    locked_at: float = any_sign("rad|m", "q_0", "position at which it is locked", default=0.0, plausible=(-6.3, 6.3))
+    limits: Limits | None = Field(default=None, description="what it may do")
+    friction: FrictionSheet | None = Field(default=None, description="friction at the joint; none: no friction")
+    motor: MotorSheet | None = Field(default=None, description="motor; none: the joint's effort is the input")
+    gear: GearSheet | None = Field(default=None, description="elastic gear; none: rigid")
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        refuse([*self._axis_misfits(), *self._place_misfits(), *self._drive_misfits()])
+        return self
+
+    def _axis_misfits(self) -> Iterator[Misfit]:
+        if self.type is JointType.FIXED or self.dh is not None:
+            if self.axis is not None:
+                why = "a fixed joint" if self.type is JointType.FIXED else "a joint with `dh`, which moves along its z"
+                yield Misfit("axis", f"an axis of {why}", "no axis", "remove the line `axis: ...`")
+        elif self.axis is None:
+            yield Misfit("axis", "nothing", f"the axis of a {self.type} joint", "add the line `axis: [0, 0, 1]`")
+        elif (length := math.hypot(*self.axis)) < SHORTEST_AXIS:
+            got = f"an axis of {f'length {length:g}' if length else 'zeros'}, which has no direction"
+            yield Misfit("axis", got, f"a direction, of length {SHORTEST_AXIS:g} or more", "write [0, 0, 1] for z")
+
+    def _place_misfits(self) -> Iterator[Misfit]:
+        if self.dh is not None and self.origin is not None:
+            yield Misfit("origin", "an origin beside `dh`", "one of the two", "remove `origin` or `dh`")
+        if self.parent == self.child:
+            got = f"`{self.child}`, the link that it carries"
+            yield Misfit("parent", got, "another link", "name the link that holds the joint")
+
+    def _drive_misfits(self) -> Iterator[Misfit]:
+        active = self.state is JointState.ACTIVE
+        if self.type is JointType.FIXED:
+            for name in ("motor", "gear", "friction", "limits"):
+                if getattr(self, name) is not None:
+                    mend = f"remove `{name}`, or make the joint revolute or prismatic"
+                    yield Misfit(name, f"a {name} on a fixed joint", "nothing: it does not move", mend)
+        elif active and self.is_elastic and self.motor is None:
+            mend = "add `motor`, write `state: locked`, or remove the gear"
+            yield Misfit("motor", "nothing", "a motor, because the joint has an elastic gear", mend)
+        if active and self.locked_at:
+            mend = "write `state: locked`, or give the position under `initial`"
+            yield Misfit("locked_at", repr(self.locked_at), "0 for an active joint", mend)
+
+    @property
+    def is_elastic(self) -> bool:
+        """True when a gear between motor and joint gives."""
+        return self.gear is not None and not self.gear.is_rigid
+
+    @property
+    def is_locked(self) -> bool:
+        """True when it does not move at all: fixed, or locked behind a rigid gear."""
+        return self.type is JointType.FIXED or (self.state is JointState.LOCKED and not self.is_elastic)
+
+    def notice(self) -> str:
+        """What was put right in reading its axis; empty when nothing was."""
+        length = float(np.linalg.norm(self.axis)) if self.axis else 1.0
+        return "" if abs(length - 1) <= 1e-12 else f"axis of length {length:.9g} taken as a direction of length 1"

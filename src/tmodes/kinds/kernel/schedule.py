@@ -1,0 +1,126 @@
+"""A schedule: which kernels are called in which order, on which blocks of one workspace. Structure, and no backend."""
+
+from __future__ import annotations
+
+import hashlib
+from dataclasses import dataclass, field
+from functools import cached_property
+from typing import Protocol
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.kinds.kernel.kernel import Kernel
+
+__all__ = ["Divisible", "Numbers", "Schedule", "Slot"]
+
+
+@dataclass(frozen=True)
+class Slot:
+    """A block of the workspace: ``size`` numbers from ``start``, in the region of parameters or of what changes."""
+
+    region: str
+    start: int
+    size: int
+
+    def part(self, start: int, size: int) -> Slot:
+        """A block inside this one."""
+        return Slot(self.region, self.start + start, size)
+
+
+class Divisible(Protocol):
+    """A block, or what stands for one, of which smaller blocks are taken."""
+
+    def part(self, start: int, size: int) -> Slot:
+        """A block inside this one."""
+        ...
+
+
+class Numbers:
+    """The parameters of a robot in one vector, in blocks."""
+
+    def __init__(self) -> None:
+        self._values: list[NDArray[np.float64]] = []
+        self.size = 0
+
+    def block(self, values: ArrayLike) -> Slot:
+        """Append a block of numbers."""
+        array = np.asarray(values, dtype=float).ravel()
+        slot = Slot("parameters", self.size, array.size)
+        self._values.append(array)
+        self.size += array.size
+        return slot
+
+    @property
+    def vector(self) -> NDArray[np.float64]:
+        """All numbers."""
+        return np.concatenate(self._values) if self._values else np.zeros(0)
+
+
+@dataclass
+class Schedule:
+    """Calls in order. Parameters stand first in the workspace, then inputs, then what is computed."""
+
+    parameters: int
+    inputs: dict[str, Slot] = field(default_factory=dict)
+    outputs: dict[str, list[Slot]] = field(default_factory=dict)
+    calls: list[tuple[Kernel, tuple[Slot, ...], tuple[Slot, ...]]] = field(default_factory=list)
+    changing: int = 0
+    gate: Slot | None = None
+    """Two numbers, both positive while a force acts that sets in and ends at once."""
+    zeros: tuple[Slot, ...] = ()
+    """Parameters that are zero whatever the robot's numbers."""
+    often: bool = False
+    """Called so often that much work for its code pays."""
+
+    def input(self, name: str, size: int) -> Slot:
+        """A block that the caller fills."""
+        self.inputs[name] = self._block(size)
+        return self.inputs[name]
+
+    def call(self, kernel: Kernel, *inputs: Slot) -> tuple[Slot, ...]:
+        """Call a kernel; its outputs are new blocks."""
+        sizes = tuple(slot.size for slot in inputs)
+        assert sizes == kernel.inputs, f"{kernel.key}: blocks of {sizes} for inputs of {kernel.inputs}"  # noqa: S101
+        outputs = tuple(self._block(size) for size in kernel.outputs)
+        self.calls.append((kernel, inputs, outputs))
+        return outputs
+
+    def output(self, name: str, *slots: Slot) -> None:
+        """Blocks that make an output, one after the other."""
+        self.outputs[name] = list(slots)
+
+    def _block(self, size: int) -> Slot:
+        slot = Slot("changing", self.changing, size)
+        self.changing += size
+        return slot
+
+    @property
+    def workspace(self) -> int:
+        """Numbers of the whole workspace."""
+        return self.parameters + self.changing
+
+    def offset(self, slot: Slot) -> int:
+        """Where a block begins in the workspace."""
+        return slot.start + (self.parameters if slot.region == "changing" else 0)
+
+    @property
+    def input_size(self) -> int:
+        """Numbers that the caller fills."""
+        return sum(slot.size for slot in self.inputs.values())
+
+    @property
+    def output_size(self) -> int:
+        """Numbers that the caller gets."""
+        return sum(slot.size for slots in self.outputs.values() for slot in slots)
+
+    @cached_property
+    def key(self) -> str:
+        """All of the structure of a finished schedule, as a digest: same key, same code."""
+        kinds: dict[tuple[str, tuple[int, ...], tuple[int, ...]], int] = {}
+        told: list[int] = []
+        for kernel, inputs, outputs in self.calls:
+            told.append(kinds.setdefault((kernel.key, kernel.inputs, kernel.outputs), len(kinds)))
+            told += [slot.start if slot.region == "changing" else -1 - slot.start for slot in (*inputs, *outputs)]
+        head = [self.parameters, self.changing, self.gate, self.zeros, self.often, self.inputs, self.outputs, [*kinds]]
+        return hashlib.sha256(repr(head).encode() + np.array(told, dtype="<i8").tobytes()).hexdigest()

@@ -1,0 +1,70 @@
+"""The sections along a beam: pieces in which every number is a straight line from its start to its end."""
+
+from __future__ import annotations
+
+from functools import lru_cache
+from typing import NamedTuple
+
+import numpy as np
+
+from tmodes.kinds.links.material import Material
+from tmodes.kinds.links.section import Section, SectionNumbers, between
+
+__all__ = ["Piece", "tapered_pieces", "uniform_piece"]
+
+MOST_TAPER_PIECES = 16
+GOOD_ENOUGH = 0.01
+"""Local error of a straight line in place of a taper's stiffness [-]; its integrals over the piece are exact."""
+
+FOLLOWED = 6
+"""Numbers of a section that decide: stiffnesses, mass and polar inertia, the first of :class:`SectionNumbers`."""
+
+_NODES, _WEIGHTS = np.polynomial.legendre.leggauss(8)
+
+
+class Piece(NamedTuple):
+    """A piece of a beam that ends at the share ``end`` of its length; numbers at its ``start`` and ``stop``."""
+
+    end: float
+    start: SectionNumbers
+    stop: SectionNumbers
+
+
+def uniform_piece(end: float, numbers: SectionNumbers) -> Piece:
+    """A piece of one section."""
+    return Piece(end, numbers, numbers)
+
+
+@lru_cache(maxsize=64)
+def tapered_pieces(root: Section, tip: Section, material: Material | None) -> tuple[Piece, ...]:
+    """The fewest equal pieces that follow a beam whose dimensions are linear from root to tip.
+
+    In each, a number is the line with the same mean and the same first moment (least squares).
+    """
+    count = 1
+    fitted = [_fitted(root, tip, material, 0.0, 1.0)]
+    while max(error for _, error in fitted) > GOOD_ENOUGH and count < MOST_TAPER_PIECES:
+        count += 1
+        fitted = [_fitted(root, tip, material, k / count, (k + 1) / count) for k in range(count)]
+    return tuple(piece for piece, _ in fitted)
+
+
+def _fitted(root: Section, tip: Section, material: Material | None, start: float, end: float) -> tuple[Piece, float]:
+    """The piece between two shares of the length, and its largest relative error at the points of quadrature."""
+    shares = start + (end - start) * (1 + _NODES) / 2
+    table = np.array([_numbers(root, tip, material, share) for share in shares])
+    exact = np.array([_numbers(root, tip, material, share) for share in (start, end)])
+    with np.errstate(invalid="ignore", divide="ignore"):  # of infinite stiffnesses, which are told apart below
+        mean, slope = _WEIGHTS @ table / 2, 1.5 * (_WEIGHTS * _NODES) @ table
+        ends = np.array([mean - slope, mean + slope])
+        usable = np.isfinite(table).all(axis=0) & (ends > 0).all(axis=0)
+        ends = np.where(usable, ends, exact)
+        error = np.abs((ends[0] + np.outer(1 + _NODES, ends[1] - ends[0]) / 2) / table - 1)
+    error = np.where(np.isfinite(table) & (table > 0), error, 0.0)
+    first, last = (SectionNumbers(*map(float, row)) for row in ends)
+    return Piece(end, first, last), float(np.nanmax(error[:, :FOLLOWED]))
+
+
+def _numbers(root: Section, tip: Section, material: Material | None, share: float) -> SectionNumbers:
+    section = between(root, tip, share)
+    return section.properties(material)  # pyright: ignore[reportArgumentType]  # a drawn section has its material here

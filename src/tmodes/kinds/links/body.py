@@ -1,0 +1,107 @@
+"""A rigid body: what a link carries. Its inertia must be one that some distribution of mass can have."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Literal, Self
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+from pydantic import Field, model_validator
+
+from tmodes.kinds.schema.axes import rpy_matrix
+from tmodes.kinds.schema.frames import TURN, Vector, list_of_numbers
+from tmodes.kinds.schema.quantity import DataSheet, Misfit, any_sign, not_negative, positive, quantity, refuse
+
+__all__ = ["BodySheet", "Inertia", "entries", "principal_moments"]
+
+ROUNDING = 1e-4
+"""Share of the largest principal moment by which printed digits may violate the triangle inequality [-]."""
+
+
+def _moment(symbol: str, axis: str) -> float:
+    return not_negative("kg*m^2", symbol, f"moment of inertia about {axis}", plausible=(0.0, 1e4))
+
+
+def _product(symbol: str) -> float:
+    return any_sign("kg*m^2", symbol, f"product of inertia: the entry {symbol[1:]} of the matrix", default=0.0)
+
+
+def principal_moments(matrix: ArrayLike) -> tuple[NDArray[np.float64], Literal["sign", "triangle", ""]]:
+    """Principal moments (3,) of an inertia (3, 3), ascending, and the rule of a real body that they break, or ``""``.
+
+    The rules: no moment is negative, and the largest is at most the sum of the others.
+    """
+    low, middle, high = moments = np.linalg.eigvalsh(np.asarray(matrix, dtype=float))
+    if low < -ROUNDING * high:
+        return moments, "sign"
+    return moments, "triangle" if low + middle < (1 - ROUNDING) * high else ""
+
+
+def entries(matrix: NDArray[np.float64]) -> dict[str, float]:
+    """The six entries by which a sheet tells a symmetric matrix (3, 3): what :meth:`Inertia.matrix` turns back."""
+    return {a + b: float(matrix["xyz".index(a), "xyz".index(b)]) for a, b in ("xx", "yy", "zz", "xy", "xz", "yz")}
+
+
+class Inertia(DataSheet):
+    """Inertia about the center of mass: the six entries of a symmetric matrix (products with the matrix's sign)."""
+
+    xx: float = _moment("Jxx", "x")
+    yy: float = _moment("Jyy", "y")
+    zz: float = _moment("Jzz", "z")
+    xy: float = _product("Jxy")
+    xz: float = _product("Jxz")
+    yz: float = _product("Jyz")
+
+    @model_validator(mode="after")
+    def _some_mass_has_it(self) -> Self:
+        refuse(list(self._misfits()))
+        return self
+
+    def _misfits(self) -> Iterator[Misfit]:
+        moments, broken = principal_moments(self.matrix())
+        told = "an inertia with the principal moments " + ", ".join(f"{moment:.6g}" for moment in moments)
+        mend = "check signs, units, and that it is about the center of mass"
+        if broken == "sign":
+            yield Misfit("", told, "principal moments that are not negative", mend)
+        elif broken == "triangle":
+            others = moments[0] + moments[1]
+            rule = f"the largest at most the sum of the others, {others:.6g} (triangle inequality)"
+            yield Misfit("", told, rule, mend)
+
+    def matrix(self) -> NDArray[np.float64]:
+        """The inertia as a matrix (3, 3) [kg*m^2]."""
+        rows = [[self.xx, self.xy, self.xz], [self.xy, self.yy, self.yz], [self.xz, self.yz, self.zz]]
+        return np.array(rows)
+
+
+class BodySheet(DataSheet):
+    """A rigid body of a link, in the link's frame; on a beam in the axes of the section at the station ``at``."""
+
+    name: str = Field(default="", max_length=100, description="name of the body")
+    mass: float = positive("kg", "m", "mass", plausible=(1e-6, 1e4))
+    center: Vector = list_of_numbers("m", "c", "center of mass", default=(0.0, 0.0, 0.0))
+    inertia: Inertia | None = Field(default=None, description="inertia about the center of mass; none: a point mass")
+    rpy: Vector | None = list_of_numbers(
+        "rad", "rpy", "axes of the inertia; none: those of the frame", default=None, plausible=[-TURN, TURN]
+    )
+    at: float | None = quantity(
+        "-",
+        "s",
+        "station on a beam, from 0, its root, to 1, its tip (the default)",
+        default=None,
+        at_least=0,
+        at_most=1,
+    )
+
+    @property
+    def station(self) -> float:
+        """Where on a beam it is: 0 the root, 1 the tip."""
+        return 1.0 if self.at is None else self.at
+
+    def inertia_matrix(self) -> NDArray[np.float64]:
+        """Inertia (3, 3) [kg*m^2] about the center of mass, in the axes of the frame that carries the body."""
+        if self.inertia is None:
+            return np.zeros((3, 3))
+        axes = rpy_matrix(*self.rpy) if self.rpy else np.eye(3)
+        return axes @ self.inertia.matrix() @ axes.T

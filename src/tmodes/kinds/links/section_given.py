@@ -1,0 +1,92 @@
+"""A section of which only stiffnesses and masses per length are known: measured, or printed in a paper."""
+
+from __future__ import annotations
+
+import math
+from typing import Annotated, Any, Literal
+
+from pydantic import Field, field_validator, model_validator
+
+from tmodes.kinds.links.material import Material
+from tmodes.kinds.links.section_numbers import SectionNumbers
+from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Misfit, not_negative, positive, refuse
+
+__all__ = ["GivenSection"]
+
+_Stiffness = Annotated[float, Field(gt=0.0, allow_inf_nan=True)]
+_BENDING = {
+    "unit": "N*m^2",
+    "symbol": "EI",
+    "rigid_when_infinite": True,
+    "plausible": [1e-6, 1e10],
+    "smallest": SMALLEST,
+}
+
+
+class GivenSection(DataSheet):
+    """Stiffnesses instead of a drawing; one that is left out is infinite: the link does not twist, does not stretch."""
+
+    shape: Literal["given"] = Field(default="given", description="which shape")
+    bending_stiffness: tuple[_Stiffness, _Stiffness] = Field(
+        strict=False,
+        description="bending stiffness about y and about z; one number: both [N*m^2]",
+        json_schema_extra=_BENDING,
+    )
+    torsional_stiffness: float = positive(
+        "N*m^2", "GJ", "torsional stiffness", default=math.inf, rigid=True, plausible=(1e-6, 1e10)
+    )
+    axial_stiffness: float = positive("N", "EA", "axial stiffness", default=math.inf, rigid=True, plausible=(1.0, 1e12))
+    mass_per_length: float = positive("kg/m", "w", "mass per length", plausible=(1e-5, 1e4))
+    polar_inertia_per_length: float = not_negative(
+        "kg*m", "rho_Ip", "rotary inertia per length about the link's line", default=0.0, plausible=(0.0, 1e3)
+    )
+
+    @field_validator("bending_stiffness", mode="before")
+    @classmethod
+    def _one_number_is_both(cls, value: Any) -> Any:
+        return (value, value) if isinstance(value, (int, float)) else value
+
+    @model_validator(mode="after")
+    def _in_range_of_stiffness(self) -> GivenSection:
+        refuse(
+            [
+                Misfit(
+                    "bending_stiffness",
+                    f"{value:g}",
+                    f"a magnitude from {SMALLEST:g} to {LARGEST:g} [N*m^2], or .inf for rigid",
+                    "correct the exponent or the unit",
+                )
+                for value in self.bending_stiffness
+                if not (SMALLEST <= value <= LARGEST or math.isinf(value))
+            ]
+        )
+        return self
+
+    def properties(self, material: Material | None = None) -> SectionNumbers:
+        """The numbers as given; a material has no say, its moduli are only handed on where it is known.
+
+        The rotary inertias about y and z part the polar one as the stiffnesses: exact for one material.
+        """
+        bend_y, bend_z = self.bending_stiffness
+        share_y = _share(bend_y, bend_z)
+        return SectionNumbers(
+            bend_y=bend_y,
+            bend_z=bend_z,
+            torsion=self.torsional_stiffness,
+            axial=self.axial_stiffness,
+            mass=self.mass_per_length,
+            inertia_x=self.polar_inertia_per_length,
+            inertia_y=share_y * self.polar_inertia_per_length,
+            inertia_z=(1 - share_y) * self.polar_inertia_per_length,
+            outer_y=0.0,
+            outer_z=0.0,
+            young=material.young if material else 0.0,
+            shear=material.shear if material else 0.0,
+        )
+
+
+def _share(bend_y: float, bend_z: float) -> float:
+    """bend_y/(bend_y + bend_z), also where one is rigid; half where both are."""
+    if math.isinf(bend_y) and math.isinf(bend_z):
+        return 0.5
+    return 1.0 if math.isinf(bend_y) else bend_y / (bend_y + bend_z)

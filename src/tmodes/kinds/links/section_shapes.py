@@ -1,0 +1,137 @@
+"""Sections drawn by their dimensions. The beam runs along x; a width lies along y, a height along z."""
+
+from __future__ import annotations
+
+import math
+from abc import ABC, abstractmethod
+from collections.abc import Iterator
+from typing import Any, Literal, Self
+
+from pydantic import Field, model_validator
+
+from tmodes.kinds.links.material import Material
+from tmodes.kinds.links.section_numbers import Geometry, SectionNumbers
+from tmodes.kinds.links.section_torsion import i_beam_torsion, rectangle_torsion, thin_box_torsion
+from tmodes.kinds.schema.quantity import DataSheet, Misfit, positive, refuse
+
+__all__ = ["Box", "DrawnSection", "IBeam", "Round", "Tube"]
+
+
+def _size(symbol: str, meaning: str, **more: Any) -> Any:
+    return positive("m", symbol, meaning, smallest=1e-6, at_most=100.0, plausible=(1e-4, 2.0), **more)
+
+
+class DrawnSection(DataSheet, ABC):
+    """A section of one material, given by its dimensions."""
+
+    @abstractmethod
+    def geometry(self) -> Geometry:
+        """Areas and second moments, without the material."""
+
+    def properties(self, material: Material) -> SectionNumbers:
+        """Stiffness, mass and inertia per length in this material."""
+        return self.geometry().made_of(material)
+
+    def _misfits(self) -> Iterator[Misfit]:
+        """Dimensions that do not fit together."""
+        yield from ()
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        refuse(list(self._misfits()))
+        return self
+
+
+class Round(DrawnSection):
+    """A solid round bar."""
+
+    shape: Literal["round"] = Field(description="which shape")
+    diameter: float = _size("d", "diameter")
+
+    def geometry(self) -> Geometry:
+        """Exact: J = 2 I = pi d^4/32."""
+        moment, radius = math.pi * self.diameter**4 / 64, self.diameter / 2
+        return Geometry(math.pi * radius**2, moment, moment, 2 * moment, radius, radius)
+
+
+class Tube(DrawnSection):
+    """A round tube."""
+
+    shape: Literal["tube"] = Field(description="which shape")
+    outer_diameter: float = _size("D", "outer diameter")
+    thickness: float = _size("t", "thickness of the wall")
+
+    def geometry(self) -> Geometry:
+        """Exact: J = 2 I = pi (D^4 - d^4)/32, written by the wall so that a thin one keeps its digits."""
+        radius, middle = self.outer_diameter / 2, (self.outer_diameter - self.thickness) / 2
+        area = 2 * math.pi * middle * self.thickness
+        moment = area * (middle**2 + self.thickness**2 / 4) / 2
+        return Geometry(area, moment, moment, 2 * moment, radius, radius)
+
+    def _misfits(self) -> Iterator[Misfit]:
+        if self.thickness >= self.outer_diameter / 2:
+            most = f"less than half the outer_diameter, {self.outer_diameter / 2:g} [m]"
+            yield Misfit(
+                "thickness", f"{self.thickness:g}", most, "for a solid bar write shape: round and its diameter"
+            )
+
+
+class Box(DrawnSection):
+    """A rectangle: solid, or hollow where ``thickness`` is given."""
+
+    shape: Literal["box"] = Field(description="which shape")
+    width: float = _size("b", "width, along y")
+    height: float = _size("h", "height, along z")
+    thickness: float | None = _size("t", "thickness of the wall, the same all round; none: solid", default=None)
+
+    def geometry(self) -> Geometry:
+        """Exact but for the torsion of the hollow box: Bredt, for thin walls."""
+        width, height, wall = self.width, self.height, self.thickness
+        outer = Geometry(width * height, width * height**3 / 12, height * width**3 / 12, 0.0, width / 2, height / 2)
+        if wall is None:
+            return outer._replace(torsion=rectangle_torsion(width, height))
+        across, up = width - 2 * wall, height - 2 * wall
+        return outer._replace(
+            area=outer.area - across * up,
+            about_y=outer.about_y - across * up**3 / 12,
+            about_z=outer.about_z - up * across**3 / 12,
+            torsion=thin_box_torsion(width, height, wall),
+        )
+
+    def _misfits(self) -> Iterator[Misfit]:
+        least = min(self.width, self.height) / 2
+        if self.thickness is not None and self.thickness >= least:
+            most = f"less than half the smaller side, {least:g} [m]"
+            yield Misfit("thickness", f"{self.thickness:g}", most, "for a solid bar leave the thickness out")
+
+
+class IBeam(DrawnSection):
+    """An I (double T): two flanges along y, a web along z."""
+
+    shape: Literal["i_beam"] = Field(description="which shape")
+    width: float = _size("b", "width of the flanges, along y")
+    height: float = _size("h", "height over both flanges, along z")
+    flange_thickness: float = _size("tf", "thickness of a flange")
+    web_thickness: float = _size("tw", "thickness of the web")
+
+    def geometry(self) -> Geometry:
+        """Exact for straight flanges without fillets, but for torsion: sum of b t^3/3."""
+        web, side = self.height - 2 * self.flange_thickness, self.width - self.web_thickness
+        return Geometry(
+            area=self.width * self.height - side * web,
+            about_y=(self.width * self.height**3 - side * web**3) / 12,
+            about_z=(2 * self.flange_thickness * self.width**3 + web * self.web_thickness**3) / 12,
+            torsion=i_beam_torsion(self.width, self.height, self.flange_thickness, self.web_thickness),
+            outer_y=self.width / 2,
+            outer_z=self.height / 2,
+        )
+
+    def _misfits(self) -> Iterator[Misfit]:
+        if self.flange_thickness >= self.height / 2:
+            most = f"less than half the height, {self.height / 2:g} [m]"
+            yield Misfit(
+                "flange_thickness", f"{self.flange_thickness:g}", most, "thin the flanges, or raise the height"
+            )
+        if self.web_thickness >= self.width:
+            most = f"less than the width, {self.width:g} [m]"
+            yield Misfit("web_thickness", f"{self.web_thickness:g}", most, "for a rectangle write shape: box")

@@ -1,0 +1,112 @@
+"""What a page needs to find an arm's modes and the parts of its deformations anew: places, and numbers that change."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.modes.modes import MOST_WHOLE, MotorState, moving_coordinates
+from tmodes.analysis.modes.of_sheet import servos_of
+from tmodes.analysis.quasistatic import gross_motion, sprung
+from tmodes.analysis.statics.compliance import spring_rows
+from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.rest import arm_rest
+from tmodes.equations.loop.plan import LoopPlan
+from tmodes.equations.recursion.drive_law import FRICTION
+from tmodes.errors import SimulationError
+from tmodes.model.model import ArmModel
+from tmodes.sheet import Arm
+from tmodes.sheet.contact import Ball, ContactLaw, ContactSheet, Plane, Wall
+
+__all__ = ["arm_vibrations", "vibration_numbers"]
+
+Array = NDArray[np.float64]
+
+_CASES = (MotorState.CONTROLLED, MotorState.LOCKED, MotorState.FREE)
+_DRY = (3, 4, FRICTION + 3, FRICTION + 4)
+"""Where a drive's numbers tell dry friction of its motor and of its joint."""
+
+
+def vibration_numbers(arm: Arm, plan: LoopPlan, model: ArmModel) -> dict[str, Array]:
+    """Numbers that hang on a sheet's: ``servos`` (k, 2) stiffness, damping, ``loads`` (n, 6), ``touch`` (4,) or (0,).
+
+    ``model``: the chain without drives. ``touch``: mass, damping, stiffness, preload of the surface.
+    """
+    sheet = arm.contact
+    touch = [sheet.mass, sheet.damping, sheet.stiffness, sheet.preload] if sheet else []
+    return {
+        "servos": np.array([*servos_of(arm, model).values()], dtype=float).reshape(-1, 2),
+        "loads": np.array([load.wrench for load in plan.loads], dtype=float).reshape(-1, 6),
+        "touch": np.array(touch, dtype=float),
+    }
+
+
+def arm_vibrations(arm: Arm, plan: LoopPlan, model: ArmModel) -> dict[str, Any]:
+    """What ``ArmBundle`` of ``web/src/live/bundle.ts`` holds of them; ``model`` as the run has it."""
+    point = [] if plan.touch is None else [plan.touch.point]
+    modes, why = _modes(arm, model)
+    return {
+        "loads": [{"point": load.point, "follower": load.follower, "signal": load.signal} for load in plan.loads],
+        "touch": _surface(arm.contact, *point) if arm.contact and point else None,
+        "split": {
+            "free": [*sprung(model), *model.deformations.tolist()],
+            "gross": np.ascontiguousarray(gross_motion(model, np.eye(model.nq)).T), "weight": model.at_rest(),
+        },
+        "modes": modes,
+        "noModes": why,
+    }  # fmt: skip
+
+
+def _modes(arm: Arm, model: ArmModel) -> tuple[dict[str, Any] | None, str]:
+    """``ArmModes``, or why there are none."""
+    if model.nq > MOST_WHOLE:
+        return None, f"of {model.nq} coordinates modes are found natively alone"
+    try:
+        rest = arm_rest(arm, contact=arm.contact is not None)
+    except SimulationError as error:
+        return None, str(error)
+    if rest.model.coordinates != model.coordinates:
+        return None, "its modes have other coordinates than its run"
+    servos = servos_of(arm, rest.model)
+    names = list(model.coordinates)
+    gears, links = spring_rows(rest.model)
+    springs = [{"element": name, "rows": [angle], "gear": True} for name, angle in gears.items()]
+    springs += [{"element": name, "rows": rows, "gear": False} for name, rows in links.items()]
+    return {
+        "rest": rest.q,
+        "free": rest.free.tolist(),
+        "weight": rest.model.at_rest(),
+        "cases": _cases(rest, servos),
+        "servos": [
+            {"coordinate": names.index(name), "element": f"{name.removesuffix('.motor')}.controller"} for name in servos
+        ],
+        "springs": springs,
+        "dry": _dry(ArmModel(arm.model_copy(update={"drives": ()}).chain())),
+    }, ""  # fmt: skip
+
+
+def _cases(rest: Equilibrium, servos: dict[str, Any]) -> list[dict[str, Any]]:
+    """The coordinates that move, by what the motors do; under control only where there is a controller."""
+    own = {state: servos if state is MotorState.CONTROLLED else {} for state in _CASES[0 if servos else 1 :]}
+    return [
+        {"name": str(state), "moving": moving_coordinates(rest, state, kept).tolist()} for state, kept in own.items()
+    ]
+
+
+def _dry(model: ArmModel) -> list[int]:
+    slots = [part.drive_numbers for part in model.parts.nodes if part.drive_numbers]
+    return [slot.start + k for slot in slots for k in _DRY]
+
+
+def _surface(sheet: ContactSheet, point: int) -> dict[str, Any]:
+    """``Surface`` of the page: a plane by its normal towards the free, or a ball by its center."""
+    shape: Plane | Ball | Wall = sheet.shape
+    told = {"point": point, "radius": 0.0, "inside": False, "bilateral": sheet.law is ContactLaw.BILATERAL}
+    if isinstance(shape, Ball):
+        return told | {"axis": [*shape.center], "distance": 0.0, "radius": shape.radius, "inside": shape.inside}
+    if isinstance(shape, Wall):
+        return told | {"axis": [-np.cos(shape.heading), -np.sin(shape.heading), 0.0], "distance": shape.distance}
+    normal = np.array(shape.normal) / np.linalg.norm(shape.normal)
+    return told | {"axis": normal.tolist(), "distance": -float(normal @ np.array(shape.position))}

@@ -1,0 +1,245 @@
+"""Derivatives of an arm's dynamics: along directions, in reverse, and all at once by those of the inverse dynamics.
+
+The accelerations a(q, v, effort) solve ID(q, v, a) = forces, hence da/dq = -M^-1 dID/dq, da/dv = -M^-1 dID/dv and
+da/deffort = M^-1 S: J. Carpentier, N. Mansard, Analytical Derivatives of Rigid Body Dynamics Algorithms, RSS (2018).
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.chain.chain import Chain
+from tmodes.compile.ir.elimination import aligned, eliminate, padded
+from tmodes.equations.recursion.parts import Parts
+from tmodes.errors import InputError, SimulationError
+from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
+from tmodes.model.derivatives import Columns, Differentiated, differentiated
+from tmodes.model.evaluator import Blocks, Rows
+from tmodes.model.passes import ArmPasses
+
+__all__ = ["DifferentiatedArm"]
+
+Array = NDArray[np.float64]
+
+_STILL = np.zeros(1)
+_ALL = ("a", "q", "v")
+
+_INPUTS = ("q", "v", "effort", "given", "wrenches", "base", "parameters")
+
+
+@dataclass(frozen=True, eq=False)
+class DifferentiatedArm:
+    """An arm's schedules with their derivatives. Arrays as :class:`tmodes.model.model.ArmModel` has them."""
+
+    chain: Chain
+
+    @cached_property
+    def passes(self) -> ArmPasses:
+        """The recursion's schedules with this chain's numbers."""
+        return ArmPasses(Parts(self.chain))
+
+    def forward_dynamics_jvp(
+        self,
+        q: ArrayLike,
+        v: ArrayLike,
+        effort: ArrayLike = 0.0,
+        *,
+        directions: Mapping[str, ArrayLike],
+        given: ArrayLike = 0.0,
+        wrenches: ArrayLike | None = None,
+        base: ArrayLike | None = None,
+    ) -> Array:
+        """Derivative of the accelerations along one direction for each state, shape of q.
+
+        ``directions``: changes by the names of inputs ``q``, ``v``, ``effort``, ``given``, ``wrenches``, ``base``, each
+        in the shape of that input; ``parameters`` (numbers,) changes those of the chain, in all states.
+        """
+        rows, loaded = Rows(q, v, self.passes.parts.size), wrenches is not None
+        known = self._known(directions, loaded=loaded)
+        blocks = self.passes.dynamic(rows, effort, given, base, wrenches)
+        change = directions.get("parameters")
+        along = {name: rows.of(_flat(name, directions[name]), blocks[name].shape[1]) for name in known - {"parameters"}}
+        change = None if change is None else np.asarray(change, dtype=float)
+        return rows.shaped(
+            self._forward(loaded=loaded).along(self.passes.parameters, blocks, along, change=change)["a"]
+        )
+
+    def forward_dynamics_vjp(
+        self,
+        q: ArrayLike,
+        v: ArrayLike,
+        effort: ArrayLike = 0.0,
+        *,
+        weights: ArrayLike,
+        by: Sequence[str] = ("q", "v", "effort", "parameters"),
+        given: ArrayLike = 0.0,
+        wrenches: ArrayLike | None = None,
+        base: ArrayLike | None = None,
+    ) -> dict[str, Array]:
+        """Derivatives of sum(weights * accelerations) by the inputs named in ``by``, each in the shape of its rows.
+
+        ``weights``: shape of q. The inputs are those of :meth:`forward_dynamics_jvp`; ``parameters`` (numbers,) sums
+        over all states. One sweep in reverse gives them all.
+        """
+        rows, loaded = Rows(q, v, self.passes.parts.size), wrenches is not None
+        names = self._known(by, loaded=loaded)
+        blocks = self.passes.dynamic(rows, effort, given, base, wrenches)
+        seeds = {"a": rows.of(weights, self.passes.parts.size)}
+        found = self._forward(loaded=loaded).back(self.passes.parameters, blocks, seeds, sorted(names))
+        return {name: value if name == "parameters" else rows.shaped(value) for name, value in found.items()}
+
+    def forward_dynamics_derivatives(
+        self,
+        q: ArrayLike,
+        v: ArrayLike,
+        effort: ArrayLike = 0.0,
+        *,
+        given: ArrayLike = 0.0,
+        wrenches: ArrayLike | None = None,
+        base: ArrayLike | None = None,
+    ) -> AccelerationDerivatives:
+        """Derivatives of the accelerations at one state q, v (nq,), exact; rows of prescribed joints are zero.
+
+        Raises :class:`tmodes.errors.SimulationError` where the mass matrix is not positive definite.
+        """
+        passes, parts, loaded = self.passes, self.passes.parts, wrenches is not None
+        state = self._state(q, v, base, wrenches)
+        drives = {"effort": _wide(effort, len(parts.efforts)), "given": _wide(given, len(parts.given)), "step": _STILL}
+        inputs = _row(state | drives, passes.schedule("forward", loaded=loaded))
+        forward, columns = self._columns("forward", (), loaded=loaded), self._columns("inertia", _ALL, loaded=loaded)
+        if parts.held:
+            a = forward.values(passes.parameters, inputs)
+            return self._solved(state | {"a": a}, loaded=loaded)
+        table = self._kept(("table", loaded), lambda: self._table(forward, columns))
+        right, failed = table.solved(inputs)
+        return self._told(right, failed, columns)
+
+    def _table(self, forward: Columns, inertia: Columns) -> AccelerationTable:
+        passes, elastic = self.passes, self._columns("elastic", ("q", "v"))
+        return AccelerationTable(
+            passes.parameters, forward, inertia, elastic, passes.rotor_inertias, passes.parts.driven
+        )
+
+    def static_forces_along(self, q: ArrayLike, change: Array) -> Array:
+        """Derivative of the forces on the left side at rest in q (nq,), along a change of the parameters, (nq,)."""
+        state = self._state(q, 0.0, None, None)
+        state["a"] = state["v"]
+        blocks = {name: value[None] for name, value in state.items()}
+        found = np.zeros(len(state["q"]))
+        for name in ("inertia", "elastic"):
+            of = self._kept((name, "along"), lambda name=name: differentiated(self.passes.schedule(name), ["forces"]))
+            found += of.along(self.passes.parameters, blocks, {}, change=change)["forces"][0]
+        return found
+
+    def _state(self, q: ArrayLike, v: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+        """One state by the names of the inputs."""
+        size = self.passes.parts.size
+        state = {"q": np.reshape(np.asarray(q, dtype=float), size), "v": _wide(v, size)}
+        state["base"] = self._still if base is None else np.reshape(np.asarray(base, dtype=float), -1)
+        if wrenches is not None:
+            state["wrenches"] = _wide(np.reshape(wrenches, -1), 6 * len(self.passes.parts.points))
+        return state
+
+    @cached_property
+    def _still(self) -> Array:
+        return self.passes.at_rest()
+
+    def _known(self, names: Any, *, loaded: bool) -> set[str]:
+        known = [name for name in _INPUTS if loaded or name != "wrenches"]
+        for name in names:
+            if name not in known:
+                mend = "give `wrenches` as well, be they zero" if name == "wrenches" else "correct the name"
+                raise InputError("directions", f"`{name}`", f"names among {', '.join(known)}", mend)
+        return set(names)
+
+    @cached_property
+    def _differentiated(self) -> dict[Any, Any]:
+        return {}
+
+    def _forward(self, *, loaded: bool) -> Differentiated:
+        return self._kept(("forward", loaded), lambda: differentiated(self.passes.schedule("forward", loaded=loaded)))
+
+    def _kept(self, key: Any, make: Callable[[], Any]) -> Any:
+        if key not in self._differentiated:
+            self._differentiated[key] = make()
+        return self._differentiated[key]
+
+    def _columns(self, name: str, by: tuple[str, ...], *, loaded: bool = False) -> Columns:
+        """Derivatives of the forces, or of the accelerations, by inputs of all coordinates."""
+
+        def make() -> Columns:
+            schedule = self.passes.schedule(name, loaded=loaded)
+            of = differentiated(schedule, ["a" if name == "forward" else "forces"])
+            bodies = self.passes.parts.bodies()
+            # The columns of the mass matrix stand in their own order: it is solved with as it comes.
+            return of.columns([(label, sorted(bodies) if label == "a" else bodies) for label in by])
+
+        return self._kept((name, loaded, by), make)
+
+    def _inverse(self, state: Blocks, by: tuple[str, ...], *, loaded: bool) -> list[Array]:
+        """Derivatives of all forces on the left side by the inputs named, each (nq, nq)."""
+        columns = self._columns("inertia", by, loaded=loaded)
+        found = np.empty((self.passes.parts.size, columns.width))
+        self._fill(found, state, by, loaded=loaded)
+        return [found[:, columns.place[name]] for name in by]
+
+    def _fill(self, found: Array, state: Blocks, by: tuple[str, ...], *, loaded: bool) -> None:
+        """The same into an array, with columns of zeros between those of one input and the next."""
+        passes = self.passes
+        columns, first = self._columns("inertia", by, loaded=loaded), padded(len(found)) if "a" in by else 0
+        columns.at(passes.parameters, _row(state, passes.schedule("inertia", loaded=loaded)), found)
+        elastic = self._columns("elastic", tuple(name for name in by if name != "a"))
+        if elastic.calls:
+            there = np.empty((len(found), elastic.width))
+            elastic.at(passes.parameters, _row(state, passes.schedule("elastic")), there)
+            found[:, first:] += there
+        if "a" in by:
+            rows = np.arange(len(found))
+            found[rows, rows] += passes.rotor_inertias
+
+    def _solved(self, state: Blocks, *, loaded: bool) -> AccelerationDerivatives:
+        """M^-1 times the derivatives of the forces, of an arm with prescribed joints, which stay as they are."""
+        parts = self.passes.parts
+        size, driven, width = len(state["q"]), len(parts.driven), 3 * padded(len(state["q"]))
+        rows = aligned(size, width + padded(driven))
+        self._fill(rows[:, :width], state, _ALL, loaded=loaded)
+        rows[parts.driven, range(width, width + driven)] = -1.0
+        rows[parts.held], rows[:, parts.held] = 0.0, 0.0
+        rows[parts.held, parts.held] = 1.0
+        failed = eliminate(rows)
+        return self._told(np.negative(rows[:, padded(size) :]), failed, self._columns("inertia", _ALL, loaded=loaded))
+
+    def _told(self, right: Array, failed: int, columns: Columns) -> AccelerationDerivatives:
+        """Solutions by name; ``failed``: the number, from 1, of the coordinate in which there is none."""
+        parts, first = self.passes.parts, padded(len(right))
+        if failed:
+            raise SimulationError(
+                f"mass matrix: not positive definite in coordinate {parts.names[failed - 1]}; expected a body with "
+                "mass behind each coordinate. Mend: give what it moves a mass and an inertia"
+            )
+        q, v = (_shifted(columns.place[name], -first) for name in ("q", "v"))
+        return AccelerationDerivatives(right[:, q], right[:, v], right[:, 2 * first : 2 * first + len(parts.driven)])
+
+
+def _shifted(place: Any, by: int) -> Any:
+    return slice(place.start + by, place.stop + by) if isinstance(place, slice) else place + by
+
+
+def _wide(values: ArrayLike, size: int) -> Array:
+    array = np.asarray(values, dtype=float)
+    return np.full(size, array) if array.ndim == 0 else array.reshape(size)
+
+
+def _row(blocks: Blocks, schedule: Any) -> Array:
+    return np.concatenate([blocks[name] for name in schedule.inputs])
+
+
+def _flat(name: str, value: ArrayLike) -> Array:
+    array = np.asarray(value, dtype=float)
+    return array.reshape(*array.shape[:-2], -1) if name == "wrenches" else array

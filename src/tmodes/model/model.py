@@ -1,0 +1,237 @@
+"""ArmModel: the boundary type of a general arm. Functions of numbers, native underneath; built from a Chain."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.equations.recursion.parts import Parts
+from tmodes.model.differentiated import DifferentiatedArm
+from tmodes.model.evaluator import Rows
+from tmodes.model.point_motion import PointMotion
+
+if TYPE_CHECKING:
+    from tmodes.analysis.statics.equilibrium import Equilibrium
+    from tmodes.analysis.statics.loads import Load
+
+__all__ = ["ArmModel", "PointMotion"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class ArmModel(DifferentiatedArm):
+    """The native code of one chain's structure, with its numbers.
+
+    Arrays: q and v (n, nq) or (nq,), in the order of ``coordinates``: motors, joints, links. SI units, radians.
+    ``wrenches`` (n, points, 6): force then moment by the surroundings on each named point, world axes.
+    """
+
+    @property
+    def parts(self) -> Parts:
+        """The chain as kernels and numbers."""
+        return self.passes.parts
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names: ``joint.motor`` of each elastic drive, joints, then ``link.kind`` of each link."""
+        return tuple(self.parts.names)
+
+    @property
+    def nq(self) -> int:
+        """Number of coordinates."""
+        return self.parts.size
+
+    @property
+    def motors(self) -> NDArray[np.intp]:
+        """Indices of the motor angles."""
+        return np.array(self.parts.motors, dtype=int)
+
+    @property
+    def joints(self) -> NDArray[np.intp]:
+        """Indices of the joints."""
+        return np.array(self.parts.joints, dtype=int)
+
+    @property
+    def deformations(self) -> NDArray[np.intp]:
+        """Indices of the links' coordinates."""
+        return np.arange(self.parts.joints.stop, self.nq)
+
+    @property
+    def efforts(self) -> tuple[str, ...]:
+        """Joints whose effort (or motor torque) is an input, in the order of ``effort``."""
+        return tuple(self.parts.efforts)
+
+    @property
+    def parameters(self) -> Array:
+        """The numbers of the chain, as the compiled code reads them."""
+        return self.passes.parameters
+
+    @property
+    def rotor_inertias(self) -> Array:
+        """Inertia of the rotors along each coordinate, a diagonal of the mass matrix, shape (nq,)."""
+        return self.passes.rotor_inertias
+
+    def at_rest(self, *, gravity: float = 1.0) -> Array:
+        """The row (24) of a base at rest: acceleration less gravity (6), rate (3), pose and velocity in the world.
+
+        ``gravity``: share of it that pulls.
+        """
+        return self.passes.at_rest(gravity=gravity)
+
+    def forward_dynamics(
+        self,
+        q: ArrayLike,
+        v: ArrayLike,
+        effort: ArrayLike = 0.0,
+        *,
+        given: ArrayLike = 0.0,
+        wrenches: ArrayLike | None = None,
+        base: ArrayLike | None = None,
+        step: ArrayLike = 0.0,
+    ) -> Array:
+        """Accelerations of all coordinates, shape of q [SI].
+
+        ``effort`` (n, efforts): joint effort, or motor torque after the reducer; ``given`` (n, prescribed joints):
+        their accelerations; ``step`` h: those of a linearly implicit Euler step of h [s].
+        """
+        rows, parts = Rows(q, v, self.nq), self.parts
+        inputs = {
+            "effort": rows.of(effort, len(parts.efforts)),
+            "given": rows.of(given, len(parts.given)),
+            "step": rows.of(step, 1),
+        }
+        return rows.shaped(self.passes.forward(rows, inputs, base, wrenches))
+
+    def inverse_dynamics(
+        self,
+        q: ArrayLike,
+        v: ArrayLike,
+        a: ArrayLike,
+        *,
+        wrenches: ArrayLike | None = None,
+        base: ArrayLike | None = None,
+    ) -> Array:
+        """Generalized forces that must be applied along all coordinates, shape of q [N*m, N]."""
+        rows = Rows(q, v, self.nq)
+        return rows.shaped(self.passes.inertia(rows, a, base, wrenches)["forces"] + self.passes.elastic(rows)["forces"])
+
+    def mass_matrix(self, q: ArrayLike) -> Array:
+        """M(q), shape (n, nq, nq) or (nq, nq) [SI]."""
+        rows = Rows(q, np.zeros_like(np.asarray(q, dtype=float)), self.nq)
+        n = self.nq
+        many = Rows(np.repeat(rows.q, n, axis=0), np.zeros((rows.count * n, n)), n)
+        units = np.tile(np.eye(n), (rows.count, 1))
+        columns = self.passes.inertia(many, units, self.passes.at_rest(gravity=0.0), None)["forces"]
+        matrix = columns.reshape(rows.count, n, n)
+        matrix = (matrix + matrix.transpose(0, 2, 1)) / 2
+        return matrix[0] if rows.single else matrix
+
+    def bias(self, q: ArrayLike, v: ArrayLike, *, base: ArrayLike | None = None) -> Array:
+        """Coriolis, centrifugal and gravity forces h(q, v), shape of q."""
+        rows = Rows(q, v, self.nq)
+        return rows.shaped(self.passes.inertia(rows, 0.0, base, None)["forces"])
+
+    def gravity_forces(self, q: ArrayLike) -> Array:
+        """g(q), shape of q."""
+        return self.bias(q, np.zeros_like(np.asarray(q, dtype=float)))
+
+    def elastic_forces(self, q: ArrayLike, v: ArrayLike) -> Array:
+        """Forces of springs, dampers and friction, as they stand on the left side, shape of q."""
+        rows = Rows(q, v, self.nq)
+        return rows.shaped(self.passes.elastic(rows)["forces"])
+
+    def energies(self, q: ArrayLike, v: ArrayLike) -> dict[str, Array]:
+        """Energies [J] of shape (n,): kinetic, gravity (zero at the world's origin), elastic_gear, elastic_link."""
+        rows = Rows(q, v, self.nq)
+        still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
+        momentum = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)
+        elastic = self.passes.elastic(rows)["energies"].reshape(rows.count, -1, 2)
+        found = {
+            "kinetic": (momentum["forces"] * rows.v).sum(axis=1) / 2,
+            "gravity": -momentum["moment"] @ np.asarray(self.chain.gravity, dtype=float),
+            "elastic_gear": elastic[:, :, 0].sum(axis=1),
+            "elastic_link": elastic[:, :, 1].sum(axis=1),
+        }
+        return {name: value[0] if rows.single else value for name, value in found.items()}
+
+    def losses(self, q: ArrayLike, v: ArrayLike) -> dict[str, Array]:
+        """Power lost [W], shape (n,): gear_damping, friction, link_damping."""
+        rows = Rows(q, v, self.nq)
+        lost = self.passes.elastic(rows)["losses"].reshape(rows.count, -1, 3).sum(axis=1)
+        names = ("gear_damping", "friction", "link_damping")
+        return {name: lost[0, k] if rows.single else lost[:, k] for k, name in enumerate(names)}
+
+    def power_lost(self, q: ArrayLike, v: ArrayLike) -> Array:
+        """All power lost [W], shape (n,)."""
+        return np.sum([*self.losses(q, v).values()], axis=0)
+
+    def momentum(self, q: ArrayLike, v: ArrayLike) -> tuple[Array, Array]:
+        """Linear momentum [kg*m/s] and angular momentum about the world's origin [kg*m^2/s], world axes, (n, 3)."""
+        rows = Rows(q, v, self.nq)
+        still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
+        told = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)["base_force"]
+        placed = self.chain.base
+        linear, about_base = told[:, 3:] @ placed.rotation.T, told[:, :3] @ placed.rotation.T
+        angular = about_base + np.cross(placed.position, linear)
+        return (linear[0], angular[0]) if rows.single else (linear, angular)
+
+    def points(
+        self, q: ArrayLike, v: ArrayLike = 0.0, a: ArrayLike = 0.0, *, base: ArrayLike | None = None
+    ) -> PointMotion:
+        """Motion of the named points; the acceleration is that of the coordinates ``a`` without gravity."""
+        rows = Rows(q, v, self.nq)
+        base = self.passes.at_rest(gravity=0.0) if base is None else base
+        told = self.passes.inertia(rows, a, base, None)["points"]
+        motion = PointMotion.of(told)
+        return PointMotion(*(part[0] for part in motion)) if rows.single else motion
+
+    def pose(self, q: ArrayLike) -> tuple[Array, Array]:
+        """Positions (n, points, 3) [m] and rotations (n, points, 3, 3) of the named points in the world."""
+        motion = self.points(q)
+        return motion.position, motion.rotation
+
+    def jacobian(self, q: ArrayLike) -> Array:
+        """(n, points, 6, nq): linear then angular velocity of the named points per rate, world axes."""
+        rows = Rows(q, 0.0, self.nq)
+        n, points = self.nq, len(self.parts.points)
+        both = np.zeros((0, points, 6))
+        if n:
+            motion = self.points(np.repeat(rows.q, n, axis=0), 0.0, np.tile(np.eye(n), (rows.count, 1)))
+            both = np.concatenate([motion.acceleration, motion.angular_acceleration], axis=-1)
+        jacobian = both.reshape(rows.count, n, points, 6).transpose(0, 2, 3, 1)
+        return jacobian[0] if rows.single else jacobian
+
+    def linearised(
+        self,
+        q: ArrayLike,
+        v: ArrayLike | None = None,
+        a: ArrayLike | None = None,
+        *,
+        wrenches: ArrayLike | None = None,
+        base: ArrayLike | None = None,
+    ) -> tuple[Array, Array, Array]:
+        """M, D, K (nq, nq) about one state q (nq,), with exact derivatives: M a' + D v' + K q' = applied forces'.
+
+        K and D hold what the rates ``v``, the accelerations ``a`` and dead wrenches contribute.
+        """
+        state = self._state(q, 0.0 if v is None else v, base, wrenches)
+        state["a"] = state["v"] * 0.0 if a is None else np.reshape(np.asarray(a, dtype=float), self.nq)
+        mass, stiffness, damping = self._inverse(state, ("a", "q", "v"), loaded=wrenches is not None)
+        return (mass + mass.T) / 2, damping, stiffness
+
+    def stiffness(self, q: ArrayLike, *, wrenches: ArrayLike | None = None, base: ArrayLike | None = None) -> Array:
+        """K (nq, nq) of :meth:`linearised` about rest in q (nq,), by itself."""
+        state = self._state(q, 0.0, base, wrenches)
+        state["a"] = state["v"]
+        return self._inverse(state, ("q",), loaded=wrenches is not None)[0]
+
+    def static(self, loads: Sequence[Load] = (), **options: Any) -> Equilibrium:
+        """Equilibrium under loads: see :func:`tmodes.analysis.statics.equilibrium.equilibrium`."""
+        from tmodes.analysis.statics.equilibrium import equilibrium
+
+        return equilibrium(self, loads, **options)

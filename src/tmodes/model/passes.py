@@ -1,0 +1,95 @@
+"""The recursion's schedules with the numbers of one chain, evaluated at rows of states."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from functools import cached_property
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+from tmodes.equations.recursion.elastic import elastic_forces
+from tmodes.equations.recursion.forward import forward_dynamics
+from tmodes.equations.recursion.inertia import inertia_forces
+from tmodes.equations.recursion.parts import Parts
+from tmodes.equations.recursion.passes import BASE, resting_base
+from tmodes.kinds.kernel.schedule import Schedule
+from tmodes.model.evaluator import Blocks, Rows, evaluate
+
+__all__ = ["ArmPasses"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class ArmPasses:
+    """Forward dynamics, forces of inertia, elastic forces; each schedule is made at its first use.
+
+    ``base`` is a row of 24 numbers (None: at rest), ``wrenches`` (n, points, 6) or None: no force on any point.
+    """
+
+    parts: Parts
+
+    @cached_property
+    def parameters(self) -> Array:
+        """All numbers of the chain."""
+        return self.parts.numbers.vector
+
+    @cached_property
+    def _schedules(self) -> dict[tuple[str, bool], Schedule]:
+        return {}
+
+    def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
+        """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
+        if (name, loaded) not in self._schedules:
+            make = {"forward": forward_dynamics, "inertia": inertia_forces}.get(name)
+            made = make(self.parts, loaded=loaded) if make else elastic_forces(self.parts)
+            self._schedules[name, loaded] = made
+        return self._schedules[name, loaded]
+
+    def forward(self, rows: Rows, inputs: Blocks, base: ArrayLike | None, wrenches: ArrayLike | None) -> Array:
+        """Accelerations of the coordinates; ``inputs``: effort, given, step."""
+        schedule = self.schedule("forward", loaded=wrenches is not None)
+        return evaluate(self.parameters, schedule, inputs | self._common(rows, base, wrenches), rows.count)["a"]
+
+    def inertia(self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+        """Outputs of :func:`tmodes.equations.recursion.inertia.inertia_forces`, the rotors among the forces."""
+        schedule, blocks = self.schedule("inertia", loaded=wrenches is not None), self.inertial(rows, a, base, wrenches)
+        found = evaluate(self.parameters, schedule, blocks, rows.count)
+        return found | {"forces": found["forces"] + blocks["a"] * self.rotor_inertias}
+
+    def inertial(self, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+        """The inputs of the forces of inertia."""
+        return {"a": rows.of(a, self.parts.size), **self._common(rows, base, wrenches)}
+
+    def dynamic(
+        self, rows: Rows, effort: ArrayLike, given: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
+    ) -> Blocks:
+        """The inputs of the forward dynamics, without an implicit step."""
+        drives = {"effort": rows.of(effort, len(self.parts.efforts)), "given": rows.of(given, len(self.parts.given))}
+        return {**drives, "step": rows.of(0.0, 1), **self._common(rows, base, wrenches)}
+
+    def elastic(self, rows: Rows) -> Blocks:
+        """Outputs of :func:`tmodes.equations.recursion.elastic.elastic_forces`."""
+        return evaluate(self.parameters, self.schedule("elastic"), self._common(rows, None, None), rows.count)
+
+    @cached_property
+    def rotor_inertias(self) -> Array:
+        """Inertia of the rotors along each coordinate."""
+        rotors = np.zeros(self.parts.size)
+        for part in self.parts.nodes:
+            motor = part.node.joint.motor
+            if motor and part.effort >= 0:
+                rotors[part.motor if part.motor >= 0 else part.angle] += motor.inertia
+        return rotors
+
+    def at_rest(self, *, gravity: float = 1.0) -> Array:
+        """The row of a base at rest; ``gravity``: share of it that pulls."""
+        return resting_base(self.parts.chain, gravity)
+
+    def _common(self, rows: Rows, base: ArrayLike | None, wrenches: ArrayLike | None) -> Blocks:
+        blocks = {"q": rows.q, "v": rows.v, "base": rows.of(self.at_rest() if base is None else base, BASE)}
+        if wrenches is not None:
+            size = 6 * len(self.parts.points)
+            blocks["wrenches"] = rows.of(np.asarray(wrenches, dtype=float).reshape(-1, size), size)
+        return blocks

@@ -1,0 +1,175 @@
+"""A run and its folder: checked before, locked during, whole after; a killed run goes on where it was."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable
+from importlib.metadata import version
+from pathlib import Path
+from types import TracebackType
+from typing import TYPE_CHECKING, Any, Self
+
+from tmodes.compile.cache import source_digest
+from tmodes.compile.native import host
+from tmodes.errors import ResultFileError
+from tmodes.io.atomic import FolderLock, check_writable, remove_orphans
+from tmodes.io.checkpoint import run_identity
+from tmodes.io.journal import RunJournal
+from tmodes.result.record import Result
+from tmodes.simulation.trajectory import sample_times
+
+if TYPE_CHECKING:
+    from tmodes.integrate.settings import Integration
+    from tmodes.plot.save import Drawing
+
+__all__ = ["RunFolder"]
+
+_ROOM_FOR_FIGURES = 20_000_000
+
+Progress = Callable[[str, float], None]
+
+
+class RunFolder:
+    """The folder of one run: ``result.nc``, ``report.html``, ``figures/``.
+
+    What is of one kind of robot is in ``_sheet``, ``_bytes``, ``_load``, ``_computed``, ``_drawn``, ``_write_report``.
+    ``live``: whether the report holds the robot's equations. Used as a context; raises
+    :class:`tmodes.errors.ResultFileError` on entry where the run could not be stored: no permission, no room, another
+    writer, a result that is there already.
+    """
+
+    def __init__(self, path: Path, robot: Any, overwrite: bool = False, *, live: bool = True) -> None:
+        self.path, self.robot, self.overwrite, self.live = path, robot, overwrite, live
+        self.result_file, self.report_file, self.figures = path / "result.nc", path / "report.html", path / "figures"
+        self.continues = False
+        self._done: Any = None
+        self._lock = FolderLock(path)
+        self._journals: dict[str, RunJournal] = {}
+
+    def __enter__(self) -> Self:
+        check_writable(self.path, self._bytes() + _ROOM_FOR_FIGURES)
+        self._check_kinds()
+        self._lock.__enter__()
+        remove_orphans(self.figures)
+        try:
+            self._look_at_what_is_there()
+        except BaseException:
+            self._lock.__exit__(None, None, None)
+            raise
+        return self
+
+    def _check_kinds(self) -> None:
+        """A folder where a file is to be written, or a file in place of the figures' folder, is told before the run."""
+        for place, wanted in ((self.result_file, False), (self.report_file, False), (self.figures, True)):
+            if place.exists() and place.is_dir() != wanted:
+                got, expected = ("a file", "a folder") if wanted else ("a folder", "a file")
+                raise ResultFileError(
+                    f"{place}: got {got}; expected {expected}, or nothing. Mend: remove it, or name another --out"
+                )
+
+    def _look_at_what_is_there(self) -> None:
+        """Begin afresh, go on with an earlier begin of this very run, or refuse: a result is never replaced unasked."""
+        if self.overwrite:
+            for left in self.path.glob(".checkpoint-*"):
+                left.unlink()
+            return
+        self.continues = any(self.path.glob(".checkpoint-*"))
+        if not self.result_file.exists():
+            return
+        earlier = self._earlier()
+        if earlier and earlier.status == "interrupted":
+            self.continues = self.overwrite = True
+        elif earlier and earlier.success and not self.report_file.exists():
+            self.continues, self._done = True, earlier
+        else:
+            raise ResultFileError(
+                f"{self.result_file}: got a result that exists; expected a folder without one. Mend: --overwrite "
+                "replaces it, --out names another folder"
+            )
+
+    def _earlier(self) -> Any:
+        """The result that is there, when it is whole and of the same data sheet."""
+        try:
+            earlier = self._load()
+        except ResultFileError:
+            return None
+        same_sheet = earlier.data.attrs.get("robot") == self._sheet()
+        same_program = json.loads(earlier.data.attrs.get("versions", "{}")).get("tmodes") == version("tmodes")
+        return earlier if same_sheet and same_program else None
+
+    def __exit__(
+        self, kind: type[BaseException] | None, value: BaseException | None, trace: TracebackType | None
+    ) -> None:
+        for journal in self._journals.values():
+            journal.close()
+        self._lock.__exit__(kind, value, trace)
+
+    def simulate(self, progress: Progress) -> Any:
+        """Run, store the result, and drop the checkpoints that it replaces."""
+        if self._done:
+            return self._done
+        result = self._computed(progress)
+        result.save(self.result_file, overwrite=self.overwrite)
+        if result.status != "interrupted":
+            for journal in self._journals.values():
+                journal.remove()
+        return result
+
+    def illustrate(self, result: Any, progress: Progress) -> None:
+        """Draw the figures and write the report."""
+        from tmodes.plot import save_figures
+
+        pictures = self._drawn(result)
+        self.figures.mkdir(exist_ok=True)
+        save_figures(
+            result, self.figures, progress=lambda done, total, name: progress("figures", done / total), figures=pictures
+        )
+        progress("report", 0.0)
+        self._write_report(result, pictures)
+        progress("report", 1.0)
+
+    def _sheet(self) -> str:
+        """The data sheet as JSON: what makes two runs the same."""
+        return self.robot.model_dump_json()
+
+    def _bytes(self) -> int:
+        """Size of the result [bytes], about."""
+        settings: Integration = self.robot.integration
+        return len(sample_times(settings)) * settings.bytes_per_sample
+
+    def _load(self) -> Any:
+        return Result.load(self.result_file)
+
+    def _computed(self, progress: Progress) -> Any:
+        from tmodes.paper.simulate import simulate
+
+        return simulate(self.robot, progress=progress, journals=self._journal)
+
+    def _drawn(self, result: Any) -> dict[str, Drawing]:
+        from tmodes.plot import drawings
+
+        return drawings(result)
+
+    def _write_report(self, result: Any, pictures: dict[str, Drawing]) -> None:
+        from tmodes.report import write_report
+
+        write_report(result, self.report_file, pictures, live=self.live)
+
+    def summary(self, result: Any) -> dict[str, Any]:
+        """What the run gave, for machines."""
+        files = {"result": self.result_file, "report": self.report_file, "figures": self.figures}
+        return {
+            "status": result.status,
+            "message": result.message,
+            "warnings": list(result.warnings),
+            "files": {name: str(path) for name, path in files.items() if path.exists()},
+            "summary": result.summary(),
+            "frequencies": result.frequencies,
+            "statistics": result.statistics,
+            "seconds_per_simulated_second": result.timing,
+        }
+
+    def _journal(self, stage: str) -> RunJournal:
+        identity = run_identity(self._sheet(), stage, source_digest((".",)), host())
+        self._journals[stage] = RunJournal(self.path / f".checkpoint-{stage}", identity)
+        return self._journals[stage]

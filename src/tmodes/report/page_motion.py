@@ -1,0 +1,127 @@
+"""The page about an arm's run: how it ended, the first numbers, the figures, the arm, and where it all came from."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Mapping
+from typing import TYPE_CHECKING, Any
+
+from tmodes.plot.figures import ARM_FIGURES, arm_left_out
+from tmodes.report.data import facts_of, live_page
+from tmodes.report.facts import fact_list
+from tmodes.report.markup import Markup, tag
+from tmodes.report.numbers import error_table, frequency_tables
+from tmodes.report.numbers_motion import deformations_table, joints_table, links_table
+from tmodes.report.parts import SECTIONS, document, figures_section, rows_of, section, status, title_of, warnings
+from tmodes.report.tables import table
+from tmodes.report.viewer import application, policy
+
+if TYPE_CHECKING:
+    from tmodes.plot.save import Drawing
+    from tmodes.result import ArmResult
+    from tmodes.sheet import Arm
+
+__all__ = ["arm_page"]
+
+_MOST_MODES = 12
+"""Frequencies that are shown of each case, the lowest ones."""
+
+_LONG_SHEET = 120
+"""Lines of a data sheet beyond which it is folded."""
+
+
+def arm_page(result: ArmResult, figures: Mapping[str, Drawing], *, live: bool = True) -> str:
+    """The whole page as one HTML document; ``figures`` by name, in the order of the page.
+
+    ``live``: whether it holds the robot's equations, to be simulated anew in the page.
+    """
+    arm = result.arm
+    return document(
+        title_of(result, arm.name),
+        policy(),
+        SECTIONS,
+        _header(result, arm),
+        status(result),
+        warnings(result),
+        application(live_page(result, live=live)),
+        _numbers(result),
+        figures_section(figures, ARM_FIGURES, arm_left_out(result)),
+        section("robot", *_sheet(arm)),
+        _provenance(result, arm),
+    )
+
+
+def _header(result: ArmResult, arm: Arm) -> Markup:
+    data = result.data
+    space = "in contact with a surface" if "contact_force" in data else "in free space"
+    bending = len(data["bending_link"]) if "bending_link" in data.dims else 0
+    driven = len(data["drive"]) if "drive" in data.dims else 0
+    counts = ", ".join(_count(*one) for one in ((driven, "driven joint"), (bending, "bending link")))
+    told = (
+        f"{counts}, {_count(len(data['coordinate']), 'coordinate')}; {space}, {float(data['time'][-1]):g} s simulated"
+    )
+    return tag("header", tag("h1", arm.name), tag("p", arm.title, class_="lead"), tag("p", told), class_="top")
+
+
+def _count(number: int, thing: str) -> str:
+    return f"{number or 'no'} {thing}{'' if number == 1 else 's'}"
+
+
+def _numbers(result: ArmResult) -> Markup:
+    told = result.summary()
+    where = "about the rest under weight and loads"
+    note = f"The lowest frequencies {where}: under control as in this run, with the motors held, and free to turn."
+    return section(
+        "numbers",
+        tag("div", fact_list(facts_of(result)), class_="unprogrammed"),
+        *_titled("Joints", joints_table(told["joints"])),
+        *_titled("Links that bend", links_table(told["links"])),
+        *_titled("Elastic coordinates", deformations_table(told["deformations"])),
+        tag("h3", "Frequencies"),
+        tag("p", note, class_="note"),
+        frequency_tables(_lowest(result.frequencies), beside=False),
+        tag("h3", "Error of the integration"),
+        error_table(told["error"]),
+    )
+
+
+def _titled(title: str, content: Markup | None) -> tuple[Markup | None, Markup | None]:
+    return (tag("h3", title), content) if content else (None, None)
+
+
+def _lowest(frequencies: dict[str, list[dict[str, Any]]]) -> dict[str, list[dict[str, Any]]]:
+    return {
+        case: sorted(modes, key=lambda mode: mode["frequency_Hz"])[:_MOST_MODES] for case, modes in frequencies.items()
+    }
+
+
+def _sheet(arm: Arm) -> tuple[Markup | None, ...]:
+    """The data sheet as it can be run again, and how the real arm differs."""
+    from tmodes.io.sheet_write import arm_to_yaml
+
+    factors = [[path, f"{factor:g}"] for path, factor in arm.real.items()]
+    real = table("The real arm, where it differs", ("Number", "Factor on the known value"), factors, numeric=(1,))
+    note = "The data sheet as a file that runs again; what stands behind # is symbol, unit and meaning"
+    text = arm_to_yaml(arm)
+    sheet = tag("div", tag("pre", tag("code", text)), class_="scroll", role="region", tabindex="0", aria_label="Sheet")
+    place = tag("details", tag("summary", note), sheet, open=text.count("\n") <= _LONG_SHEET)
+    return (
+        tag("p", f"Assumed: {arm.assumed}") if arm.assumed else None,
+        real if factors else None,
+        place,
+    )
+
+
+def _provenance(result: ArmResult, arm: Arm) -> Markup:
+    attributes = result.data.attrs
+    method = {"method": attributes["method"]}
+    return section(
+        "provenance",
+        tag("p", arm.citation),
+        tag(
+            "div",
+            table("Integration", ("What", "Value"), [*rows_of(method), *rows_of(result.statistics)], numeric=(1,)),
+            table("Versions", ("Program", "Version"), list(rows_of(json.loads(attributes["versions"])))),
+            class_="columns",
+        ),
+    )

@@ -1,0 +1,146 @@
+"""The elastic lines of an arm's run, its parts T_st and T_to, and what its models say of themselves."""
+
+from __future__ import annotations
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.line.line import LinkLine, LinkLines, elastic_line
+from tmodes.analysis.model_validity import run_warnings
+from tmodes.analysis.quasistatic import deflections, elastic_names, split_motion
+from tmodes.model.model import ArmModel
+from tmodes.result.series import Variables
+from tmodes.simulation.motion_run import ArmRun
+
+__all__ = ["POINT_LIKE", "line_series", "load_series", "run_wrenches", "straight_shape", "without_elasticity"]
+
+Array = NDArray[np.float64]
+
+POINT_LIKE = 1e-9
+"""A link shorter than this [m] is not drawn."""
+
+
+def line_series(run: ArmRun, stations: Array, count: int) -> tuple[Variables, dict[str, list[str]], list[str]]:
+    """Lines of the first ``count`` samples, the names of links along their dimensions, and sentences of warning."""
+    part = slice(count)
+    motion = (run.model, run.q[part], run.v[part], run.a[part])
+    wrenches, base = run_wrenches(run)[part], run.base[part]
+    lines = elastic_line(*motion, stations=[*map(float, stations)], wrenches=wrenches, base=base)
+    straight = elastic_line(run.model, straight_shape(run)[part], stations=[*map(float, stations)], base=base)
+    shown = [line for line in lines.links.values() if line.length > POINT_LIKE]
+    bending = lines.bending()
+    stressed = [line for line in bending if line.stress is not None]
+    names = {"link": shown, "bending_link": bending, "stressed_link": stressed}
+    split = split_motion(*motion, wrenches=wrenches, base=base)
+    found = _shapes(shown, straight) | _loads(bending) | _stresses(stressed)
+    found |= _split(split.stationary, split.oscillatory)
+    doubts = run_warnings(run.arm, run.model, run.times[part], run.q[part], lines)
+    loose = np.flatnonzero(~split.held)
+    if len(loose):
+        doubts.append(
+            f"T_st is that of the linear arm at {len(loose)} of {count} samples, first at t = "
+            f"{run.times[loose[0]]:.4g} s: the arm could not hold its loads there without moving"
+        )
+    plain = {dim: [line.name for line in group] for dim, group in names.items()}
+    return {name: told for name, told in found.items() if told[1].size}, plain, doubts
+
+
+def load_series(run: ArmRun, stations: Array, count: int) -> Variables:
+    """Deflections, moments and stresses alone, of the first ``count`` samples."""
+    part = slice(count)
+    motion = (run.model, run.q[part], run.v[part], run.a[part])
+    loads = {"wrenches": run_wrenches(run)[part], "base": run.base[part]}
+    bending = elastic_line(*motion, stations=[*map(float, stations)], **loads).bending()
+    return _loads(bending) | _stresses([line for line in bending if line.stress is not None])
+
+
+def run_wrenches(run: ArmRun) -> Array:
+    """Force and moment by the surroundings on each named point at each sample, world axes, (n, points, 6)."""
+    plan = run.planned
+    wrenches = np.zeros((len(run.times), len(run.model.parts.points), 6))
+    for load in plan.plan.loads:
+        factor = np.ones(len(run.times)) if load.signal < 0 else plan.signals.at(run.times)[:, load.signal]
+        wrench = np.broadcast_to(np.reshape(load.wrench, (2, 3)), (len(run.times), 2, 3))
+        if load.follower:
+            wrench = np.einsum("nij,nkj->nki", run.points.rotation[:, load.point], wrench)
+        wrenches[:, load.point] += factor[:, None] * wrench.reshape(-1, 6)
+    if plan.plan.touch and run.contact_force is not None:
+        wrenches[:, plan.plan.touch.point, :3] -= run.contact_force
+    return wrenches
+
+
+def straight_shape(run: ArmRun) -> Array:
+    """Coordinates (n, nq) of a run's arm without any elasticity, its motors where they are."""
+    return without_elasticity(run.model, run.q)
+
+
+def without_elasticity(model: ArmModel, q: Array) -> Array:
+    """Coordinates (n, nq) of the arm at ``q`` without any elasticity, its motors where they are."""
+    straight, names = q.copy(), model.coordinates
+    bent = deflections(model, q)
+    for k, name in enumerate(elastic_names(model)):
+        if name.endswith(".gear") and name not in names:
+            straight[:, names.index(name.removesuffix(".gear"))] -= bent[:, k]
+    straight[:, model.deformations] = 0.0
+    return straight
+
+
+def _shapes(shown: list[LinkLine], straight: LinkLines) -> Variables:
+    dims = ("time", "link", "s", "axis")
+    rigid = [straight[line.name] for line in shown]
+    return {
+        "line": (dims, _stack([line.position for line in shown]), "m", "position of the elastic line"),
+        "line_rigid": (dims, _stack([line.position for line in rigid]), "m",
+                       "position of the line without any elasticity, the motors where they are"),
+    }  # fmt: skip
+
+
+def _loads(bending: list[LinkLine]) -> Variables:
+    plane, kinds = ("time", "bending_link", "s", "plane"), ("time", "bending_link", "s", "moment_kind")
+    along = plane[:3]
+    shapes = [line.shape for line in bending if line.shape is not None]
+    text = "of all loads outboard, in section axes"
+    return {
+        "deflection": (plane, _stack([shape.deflection for shape in shapes]), "m",
+                       "deflection of the elastic line from the root's tangent, along y and z of the root"),
+        "slope": (plane, _stack([shape.slope for shape in shapes]), "rad", "slope against the root's tangent"),
+        "moment": (kinds, _stack([line.moment for line in bending]), "N m", f"moment {text}"),
+        "elastic_moment": (kinds, _stack([shape.elastic_moment for shape in shapes]), "N m",
+                           "moment with which the material answers its curvature and its rate"),
+        "shear_force": (plane, _stack([line.shear for line in bending]), "N", f"shear force {text}"),
+        "axial_force": (along, _stack([line.axial for line in bending]), "N", f"axial force {text}, tension positive"),
+    }  # fmt: skip
+
+
+def _stresses(stressed: list[LinkLine]) -> Variables:
+    told = [line.stress for line in stressed if line.stress is not None]
+    dims = ("time", "stressed_link", "s")
+    return {
+        "stress": (
+            dims,
+            _stack([stress.mises_stress for stress in told]),
+            "Pa",
+            "largest von Mises stress",
+        ),
+        "strain": (
+            dims,
+            _stack([stress.strain for stress in told]),
+            "1",
+            "largest strain of the outer fibre",
+        ),
+    }
+
+
+def _split(stationary: Array, oscillatory: Array) -> Variables:
+    dims = ("time", "deformation_kind")
+    unit = "rad, m along prismatic joints, 1 of stretch"
+    return {
+        "deformation_stationary": (dims, stationary, unit, "stationary part T_st of the elastic coordinates"),
+        "deformation_oscillatory": (dims, oscillatory, unit, "oscillatory part T_to"),
+    }
+
+
+def _stack(parts: list[Array | None]) -> Array:
+    """(n, links, ...) of one array for each link."""
+    told = [part for part in parts if part is not None]
+    return np.stack(told, axis=1) if told else np.zeros(0)

@@ -1,0 +1,86 @@
+"""What a result tells beside its series: how it ended, how the arm vibrates, where all came from."""
+
+from __future__ import annotations
+
+import json
+import platform
+from importlib.metadata import version
+from typing import Any
+
+import numpy as np
+
+from tmodes.errors import SimulationError
+from tmodes.result.record import RESULT_FORMAT, STATUSES
+from tmodes.sheet import Arm
+from tmodes.simulation.motion_run import ArmRun
+from tmodes.simulation.plan import Planned
+
+__all__ = ["ending", "move_end", "provenance", "told_of"]
+
+_MODE = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "element", "share", "stable")
+
+_STILL = 1e-9
+"""Change of a signal within a piece, over its largest value, that is rounding."""
+
+
+def ending(run: ArmRun) -> tuple[str, str]:
+    """Status and sentence of the whole run: its own, or that of the reference where that ended early."""
+    planned_run = run.reference
+    if planned_run is not None and planned_run.status != "finished":
+        return planned_run.status, f"reference: {planned_run.message}"
+    return run.status, run.message if run.status in STATUSES[:2] else f"real arm: {run.message}"
+
+
+def told_of(run: ArmRun, known: Arm) -> dict[str, Any]:
+    """Frequencies and warnings, plain data that is kept as JSON."""
+    from tmodes.io.sheet_plausible import arm_notices, implausible_arm
+
+    warnings = [*implausible_arm(known), *arm_notices(known)]
+    try:
+        frequencies = _frequencies(run.arm)
+    except SimulationError as error:
+        frequencies = {}
+        warnings.append(f"no frequencies are told: {error}")
+    return {"frequencies": frequencies, "warnings": warnings}
+
+
+def _frequencies(arm: Arm) -> dict[str, list[dict[str, Any]]]:
+    """Natural frequencies about the rest, in contact where the arm is; shapes and small shares are left out."""
+    from tmodes.analysis.modes.of_sheet import sheet_modes
+
+    found = sheet_modes(arm, contact=arm.contact is not None)
+    return {case: [{key: mode[key] for key in _MODE} for mode in modes] for case, modes in found.items()}
+
+
+def move_end(planned: Planned) -> float | None:
+    """When the last signal of a drive, a load or the base stops changing [s]; None where one never does."""
+    knots, powers = planned.signals.knots, np.array(planned.signals.coefficients)
+    size = np.abs(powers[:, :, :1]).max(axis=0, keepdims=True, initial=0.0)
+    lengths = np.diff(knots)[:, None, None] ** np.arange(powers.shape[2])
+    changes = np.abs(powers * lengths)[:, :, 1:].max(axis=2, initial=0.0) > _STILL * np.maximum(size[..., 0], 1e-12)
+    jumps = np.zeros_like(changes)
+    jumps[1:] = np.abs(np.diff(planned.signals.at(knots[:-1]), axis=0)) > _STILL * np.maximum(size[0, :, 0], 1e-12)
+    moving = np.flatnonzero((changes | jumps).any(axis=1))
+    if not len(moving):
+        return 0.0
+    last = int(moving[-1])
+    end = float(knots[last + 1] if changes[last].any() else knots[last])
+    return end if end < knots[-1] * (1 - 1e-9) else None
+
+
+def provenance(run: ArmRun, known: Arm) -> dict[str, Any]:
+    """Where the numbers come from: sheets, versions, what the integration took."""
+    from tmodes.io.sheet_check import arm_data
+
+    packages = ("tmodes", "numpy", "llvmlite", "xarray")
+    counts = {"real": run.statistics} | ({"reference": run.reference.statistics} if run.reference else {})
+    return {
+        "tmodes_format": RESULT_FORMAT,
+        "kind": "arm",
+        "title": known.title or known.name,
+        "robot": json.dumps(arm_data(known)),
+        "robot_real": json.dumps(arm_data(run.arm)),
+        "method": str(run.arm.integration.method),
+        "versions": json.dumps({name: version(name) for name in packages} | {"python": platform.python_version()}),
+        "statistics": json.dumps(counts),
+    }

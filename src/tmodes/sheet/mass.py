@@ -1,0 +1,125 @@
+"""What a joint moves must have mass: a moving end without any has no acceleration that a force would tell."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import TYPE_CHECKING
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.chain.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.kinds.schema.axes import cross_matrix, rotation_about
+from tmodes.kinds.schema.quantity import Misfit
+
+if TYPE_CHECKING:
+    from tmodes.sheet import Arm
+
+__all__ = ["massless_misfits"]
+
+Array = NDArray[np.float64]
+
+NEGLIGIBLE = 1e-13
+"""Inertia about an axis over that about the others below which there is none [-]: round-off of a mass on the axis."""
+
+
+def massless_misfits(arm: Arm) -> Iterator[Misfit]:
+    """Joints that move nothing, each with the link that has no mass.
+
+    The arm is taken as rigid in a general position, so that a mass lies on an axis only where it always does.
+    """
+    from tmodes.chain.lowering import lowered
+
+    chain = lowered(arm)
+    yield from _same_names(chain)
+    sheets = {joint.name: index for index, joint in enumerate(arm.joints)}
+    for node, moved in zip(chain.nodes, _carried(chain), strict=True):
+        if got := _nothing_moved(node.joint, moved):
+            link = arm.joints[sheets[node.joint.name]].child
+            mend = f"give `{link}`, or a link that it carries, a body with mass and inertia; or fix the joint"
+            expected = "mass beyond a joint that moves"
+            yield Misfit(f"joints.{sheets[node.joint.name]}", f"`{link}`, a link that {got}", expected, mend)
+
+
+def _same_names(chain: Chain) -> Iterator[Misfit]:
+    """Parts of a link have names of their own, such as ``upper.1``; a link may not be called so too."""
+    names = [node.name for node in chain.nodes]
+    for name in sorted({name for name in names if names.count(name) > 1}):
+        yield Misfit("links", f"`{name}`, also the name of a part of a link", "names of their own", "rename the link")
+
+
+def _nothing_moved(joint: Joint, moved: Array) -> str:
+    """What is missing in the inertia (6, 6), about the joint's frame, that a joint moves; empty when nothing is."""
+    if joint.kind is JointKind.FIXED or joint.drive is Drive.PRESCRIBED:
+        return ""
+    if joint.drive is Drive.EFFORT and joint.motor is not None:
+        return ""
+    if moved[3, 3] <= 0:
+        return f"has no mass and is moved by `{joint.name}`"
+    about = float(joint.axis @ moved[:3, :3] @ joint.axis)
+    if joint.kind is JointKind.REVOLUTE and about <= NEGLIGIBLE * float(np.trace(moved[:3, :3])):
+        return f"has no inertia about the axis of `{joint.name}`"
+    return ""
+
+
+def _carried(chain: Chain) -> list[Array]:
+    """Inertia (6, 6) of all that each node's joint moves, about the frame of the joint as it has moved."""
+    inertias = [_own(node) for node in chain.nodes]
+    for index in range(len(chain.nodes) - 1, -1, -1):
+        node = chain.nodes[index]
+        if node.parent >= 0:
+            offset = _length(chain.nodes[node.parent]) @ node.joint.placement @ _motion(node.joint, index)
+            inertias[node.parent] = inertias[node.parent] + _seen(inertias[index], offset)
+    return inertias
+
+
+def _own(node: Node) -> Array:
+    link = node.link
+    if isinstance(link, RigidLink):
+        return sum((_spatial(body) for body in link.bodies), np.zeros((6, 6)))
+    if isinstance(link, Beam):
+        bodies = [
+            Body(body.mass, body.center + np.array([s * link.length, 0.0, 0.0]), body.inertia)
+            for s, body in link.bodies
+        ]
+        return sum((_spatial(body) for body in bodies), _beam(link))
+    tip = np.array([link.length, 0.0, 0.0])
+    return sum((_spatial(Body(body.mass, body.center + tip, body.inertia)) for body in link.bodies), np.zeros((6, 6)))
+
+
+def _beam(beam: Beam) -> Array:
+    """A rough inertia of the beam as a straight rod: its mean mass per length."""
+    mass = beam.length * float(np.mean([number for piece in beam.pieces for number in piece.mass]))
+    polar = beam.length * float(np.mean([number for piece in beam.pieces for number in piece.inertia[0]]))
+    across = mass * beam.length**2 / 12
+    return _spatial(Body(mass, np.array([beam.length / 2, 0.0, 0.0]), np.diag([polar, across, across])))
+
+
+def _length(node: Node) -> Placement:
+    """The chain's tip frame of a node in its link's frame, unbent."""
+    if isinstance(node.link, RigidLink):
+        return Placement()
+    return Placement(position=np.array([node.link.length, 0.0, 0.0]))
+
+
+def _motion(joint: Joint, index: int) -> Placement:
+    """A general position of a joint; no two alike."""
+    value = 0.5 + np.sin(2.0 + 3.0 * index) / 3
+    if joint.kind is JointKind.REVOLUTE:
+        return Placement(rotation=rotation_about(joint.axis, value))
+    return Placement(position=joint.axis * value) if joint.kind is JointKind.PRISMATIC else Placement()
+
+
+def _spatial(body: Body) -> Array:
+    """Inertia (6, 6), rotation before translation, about the origin of the frame that carries a body."""
+    lever = cross_matrix(body.center)
+    upper = [body.inertia - body.mass * lever @ lever, body.mass * lever]
+    return np.block([upper, [-body.mass * lever, body.mass * np.eye(3)]])
+
+
+def _seen(inertia: Array, offset: Placement) -> Array:
+    """The inertia of a frame placed at ``offset``, about the origin of the frame around it."""
+    turn = np.kron(np.eye(2), offset.rotation)
+    shift = np.eye(6)
+    shift[3:, :3] = -cross_matrix(offset.position)
+    return shift.T @ turn @ inertia @ turn.T @ shift

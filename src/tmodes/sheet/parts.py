@@ -1,0 +1,157 @@
+"""Parts of an arm's data sheet beside its joints: links, points, loads, drives, base motion, initial state."""
+
+from __future__ import annotations
+
+from enum import StrEnum
+from typing import Annotated, Literal, Self
+
+from pydantic import Field, model_validator
+
+from tmodes.kinds.links.beam import BeamSheet
+from tmodes.kinds.links.body import BodySheet
+from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Misfit, not_negative, quantity, refuse
+from tmodes.kinds.signals.signals import Signal
+
+__all__ = [
+    "BaseMotion",
+    "Command",
+    "DriveSheet",
+    "Initial",
+    "InitialState",
+    "LinkSheet",
+    "LoadFrame",
+    "LoadSheet",
+    "PointSheet",
+    "PositionControl",
+    "TipSheet",
+]
+
+MOST_BODIES = 200
+
+_Name = Annotated[str, Field(min_length=1, max_length=100)]
+_Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+
+
+class LinkSheet(DataSheet):
+    """A link: rigid bodies, and a beam where it bends."""
+
+    name: str = Field(min_length=1, max_length=100, description="name of the link")
+    bodies: tuple[BodySheet, ...] = Field(
+        default=(), strict=False, max_length=MOST_BODIES, description="rigid bodies that it carries"
+    )
+    beam: BeamSheet | None = Field(default=None, description="the beam; none: the link is rigid")
+
+    @model_validator(mode="after")
+    def _stations_are_on_a_beam(self) -> Self:
+        if self.beam is None:
+            mend = "remove `at` and give the center in the link's frame"
+            refuse(
+                [
+                    Misfit(f"bodies.{index}.at", f"{body.at:g}", "no station: the link has no beam", mend)
+                    for index, body in enumerate(self.bodies)
+                    if body.at is not None
+                ]
+            )
+        return self
+
+
+class TipSheet(Origin):
+    """The point called tip."""
+
+    link: _Name = Field(description="link that it is on")
+    at: float | None = quantity("-", "s", "station on a beam; none: its tip", default=None, at_least=0, at_most=1)
+
+
+class PointSheet(TipSheet):
+    """A named point for loads, contact and output."""
+
+    name: str = Field(min_length=1, max_length=100, description="name of the point")
+
+
+class LoadFrame(StrEnum):
+    """``world``: the force keeps its direction (dead load); ``section``: it turns with the section (follower)."""
+
+    WORLD = "world"
+    SECTION = "section"
+
+
+class LoadSheet(DataSheet):
+    """A force and a moment on a point."""
+
+    point: str = Field(default="tip", min_length=1, max_length=100, description="which point it acts on")
+    force: Vector = list_of_numbers("N", "F", "force", default=(0.0, 0.0, 0.0))
+    moment: Vector = list_of_numbers("N*m", "M", "moment", default=(0.0, 0.0, 0.0))
+    frame: LoadFrame = Field(strict=False, description="world or section")
+    signal: Signal | None = Field(default=None, description="factor of time on the load; none: constant")
+
+
+class Command(StrEnum):
+    """What a drive's signal is."""
+
+    POSITION = "position"  # of the motor, or of the joint where its gear is rigid; kept by the controller
+    VOLTAGE = "voltage"  # of the motor
+    TORQUE = "torque"  # of the motor, joint side
+    EFFORT = "effort"  # of the joint
+    PRESCRIBED = "prescribed"  # the motion itself: of the motor behind an elastic gear, else of the joint
+
+
+class PositionControl(DataSheet):
+    """Proportional-derivative control; gains in V/rad where the motor has a resistance, else in N*m/rad."""
+
+    type: Literal["pd"] = Field(description="kind of controller")
+    position_gain: float = not_negative("gain", "Kp", "position gain")
+    velocity_gain: float = not_negative("gain*s", "Kv", "velocity gain")
+
+
+class DriveSheet(DataSheet):
+    """What moves a joint in a run."""
+
+    joint: str = Field(min_length=1, max_length=100, description="which joint")
+    command: Command = Field(strict=False, description="what the signal is")
+    signal: Signal
+    controller: PositionControl | None = Field(default=None, description="what keeps a wanted position")
+
+    @model_validator(mode="after")
+    def _is_controlled(self) -> Self:
+        if self.command is Command.POSITION and self.controller is None:
+            mend = "add `controller: {type: pd, ...}`, or take the command `prescribed`"
+            refuse([Misfit("controller", "nothing", "a controller for the command `position`", mend)])
+        if self.command is not Command.POSITION and self.controller is not None:
+            got = f"a controller beside the command `{self.command}`"
+            refuse([Misfit("controller", got, "no controller", "remove it, or take the command `position`")])
+        return self
+
+
+class BaseMotion(DataSheet):
+    """Prescribed motion of the base about its placement: travels [m] and fixed-axis angles [rad] over time."""
+
+    x: Signal | None = None
+    y: Signal | None = None
+    z: Signal | None = None
+    roll: Signal | None = None
+    pitch: Signal | None = None
+    yaw: Signal | None = None
+
+
+class InitialState(StrEnum):
+    """``rest``: static equilibrium at the first command; ``zero``: undeformed, with the coordinates given."""
+
+    REST = "rest"
+    ZERO = "zero"
+
+
+class Initial(DataSheet):
+    """The state at time 0."""
+
+    state: InitialState = Field(default=InitialState.REST, strict=False, description="rest or zero")
+    coordinates: dict[str, _Number] = Field(
+        default_factory=dict,
+        description="coordinate -> value [coordinate]",
+        json_schema_extra={"unit": "coordinate", "symbol": "q", "smallest": 0.0, "plausible": None},
+    )
+    rates: dict[str, _Number] = Field(
+        default_factory=dict,
+        description="coordinate -> rate [coordinate/s]",
+        json_schema_extra={"unit": "coordinate/s", "symbol": "v", "smallest": 0.0, "plausible": None},
+    )

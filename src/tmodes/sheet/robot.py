@@ -1,0 +1,171 @@
+"""Arm: the data sheet of any arm that a person writes, checked once, and its way to a Chain.
+
+    Arm (YAML, URDF + elasticity, Denavit-Hartenberg)  --chain()-->  Chain  ->  model
+
+Robot, the other data sheet, is the one machine of the 2010 paper; an Arm is a tree of any joints and links.
+"""
+
+from __future__ import annotations
+
+import unicodedata
+from collections.abc import Mapping
+from dataclasses import dataclass
+from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+
+from pydantic import Field, field_validator, model_validator
+
+from tmodes.chain.chain import Chain
+from tmodes.integrate.settings import ArmIntegration
+from tmodes.kinds.joints.joint import JointSheet
+from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Misfit, not_negative, refuse
+from tmodes.sheet.contact import ContactSheet
+from tmodes.sheet.parts import BaseMotion, DriveSheet, Initial, LinkSheet, LoadSheet, PointSheet, TipSheet
+
+if TYPE_CHECKING:
+    from tmodes.notebook import Shown
+
+__all__ = ["ARM_FORMAT", "MOST_JOINTS", "Arm", "ArmPair"]
+
+ARM_FORMAT = 1
+"""Version of the data sheet's format."""
+
+MOST_JOINTS = 500
+MOST_POINTS = 200
+MOST_LOADS = 100
+
+_FACTOR = not_negative("-", "-", "factor of the real arm on the known value", at_most=1e6)
+_Coupling = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
+
+_STEERING = ("Cc", "Cf", "Cs", "Co")
+"""Unicode categories of letters that are not shown but steer what is: control, direction, surrogates, private."""
+
+
+class Arm(DataSheet):
+    """A general arm: joints and links in a tree, what drives and loads it, and how it really is."""
+
+    format: Literal[1] = Field(description="version of this format [-]")
+    kind: Literal["arm"] = Field(description="what this sheet is of")
+    name: str = Field(min_length=1, max_length=100, description="name of the arm")
+    title: str = Field(default="", max_length=300, description="what it is, in one line")
+    citation: str = Field(default="", max_length=1000, description="where its numbers come from")
+    assumed: str = Field(default="", max_length=2000, description="what is assumed and not from the source")
+    gravity: Vector = list_of_numbers(
+        "m/s^2", "g", "gravity in the world; one number: along -z", default=(0.0, 0.0, -9.81)
+    )
+    base: Origin | None = Field(default=None, description="placement of the base in the world; none: at its origin")
+    joints: tuple[JointSheet, ...] = Field(strict=False, max_length=MOST_JOINTS, description="joints, from the base on")
+    links: tuple[LinkSheet, ...] = Field(
+        default=(), strict=False, max_length=MOST_JOINTS, description="links; one that is not told has no mass"
+    )
+    tip: TipSheet | None = Field(default=None, description="the point called tip; none: the end of the last link")
+    points: tuple[PointSheet, ...] = Field(
+        default=(), strict=False, max_length=MOST_POINTS, description="named points for loads, contact and output"
+    )
+    couplings: dict[str, dict[str, _Coupling]] = Field(
+        default_factory=dict,
+        description="gear input of a joint = sum of factor * motor angle of joints [-]",
+        json_schema_extra={"unit": "-", "symbol": "S", "smallest": 0.0, "plausible": None},
+    )
+    loads: tuple[LoadSheet, ...] = Field(
+        default=(), strict=False, max_length=MOST_LOADS, description="forces and moments on points"
+    )
+    drives: tuple[DriveSheet, ...] = Field(
+        default=(), strict=False, max_length=MOST_JOINTS, description="what moves the joints in a run"
+    )
+    base_motion: BaseMotion | None = Field(default=None, description="prescribed motion of the base; none: it stands")
+    contact: ContactSheet | None = Field(default=None, description="what a point touches; none: free space")
+    initial: Initial = Field(default_factory=Initial, description="state at time 0")
+    real: dict[str, Annotated[float, _FACTOR]] = Field(
+        default_factory=dict,
+        description="the real arm where it differs: path of a number -> factor on it [-]",
+        json_schema_extra={"unit": "-", "symbol": "-", "smallest": 0.0, "plausible": None},
+    )
+    integration: ArmIntegration = Field(default_factory=ArmIntegration)
+
+    @field_validator("gravity", mode="before")
+    @classmethod
+    def _one_number_is_down(cls, value: Any) -> Any:
+        if not isinstance(value, (int, float)) or isinstance(value, bool):
+            return value
+        if value < 0:
+            mend = "write the magnitude, or a list [x, y, z] for another direction"
+            refuse([Misfit("", f"{value:g}", "a magnitude along -z, not negative, or a list", mend)])
+        return (0.0, 0.0, -float(value) if value else 0.0)
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        from tmodes.sheet.checks import arm_misfits
+
+        refuse(list(self._text_misfits()))
+        refuse(arm_misfits(self))
+        return self
+
+    def _text_misfits(self) -> list[Misfit]:
+        """Texts go to terminals and pages: letters that steer those are refused."""
+        texts = {name: getattr(self, name) for name in ("name", "title", "citation", "assumed")}
+        for group in ("joints", "links", "points"):
+            texts |= {f"{group}.{index}.name": item.name for index, item in enumerate(getattr(self, group))}
+        texts |= {f"joints.{index}.child": joint.child for index, joint in enumerate(self.joints)}
+        return [
+            Misfit(path, ascii(text[:60]), "text without control characters", "write it in plain letters")
+            for path, text in texts.items()
+            if any(unicodedata.category(letter) in _STEERING and letter != "\n" for letter in text)
+        ]
+
+    @classmethod
+    def from_data(cls, data: Mapping[str, Any]) -> Arm:
+        """A checked arm from plain data (as a YAML file holds it); numbers may be text with a unit.
+
+        Raises :class:`tmodes.errors.InputErrors` with everything that is wrong, where building an ``Arm`` directly
+        raises pydantic's own error.
+        """
+        from tmodes.io.sheet_check import arm_from_data
+
+        return arm_from_data(data)
+
+    def with_(self, changes: Mapping[str, Any]) -> Arm:
+        """A new, checked arm with values changed by path: ``arm.with_({"joints.shoulder.gear.stiffness": 900.0})``.
+
+        Items of lists go by their name or their index. Raises :class:`tmodes.errors.InputErrors` that name the path.
+        """
+        from tmodes.io.sheet_check import changed_arm
+
+        return changed_arm(self, changes)
+
+    def show(self, height: int = 760) -> Shown:
+        """The viewer of this arm at rest with its modes, for a notebook; ``height`` in pixels.
+
+        Raises :class:`tmodes.errors.SimulationError` where it has no rest.
+        """
+        from tmodes.notebook import show
+
+        return show(self, height=height)
+
+    def link(self, name: str) -> LinkSheet:
+        """The link with this name; one that the sheet does not describe is rigid and has no mass."""
+        return next((link for link in self.links if link.name == name), LinkSheet(name=name))
+
+    def chain(self) -> Chain:
+        """The arm in the terms of the recursion: placements, joints, links and points, SI, joint side."""
+        from tmodes.chain.lowering import lowered
+
+        return lowered(self)
+
+    def pair(self) -> ArmPair:
+        """The arm as it is known and as it really is.
+
+        Raises :class:`tmodes.errors.InputErrors` for an entry of ``real`` that names no number, and for a factor that
+        makes a number no arm can have.
+        """
+        from tmodes.io.sheet_check import real_arm
+
+        return ArmPair(nominal=self, real=real_arm(self))
+
+
+@dataclass(frozen=True)
+class ArmPair:
+    """The arm twice: with the numbers as known, by which motions are planned, and as they really are."""
+
+    nominal: Arm
+    real: Arm

@@ -1,0 +1,155 @@
+"""Lanes that go at once in the vectors of the processor, each with steps of its own."""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_CELLS, LANE_OPTIONS, WIDTH
+from tmodes.compile.loops.time_loop import CELLS, Status
+from tmodes.integrate.settings import Integration
+from tmodes.simulation import native_run
+from tmodes.simulation.batch.alone import lane_run, told
+from tmodes.simulation.batch.memory import private
+from tmodes.simulation.batch.result import COUNTS
+from tmodes.simulation.batch.work import Work
+from tmodes.simulation.trajectory import BOUND, NativeRun, Trajectory
+
+__all__ = ["Room", "SideBySide"]
+
+Array = NDArray[np.float64]
+
+_FRESH = {"sample": 1.0, "fresh": 1.0, "old_error": math.log2(1e-4)}
+
+
+class Room:
+    """What the native loop of one thread works on, and what is the same for all groups of lanes that go through it."""
+
+    def __init__(self, work: Work) -> None:
+        method, size = work.settings.method.value, work.inputs.starts.shape[1]
+        library = work.model.lane_loops
+        self.loop, self.work = library[method], work
+        self.memory, self.options = private(len(LANE_CELLS), WIDTH), private(len(LANE_OPTIONS))
+        self.state, self.slope = private(size, WIDTH), private(size, WIDTH)
+        self.parameters = private(work.inputs.parameters.shape[1], WIDTH)
+        self.scratch, self.places = private(_scratch_size(library, method)), private(WIDTH)
+        self.options[:] = list(_options(work.settings).values())
+        self._take_schedules([0] if len(work.inputs.schedules) == 1 else [])
+        self._given: dict[str, int] = {}
+
+    def take(self, which: list[int]) -> None:
+        """The numbers of these lanes."""
+        inputs = self.work.inputs
+        self.state[:], self.parameters[:] = inputs.starts[which].T, inputs.parameters[which].T
+        self.slope[:], self.memory[:] = 0.0, 0.0
+        self.places[:] = self.work.places[which]
+        for name, value in _FRESH.items():
+            self.cell(name)[:] = value
+        if len(inputs.schedules) > 1:
+            self._take_schedules(which)
+        if len(inputs.schedules) > 1 or not self._given:
+            self._given = self._arguments()
+
+    def cell(self, name: str) -> Array:
+        """A number of the loop's memory, of each lane."""
+        return self.memory[LANE_CELLS.index(name)]
+
+    def advance(self, steps: int) -> None:
+        """Let the native loop do at most so many steps; it holds no lock of Python."""
+        self.options[LANE_OPTIONS.index("chunk")] = steps
+        self.loop(*self._given.values())
+
+    def _take_schedules(self, which: list[int]) -> None:
+        """Knots and rows of lanes, padded to the longest; of one for all, all lanes read the same."""
+        if not which:
+            return
+        schedules = [self.work.inputs.schedule(lane) for lane in which]
+        pieces = max(len(schedule.coefficients) for schedule in schedules)
+        self.segments = np.resize(np.array([len(each.coefficients) for each in schedules], dtype=float), WIDTH)
+        self.knots = np.zeros((len(which), pieces + 1))
+        self.rows = np.zeros((len(which), pieces, schedules[0].coefficients.shape[1] + 1))
+        for lane, schedule in enumerate(schedules):
+            count = len(schedule.coefficients)
+            self.knots[lane, : count + 1] = schedule.knots
+            self.rows[lane, :count, 0], self.rows[lane, :count, 1:] = schedule.knots[:-1], schedule.coefficients
+
+    def _arguments(self) -> dict[str, int]:
+        """Those of the native loop, in its order."""
+        arrays = {
+            "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters, "work": self.scratch,
+            "knots": self.knots, "rows": self.rows, "segments": self.segments, "times": self.work.times,
+            "out": self.work.states, "places": self.places, "options": self.options,
+        }  # fmt: skip
+        given: dict[str, int] = {name: array.ctypes.data for name, array in arrays.items()}
+        apart = len(self.knots) > 1
+        given |= {"knot_stride": apart * self.knots.shape[1], "row_stride": apart * self.rows[0].size}
+        given |= {"samples": len(self.work.times)}
+        return {name: given[name] for name in LANE_ARGUMENTS}
+
+
+class SideBySide:
+    """As many lanes as go at once, in the room of their thread; where they are fewer, the others are over at once."""
+
+    def __init__(self, room: Room, lanes: range) -> None:
+        self.room, self.work, self.lanes = room, room.work, lanes
+        starts, status = self.work.inputs.starts[lanes.start : lanes.stop], room.cell("status")
+        room.take([min(lane, lanes.stop - 1) for lane in range(lanes.start, lanes.start + WIDTH)])
+        status[: len(lanes)][~np.isfinite(starts).all(axis=1)] = float(Status.DIVERGED)
+        status[len(lanes) :] = float(Status.FINISHED)
+        self.work.states[self.work.places[lanes.start : lanes.stop], 0] = starts
+
+    def advance(self, steps: int) -> None:
+        """Do at most so many steps."""
+        self.room.advance(steps)
+
+    @property
+    def going(self) -> bool:
+        """Whether any lane may go on."""
+        room, most = self.room, self.work.settings.max_steps
+        running = room.cell("status") == float(Status.RUNNING)
+        return bool((running & (room.cell("steps") + room.cell("rejected") < most)).any())
+
+    @property
+    def times(self) -> Any:
+        """How far each lane came [s]."""
+        return self.room.cell("t")[: len(self.lanes)]
+
+    def ended(self, seconds: float) -> list[Trajectory]:
+        """Each run as it stands, after so much time of computing [s]."""
+        finished = (self.room.cell("status") == float(Status.FINISHED)).tolist()
+        counts = dict(zip(COUNTS, (self.room.cell(name).tolist() for name in COUNTS), strict=True))
+        like: Trajectory | None = None
+        runs = []
+        for place, lane in enumerate(self.lanes):
+            if like is not None and finished[place]:
+                runs.append(self._finished(lane, like, {name: values[place] for name, values in counts.items()}))
+                continue
+            runs.append(told(self._run(place, lane), seconds))
+            like = runs[-1] if finished[place] else like
+        return runs
+
+    def _finished(self, lane: int, like: Trajectory, counts: dict[str, float]) -> Trajectory:
+        """What most lanes come to, in short: all the same words."""
+        return Trajectory(like.times, self.work.states[self.work.places[lane]], like.status, like.message, counts)
+
+    def _run(self, place: int, lane: int) -> NativeRun:
+        run = lane_run(self.work, lane)
+        run.memory[:] = self.room.memory[: len(CELLS), place]
+        run.state[:] = self.room.state[:, place]
+        return run
+
+
+def _options(s: Integration) -> dict[str, float]:
+    """Those of the native loop, in its order; ``chunk`` is set for each call."""
+    told = {"step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "most": s.max_steps, "chunk": 0}
+    told |= {"bound": BOUND, "most_events": native_run.MOST_EVENTS, "event_time": native_run.EVENT_TIME}
+    return {name: float(told[name]) for name in LANE_OPTIONS}
+
+
+def _scratch_size(library: Any, method: str) -> int:
+    size = np.zeros(1)
+    library[f"{method}.work"](size.ctypes.data)
+    return int(size[0])

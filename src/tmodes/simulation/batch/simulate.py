@@ -1,0 +1,110 @@
+"""Many runs of one structure: the same native code, with other numbers in each lane."""
+
+from __future__ import annotations
+
+import os
+from collections.abc import Callable, Sequence
+from pathlib import Path
+from typing import Any, Protocol, TypedDict
+
+import numpy as np
+from numpy.typing import ArrayLike
+
+from tmodes.compile.lanes.lanes_loop import LANE_METHODS
+from tmodes.compile.loops.loops import EXPLICIT
+from tmodes.errors import InputError
+from tmodes.integrate.settings import Integration, Method, refuse_stops
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.result import BatchRun, gathered
+from tmodes.simulation.batch.store import load_batch, room_for, write_batch
+from tmodes.simulation.batch.work import Work, inputs
+from tmodes.simulation.batch.workers import run_all, thread_count
+from tmodes.simulation.trajectory import sample_times
+
+__all__ = ["Batched", "How", "Schedules", "prepare_loops", "simulate_lanes"]
+
+
+Schedules = Schedule | Sequence[Schedule]
+"""What moves each robot of a batch, or all of them."""
+
+
+class Batched(Protocol):
+    """What a model has that many runs can go of at once."""
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
+        ...
+
+    @property
+    def batch_widths(self) -> dict[str, int]:
+        """Numbers that compiled code reads of ``parameters``, of ``states`` and of a row of ``schedules``."""
+        ...
+
+    @property
+    def loops(self) -> Any:
+        """The native time loop of each method, by its name."""
+        ...
+
+    @property
+    def lane_loops(self) -> Any:
+        """Those over robots side by side."""
+        ...
+
+
+class How(TypedDict, total=False):
+    """How a batch runs, which changes no bit of it; the words are those of :func:`simulate_lanes`."""
+
+    threads: int | None
+    out: str | os.PathLike[str] | None
+    progress: Callable[[float], None]
+
+
+def simulate_lanes(
+    model: Batched,
+    parameters: ArrayLike,
+    schedules: Schedules,
+    states: ArrayLike,
+    settings: Integration,
+    *,
+    threads: int | None = None,
+    out: str | os.PathLike[str] | None = None,
+    progress: Callable[[float], None] = lambda share: None,
+) -> BatchRun:
+    """Run k robots of one structure, with ``parameters`` (k, size), from ``states`` (k, nx) on, by k schedules.
+
+    What is given once is the same for all. By the methods of :data:`tmodes.compile.lanes.lanes_loop.LANE_METHODS`
+    some robots run side by side, each with steps of its own; by others they run one by one; where none is named it is
+    dormand_prince. No bit of a robot's samples depends on the other robots, on their number or on ``threads`` (None:
+    one for each core). A run that cannot go on keeps what it had and disturbs no other: look at ``status`` and
+    ``message``. ``out``: an empty folder for the samples, where they are too many for memory. ``progress`` is told the
+    share that is done. Ctrl-C ends all with what they have (``interrupted``).
+
+    Raises :class:`tmodes.errors.InputError` for shapes that do not agree, for a method that the model does not have and
+    for what is too large, and :class:`tmodes.errors.ResultFileError` for a folder that cannot be written.
+    """
+    if settings.method is Method.AUTO:
+        settings = settings.chosen(Method.DORMAND_PRINCE)
+    refuse_stops(settings, "all lanes of a batch run")
+    lanes = inputs(parameters, schedules, states, settings.duration, model.batch_widths)
+    count, times = thread_count(threads), sample_times(settings)
+    prepare_loops(model, settings.method)
+    folder = None if out is None else Path(out)
+    with room_for((lanes.size, len(times), lanes.starts.shape[1]), folder) as room:
+        work = Work(model, lanes, settings, times, room, np.arange(lanes.size))
+        runs = run_all([work], count, progress)
+        batch = gathered(model.coordinates, times, room, [runs[lane] for lane in range(lanes.size)])
+    if folder is None:
+        return batch
+    write_batch(batch, folder)
+    return load_batch(folder)
+
+
+def prepare_loops(model: Batched, method: Method) -> None:
+    """Compile once, before the threads want the loops; refuses a method that the model has no loop of."""
+    loops = model.lane_loops if method.value in LANE_METHODS else model.loops
+    try:
+        loops[method.value]
+    except KeyError:
+        expected, mend = f"one of {', '.join(EXPLICIT)}", "this model has no implicit steps: take an explicit method"
+        raise InputError("integration.method", method.value, expected, mend) from None

@@ -1,0 +1,162 @@
+"""ArmRun: an arm's motion as arrays of numbers, frozen; and how it is gathered from a trajectory."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.energy import largest_flow
+from tmodes.chain.chain import Chain
+from tmodes.equations.loop.plan import BROUGHT_IN, WORKS
+from tmodes.model.evaluator import Rows
+from tmodes.model.model import ArmModel, PointMotion
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.plan import Planned
+from tmodes.simulation.start import ArmRegime
+from tmodes.simulation.trajectory import ErrorEstimate, Trajectory
+
+if TYPE_CHECKING:
+    from tmodes.sheet import Arm
+
+__all__ = ["ArmRun", "bytes_per_sample", "energies_of", "gathered"]
+
+Array = NDArray[np.float64]
+
+_CHUNK = 20_000
+
+
+@dataclass(frozen=True, eq=False)
+class ArmRun:
+    """A motion of an arm at n samples, SI units.
+
+    ``planned``: what moves it, and its signals. ``times`` (n,); ``q``, ``v``, ``a`` (n, nq) in the order of
+    ``coordinates``. Of the drives, in the order of ``drives`` (their joints): ``effort`` (n, drives), of the motor
+    after the reducer, or of the joint without a motor; ``voltage`` and ``current``, 0 where there is no electric side;
+    ``wanted``, the value of the drive's signal; ``gear_torque``, 0 where no gear is elastic. ``points``: motion of the
+    named points. ``contact_force`` (n, 3), by the point on the surface; ``contact_normal`` (n,) its part into the
+    surface; ``penetration`` (n,) [m]; None without contact. ``base`` (n, 24): acceleration less gravity (6) and rate
+    (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind: works of
+    ``motor``, ``loads`` and ``base`` are brought in, the others taken out; ``energy_balance`` (n,): what is there less
+    what came in, plus what went out. ``reference``: the same of the nominal arm whose motors are where they should be;
+    None where no such motion is possible. ``states`` (n, size) as they were integrated, by ``regime``, and their
+    ``error``; None where that is not known. ``seconds`` of computing for each simulated second.
+    """
+
+    arm: Arm
+    planned: Planned
+    chain: Chain
+    model: ArmModel
+    drives: tuple[str, ...]
+    times: Array
+    q: Array
+    v: Array
+    a: Array
+    effort: Array
+    voltage: Array
+    current: Array
+    wanted: Array
+    gear_torque: Array
+    points: PointMotion
+    contact_force: Array | None
+    contact_normal: Array | None
+    penetration: Array | None
+    base: Array
+    energies: dict[str, Array]
+    works: dict[str, Array]
+    status: str
+    message: str
+    warnings: tuple[str, ...] = ()
+    statistics: dict[str, Any] = field(default_factory=dict)
+    reference: ArmRun | None = None
+    states: Array = field(default_factory=lambda: np.zeros((0, 0)))
+    regime: ArmRegime | None = None
+    error: ErrorEstimate | None = None
+    seconds: float = 0.0
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """Names of the coordinates."""
+        return self.model.coordinates
+
+    @property
+    def energy_balance(self) -> Array:
+        """Residual of the energy balance at each sample [J], shape (n,)."""
+        total = np.sum([*self.energies.values()], axis=0)
+        brought = np.sum([self.works[name] for name in WORKS[:BROUGHT_IN]], axis=0)
+        taken = np.sum([self.works[name] for name in WORKS[BROUGHT_IN:]], axis=0)
+        return total - total[0] - brought + taken
+
+    @property
+    def energy_moved(self) -> float:
+        """The largest change of any kind of energy, or work of any kind, within the run [J]."""
+        return largest_flow(np.column_stack([*self.energies.values()]), np.column_stack([*self.works.values()]))
+
+
+def bytes_per_sample(model: LoopModel) -> int:
+    """Memory that one sample takes while a run is gathered [bytes]."""
+    n, points, drives = len(model.coordinates), len(model.loop.parts.points), len(model.loop.drivers)
+    return 8 * (2 * model.layout.size + 9 * n + 12 * drives + 60 * points + 80 + model.plan.row_size)
+
+
+def gathered(regime: ArmRegime, trajectory: Trajectory, rows: Array | None = None) -> ArmRun:
+    """All that a run shows, of the samples of its trajectory; ``rows`` (n, row) where they are not the schedule's."""
+    plan, loop = regime.planned, regime.model
+    times, states = trajectory.times, trajectory.states
+    rows = plan.schedule.rows_at(times) if rows is None else rows
+    seen = _observed(loop, times, states, rows)
+    model = ArmModel(plan.chain)
+    q, v, a = seen["q"], seen["v"], seen["a"]
+    drives = seen["drives"]
+    gravity = np.asarray(plan.chain.gravity, dtype=float)
+    base = seen["base"]
+    moving = base.copy()
+    moving[:, 3:6] += base[:, 9:18].reshape(-1, 3, 3).transpose(0, 2, 1) @ gravity
+    contact = seen["contact"] if plan.plan.touch else None
+    works = states[:, loop.layout.works]
+    return ArmRun(
+        arm=regime.arm, planned=plan, chain=plan.chain, model=model,
+        drives=tuple(drive.joint for drive in plan.plan.drives), times=times, q=q, v=v, a=a,
+        effort=drives[:, :, 0], voltage=drives[:, :, 1], current=drives[:, :, 2], wanted=drives[:, :, 3],
+        gear_torque=seen["gear"], points=model.points(q, v, a, base=moving),
+        contact_force=None if contact is None else contact[:, :3],
+        contact_normal=None if contact is None else contact[:, 3],
+        penetration=None if contact is None else contact[:, 4],
+        base=base, energies=energies_of(regime, model, q, v, base),
+        works={name: works[:, k] for k, name in enumerate(WORKS)},
+        status=trajectory.status, message=trajectory.message, statistics=dict(trajectory.statistics),
+        states=states, regime=regime, error=trajectory.error, seconds=trajectory.seconds,
+    )  # fmt: skip
+
+
+def _observed(loop: LoopModel, times: Array, states: Array, rows: Array) -> dict[str, Array]:
+    pieces = [
+        loop.observe(times[k : k + _CHUNK], states[k : k + _CHUNK], rows[k : k + _CHUNK])
+        for k in range(0, len(times), _CHUNK)
+    ]
+    return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
+
+
+def energies_of(regime: ArmRegime, model: ArmModel, q: Array, v: Array, base: Array) -> dict[str, Array]:
+    """Energies by kind [J]; the motion of the base and rotors that follow their signals have theirs too."""
+    energies = model.energies(q, v)
+    if regime.planned.plan.base:
+        energies |= _moved(model, q, v, base)
+    for driver in regime.model.loop.drivers:
+        motor = driver.part.node.joint.motor
+        if driver.part.given >= 0 and motor:
+            energies["kinetic"] = energies["kinetic"] + motor.inertia * v[:, driver.part.angle] ** 2 / 2
+    return energies
+
+
+def _moved(model: ArmModel, q: Array, v: Array, base: Array) -> dict[str, Array]:
+    """Kinetic energy and that of gravity on a base that moves: half of the rates times their momenta."""
+    turned = base[:, 9:18].reshape(-1, 3, 3)
+    velocity = np.einsum("nji,nj->ni", turned, base[:, 21:24])
+    rates = np.column_stack([base[:, 6:9], velocity])
+    row = np.column_stack([rates, np.zeros((len(q), 3)), base[:, 9:21], np.zeros((len(q), 3))])
+    found = model.passes.inertia(Rows(q, np.zeros_like(v), model.nq), v, row, None)
+    kinetic = ((found["forces"] * v).sum(axis=1) + (found["base_force"] * rates).sum(axis=1)) / 2
+    return {"kinetic": kinetic, "gravity": -found["moment"] @ np.asarray(model.chain.gravity, dtype=float)}

@@ -1,0 +1,200 @@
+"""The arrays that a native time loop works on, and what they tell: how a run goes on, how it ended, what it took."""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
+from tmodes.integrate.settings import FIXED_STEP, Integration, Method
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.endings import Lost, chattered, used_up
+from tmodes.simulation.method_change import COUNTED, MethodChange
+from tmodes.simulation.parts import ErrorEstimate, Moving, Numbers, Trajectory, sample_times
+
+__all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
+
+Array = NDArray[np.float64]
+
+BOUND = 1e8
+"""A coordinate [rad] or rate [rad/s] beyond this is no motion any more: the run has diverged."""
+
+MOST_EVENTS, EVENT_TIME = 1000, 1e-3
+"""A contact that sets in and ends more often than this within this time [s] chatters: no motion gets through that."""
+
+_TELLING = {Method.DORMAND_PRINCE, Method.DOP853, Method.EXTRAPOLATION, Method.ROSENBROCK}
+"""Methods whose loops sum their local errors."""
+
+
+class NativeRun:
+    """One run, advanced piece by piece: its settings, the memory of its loop, and its samples."""
+
+    def __init__(
+        self,
+        model: Moving,
+        parameters: Numbers,
+        schedule: Schedule,
+        state: Array,
+        settings: Integration,
+        samples: Array | None = None,
+        otherwise: Integration | None = None,
+    ) -> None:
+        """``otherwise``: the settings to go on with where the motion turns out stiff.
+
+        ``samples``: where the samples are written, (samples, size), C-ordered; by default an array of its own.
+        """
+        self.first, self.parameters, self.model = settings, parameters, model
+        self.change = MethodChange(settings, otherwise)
+        self.parts = self.change.kept
+        self.times = sample_times(settings)
+        self.knots = np.ascontiguousarray(schedule.knots)
+        self.rows = np.ascontiguousarray(np.column_stack([schedule.knots[:-1], schedule.coefficients]))
+        self.memory, self.slope = np.zeros(len(CELLS)), np.zeros(len(state))
+        self.state = np.array(state, dtype=float)
+        self.samples = np.zeros((len(self.times), len(self.state))) if samples is None else samples
+        self.samples[0] = self.state
+        self.errors, self.errors_out = np.zeros(len(state)), np.zeros_like(self.samples)
+        self.looks, self.seen = 0.0, np.zeros(1)
+        self._put(sample=1.0, fresh=1.0, old_error=1e-4)
+
+    def cell(self, name: str) -> float:
+        """A number of the loop's memory."""
+        return float(self.memory[CELLS.index(name)])
+
+    def _put(self, **values: float) -> None:
+        for name, value in values.items():
+            self.memory[CELLS.index(name)] = value
+
+    @property
+    def settings(self) -> Integration:
+        """Those of the present part of the run."""
+        return self.change.settings
+
+    @property
+    def status(self) -> Status:
+        """As the loop left it."""
+        return Status(int(self.cell("status")))
+
+    @property
+    def running(self) -> bool:
+        """Whether something is left to do."""
+        return self.status is Status.RUNNING
+
+    @property
+    def done(self) -> int:
+        """Number of samples written."""
+        return int(self.cell("sample"))
+
+    @property
+    def loop(self) -> Any:
+        """The native loop of the present part of the run."""
+        return self.model.loops[self.settings.method.value]
+
+    def advance(self, steps: int) -> None:
+        """Let the native loop do at most so many steps, and no more than the settings allow."""
+        steps = min(steps, max(1, self.first.max_steps - int(self.cell("steps") + self.cell("rejected"))))
+        values = self.arguments(self.change.most(steps, self.cell)).values()
+        self.loop(*(value if isinstance(value, int) else value.ctypes.data for value in values))
+        if self.status is Status.STIFF:
+            self._put(status=float(Status.RUNNING), **self.change.switched(self.cell))
+        elif self.running:
+            self._put(**self.change.judged(self.cell))
+
+    def arguments(self, steps: int) -> dict[str, Any]:
+        """Those of the native loop, for at most so many steps: arrays, and whole numbers."""
+        s = self.settings
+        watch = self.change.possible and self.cell("stiff_time") == 0
+        chosen = {
+            "step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "chunk": float(steps),
+            "bound": BOUND, "watch": float(watch), "most_events": MOST_EVENTS, "event_time": EVENT_TIME,
+            "looks": self.looks,
+        }  # fmt: skip
+        given: dict[str, Any] = {
+            "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
+            "rows": self.rows, "times": self.times, "out": self.samples, "errors": self.errors,
+            "errors_out": self.errors_out, "seen": self.seen, "segments": len(self.rows), "samples": len(self.times),
+            "options": np.array([chosen[name] for name in OPTIONS], dtype=float),
+        }  # fmt: skip
+        return {name: given[name] for name in ARGUMENTS}
+
+    def exhausted(self, seconds: float) -> str:
+        """Why the run may not go on, or nothing."""
+        s, t = self.first, self.cell("t")
+        if self.cell("steps") + self.cell("rejected") >= s.max_steps:
+            return used_up(t, s.duration, "max_steps", f"{s.max_steps}")
+        if seconds >= s.max_wall_time:
+            return used_up(t, s.duration, "max_wall_time", f"{s.max_wall_time:g} s")
+        return ""
+
+    def record(self) -> dict[str, Array]:
+        """All that the run needs to go on."""
+        return {
+            "memory": self.memory, "state": self.state, "slope": self.slope, "parts": self.parts,
+            "errors": self.errors, "samples": self.samples[: self.done], "errors_out": self.errors_out[: self.done],
+        }  # fmt: skip
+
+    def resume(self, record: dict[str, Array]) -> None:
+        """Go on where a record ends."""
+        self.memory[:], self.state[:], self.slope[:] = record["memory"], record["state"], record["slope"]
+        self.parts[:], self.errors[:] = record["parts"], record["errors"]
+        self.samples[: self.done], self.errors_out[: self.done] = record["samples"], record["errors_out"]
+        if self.status is Status.STOPPED_BY_CONDITION:
+            self.times[self.done - 1] = self.cell("t")
+
+    def stop_at(self, time: float, state: Array) -> None:
+        """End the run at a time [s] within its last step: there its last sample is."""
+        self.state[:] = state
+        near = time - 1e-9 * self.first.output_step  # as close to a sample, it takes its place
+        done = max(int(np.searchsorted(self.times, near)), int(time > 0))
+        self.times[done], self.samples[done], self.errors_out[done] = time, state, self.errors
+        self._put(t=time, sample=done + 1.0, status=float(Status.STOPPED_BY_CONDITION))
+
+    def end(self) -> Trajectory:
+        """The run after its loop ended by itself."""
+        return self.trajectory(*self._ending())
+
+    def trajectory(self, status: str, message: str) -> Trajectory:
+        """The run so far; its error is told where the loops of all its parts sum their local errors.
+
+        The error of a motion that was lost is not known.
+        """
+        samples, error = slice(self.done), None
+        if status != "diverged" and self.errors.any() and {self.first.method, self.settings.method} <= _TELLING:
+            error = ErrorEstimate(self.errors_out[samples], "sum of the local errors", signed=False)
+        return Trajectory(self.times[samples], self.samples[samples], status, message, self.statistics(), error)
+
+    def _ending(self) -> tuple[str, str]:
+        if self.status is Status.FINISHED:
+            return (
+                "finished",
+                f"reached the end, t = {self.first.duration:g} s{self.change.words(self.cell('stiff_time'))}",
+            )
+        if self.status is Status.CHATTERING:
+            return chattered(self.cell("t"), MOST_EVENTS, EVENT_TIME)
+        names = self.model.coordinates
+        accelerations = self._rates_now()[len(names) : 2 * len(names)]
+        return Lost(self.cell("t"), self.cell("h"), accelerations, names, BOUND).told(self.status)
+
+    def statistics(self) -> dict[str, Any]:
+        """What the run took, and how; the smallest step is that of all which no knot cut short [s]."""
+        steps, t = self.cell("steps"), self.cell("t")
+        told: dict[str, Any] = {name: int(self.cell(name)) for name in COUNTED}
+        told |= {"method": self.settings.method.value, "mean_step_s": t / steps if steps else None}
+        told["smallest_step_s"] = self.change.smallest(self.cell) or told["mean_step_s"]
+        if self.settings.method in FIXED_STEP:
+            told["step"] = self.cell("h")
+        if self.cell("passes"):
+            told["passes"] = int(self.cell("passes"))
+        if self.cell("events"):
+            told["contact_changes"] = int(self.cell("events"))
+        if self.cell("stiff_time") > 0:
+            told["stiff_from_s"] = self.cell("stiff_time")
+        if self.change.parts > 1:
+            told["parts"] = self.change.told(self.cell)
+        return told
+
+    def _rates_now(self) -> Array:
+        segment = min(int(self.cell("segment")), len(self.rows) - 1)
+        return self.model.rate([self.cell("t")], self.state, self.rows[segment], self.parameters)[0]

@@ -1,0 +1,196 @@
+"""From the data sheet of an arm to what happens in a run: the plan of the closed loop, and its signals over time."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from dataclasses import dataclass, field, replace
+from enum import StrEnum
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+
+from tmodes.chain.chain import Beam, Chain, Drive, Joint, JointKind, Motor
+from tmodes.equations.loop.contact_kernels import Surface, Touch
+from tmodes.equations.loop.control_kernels import Servo, Winding
+from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan
+from tmodes.errors import InputError
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.kinds.signals.signals import Constant, MergedSchedule, merge
+from tmodes.sheet.contact import Ball, ContactLaw, Plane
+from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
+
+if TYPE_CHECKING:
+    from tmodes.sheet import Arm
+
+__all__ = ["Follow", "Planned", "initial_value", "planned"]
+
+
+class Follow(StrEnum):
+    """Which drives follow their signals exactly."""
+
+    SHEET = "sheet"  # those that the sheet says
+    WANTED = "wanted"  # every position: the reference run, in which all motors are where they should be
+    HELD = "held"  # none: all stand where they are at first, and so does the base
+
+
+@dataclass(frozen=True, eq=False)
+class Planned:
+    """A chain in a run, its plan, and its signals; ``undriven`` joints are held at their first value.
+
+    ``signals``: all on common knots; ``each``: what the sheet says of them, one by one.
+    """
+
+    chain: Chain
+    plan: LoopPlan
+    schedule: Schedule
+    signals: MergedSchedule
+    undriven: tuple[str, ...]
+    each: tuple[Any, ...] = ()
+
+
+@dataclass(eq=False)
+class _Signals:
+    """Schedules of signals, each with its number."""
+
+    until: float
+    schedules: list[Schedule]
+    told: list[Any] = field(default_factory=list)
+
+    def add(self, signal: Any, path: str) -> int:
+        self.told.append(signal)
+        try:
+            self.schedules.append(signal.schedule(self.until))
+        except InputError as error:
+            raise InputError(f"{path}.{error.which}", error.got, error.expected, error.mend, error.where) from error
+        return len(self.schedules) - 1
+
+
+def planned(arm: Arm, follow: Follow = Follow.SHEET) -> Planned:
+    """The plan of an arm's run over ``integration.duration``.
+
+    Raises :class:`tmodes.errors.InputError` for a signal without a value, and for a contact that cannot be.
+    """
+    signals = _Signals(arm.integration.duration, [])
+    sheets = {drive.joint: (index, drive) for index, drive in enumerate(arm.drives)}
+    chain = arm.model_copy(update={"drives": ()}).chain()  # every joint with its motor, none prescribed
+    drives, joints, undriven = [], {}, []
+    for node in chain.nodes:
+        joint = node.joint
+        if joint.kind is JointKind.FIXED or joint.drive is Drive.SPRING:
+            continue
+        index, sheet = sheets.get(joint.name, (-1, None))
+        if sheet is None:
+            undriven.append(joint.name)
+        plan = _drive(arm, joint, index, sheet, signals, follow)
+        drives.append(plan)
+        joints[joint.name] = replace(joint, drive=_kind(joint, plan))
+    nodes = tuple(replace(node, joint=joints.get(node.joint.name, node.joint)) for node in chain.nodes)
+    chain = replace(chain, nodes=nodes)
+    names = [point.name for point in chain.points]
+    loads = tuple(_loads(arm, names, signals))
+    base = () if follow is Follow.HELD else tuple(_base(arm, signals))
+    touch = _touch(arm, chain, names)
+    merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
+    rows = merged.coefficients.reshape(len(merged.coefficients), -1)
+    plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base)
+    return Planned(chain, plan, Schedule(merged.knots, rows), merged, tuple(undriven), tuple(signals.told))
+
+
+def _nothing(until: float) -> MergedSchedule:
+    return MergedSchedule(np.array([0.0, until]), np.zeros((1, 0, 1)))
+
+
+def initial_value(arm: Arm, joint: str) -> float:
+    """Where a joint's motor is at time 0: as `initial` says, else its first wanted position, else 0."""
+    told = arm.initial.coordinates
+    for name in (f"{joint}.motor", joint):
+        if name in told:
+            return told[name]
+    sheet = next((drive for drive in arm.drives if drive.joint == joint), None)
+    if sheet and sheet.command in (Command.POSITION, Command.PRESCRIBED):
+        return float(sheet.signal.schedule(arm.integration.duration).at(0.0))
+    return 0.0
+
+
+def _drive(
+    arm: Arm, joint: Joint, index: int, sheet: DriveSheet | None, signals: _Signals, follow: Follow
+) -> DrivePlan:
+    winding, numbers = _winding(joint.motor)
+    command = sheet.command if sheet else Command.PRESCRIBED
+    exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command is Command.POSITION)
+    if sheet is None or follow is Follow.HELD:
+        held = Constant(type="constant", value=initial_value(arm, joint.name))
+        return DrivePlan(joint.name, signals.add(held, "initial"), None, winding, (0.0, 0.0, *numbers))
+    signal = signals.add(sheet.signal, f"drives.{index}.signal")
+    if exact:
+        return DrivePlan(joint.name, signal, None, winding, (0.0, 0.0, *numbers))
+    gains = (sheet.controller.position_gain, sheet.controller.velocity_gain) if sheet.controller else (0.0, 0.0)
+    driven = winding is not Winding.NONE and command in (Command.POSITION, Command.VOLTAGE)
+    servo = Servo(controlled=command is Command.POSITION, driven=driven, winding=winding)
+    return DrivePlan(joint.name, signal, servo, winding, (*gains, *numbers))
+
+
+def _kind(joint: Joint, plan: DrivePlan) -> Drive:
+    """An elastic gear keeps its motor's coordinate, moved as given or by a servo; a rigid one has none."""
+    if joint.drive is Drive.ELASTIC:
+        return Drive.ELASTIC
+    return Drive.PRESCRIBED if plan.servo is None else Drive.EFFORT
+
+
+def _winding(motor: Motor | None) -> tuple[Winding, tuple[float, ...]]:
+    """Electric side of a motor, and R, CE, CM, L."""
+    if motor is None or motor.resistance is None:
+        return Winding.NONE, (1.0, 0.0, 1.0, 0.0)
+    kind = Winding.INDUCTANCE if motor.inductance else Winding.RESISTANCE
+    return kind, (motor.resistance, motor.back_emf, motor.torque_constant, motor.inductance)
+
+
+def _loads(arm: Arm, names: list[str], signals: _Signals) -> Iterator[LoadPlan]:
+    for index, load in enumerate(arm.loads):
+        signal = signals.add(load.signal, f"loads.{index}.signal") if load.signal else -1
+        wrench = (*map(float, load.force), *map(float, load.moment))
+        yield LoadPlan(names.index(load.point), load.frame is LoadFrame.SECTION, wrench, signal)
+
+
+def _base(arm: Arm, signals: _Signals) -> Iterator[int]:
+    if arm.base_motion is None:
+        return
+    still = Constant(type="constant", value=0.0)
+    for name in ("x", "y", "z", "roll", "pitch", "yaw"):
+        yield signals.add(getattr(arm.base_motion, name) or still, f"base_motion.{name}")
+
+
+def _touch(arm: Arm, chain: Chain, names: list[str]) -> TouchPlan | None:
+    sheet = arm.contact
+    if sheet is None:
+        return None
+    point = names.index(sheet.point)
+    told = chain.points[point]
+    unilateral = sheet.law is ContactLaw.UNILATERAL
+    if sheet.mass > 0:
+        mend = "remove `mass`, or take the law `bilateral`"
+        if unilateral:
+            raise InputError("contact.mass", f"{sheet.mass:g} kg", "no mass of a surface that only pushes", mend)
+        if told.s < 1 and isinstance(chain.nodes[told.node].link, Beam):
+            raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", mend)
+    surface, first, reach = _surface(sheet.shape)
+    law = (sheet.mass, sheet.damping, sheet.stiffness, sheet.preload, sheet.friction, sheet.friction_velocity or 1.0)
+    numbers = (*first, reach, *law, *map(float, chain.gravity))
+    kind = Touch(surface, unilateral, rough=sheet.friction > 0)
+    return TouchPlan(point, kind, tuple(map(float, numbers)), has_mass=sheet.mass > 0)
+
+
+def _surface(shape: Any) -> tuple[Surface, tuple[float, ...], float]:
+    """Kind, direction into it or center, and distance from the origin along the direction or radius."""
+    if isinstance(shape, Ball):
+        return (Surface.BOWL if shape.inside else Surface.BALL), tuple(shape.center), shape.radius
+    if isinstance(shape, Plane):
+        normal = np.array(shape.normal, dtype=float)
+        into = -normal / np.linalg.norm(normal)
+        return Surface.PLANE, tuple(into), float(into @ np.array(shape.position))
+    return Surface.PLANE, (float(np.cos(shape.heading)), float(np.sin(shape.heading)), 0.0), shape.distance
+
+
+def starts_at_rest(arm: Arm) -> bool:
+    """Whether a run begins in static equilibrium."""
+    return arm.initial.state is InitialState.REST

@@ -1,0 +1,177 @@
+"""What stop conditions may name of an arm in a run, by name and with units; and its limits as conditions."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from functools import partial
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.chain.chain import JointKind
+from tmodes.equations.lagrange.layout import ENERGIES
+from tmodes.model.model import ArmModel, PointMotion
+from tmodes.sheet import Arm
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.motion_run import energies_of
+from tmodes.simulation.plan import planned
+from tmodes.simulation.start import ArmRegime
+from tmodes.simulation.stops import Instants, Quantity, Stop, Stops, resolved
+
+__all__ = ["arm_quantities", "arm_stops", "refuse_wrong_stops"]
+
+Array = NDArray[np.float64]
+
+_AXES = ("x", "y", "z")
+_DRIVEN = ("effort", "voltage", "current")
+
+
+def arm_stops(regime: ArmRegime, more: tuple[str, ...] = ()) -> Stops:
+    """The stop conditions of an arm's sheet, ``more`` of them, and its limits where they end a run.
+
+    Raises :class:`tmodes.errors.InputError` as :func:`tmodes.simulation.stops.resolved`.
+    """
+    settings = regime.arm.integration
+    if not (settings.stop or more or settings.stop_at_limits):
+        return Stops()
+    known = arm_quantities(regime)
+    limits = tuple(_limits(regime, known)) if settings.stop_at_limits else ()
+    return Stops((*resolved(settings.stop, known), *resolved(more, known, "stop"), *limits))
+
+
+def refuse_wrong_stops(arm: Arm) -> None:
+    """Refuse what :func:`arm_stops` refuses, without a state to start from; nothing is compiled for it.
+
+    Raises :class:`tmodes.errors.InputError`.
+    """
+    if arm.integration.stop:
+        plan = planned(arm)
+        arm_stops(ArmRegime(arm, plan, LoopModel(plan.plan), np.zeros(0)))
+
+
+def arm_quantities(regime: ArmRegime) -> dict[str, Quantity]:
+    """The quantities by name: coordinates, drives, named points, contact and energies."""
+    seen = _Seen(regime)
+    return {**_coordinates(regime), **_drives(regime, seen), **_points(seen), **_others(regime, seen)}
+
+
+class _Seen:
+    """What an arm shows at instants; kept for those asked for last, because several conditions look at the same."""
+
+    def __init__(self, regime: ArmRegime) -> None:
+        self.regime, self.loop = regime, regime.model
+        self.model = ArmModel(regime.planned.chain)
+        self._last: dict[str, tuple[Instants, object]] = {}
+
+    def _once(self, name: str, at: Instants, make: Callable[[Instants], object]) -> object:
+        if name not in self._last or self._last[name][0] is not at:
+            self._last[name] = (at, make(at))
+        return self._last[name][1]
+
+    def observed(self, at: Instants) -> dict[str, Array]:
+        """As :meth:`tmodes.simulation.loop.LoopModel.observe`."""
+        found = self._once("observed", at, lambda at: self.loop.observe(at.times, at.states, at.rows))
+        assert isinstance(found, dict)  # noqa: S101
+        return found
+
+    def points(self, at: Instants) -> PointMotion:
+        """Motion of the named points; their accelerations are left out."""
+        layout = self.loop.layout
+        base = self.observed(at)["base"]
+        q, v = at.states[:, layout.q], at.states[:, layout.v]
+        found = self._once("points", at, lambda at: self.model.points(q, v, 0.0, base=base))
+        assert isinstance(found, PointMotion)  # noqa: S101
+        return found
+
+    def energies(self, at: Instants) -> dict[str, Array]:
+        """Energies by kind [J]."""
+        layout = self.loop.layout
+        q, v = at.states[:, layout.q], at.states[:, layout.v]
+        base = self.observed(at)["base"]
+        found = self._once("energies", at, lambda at: energies_of(self.regime, self.model, q, v, base))
+        assert isinstance(found, dict)  # noqa: S101
+        return found
+
+
+def _coordinates(regime: ArmRegime) -> dict[str, Quantity]:
+    layout, units = regime.model.layout, _units(regime)
+    found = {}
+    for k, (name, unit) in enumerate(zip(regime.model.coordinates, units, strict=True)):
+        rate = "1/s" if unit == "-" else f"{unit}/s"
+        found[f"{name}.position"] = Quantity(unit, partial(_column, column=layout.q.start + k))
+        found[f"{name}.velocity"] = Quantity(rate, partial(_column, column=layout.v.start + k))
+    return found
+
+
+def _column(at: Instants, column: int) -> Array:
+    return at.states[:, column]
+
+
+def _units(regime: ArmRegime) -> list[str]:
+    """Unit of each coordinate: of a sliding joint m, of a link's stretch none, of all others rad."""
+    nodes = regime.planned.chain.nodes
+    units = dict.fromkeys(regime.model.coordinates, "rad")
+    units |= {name: "-" for name in units if name.rpartition(".")[2].startswith("stretch")}
+    for node in nodes:
+        if node.joint.kind is JointKind.PRISMATIC:
+            units |= {name: "m" for name in (node.joint.name, f"{node.joint.name}.motor") if name in units}
+    return [units[name] for name in regime.model.coordinates]
+
+
+def _drives(regime: ArmRegime, seen: _Seen) -> dict[str, Quantity]:
+    found = {}
+    kinds = {node.joint.name: node.joint.kind for node in regime.planned.chain.nodes}
+    for k, drive in enumerate(regime.planned.plan.drives):
+        effort = "N" if kinds[drive.joint] is JointKind.PRISMATIC else "N*m"
+        for column, (name, unit) in enumerate(zip(_DRIVEN, (effort, "V", "A"), strict=True)):
+            found[f"{drive.joint}.{name}"] = Quantity(
+                unit, lambda at, k=k, column=column: seen.observed(at)["drives"][:, k, column]
+            )
+        found[f"{drive.joint}.gear_torque"] = Quantity(effort, lambda at, k=k: seen.observed(at)["gear"][:, k])
+    return found
+
+
+def _points(seen: _Seen) -> dict[str, Quantity]:
+    found = {}
+    for k, point in enumerate(seen.model.parts.points):
+        for axis, letter in enumerate(_AXES):
+            found[f"{point.name}.{letter}"] = Quantity(
+                "m", lambda at, k=k, axis=axis: seen.points(at).position[:, k, axis]
+            )
+            found[f"{point.name}.velocity.{letter}"] = Quantity(
+                "m/s", lambda at, k=k, axis=axis: seen.points(at).velocity[:, k, axis]
+            )
+        found[f"{point.name}.speed"] = Quantity(
+            "m/s", lambda at, k=k: np.linalg.norm(seen.points(at).velocity[:, k], axis=1)
+        )
+    return found
+
+
+def _others(regime: ArmRegime, seen: _Seen) -> dict[str, Quantity]:
+    found = {f"energy.{name}": Quantity("J", lambda at, name=name: seen.energies(at)[name]) for name in ENERGIES}
+    found["energy.total"] = Quantity("J", lambda at: np.sum([*seen.energies(at).values()], axis=0))
+    if regime.planned.plan.touch:
+        found["contact.force"] = Quantity("N", lambda at: seen.observed(at)["contact"][:, 3])
+        found["contact.penetration"] = Quantity("m", lambda at: seen.observed(at)["contact"][:, 4])
+    return found
+
+
+def _limits(regime: ArmRegime, known: dict[str, Quantity]) -> Iterator[Stop]:
+    """The limits of joints. One is passed where it is by more than the tolerance: a joint may rest at its limit."""
+    settings = regime.arm.integration
+    for joint in regime.arm.joints:
+        limits = joint.limits
+        if limits is None:
+            continue
+        kinds = (
+            ("position", limits.lower, False, False), ("position", limits.upper, True, False),
+            ("velocity", limits.speed, True, True), ("effort", limits.effort, True, True),
+        )  # fmt: skip
+        for kind, limit, above, size in kinds:
+            quantity = known.get(f"{joint.name}.{kind}")
+            if limit is None or quantity is None:
+                continue
+            margin = settings.absolute_tolerance + settings.relative_tolerance * max(1.0, abs(limit))
+            name = f"abs({joint.name}.{kind})" if size else f"{joint.name}.{kind}"
+            text = f"limit of {joint.name}: {name} {'>' if above else '<'} {limit:.9g} {quantity.unit}"
+            yield Stop(text, name, quantity, limit + margin if above else limit - margin, above, size)

@@ -1,0 +1,185 @@
+"""The recorded steps of a run once more: with other numbers, along directions, and in reverse.
+
+The steps stay as they were: their lengths are constants, so derivatives are those of the discrete solution.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Iterator
+from typing import Any, NamedTuple
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.compile.ir.derivative_kernels import LANES
+from tmodes.compile.ir.elimination import aligned
+from tmodes.compile.loops.tape_loop import Table, operations
+from tmodes.compile.replay.replay_frame import ARRAYS, COUNTS
+from tmodes.compile.replay.replay_methods import METHODS, loops_of
+from tmodes.model.derivatives import differentiated
+from tmodes.simulation.recording import Recording
+
+__all__ = ["Gradients", "Replay"]
+
+Array = NDArray[np.float64]
+
+
+class Gradients(NamedTuple):
+    """Derivatives of a sum of weighted samples: by the state at the start, the parameters, the rows (segments, row).
+
+    The first number of a row is the time at which its piece starts.
+    """
+
+    start: Array
+    parameters: Array
+    rows: Array
+
+
+class _Piece(NamedTuple):
+    """Steps that follow one another, their first sample, and the state at the start of each and after the last."""
+
+    steps: slice
+    states: Array
+
+
+class Replay:
+    """Recorded steps of a model whose rates are a ``schedule`` of (time, state, row), with its ``parameters``.
+
+    Steps by extrapolation take a schedule of (time, state, row, step, start), ``pairs`` of whose states are coordinates
+    with their rates.
+    """
+
+    def __init__(self, schedule: Any, parameters: Array, recording: Recording, pairs: int = 0) -> None:
+        self.recording, self.parameters = recording, parameters
+        self._of = differentiated(schedule, ["rate"])
+        self.tape = self._of.tape
+        self._forward, self._settled = (
+            self._of.kept(("values", settled), lambda settled=settled: self.tape.values(settled=settled))
+            for settled in (False, True)
+        )
+        self._tableau, self._pairs = METHODS[recording.method], pairs
+        self._moved = [name for name in ("state", "row", "start") if name in ("state", "row", *self._tableau.inputs)]
+
+    def samples(self, parameters: Array | None = None, start: Array | None = None) -> Array:
+        """The samples (n, size) by the same steps, with other numbers or from another state."""
+        done = self.recording
+        samples, state = np.empty_like(done.samples), done.samples[0] if start is None else np.asarray(start)
+        samples[0] = state
+        values = self._values(self.parameters if parameters is None else parameters)
+        states = np.empty((len(done.t) + 1, len(state)))
+        states[0] = state
+        self._call("again", _Piece(slice(0, len(done.t)), states), values, samples=samples)
+        return samples
+
+    def along(self, start: Array, parameters: Array, rows: Array) -> Array:
+        """Slopes of the samples, (directions, n, size), along directions.
+
+        ``start`` (directions, size), ``parameters`` (directions, parameters), ``rows`` (directions, segments, row).
+        """
+        found = [
+            self._along_lanes(*(_lanes(array[k : k + LANES]) for array in (start, parameters, rows)))
+            for k in range(0, len(start), LANES)
+        ]
+        return np.concatenate(found)[: len(start)]
+
+    def back(self, weights: Array) -> Gradients:
+        """Derivatives of the sum of ``weights`` (n, size) times the samples."""
+        done, tape = self.recording, self.tape
+        table, last = self._tables("back", lambda marks, own, settled: tape.back(marks | own, own, settled=settled))
+        values, slopes = self._values(self.parameters), aligned(tape.size)
+        moved, rows = np.zeros(done.samples.shape[1]), np.zeros_like(done.rows)
+        samples = np.ascontiguousarray(weights, dtype=float)
+        stages = np.zeros((self._tableau.stages, len(moved)))
+        for piece in self._pieces(backwards=True):
+            more = {"moved": moved, "row_slopes": rows, "stage_slopes": stages, "slopes": slopes}
+            self._call("back", piece, values, other=table, samples=samples, **more)
+        _run(last, values[0], slopes)
+        return Gradients(moved + samples[0], slopes[: len(self.parameters)].copy(), rows)
+
+    def _along_lanes(self, start: Array, parameters: Array, rows: Array) -> Array:
+        """Eight directions, the last axis."""
+        done, tape = self.recording, self.tape
+        size, count = len(start), len(self.parameters)
+        slopes = aligned(LANES * tape.size)
+        slopes[: LANES * count] = parameters.ravel()
+        values = self._values(self.parameters)
+        table, first = self._tables(
+            "along", lambda marks, own, settled: tape.along(marks | own, LANES, settled=settled)
+        )
+        _run(first, values[0], slopes)
+        samples = np.empty((len(done.times), size, LANES))
+        samples[0] = start
+        more = {"moved": np.ascontiguousarray(start), "row_slopes": np.ascontiguousarray(rows), "slopes": slopes}
+        stages = np.zeros((self._tableau.stages, size, LANES))
+        for piece in self._pieces():
+            self._call("along", piece, values, LANES, other=table, samples=samples, stage_slopes=stages, **more)
+        return samples.transpose(2, 0, 1)
+
+    def _tables(self, kind: str, make: Callable[[Any, Any, bool], Table]) -> list[Table]:
+        """The tables of what changes in a run, and of what does not, from marks of inputs and of the parameters."""
+        marks = self.tape.marked([self.tape.span(name) for name in self._moved])
+        own = self.tape.marked([(0, len(self.parameters))])
+        return [
+            self._of.kept((kind, settled), lambda settled=settled: make(marks, own, settled))
+            for settled in (False, True)
+        ]
+
+    def _values(self, parameters: Array) -> Array:
+        """Memory of the evaluations that are kept at once, with what does not change in a run."""
+        values = np.zeros((self._tableau.memory, self.tape.size))
+        values[0, : len(parameters)] = parameters
+        _run(self._settled, values[0], np.empty(0))
+        values[1:] = values[0]
+        return values
+
+    def _pieces(self, *, backwards: bool = False) -> Iterator[_Piece]:
+        """Steps between two kept states, with all states, one piece at a time."""
+        done = self.recording
+        if done.every == 1:
+            yield _Piece(slice(0, len(done.t)), done.kept)
+            return
+        values, samples = self._values(self.parameters), np.empty_like(done.samples)
+        for k in range(len(done.kept))[:: -1 if backwards else 1]:
+            steps = slice(k * done.every, min((k + 1) * done.every, len(done.t)))
+            states = np.empty((steps.stop - steps.start + 1, samples.shape[1]))
+            states[0] = done.kept[k]
+            piece = _Piece(steps, states)
+            self._call("again", piece, values, samples=samples)
+            yield piece
+
+    def _call(
+        self, loop: str, piece: _Piece, values: Array, lanes: int = 1, *, other: Table | None = None, **arrays: Array
+    ) -> None:
+        """Call a native loop for some steps."""
+        done, tape, tableau, steps = self.recording, self.tape, self._tableau, piece.steps
+        table = other or self._forward
+        place = {f"{name}_at": tape.span(name)[0] for name in ("time", "state", "row", *tableau.inputs)}
+        counts = {
+            "steps": steps.stop - steps.start, "size": done.samples.shape[1], "row": done.rows.shape[1],
+            "stages": tableau.stages, "values": values.shape[1], "out_at": tape.end, "lanes": lanes,
+            "slopes_out_at": lanes * tape.end, "forward_rows": self._forward.rows, "other_rows": table.rows,
+            "pairs": self._pairs, **place,
+        }  # fmt: skip
+        given = {
+            "counts": np.array([counts.get(name, 0) for name in COUNTS], dtype=np.int64),
+            "segments": done.segments[steps], "used": done.used[steps],
+            "first_sample": done.first_sample[steps.start : steps.stop + 1], "forward": self._forward.words,
+            "other": table.words, "t": done.t[steps], "h": done.h[steps], "y": piece.states, "rows": done.rows,
+            "a": tableau.a, "b": tableau.b, "c": tableau.c, "weights": done.weights, "values": values,
+            "states": np.empty((tableau.stages, done.samples.shape[1])), **arrays,
+        }  # fmt: skip
+        empty = np.empty(0)
+        loops_of(done.method)[loop](*(given.get(name, empty).ctypes.data for name in ARRAYS))
+
+
+def _run(table: Table, values: Array, slopes: Array) -> None:
+    """Run a table once."""
+    arrays = (table.words, values, slopes, slopes, slopes, slopes)
+    operations()["samples"](1, table.rows, 0, 0, 0, 0, 0, 0, *(array.ctypes.data for array in arrays))
+
+
+def _lanes(array: Array) -> Array:
+    """Directions as the last axis, eight of them."""
+    wide = np.zeros((*array.shape[1:], LANES))
+    wide[..., : len(array)] = np.moveaxis(array, 0, -1)
+    return wide

@@ -1,0 +1,174 @@
+"""RUN, of a general arm: the arm as it is known plans the motion, the arm as it really is runs under control.
+
+pair -> reference run (nominal arm, its motors exactly where they should be) -> run (real arm) -> ArmRun
+"""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Sequence
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+
+from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict, step_times_eigenvalue
+from tmodes.errors import InputError
+from tmodes.integrate.choice import chosen_method, explained, otherwise
+from tmodes.integrate.settings import Integration, refuse_too_large
+from tmodes.paper.modes import Spectrum
+from tmodes.sheet import Arm, ArmPair
+from tmodes.sheet.parts import Command
+from tmodes.simulation.callback import Controller, driven_by, run_with_controller
+from tmodes.simulation.motion_run import ArmRun, bytes_per_sample, gathered
+from tmodes.simulation.plan import Follow
+from tmodes.simulation.quantities import arm_stops
+from tmodes.simulation.start import ArmRegime, arm_regime, run_arm_regime
+from tmodes.simulation.stops import Instants
+from tmodes.simulation.trajectory import STOPPED, Journal
+from tmodes.simulation.warnings import jumps, run_warnings, start_warnings
+
+__all__ = ["closed_loop_spectrum", "simulate_arm"]
+
+Progress = Callable[[str, float], None]
+
+_CAUSES = "an equilibrium above the horizontal that tips over, buckling, a loose joint that falls, or the controller"
+"""What makes a start unstable."""
+
+_UNDAMPED = 1e-9
+"""Real over absolute value of an eigenvalue below which it is taken as undamped."""
+
+_MOST_WHOLE = 500
+"""Size of a state up to which all its eigenvalues are found; of a larger one only the largest."""
+
+
+def simulate_arm(
+    arm: Arm | ArmPair,
+    *,
+    progress: Progress = lambda stage, share: None,
+    journals: Callable[[str], Journal | None] = lambda stage: None,
+    controller: Controller | None = None,
+    stop: Sequence[str] = (),
+) -> ArmRun:
+    """Plan with the known arm, run the real one, and gather what a run shows.
+
+    Give an :class:`Arm` (its ``real`` factors make the real one) or a pair of your own. ``journals`` gives where the
+    stages ``reference`` and ``real`` keep their progress. ``controller``: a Python function that tells the efforts of
+    the real arm (:data:`tmodes.simulation.callback.Controller`); slow, with an explicit method, and kept in no journal.
+    ``stop``: conditions beside those of ``integration.stop``; the real arm's run ends where the first of all sets in.
+
+    A run that cannot go on keeps what it had: look at ``status`` (one of :data:`tmodes.result.record.STATUSES`) and
+    ``message``. Raises :class:`tmodes.errors.InputError` for what cannot be run or is too large, and
+    :class:`tmodes.errors.SimulationError` where it cannot start.
+    """
+    pair = arm if isinstance(arm, ArmPair) else arm.pair()
+    real = arm_regime(pair.real)
+    stops = arm_stops(real, tuple(stop))
+    samples = real.arm.integration.duration / real.arm.integration.output_step
+    refuse_too_large(real.arm.integration, samples, 2 * bytes_per_sample(real.model), "or a shorter duration")
+    if not real.model.coordinates:
+        expected, mend = "a joint that moves or a link that bends", "unlock a joint, or give a beam functions"
+        raise InputError("joints", "an arm in which nothing moves or bends", expected, mend)
+    spectrum = closed_loop_spectrum(real)
+    given = real.arm.integration
+    real, pair, why = _with_method(real, pair, spectrum)
+    verdict = step_size_verdict(real.arm.integration, spectrum)
+    warnings = [*([verdict.sentence] if verdict.sentence else []), *growth_warnings(spectrum, "real arm", _CAUSES)]
+    warnings += start_warnings(real)
+    later = otherwise(given, real.arm.integration.method)
+    if controller is None:
+        stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
+    reference, until = _reference(pair, later, progress, journals, warnings)
+    real = replace(real, otherwise=later)
+    rows = None
+    if controller is None:
+        trajectory = run_arm_regime(real, lambda share: progress("real arm", share), journals("real"), until, stops)
+    else:
+        real = driven_by(real)
+        own = arm_stops(real, tuple(stop))  # states of a run without the sheet's control are shorter
+        trajectory, rows = run_with_controller(real, controller, lambda share: progress("real arm", share), own)
+    if reference and trajectory.status == STOPPED:
+        reference = _until(reference, float(trajectory.times[-1]))
+    if trajectory.status == "diverged":
+        trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
+    elif trajectory.status in ("finished", STOPPED):
+        trajectory.message = explained(trajectory.message, why)
+    run = gathered(real, trajectory, rows)
+    dt_omega = step_times_eigenvalue(verdict, run.statistics)
+    statistics = run.statistics | {"highest_eigenvalue": verdict.highest, "dt_omega": dt_omega}
+    return replace(run, warnings=(*warnings, *run_warnings(run)), reference=reference, statistics=statistics)
+
+
+def _reference(
+    pair: ArmPair,
+    later: Integration | None,
+    progress: Progress,
+    journals: Callable[[str], Journal | None],
+    warnings: list[str],
+) -> tuple[ArmRun | None, float | None]:
+    """The reference run, and the time [s] at which the real one must end to be compared with it (None: its own end)."""
+    if any(drive.command is Command.POSITION for drive in pair.nominal.drives):
+        nominal = arm_regime(pair.nominal, Follow.WANTED)
+        jumping = jumps(nominal)
+        if jumping:
+            warnings.append(f"no reference run: {jumping}, which no motor can follow exactly")
+            return None, None
+    elif pair.nominal.real:
+        nominal = arm_regime(pair.nominal)
+    else:
+        return None, None
+    nominal = replace(nominal, otherwise=later)
+    done = run_arm_regime(nominal, lambda share: progress("reference", share), journals("reference"))
+    run = gathered(nominal, done)
+    run = replace(run, warnings=tuple(run_warnings(run)))
+    if done.status == "finished":
+        return run, None
+    warnings.append(f"the reference run ended early: {done.message}")
+    return run, 0.0 if done.status == "interrupted" else float(done.times[-1])
+
+
+def _until(reference: ArmRun, end: float) -> ArmRun:
+    """The reference run to an earlier end [s], so that it has a sample there."""
+    assert reference.regime is not None  # noqa: S101
+    run = gathered(reference.regime, run_arm_regime(reference.regime, until=end))
+    return replace(run, warnings=tuple(run_warnings(run)))
+
+
+def closed_loop_spectrum(regime: ArmRegime) -> Spectrum:
+    """Eigenvalues of the arm under its drives at its start, exact derivatives, and the coordinate where each lives."""
+    model = regime.model
+    matrix = model.jacobian(0.0, regime.start, regime.first_row)
+    if not len(matrix) or not np.isfinite(matrix).all():
+        return Spectrum(np.zeros(0, dtype=complex), ())
+    if len(matrix) <= _MOST_WHOLE:
+        values, shapes = np.linalg.eig(matrix)
+    else:
+        from scipy.sparse.linalg import eigs
+
+        found: Any = eigs(matrix, k=6, which="LM", v0=np.ones(len(matrix)))
+        values, shapes = found
+    # Rounding must not make what rings without damping look as if it grew.
+    rising, turning = np.real(values), np.imag(values)
+    values = np.where(np.abs(rising) <= _UNDAMPED * np.abs(values), 0.0, rising) + 1j * turning
+    n = len(model.coordinates)
+    # A fast motion is large in the rates; currents follow the coordinates and rates in a state.
+    homes = [*model.coordinates, *model.coordinates, *(f"{name}.current" for name in model.plan.currents)]
+    largest = np.abs(shapes[n:]).argmax(axis=0) + n if n else np.zeros(0, dtype=int)
+    return Spectrum(values.astype(complex), tuple(homes[int(k)] for k in largest))
+
+
+def _with_method(regime: ArmRegime, pair: ArmPair, spectrum: Spectrum) -> tuple[ArmRegime, ArmPair, str]:
+    """The same with an integrator chosen, and why it was."""
+    settings = regime.arm.integration
+    method, why = chosen_method(settings, spectrum.highest)
+
+    def by(arm: Arm) -> Arm:
+        return arm.model_copy(update={"integration": arm.integration.chosen(method)})
+
+    return replace(regime, arm=by(regime.arm)), ArmPair(by(pair.nominal), by(pair.real)), why
+
+
+def _cause(verdict: StepVerdict, warnings: list[str]) -> str:
+    if not verdict.stable:
+        return verdict.sentence
+    growing = next((warning for warning in warnings if "unstable at its start" in warning), "")
+    return growing or "what drives the arm runs away: a signal, gains of the wrong size, or a singular motion"

@@ -1,0 +1,100 @@
+"""From a data sheet with some numbers changed to a lane of a batch: its structure, numbers, motion and start."""
+
+from __future__ import annotations
+
+from collections.abc import Callable, Hashable, Mapping
+from dataclasses import dataclass
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.stability import chosen_settings
+from tmodes.errors import InputError, InputErrors
+from tmodes.integrate.settings import Integration
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.model.model import ArmModel
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import Model
+from tmodes.paper.modes import closed_loop_spectrum as robot_spectrum
+from tmodes.paper.sheet import Robot
+from tmodes.sheet import Arm
+from tmodes.simulation.batch.simulate import Batched
+from tmodes.simulation.simulate import closed_loop_spectrum
+from tmodes.simulation.start import ArmRegime, arm_regime
+
+__all__ = ["Lane", "changed_sheet", "lane_of"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class Lane:
+    """One robot that is to run. Lanes of the same ``key`` run on the same code, that of any one's ``model``.
+
+    ``tip`` gives the positions (n, 3) [m] of the tip in the world, of times (n,) [s] and states (n, nx).
+    """
+
+    key: Hashable
+    model: Batched
+    parameters: Array
+    schedule: Schedule
+    start: Array
+    settings: Integration
+    tip: Callable[[Array, Array], Array]
+
+
+def changed_sheet(sheet: Robot | Arm, changes: Mapping[str, Any], lane: int) -> Robot | Arm:
+    """The checked sheet of a lane as it really is; errors say which lane they are of."""
+    try:
+        return sheet.with_(changes).pair().real
+    except InputErrors as wrong:
+        raise InputErrors([_placed(error, lane) for error in wrong.errors]) from None
+    except InputError as error:
+        raise _placed(error, lane) from None
+
+
+def _placed(error: InputError, lane: int) -> InputError:
+    return InputError(error.which, error.got, error.expected, error.mend, f"lane {lane} {error.where}".rstrip())
+
+
+def lane_of(real: Robot | Arm) -> Lane:
+    """A robot under control, from rest, or an arm as its sheet says, ready to run.
+
+    Raises :class:`tmodes.errors.SimulationError` where it cannot start, and :class:`tmodes.errors.InputError` for what
+    cannot be run.
+    """
+    return _arm_lane(real) if isinstance(real, Arm) else _robot_lane(real)
+
+
+def _robot_lane(robot: Robot) -> Lane:
+    mechanism, parameters = robot.split(Drive.CONTROLLED)
+    model, schedule = Model(mechanism), robot.wanted(Drive.CONTROLLED)
+    settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
+    start = model.rest(robot.reference.start, parameters)
+    model.check_mass_matrix(start, parameters)
+    rows = schedule.until(settings.duration)
+
+    def tip(times: Array, states: Array) -> Array:
+        return model.observe(times, states, rows.rows_at(times), parameters)["tip"]
+
+    return Lane((mechanism, settings.method), model, parameters.vector, schedule, start, settings, tip)
+
+
+def _arm_lane(arm: Arm) -> Lane:
+    regime = arm_regime(arm)
+    model, settings = regime.model, chosen_settings(arm.integration, lambda: closed_loop_spectrum(regime))
+    key = (model.loop.rate.key, model.coordinates, settings.method)
+    schedule = regime.planned.schedule
+    return Lane(key, model, model.numbers.vector, schedule, regime.start, settings, _tip_of(regime))
+
+
+def _tip_of(regime: ArmRegime) -> Callable[[Array, Array], Array]:
+    def tip(times: Array, states: Array) -> Array:
+        chain, layout = regime.planned.chain, regime.model.layout
+        base = None
+        if regime.planned.plan.base:
+            base = regime.model.observe(times, states, regime.planned.schedule.rows_at(times))["base"]
+        return ArmModel(chain).points(states[:, layout.q], base=base).position[:, 0]
+
+    return tip

@@ -1,0 +1,120 @@
+"""What a run of an arm must tell: joints that nothing drives, jumps, contact at the start, lost energy, limits."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.validity import energy_sentence
+from tmodes.sheet.contact import ContactLaw, ContactSheet
+from tmodes.simulation.motion_run import ArmRun
+from tmodes.simulation.start import ArmRegime
+
+__all__ = ["jumps", "run_warnings", "start_warnings"]
+
+Array = NDArray[np.float64]
+
+_SAME = 1e-6
+"""A jump smaller than this share of the largest value is rounding of a fitted signal."""
+
+_SLOW = 1e-3
+"""Largest rate times the time of the run, over the largest position, below which a rate may be nothing but rounding:
+a formula is fitted to 1e-12 of its value by at least 16 pieces of degree 7, its rate so to about 1e-9."""
+
+_OFF = 1e-3
+"""Distance [m] from a surface that holds a point, from which on it is told."""
+
+
+def start_warnings(regime: ArmRegime) -> list[str]:
+    """What is odd before anything moves."""
+    told = [f"joint {name} has no drive: it is held where it starts" for name in regime.planned.undriven]
+    jumping = jumps(regime)
+    if jumping:
+        told.append(f"{jumping}: its impulse on the arm is left out")
+    if regime.arm.contact:
+        told += _touching(regime, regime.arm.contact)
+    return told
+
+
+def _touching(regime: ArmRegime, sheet: ContactSheet) -> Iterator[str]:
+    seen = regime.model.observe(np.zeros(1), regime.start, regime.first_row)["contact"][0]
+    if sheet.mass > 0 and sheet.friction > 0:
+        yield "friction of the contact is taken from its spring, damper and preload, without the surface's inertia"
+    normal, depth = seen[3], seen[4]
+    if sheet.law is ContactLaw.UNILATERAL and depth > 0:
+        yield f"the point starts {depth:.3g} m inside of the surface, which pushes it with {normal:.3g} N"
+    if sheet.law is ContactLaw.BILATERAL and abs(depth) > _OFF:
+        yield f"the point starts {depth:.3g} m off the surface that holds it: a force of {normal:.3g} N at once"
+
+
+def jumps(regime: ArmRegime) -> str:
+    """The first jump of a position or its rate that a rigid drive or the base would have to make; empty without any.
+
+    What counts is measured by the largest position, or rate, within the pieces: at its ends a move may be at rest.
+    """
+    plan, signals = regime.planned.plan, regime.planned.signals
+    rigid = [d for d in regime.model.loop.drivers if d.plan.servo is None and d.part.motor < 0]
+    exact = {driver.plan.signal: f"the motion of joint {driver.plan.joint}" for driver in rigid}
+    exact |= {k: f"the base's {name}" for k, name in zip(plan.base, _WAYS, strict=False)}
+    lengths, sizes = np.diff(signals.knots), np.zeros(len(exact))
+    for derivative, name in ((0, "position"), (1, "rate")):
+        own = np.polynomial.polynomial.polyder(signals.coefficients[:, list(exact)], derivative, axis=2)
+        powers = np.asarray(own, dtype=np.float64)
+        sizes = np.maximum(_largest(powers, lengths), sizes * _SLOW / (signals.knots[-1] - signals.knots[0]))
+        gaps = np.abs(powers[1:, :, 0] - _values(powers, lengths)[:-1])
+        for what, far in zip(exact.values(), (gaps > _SAME * sizes).T, strict=True):
+            if far.any():
+                return f"{what} jumps in {name} at t = {signals.knots[1:][far.argmax()]:.6g} s"
+    return ""
+
+
+def _largest(powers: Array, lengths: Array) -> Array:
+    """Magnitudes (signals,) of polynomials within their pieces; 0 only where all of them vanish."""
+    shares = np.linspace(0.0, 1.0, powers.shape[2] + 1)
+    return np.max([np.abs(_values(powers, share * lengths)).max(axis=0) for share in shares], axis=0)
+
+
+def _values(powers: Array, times: Array) -> Array:
+    """Polynomials (pieces, signals, degree + 1) at a time [s] (pieces,) after the start of each piece."""
+    values = np.zeros(powers.shape[:2])
+    for k in reversed(range(powers.shape[2])):
+        values = values * times[:, None] + powers[:, :, k]
+    return values
+
+
+_WAYS = ("x", "y", "z", "roll", "pitch", "yaw")
+
+
+def run_warnings(run: ArmRun) -> list[str]:
+    """Limits passed, and energy that does not add up, with the first time and the worst value."""
+    tolerance, mend = run.arm.integration.energy_tolerance, "lower integration.relative_tolerance or integration.step"
+    energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, mend)
+    return [*([energy] if energy else []), *_limits(run)]
+
+
+def _limits(run: ArmRun) -> Iterator[str]:
+    for joint in run.arm.joints:
+        limits = joint.limits
+        if limits is None or joint.name not in run.coordinates:
+            continue
+        place, unit = run.coordinates.index(joint.name), "m" if joint.type == "prismatic" else "rad"
+        kinds = [
+            ("position", unit, run.q[:, place], limits.lower, limits.upper),
+            ("speed", f"{unit}/s", np.abs(run.v[:, place]), None, limits.speed),
+        ]
+        if joint.name in run.drives:
+            effort = np.abs(run.effort[:, run.drives.index(joint.name)])
+            kinds.append(("effort", "N" if unit == "m" else "N*m", effort, None, limits.effort))
+        for kind, unit_of, values, lower, upper in kinds:
+            low, high = -np.inf if lower is None else lower, np.inf if upper is None else upper
+            beyond = np.flatnonzero((values < low) | (values > high))
+            if len(beyond):
+                worst = beyond[np.argmax(np.maximum(low - values[beyond], values[beyond] - high))]
+                bound = low if values[worst] < low else high
+                yield (
+                    f"joint {joint.name} passes its limit of {kind}, {bound:.6g} {unit_of}, first at "
+                    f"t = {run.times[beyond[0]]:.4g} s, and reaches {values[worst]:.6g} {unit_of} "
+                    f"at t = {run.times[worst]:.4g} s"
+                )
