@@ -28,7 +28,7 @@ from tmodes.bench.rigid import RigidChain
 from tmodes.chain.chain import Beam, BeamPiece, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Placement
 from tmodes.compile.ir import kernels
 from tmodes.equations.recursion.forward import forward_dynamics
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 _SAMPLES = 2_000
 
@@ -51,11 +51,11 @@ def chain(joints: int, functions: int = 3) -> Chain:
     return Chain("bench", tuple(nodes), np.array([0.0, 0.0, -9.81]))
 
 
-class Arm:
+class Robot:
     """Our side: forward dynamics of many states in one native call."""
 
     def __init__(self, joints: int) -> None:
-        self.model = ArmModel(chain(joints))
+        self.model = Model(chain(joints))
         self.schedule = forward_dynamics(self.model.parts)
         n, rng = self.model.nq, np.random.default_rng(0)
         self.q, self.v = 0.05 * rng.normal(size=(_SAMPLES, n)), rng.normal(size=(_SAMPLES, n))
@@ -107,8 +107,8 @@ def start_time(joints: int) -> float:
     with tempfile.TemporaryDirectory() as folder:
         environment = os.environ | {"TMODES_CACHE": f"{folder}/cache"}
         command = [sys.executable, "-c", _COLD.format(joints=joints)]
-        told = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
-    return float(told.stdout)
+        info = subprocess.run(command, env=environment, capture_output=True, text=True, check=True)
+    return float(info.stdout)
 
 
 def peers(coordinates: int) -> dict[str, Callable[[], float]]:
@@ -130,7 +130,7 @@ def main() -> None:
     options.add_argument("--joints", type=int, default=6)
     options.add_argument("--json", help="also write the figures to this file")
     chosen = options.parse_args()
-    arm = Arm(chosen.joints)
+    arm = Robot(chosen.joints)
     n = arm.model.nq
     ours = f"tmodes, {chosen.joints} strain links and gears, {n} coordinates"
     contenders = {ours: arm.contender("double"), f"{ours}, per lane of 4": arm.contender("lanes"), **peers(n)}
@@ -146,8 +146,8 @@ def main() -> None:
         print(f"{name:<62}{seconds * 1e6:9.2f} us   ratio {seconds / medians[ours]:6.3f}")
     print(f"residual of the equations of motion {error:.1e}; with an empty cache ready in {ready:.2f} s (processor)")
     if chosen.json:
-        told = {"microseconds": {k: 1e6 * s for k, s in medians.items()}, "residual": error, "ready_s": ready}
-        Path(chosen.json).write_text(json.dumps(told, indent=1))
+        info = {"microseconds": {k: 1e6 * s for k, s in medians.items()}, "residual": error, "ready_s": ready}
+        Path(chosen.json).write_text(json.dumps(info, indent=1))
 
 
 if __name__ == "__main__":

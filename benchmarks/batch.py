@@ -30,7 +30,7 @@ from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
 from tmodes.simulation.batch.work import LaneNumbers
 from tmodes.simulation.loop import LoopModel
@@ -65,7 +65,7 @@ def seed() -> Case:
     """The robot of the paper, its whole move."""
     robot = load_robot("filipovic2010")
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, settings = Model(mechanism), robot.integration.model_copy(update={"output_step": 0.01})
+    model, settings = PaperModel(mechanism), robot.integration.model_copy(update={"output_step": 0.01})
     start = model.rest(robot.reference.start, parameters)
     return Case("seed's robot, 2 s", model, parameters.vector, robot.reference.schedule(), start, settings)
 
@@ -155,8 +155,8 @@ def main() -> None:
         gains = f"{f['one_thread_over_threads']:.2f} | {f['one_thread_over_threads_processor']:.2f}"
         print(f"| {f['case']} | {numbers} | {gains} | {f['difference']:.1e} |", flush=True)
     if chosen.json:
-        told = {"lanes": chosen.lanes, "threads": chosen.threads, "cases": figures}
-        Path(chosen.json).write_text(json.dumps(told, indent=1), encoding="utf-8")
+        info = {"lanes": chosen.lanes, "threads": chosen.threads, "cases": figures}
+        Path(chosen.json).write_text(json.dumps(info, indent=1), encoding="utf-8")
 
 
 if __name__ == "__main__":

@@ -12,10 +12,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_units import at
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import load_robot
 from tmodes.robots.load import load_sheet
 from tmodes.sensitivity.changes import Changes
@@ -59,7 +59,7 @@ class Case:
         self.here = lowered(sheet)
         self.replay = self.here.recorded()
         done = self.replay.recording
-        tip = Quantities(self.here, done, ("tip",)).told()["tip"]
+        tip = Quantities(self.here, done, ("tip",)).info()["tip"]
         self.functional: Functional = tracking_error("tip", tip[-1])
         self.values = {path: self._value(path) for path in paths}
 
@@ -85,21 +85,21 @@ class Case:
         samples = self.replay.samples(parameters, here.start + by * change.start)
         self.replay.recording = done
         seen = Quantities(replace(here, parameters=_Numbers(parameters)), replace(other, samples=samples), ("tip",))
-        return self.functional.measure(done.times, seen.told())[0]
+        return self.functional.measure(done.times, seen.info())[0]
 
     def _value(self, path: str) -> float:
-        if isinstance(self.sheet, Robot):
+        if isinstance(self.sheet, PaperRobot):
             reference: Any = self.sheet.reference
             return reference.end if path == "reference.end" else dict(self.sheet.numbers())[path]
-        data = arm_data(self.sheet)
+        data = sheet_data(self.sheet)
         steps = steps_of(path, data)
-        told = at(entered(data, steps[:-1], path), steps[-1])
-        return told[0] if isinstance(told, list) else told
+        info = at(entered(data, steps[:-1], path), steps[-1])
+        return info[0] if isinstance(info, list) else info
 
 
 def cases() -> dict[str, Callable[[], Case]]:
     """The runs by name: the seed's robot, an industrial arm with elastic gears, the stiff arm of the benchmarks."""
-    told = {"integration.duration": DURATION}
+    info = {"integration.duration": DURATION}
     joints = [f"joints.panda_joint{k}" for k in range(1, 8)]
     panda = [f"{joint}.gear.{what}" for joint in joints for what in ("stiffness", "damping")]
     panda += [f"{joint}.motor.inertia" for joint in joints[:3]]
@@ -109,7 +109,7 @@ def cases() -> dict[str, Callable[[], Case]]:
         f"drives.{k}.controller.position_gain" for k in range(4)
     ]
     return {
-        "seed": lambda: Case("filipovic2010", load_robot("filipovic2010").with_(told), _ROBOT),
-        "panda": lambda: Case("panda_elastic", load_sheet("panda_elastic").with_(told), tuple(panda)),
+        "seed": lambda: Case("filipovic2010", load_robot("filipovic2010").with_(info), _ROBOT),
+        "panda": lambda: Case("panda_elastic", load_sheet("panda_elastic").with_(info), tuple(panda)),
         "stiff": lambda: Case("stiff arm, 54", stiff_arm(duration=DURATION, method="extrapolation"), tuple(stiff), 5),
     }

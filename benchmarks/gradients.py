@@ -25,7 +25,7 @@ import numpy as np
 from tmodes.bench.missing import PeerMissing
 from tmodes.bench.peer_pinocchio import model as peer_model
 from tmodes.bench.rigid import RigidChain
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 
 from .gradient_runs import Case, cases
@@ -46,14 +46,14 @@ def ratios(calls: Calls, rounds: int, base: str) -> dict[str, float]:
                 call()
                 count += 1
             times[name].append((time.perf_counter() - began) / count)
-    told = {name: statistics.median(a / b for a, b in zip(times[name], times[base], strict=True)) for name in calls}
-    return told | {"seconds": statistics.median(times[base])}
+    info = {name: statistics.median(a / b for a, b in zip(times[name], times[base], strict=True)) for name in calls}
+    return info | {"seconds": statistics.median(times[base])}
 
 
 def evaluation(joints: int, rounds: int) -> dict[str, float]:
     """Ratios of the derivatives of forward dynamics, and their errors."""
     robot = RigidChain(joints)
-    model, rng = ArmModel(robot.chain()), np.random.default_rng(0)
+    model, rng = Model(robot.chain()), np.random.default_rng(0)
     q, v, effort, way, weights = rng.normal(size=(5, _STATES, joints))
     one = q[0], v[0], effort[0]
     calls: Calls = {
@@ -68,7 +68,7 @@ def evaluation(joints: int, rounds: int) -> dict[str, float]:
         whole["pinocchio"] = lambda: pinocchio.computeABADerivatives(peer, data, *one)
     except PeerMissing as missing:
         print(f"  without Pinocchio: {missing}")
-    told = ratios(calls, rounds, "evaluation")
+    info = ratios(calls, rounds, "evaluation")
     beside = ratios(whole, rounds, "pinocchio" if "pinocchio" in whole else "all")
     slopes, back = calls["jvp"](), calls["vjp"]()
     duality = abs((weights * slopes).sum() - (back["q"] * way).sum()) / np.abs(weights * slopes).sum()
@@ -80,7 +80,7 @@ def evaluation(joints: int, rounds: int) -> dict[str, float]:
     expected = (15 * ways[0] - 6 * ways[1] + ways[2]) / 10
     columns = model.forward_dynamics_derivatives(*one).q @ way[0]
     return {
-        "joints": joints, "evaluation_us": told["seconds"] / _STATES * 1e6, "jvp": told["jvp"], "vjp": told["vjp"],
+        "joints": joints, "evaluation_us": info["seconds"] / _STATES * 1e6, "jvp": info["jvp"], "vjp": info["vjp"],
         "all_us": beside["seconds"] * beside["all"] * 1e6,
         "all_over_pinocchio": beside["all"] if "pinocchio" in whole else float("nan"),
         "jvp_error": float(np.abs(slopes - expected).max() / np.abs(expected).max()), "duality": float(duality),
@@ -102,14 +102,14 @@ def of_run(case: Case, rounds: int) -> dict[str, Any]:
         times["adjoint"].append(times["sweep"][-1] + cost.sheet)
         cost = forward_sensitivities(case.sheet, case.paths).cost
         times["forward"].append(cost.forward + cost.sweep + cost.measure + cost.sheet)
-    told = {name: statistics.median(a / b for a, b in zip(times[name], times["run"], strict=True)) for name in times}
+    info = {name: statistics.median(a / b for a, b in zip(times[name], times["run"], strict=True)) for name in times}
     scaled = np.array([gained.by[path] * case.values[path] for path in case.compared])
     near, noise = np.array([case.differences(path, _STEP) for path in case.compared]).T
     largest = np.abs(scaled).max()
     return {
         "name": case.name, "method": gained.cost.method, "steps": gained.cost.steps, "paths": len(case.paths),
-        "run_ms": statistics.median(times["run"]) * 1e3, "adjoint": told["sweep"], "adjoint_all": told["adjoint"],
-        "forward_all": told["forward"], "kept_kb": gained.cost.bytes / 1e3,
+        "run_ms": statistics.median(times["run"]) * 1e3, "adjoint": info["sweep"], "adjoint_all": info["adjoint"],
+        "forward_all": info["forward"], "kept_kb": gained.cost.bytes / 1e3,
         "error": float(np.abs(scaled - near).max() / largest), "noise": float(noise.max() / largest),
         "worst": float(np.abs(scaled / near - 1).max()), "worst_noise": float(np.abs(noise / near).max()),
     }  # fmt: skip

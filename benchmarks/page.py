@@ -119,9 +119,9 @@ def modules(bench: Bench) -> Rows:
     for name in ("seed", "two links", "stiff"):
         result, page = bench.result(name), bench.report(name).stat().st_size
         with progress(f"module: {ROBOTS[name][0]}"):
-            told = module_of(name, result.statistics["real"]["method"])
-        share = f"{told.text / page:.0%} of {page / 1e6:.2f} MB"
-        yield ROBOTS[name][0], f"{told.raw / 1e3:.1f}", f"{told.packed / 1e3:.1f}", share, f"{told.seconds:.2f}"
+            info = module_of(name, result.statistics["real"]["method"])
+        share = f"{info.text / page:.0%} of {page / 1e6:.2f} MB"
+        yield ROBOTS[name][0], f"{info.raw / 1e3:.1f}", f"{info.packed / 1e3:.1f}", share, f"{info.seconds:.2f}"
 
 
 def long(bench: Bench) -> Rows:
@@ -131,10 +131,10 @@ def long(bench: Bench) -> Rows:
     yield "size", f"{report.stat().st_size / 1e6:.1f} MB"
     yield from _extremes(result, read_page(report, bench.folder))
     with progress(f"in Chromium: {ROBOTS['long'][0]}"):
-        told = played(report)
-    yield "opened, first picture drawn", f"{told.opened:.1f} s"
-    yield "plays, drawn in software", f"{told.rate:.0f} frames/s"
-    yield "script of a frame", f"{1e3 * told.script:.1f} ms"
+        info = played(report)
+    yield "opened, first picture drawn", f"{info.opened:.1f} s"
+    yield "plays, drawn in software", f"{info.rate:.0f} frames/s"
+    yield "script of a frame", f"{1e3 * info.script:.1f} ms"
 
 
 def _extremes(result: Any, charts: list[dict[str, Any]]) -> Rows:
@@ -143,10 +143,10 @@ def _extremes(result: Any, charts: list[dict[str, Any]]) -> Rows:
     worst, curves = 0.0, 0
     timed = [chart for chart in charts if chart["abscissa"] == "time"]
     for chart in timed:
-        for line, told in zip(drafts[chart["id"]].lines, chart["extremes"], strict=True):
+        for line, info in zip(drafts[chart["id"]].lines, chart["extremes"], strict=True):
             true = np.array([line.values.min(), line.values.max()])
-            unit = 10.0 ** np.round(np.log10(np.abs(told).max() / np.abs(true).max())) if true.any() else 1.0
-            worst = max(worst, float(np.abs(np.array(told) / unit - true).max() / (np.abs(true).max() or 1.0)))
+            unit = 10.0 ** np.round(np.log10(np.abs(info).max() / np.abs(true).max())) if true.any() else 1.0
+            worst = max(worst, float(np.abs(np.array(info) / unit - true).max() / (np.abs(true).max() or 1.0)))
             curves += 1
     drawn = [chart["drawn"] for chart in timed]
     yield "samples, of them drawn", f"{max(chart['samples'] for chart in timed):,}, {min(drawn):,} – {max(drawn):,}"

@@ -129,17 +129,17 @@ def changes(report: Path, count: int, *, lines: bool = False, pause: float = 0.3
     return found[2:]
 
 
-def _change(told: dict[str, Any]) -> Change:
-    if "imulated in " not in told["text"]:
-        raise RuntimeError(f"the page made no new run: {told['text']}")
-    number, unit = told["text"].partition("imulated in ")[2].replace("\u00a0", " ").split(";")[0].split(" ")
+def _change(info: dict[str, Any]) -> Change:
+    if "imulated in " not in info["text"]:
+        raise RuntimeError(f"the page made no new run: {info['text']}")
+    number, unit = info["text"].partition("imulated in ")[2].replace("\u00a0", " ").split(";")[0].split(" ")
     loops = float(number) * {"s": 1.0, "ms": 1e-3}[unit]
-    return Change(loops, told["answer"] / 1e3, told["curves"] / 1e3, told["picture"] / 1e3)
+    return Change(loops, info["answer"] / 1e3, info["curves"] / 1e3, info["picture"] / 1e3)
 
 
 def played(report: Path, seconds: float = 5.0) -> Played:
     """The page opened, and played for so long."""
     with _opened(report) as (page, opened):
         page.wait_for_timeout(3000)
-        told = page.evaluate(PLAY, seconds)
-    return Played(opened, told["rate"], told["script"] / 1e3)
+        info = page.evaluate(PLAY, seconds)
+    return Played(opened, info["rate"], info["script"] / 1e3)

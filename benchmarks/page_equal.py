@@ -13,7 +13,7 @@ import numpy as np
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.paper.simulate import simulate
 
 from .page_node import in_node
@@ -45,7 +45,7 @@ def drawn(live: LiveMap, count: int, seed: int = 5) -> list[list[float]]:
     return settings
 
 
-def equality(robot: Robot, folder: Path, count: int = 10) -> list[Equality]:
+def equality(robot: PaperRobot, folder: Path, count: int = 10) -> list[Equality]:
     """At the unchanged setting, and at so many random ones; natively as ``tmodes run --set`` runs them."""
     live, result = live_map(robot.pair()), simulate(robot)
     bundle, method = live_bundle(result), result.statistics["real"]["method"]
@@ -60,11 +60,11 @@ def equality(robot: Robot, folder: Path, count: int = 10) -> list[Equality]:
     return found
 
 
-def sensitivity(robot: Robot, data: Any) -> float:
+def sensitivity(robot: PaperRobot, data: Any) -> float:
     """How far all series of a native run go apart where the last digit of one stiffness is another."""
-    told = [name for name, one in data.items() if "time" in one.dims and "s" not in one.dims]
+    info = [name for name, one in data.items() if "time" in one.dims and "s" not in one.dims]
     others = [simulate(robot.with_({"gear.stiffness": robot.gear.stiffness * factor})).data for factor in LAST_DIGITS]
-    return max(_apart({name: other[name].values for name in told}, data)[0] for other in others)
+    return max(_apart({name: other[name].values for name in info}, data)[0] for other in others)
 
 
 def _apart(series: dict[str, Any], data: Any) -> tuple[float, str]:

@@ -14,7 +14,7 @@ import tempfile
 import time
 from typing import Any, NamedTuple
 
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 __all__ = ["Module", "module_of"]
 
@@ -31,22 +31,22 @@ class Module(NamedTuple):
 def module_of(name: str, method: str) -> Module:
     """Of the robot's time loops by one method, measured in a process of its own."""
     with tempfile.TemporaryDirectory() as cache:
-        told = [sys.executable, "-m", "benchmarks.page_modules", name, method]
+        info = [sys.executable, "-m", "benchmarks.page_modules", name, method]
         done = subprocess.run(
-            told, env=os.environ | {"TMODES_CACHE": cache}, capture_output=True, text=True, check=True
+            info, env=os.environ | {"TMODES_CACHE": cache}, capture_output=True, text=True, check=True
         )
     return Module(*json.loads(done.stdout))
 
 
 def _made(sheet: Any, method: str) -> bytes:
     """The module, as a report of this robot's run holds it; equations and emission included."""
-    from tmodes.live.wasm_motion import ArmFunctions, arm_module
+    from tmodes.live.wasm_motion import ModelFunctions, arm_module
     from tmodes.live.wasm_paper import robot_module
 
-    if not isinstance(sheet, Arm):
+    if not isinstance(sheet, Robot):
         return robot_module(sheet.pair(), [method]).wasm
     stations = tuple(k / 20 for k in range(21))
-    return arm_module(ArmFunctions(sheet.pair(), stations), [method], slopes=False).wasm
+    return arm_module(ModelFunctions(sheet.pair(), stations), [method], slopes=False).wasm
 
 
 if __name__ == "__main__":

@@ -80,11 +80,11 @@ def in_node(
     """Of each list of values: seconds to the curves, in all, of processors, of the loops; if asked for, all series."""
     (folder / "bundle.tmpk").write_bytes(pack(bundle))
     (folder / "jobs.json").write_text(json.dumps(jobs))
-    told = _run(RUNS, folder, "keep" if keep else "")
-    for k, run in enumerate(told):
+    info = _run(RUNS, folder, "keep" if keep else "")
+    for k, run in enumerate(info):
         whole = np.fromfile(folder / f"run{k}.f8") if keep else np.empty(0)
         run["series"] = {name: _part(whole, **where) for name, where in run["series"].items()} if keep else {}
-    return told
+    return info
 
 
 def _part(whole: NDArray[np.float64], place: int, shape: list[int]) -> NDArray[np.float64]:

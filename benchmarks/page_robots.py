@@ -13,10 +13,10 @@ from typing import Any
 from tmodes.paper.simulate import simulate
 from tmodes.report.write import write_report
 from tmodes.report.write_motion import write_arm_report
-from tmodes.result import assemble_arm
+from tmodes.result import assemble_result
 from tmodes.robots.load import load_sheet
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 
 from .stiff_arm import stiff_arm
 
@@ -41,7 +41,7 @@ def progress(what: str) -> Iterator[None]:
     print(f"{time.perf_counter() - began:.1f} s", file=sys.stderr, flush=True)
 
 
-def long_arm() -> Arm:
+def long_arm() -> Robot:
     """The stiff arm with a function of bending more in each link, 60 coordinates, that goes to and fro for a minute."""
     arm = stiff_arm(start="rest", damping_time=2e-4, output_step=2e-3)
     drives: list[Any] = list(arm.drives)
@@ -71,7 +71,7 @@ ROBOTS: dict[str, tuple[str, Callable[[], Any]]] = {
 
 def result_of(sheet: Any) -> Any:
     """Its run, with all that is told of it."""
-    return assemble_arm(simulate_arm(sheet), sheet) if isinstance(sheet, Arm) else simulate(sheet)
+    return assemble_result(simulate_motion(sheet), sheet) if isinstance(sheet, Robot) else simulate(sheet)
 
 
 def written(result: Any, path: Path) -> Path:

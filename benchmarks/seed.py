@@ -29,7 +29,7 @@ from tmodes.bench.missing import PeerMissing
 from tmodes.equations.lagrange.closed_loop import closed_loop, rate_function
 from tmodes.integrate.settings import Integration, Method
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
 from tmodes.simulation.trajectory import integrate
 
@@ -56,7 +56,7 @@ class Seed:
         robot = load_robot("filipovic2010")
         self.robot = robot.pair().real
         self.mechanism, self.parameters = self.robot.split(Drive.CONTROLLED, contact=contact)
-        self.model = Model(self.mechanism)
+        self.model = PaperModel(self.mechanism)
         self.schedule = self.robot.reference.schedule()
         self.start = self.model.rest(0.0, self.parameters)
 
@@ -185,11 +185,11 @@ def start_times() -> tuple[float, float]:
 
     with tempfile.TemporaryDirectory() as folder:
         environment = os.environ | {"TMODES_CACHE": f"{folder}/cache"}
-        told = [
+        info = [
             subprocess.run([sys.executable, "-c", _COLD], env=environment, capture_output=True, text=True, check=True)
             for _ in range(2)
         ]
-    return float(told[0].stdout), float(told[1].stdout)
+    return float(info[0].stdout), float(info[1].stdout)
 
 
 def main() -> None:
@@ -238,8 +238,8 @@ def main() -> None:
         print(f"{flags} compiles it in {seconds:.2f} s")
     if chosen.json:
         tables = {"rows": [asdict(row) for row in rows], "at_equal_error": [row._asdict() for row in equal]}
-        told = tables | {"first_compile_s": first, "from_cache_s": second}
-        Path(chosen.json).write_text(json.dumps(told, indent=1), encoding="utf-8")
+        info = tables | {"first_compile_s": first, "from_cache_s": second}
+        Path(chosen.json).write_text(json.dumps(info, indent=1), encoding="utf-8")
 
 
 if __name__ == "__main__":

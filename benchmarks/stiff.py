@@ -23,7 +23,7 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmodes.simulation.start import ArmRegime, arm_regime, run_arm_regime
+from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.trajectory import Trajectory
 
 from .stiff_arm import stiff_arm
@@ -57,15 +57,15 @@ class Case(NamedTuple):
     damping_time: float
     start: str
 
-    def regime(self, **integration: Any) -> ArmRegime:
+    def regime(self, **integration: Any) -> RunSetup:
         """The arm, ready to run."""
         arm = stiff_arm(start=self.start, damping_time=self.damping_time, output_step=1e-3, **integration)
-        return arm_regime(arm)
+        return run_setup(arm)
 
 
-def _timed(regime: ArmRegime) -> tuple[float, Trajectory]:
+def _timed(regime: RunSetup) -> tuple[float, Trajectory]:
     began = time.process_time()
-    run = run_arm_regime(regime)
+    run = run_trajectory(regime)
     return time.process_time() - began, run
 
 
@@ -82,11 +82,11 @@ def measured(case: Case, rounds: int, stretch: float) -> dict[str, Figures]:
     """Figures of all contenders."""
     explicit = case.damping_time <= EXPLICIT_AT_MOST
     name = "dormand_prince" if explicit else "extrapolation"
-    regimes = {label: case.regime(**told) for label, told in METHODS.items()}
+    regimes = {label: case.regime(**info) for label, info in METHODS.items()}
     times: dict[str, list[float]] = {label: [] for label in (*regimes, "short")}
     runs: dict[str, Trajectory] = {}
     for regime in regimes.values():
-        run_arm_regime(regime, until=1e-3)  # compiled before it is timed
+        run_trajectory(regime, until=1e-3)  # compiled before it is timed
     whole, exact = _timed(case.regime(**_at(name, 1e-10)))
     regimes["short"] = case.regime(duration=stretch, **_at("dormand_prince", 1e-6))
     for _ in range(rounds):
@@ -133,18 +133,18 @@ def main() -> None:
     print(f"1 s of motion, processor time, medians of {chosen.rounds} rounds; {machine}")
     head = ("s", "x real time", "x explicit", "error/rad", "passes")
     print(f"{'damping':>7} {'start':5}{'':40}{head[0]:>9}{head[1]:>10}{head[2]:>12}{head[3]:>11}{head[4]:>11}")
-    told: dict[str, Any] = {}
+    info: dict[str, Any] = {}
     for damping_time in map(float, chosen.damping.split(",")):
         for start in chosen.starts.split(","):
             figures = measured(case := Case(damping_time, start), chosen.rounds, chosen.stretch)
             print("\n".join(_lines(case, figures)), flush=True)
-            told[f"{damping_time:g} {start}"] = {name: found._asdict() for name, found in figures.items()}
+            info[f"{damping_time:g} {start}"] = {name: found._asdict() for name, found in figures.items()}
     if chosen.exudyn:
         from .stiff_exudyn import compared
 
-        told["exudyn"] = compared(chosen.rounds)
+        info["exudyn"] = compared(chosen.rounds)
     if chosen.json:
-        Path(chosen.json).write_text(json.dumps(told, indent=1))
+        Path(chosen.json).write_text(json.dumps(info, indent=1))
 
 
 if __name__ == "__main__":

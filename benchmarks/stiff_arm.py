@@ -10,8 +10,8 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.analysis.statics.rest import arm_rest
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 
 __all__ = ["DAMPING_TIME", "falling_arm", "stiff_arm"]
 
@@ -52,19 +52,19 @@ def _drive(k: int) -> dict[str, Any]:
             "controller": {"type": "pd", "position_gain": _GAINS[k], "velocity_gain": 0.06 * _GAINS[k]}}  # fmt: skip
 
 
-def stiff_arm(*, start: str = "rest", damping_time: float = DAMPING_TIME, **integration: Any) -> Arm:
+def stiff_arm(*, start: str = "rest", damping_time: float = DAMPING_TIME, **integration: Any) -> Robot:
     """The arm's sheet; ``start``: ``rest`` (sagged, before the references are ahead) or ``drop`` (undeformed)."""
     motors = {f"j{k}.motor": value for k, value in enumerate(_STARTS)}
     angles = {**motors, **{name.removesuffix(".motor"): value for name, value in motors.items()}}
     if start == "rest":
         arm = _sheet(angles, damping_time, {})
-        model = ArmModel(arm.chain())
+        model = Model(arm.chain())
         angles = dict(zip(model.coordinates, arm_rest(arm, model=model, held=motors).q.tolist(), strict=True))
     return _sheet(angles, damping_time, integration)
 
 
-def _sheet(angles: dict[str, float], damping_time: float, integration: dict[str, Any]) -> Arm:
-    return Arm.from_data({
+def _sheet(angles: dict[str, float], damping_time: float, integration: dict[str, Any]) -> Robot:
+    return Robot.from_data({
         "format": 1, "kind": "arm", "name": "stiff", "gravity": 9.81,
         "joints": [_joint(k) for k in range(6)],
         "links": [_link(k, damping_time) for k in range(6)],
@@ -74,12 +74,12 @@ def _sheet(angles: dict[str, float], damping_time: float, integration: dict[str,
     })  # fmt: skip
 
 
-def falling_arm(**integration: Any) -> Arm:
+def falling_arm(**integration: Any) -> Robot:
     """The same tubes, gears and load with motors that stand, straight and level at first: it falls into its gears."""
     joints = [{**_joint(k), "state": "locked"} for k in range(6)]
     for joint in joints:
         del joint["motor"]
-    return Arm.from_data({
+    return Robot.from_data({
         "format": 1, "kind": "arm", "name": "falling", "gravity": 9.81, "joints": joints,
         "links": [_link(k, DAMPING_TIME) for k in range(6)], "initial": {"state": "zero"},
         "integration": {"duration": 1.0, "output_step": 0.01, **integration},

@@ -21,7 +21,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.simulation.motion_run import gathered
-from tmodes.simulation.start import ArmRegime, arm_regime, run_arm_regime
+from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 
 from .peers.exudyn_beams import fall
 from .stiff_arm import falling_arm
@@ -32,13 +32,13 @@ ERROR = 1e-6
 """Error of the tip at which both are compared [m]."""
 
 
-def _regime(tolerance: float) -> ArmRegime:
-    told = {"relative_tolerance": tolerance, "absolute_tolerance": tolerance / 100}
-    return arm_regime(falling_arm(method="extrapolation", **told))
+def _regime(tolerance: float) -> RunSetup:
+    info = {"relative_tolerance": tolerance, "absolute_tolerance": tolerance / 100}
+    return run_setup(falling_arm(method="extrapolation", **info))
 
 
-def _tip(regime: ArmRegime) -> NDArray[np.float64]:
-    return gathered(regime, run_arm_regime(regime)).points.position[:, -1]
+def _tip(regime: RunSetup) -> NDArray[np.float64]:
+    return gathered(regime, run_trajectory(regime)).points.position[:, -1]
 
 
 def _ours(rounds: int) -> tuple[float, float]:
@@ -52,7 +52,7 @@ def _ours(rounds: int) -> tuple[float, float]:
     times = []
     for _ in range(rounds):
         began = time.process_time()
-        run_arm_regime(regime)
+        run_trajectory(regime)
         times.append(time.process_time() - began)
     return statistics.median(times), error
 
@@ -71,12 +71,12 @@ def compared(rounds: int) -> dict[str, Any]:
     seconds, error = _ours(rounds)
     print(f"falling arm, 1 s, processor time at {ERROR:g} m of the tip")
     print(f"  extrapolation {seconds:.3f} s, error {error:.1e} m")
-    told: dict[str, Any] = {"ours": {"seconds": seconds, "error": error}}
+    info: dict[str, Any] = {"ours": {"seconds": seconds, "error": error}}
     for elements, steps, tolerance in ((2, 4000, 1e-8), (4, 2000, 1e-6)):
         spent, found, scaled = _theirs(elements, steps, tolerance)
         print(
             f"  Exudyn, {elements} elements in a tube, {2 * steps} steps: {spent:.2f} s, error {found:.1e} m; "
             f"{scaled:.2f} s at {ERROR:g} m, {scaled / seconds:.0f} times ours"
         )
-        told[f"exudyn {elements}"] = {"seconds": spent, "error": found, "at_equal_error": float(scaled)}
-    return told
+        info[f"exudyn {elements}"] = {"seconds": spent, "error": found, "at_equal_error": float(scaled)}
+    return info

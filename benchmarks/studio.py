@@ -12,7 +12,7 @@ import time
 from typing import Any
 
 from tmodes.studio.sheets import loaded, plain_sheet
-from tmodes.studio.sliders import told_sliders
+from tmodes.studio.sliders import info_sliders
 from tmodes.studio.work import Workshop
 
 
@@ -20,16 +20,16 @@ def main() -> None:
     parser = argparse.ArgumentParser(description=__doc__)
     parser.add_argument("robot", nargs="?", default="filipovic2010")
     parser.add_argument("--runs", type=int, default=15)
-    told = parser.parse_args()
-    sheet = loaded(told.robot)
+    info = parser.parse_args()
+    sheet = loaded(info.robot)
     data = plain_sheet(sheet)
-    target = told_sliders(sheet, data)[0]["targets"][0]
+    target = info_sliders(sheet, data)[0]["targets"][0]
     workshop, laps, processor = Workshop(), [], []
-    for k in range(told.runs + 2):
+    for k in range(info.runs + 2):
         began = time.process_time()
         answer = workshop.answer("curves", moved(data, target, 1 + 0.01 * k), lambda stage, share: None)
         if k >= 2:  # what is loaded and compiled at the first runs is no part of a dragged slider
-            laps.append(answer.told["seconds"])
+            laps.append(answer.info["seconds"])
             processor.append(time.process_time() - began)
     show(laps, processor)
 

@@ -67,15 +67,15 @@ def _within(node: ast.Module | ast.ClassDef | ast.FunctionDef, file: Path, name:
 def citations_in(text: str, home: Home) -> tuple[list[Citation], list[str]]:
     """The citations of one docstring, and a complaint for each beginning of one that cannot be read."""
     found: list[Citation] = []
-    complaints: list[str] = []
+    problems: list[str] = []
     for piece in _START.split(" ".join(text.split())):
         if match := _EQUATION.match(piece):
             found.append(_equation(match, home))
         elif match := _SLIP.match(piece):
             found.append(Citation(match["place"], range(0), "slip", _words(match), _tests(match), home))
         elif _START.match(piece):
-            complaints.append(f"{home.name}: cannot read the citation that begins {piece[:60]!r}")
-    return found, complaints
+            problems.append(f"{home.name}: cannot read the citation that begins {piece[:60]!r}")
+    return found, problems
 
 
 def _equation(match: re.Match[str], home: Home) -> Citation:

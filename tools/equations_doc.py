@@ -29,7 +29,7 @@ class ExpectedSlip:
     places: tuple[str, ...]
     word: str
 
-    def is_told_by(self, citation: Citation) -> bool:
+    def is_reported_by(self, citation: Citation) -> bool:
         """Whether this citation tells of this slip."""
         return citation.place in self.places and re.search(self.word, citation.text, re.IGNORECASE) is not None
 
@@ -53,7 +53,7 @@ SLIPS = (
 def collect(package: Path) -> tuple[list[Citation], list[str]]:
     """All citations of a package, and what could not be read."""
     pairs = [citations_in(text, home) for home, text in docstrings(package)]
-    return [c for found, _ in pairs for c in found], [c for _, complaints in pairs for c in complaints]
+    return [c for found, _ in pairs for c in found], [c for _, problems in pairs for c in problems]
 
 
 def problems(citations: Sequence[Citation], tests: Iterable[str]) -> list[str]:
@@ -66,7 +66,7 @@ def problems(citations: Sequence[Citation], tests: Iterable[str]) -> list[str]:
         *(
             f"slip {slip.number}, at {' or '.join(slip.places)} with {slip.word!r} in its text, has no home in the code"
             for slip in SLIPS
-            if not any(slip.is_told_by(citation) for citation in slips)
+            if not any(slip.is_reported_by(citation) for citation in slips)
         ),
         *(f"{c.home.name}: slip {c.place} is not in the list of slips" for c in slips if not _number(c)),
         *_without_test(citations, set(tests)),
@@ -86,7 +86,9 @@ def page(citations: Sequence[Citation], tests: Mapping[str, Path], root: Path) -
     """The page as Markdown; links are relative to docs/."""
     equations, slips = _sorted_out(citations)
     by_number = sorted(equations, key=lambda c: (c.numbers.start, c.numbers.stop))
-    by_slip = sorted(slips, key=lambda c: [s.is_told_by(c) for s in SLIPS].index(True) if _number(c) else len(SLIPS))
+    by_slip = sorted(
+        slips, key=lambda c: [s.is_reported_by(c) for s in SLIPS].index(True) if _number(c) else len(SLIPS)
+    )
     return "\n".join(
         [
             "# Equations",
@@ -118,7 +120,7 @@ def _sorted_out(citations: Sequence[Citation]) -> tuple[list[Citation], list[Cit
 
 
 def _number(citation: Citation) -> str:
-    return next((slip.number for slip in SLIPS if slip.is_told_by(citation)), "")
+    return next((slip.number for slip in SLIPS if slip.is_reported_by(citation)), "")
 
 
 def _row(head: str, citation: Citation, tests: Mapping[str, Path], root: Path, *kind: str) -> str:

@@ -109,8 +109,8 @@ def main(wanted: list[str]) -> int:
     unknown = [name for name in wanted if name not in SHOTS]
     browser = next(filter(None, map(shutil.which, BROWSERS)), None)
     if unknown or browser is None:
-        told = f"{unknown}; expected {', '.join(SHOTS)}" if unknown else "no browser; expected Chromium"
-        print(f"gallery: got {told}", file=sys.stderr)
+        info = f"{unknown}; expected {', '.join(SHOTS)}" if unknown else "no browser; expected Chromium"
+        print(f"gallery: got {info}", file=sys.stderr)
         return 2
     from playwright.sync_api import sync_playwright
 

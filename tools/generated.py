@@ -14,11 +14,11 @@ ROOT = Path(__file__).resolve().parents[1]
 def main(target: Path, text: str, tool: str, problems: Sequence[str] = ()) -> int:
     """Write ``text`` to ``target``, or check it; returns the exit code."""
     checking = "--check" in sys.argv[1:]
-    complaints = list(problems)
+    problems = list(problems)
     if checking and (not target.is_file() or target.read_text(encoding="utf-8") != text):
-        complaints.append(f"{target.relative_to(ROOT)} is not up to date: run python tools/{tool}.py")
+        problems.append(f"{target.relative_to(ROOT)} is not up to date: run python tools/{tool}.py")
     if not checking:
         target.write_text(text, encoding="utf-8")
-    for line in complaints:
+    for line in problems:
         print(line, file=sys.stderr)
-    return 1 if complaints and checking else 0
+    return 1 if problems and checking else 0

@@ -13,7 +13,7 @@ import generated
 import tmodes
 from notation_words import COORDINATES, DERIVED, Row
 from tmodes.kinds.schema.quantity import DataSheet
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["page", "quantities", "variables"]
 
@@ -63,7 +63,7 @@ def page() -> str:
             "",
             "The key is also the path that `--set` and `Robot.with_` take; N is 0 for the mode at the root.",
             "",
-            *_table(("key", "symbol", "unit", "meaning"), quantities(Robot)),
+            *_table(("key", "symbol", "unit", "meaning"), quantities(PaperRobot)),
             "",
             "## Coordinates and elastic angles",
             "",

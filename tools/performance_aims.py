@@ -25,16 +25,16 @@ class Aim:
         return self.got >= self.bound if self.at_least else self.got <= self.bound
 
 
-def aims(told: dict[str, Any]) -> Iterator[Aim]:
+def aims(info: dict[str, Any]) -> Iterator[Aim]:
     """All aims for which there are figures."""
-    for size in told["sizes"]:
+    for size in info["sizes"]:
         yield from _beside_others(size)
         yield from _batches(size)
         yield from _start(size)
-    for name, power in told["scaling"].items():
+    for name, power in info["scaling"].items():
         if name.startswith("tmodes, 1 lane") or name in ("compile", "memory"):
             yield Aim(f"growth of {name} with the joints, as a power", power, 1.15, at_least=False)
-    yield from _seed(told)
+    yield from _seed(info)
 
 
 def _time(size: dict[str, Any], start: str) -> float | None:
@@ -74,8 +74,8 @@ def _start(size: dict[str, Any]) -> Iterator[Aim]:
     yield Aim(f"{n} joints: code from the cache", start["reload"] * 1e3, 10.0, at_least=False, unit=" ms")
 
 
-def _seed(told: dict[str, Any]) -> Iterator[Aim]:
-    races = {race["name"]: race for race in told.get("seed", {}).get("races", [])}
+def _seed(info: dict[str, Any]) -> Iterator[Aim]:
+    races = {race["name"]: race for race in info.get("seed", {}).get("races", [])}
     default = races.get("tmodes, dormand_prince")
     paper = races.get("tmodes, rk4, the paper's step")
     if default and paper:

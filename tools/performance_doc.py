@@ -22,14 +22,14 @@ FIGURES = generated.ROOT / "docs" / "performance.json"
 PAGE = generated.ROOT / "docs" / "performance.md"
 
 
-def page(told: dict[str, Any]) -> str:
+def page(info: dict[str, Any]) -> str:
     """The page as Markdown."""
-    first, *rest = tables(told)
-    return "\n".join([*_head(told), *_table(*first), *_words(told), *_notes(told), *_aims(told), *_rest(rest)])
+    first, *rest = tables(info)
+    return "\n".join([*_head(info), *_table(*first), *_words(info), *_notes(info), *_aims(info), *_rest(rest)])
 
 
-def _head(told: dict[str, Any]) -> Iterator[str]:
-    machine = told["machine"]
+def _head(info: dict[str, Any]) -> Iterator[str]:
+    machine = info["machine"]
     known = ("tmodes", "casadi", "llvmlite", "numpy", "scipy", "pin", "mujoco", "exudyn")
     versions = ", ".join(f"{name} {machine[name]}" for name in known if name in machine)
     yield from ("# Performance", "")
@@ -56,9 +56,9 @@ def _load(machine: dict[str, Any]) -> Iterator[str]:
         yield f"**The machine was not idle: {busy}; what is timed by the wall, on several cores, says nothing then.**"
 
 
-def _words(told: dict[str, Any]) -> Iterator[str]:
+def _words(info: dict[str, Any]) -> Iterator[str]:
     """A sentence on each size."""
-    for size in told["sizes"]:
+    for size in info["sizes"]:
         ours = size["contenders"][0]["seconds"]["median"]
         others = [_beside(one, ours) for one in size["contenders"] if not one["name"].startswith("tmodes")]
         yield f"- With {size['n']} joints one evaluation takes {ours * 1e6:.3g} µs: {', '.join(others) or 'no peers'}."
@@ -74,7 +74,7 @@ def _beside(one: dict[str, Any], ours: float) -> str:
     return f"{ratio:.1f} times less than {name}" if ratio >= 1 else f"{1 / ratio:.1f} times more than {name}"
 
 
-def _notes(told: dict[str, Any]) -> Iterator[str]:
+def _notes(info: dict[str, Any]) -> Iterator[str]:
     yield from (
         "- *gcc, same list*: all calls of the recursion written into one C function, operation by operation; what",
         "  follows from the parameters alone is computed once, as here.",
@@ -85,12 +85,12 @@ def _notes(told: dict[str, Any]) -> Iterator[str]:
         "  stores are left out, so nothing quite reaches it.",
         "- *compile* is in a fresh process with an empty cache; *from the cache* in one that finds it full.",
     )
-    yield from (f"- Left out: {line}." for line in left_out(told))
+    yield from (f"- Left out: {line}." for line in left_out(info))
     yield ""
 
 
-def _aims(told: dict[str, Any]) -> Iterator[str]:
-    known = list(aims(told))
+def _aims(info: dict[str, Any]) -> Iterator[str]:
+    known = list(aims(info))
     reached = sum(aim.reached for aim in known)
     yield from ("## What was aimed at", "", f"{reached} of {len(known)} aims are reached on this machine.", "")
     rows = [

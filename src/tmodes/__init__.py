@@ -11,31 +11,33 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from tmodes.errors import TmodesError
-    from tmodes.model.model import ArmModel
+    from tmodes.model.model import Model
     from tmodes.notebook import show
     from tmodes.paper.mechanism import Drive, Mechanism, Parameters, Reading
-    from tmodes.paper.model import Model
-    from tmodes.paper.sheet import NominalRealPair, Robot
+    from tmodes.paper.model import PaperModel
+    from tmodes.paper.sheet import PaperPair, PaperRobot
     from tmodes.paper.simulate import simulate as run
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
+    from tmodes.result.result import Result
     from tmodes.robots import load_robot
     from tmodes.robots.load import load_sheet
     from tmodes.sensitivity.functional import Functional, tracking_error
     from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
-    from tmodes.sheet import Arm
-    from tmodes.simulation.simulate import simulate_arm
+    from tmodes.sheet.robot import Robot
+    from tmodes.simulation.simulate import simulate_motion
     from tmodes.simulation.vary.simulate import simulate_batch
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Arm",
-    "ArmModel",
     "Drive",
     "Functional",
     "Mechanism",
     "Model",
-    "NominalRealPair",
+    "PaperModel",
+    "PaperPair",
+    "PaperResult",
+    "PaperRobot",
     "Parameters",
     "Reading",
     "Result",
@@ -47,34 +49,54 @@ __all__ = [
     "load_sheet",
     "run",
     "show",
-    "simulate_arm",
     "simulate_batch",
+    "simulate_motion",
     "tracking_error",
 ]
 
 _HOMES = {
-    "Arm": "tmodes.sheet.Arm",
-    "ArmModel": "tmodes.model.model.ArmModel",
     "Drive": "tmodes.paper.mechanism.Drive",
     "Functional": "tmodes.sensitivity.functional.Functional",
     "Mechanism": "tmodes.paper.mechanism.Mechanism",
-    "Model": "tmodes.paper.model.Model",
-    "NominalRealPair": "tmodes.paper.sheet.NominalRealPair",
+    "Model": "tmodes.model.model.Model",
+    "PaperModel": "tmodes.paper.model.PaperModel",
+    "PaperPair": "tmodes.paper.sheet.PaperPair",
+    "PaperResult": "tmodes.result.record.PaperResult",
+    "PaperRobot": "tmodes.paper.sheet.PaperRobot",
     "Parameters": "tmodes.paper.mechanism.Parameters",
     "Reading": "tmodes.paper.mechanism.Reading",
-    "Result": "tmodes.result.record.Result",
-    "Robot": "tmodes.paper.sheet.Robot",
+    "Result": "tmodes.result.result.Result",
+    "Robot": "tmodes.sheet.robot.Robot",
     "TmodesError": "tmodes.errors.TmodesError",
     "adjoint_gradient": "tmodes.sensitivity.gradient.adjoint_gradient",
     "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",
     "load_robot": "tmodes.robots.load_robot",
     "load_sheet": "tmodes.robots.load.load_sheet",
-    "show": "tmodes.notebook.show",
-    "simulate_arm": "tmodes.simulation.simulate.simulate_arm",
-    "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
-    "tracking_error": "tmodes.sensitivity.functional.tracking_error",
     "run": "tmodes.paper.simulate.simulate",
+    "show": "tmodes.notebook.show",
+    "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
+    "simulate_motion": "tmodes.simulation.simulate.simulate_motion",
+    "tracking_error": "tmodes.sensitivity.functional.tracking_error",
 }
+
+
+_UPWARD = {
+    "Model.static": "tmodes.analysis.statics.equilibrium.equilibrium",
+    "Result.show": "tmodes.notebook.show",
+    "Robot.chain": "tmodes.chain.lowering.lowered",
+    "Robot.from_data": "tmodes.io.sheet_check.sheet_from_data",
+    "Robot.mass_issues": "tmodes.chain.mass.massless_issues",
+    "Robot.pair": "tmodes.io.sheet_check.real_arm",
+    "Robot.show": "tmodes.notebook.show",
+    "Robot.with_": "tmodes.io.sheet_check.changed_arm",
+}
+"""Methods whose work is done by an upper package, and by what: the only imports that run upward (at most 12)."""
+
+
+def upward(method: str) -> Any:
+    """The function of an upper package that does the work of a method."""
+    module, _, attribute = _UPWARD[method].rpartition(".")
+    return getattr(import_module(module), attribute)
 
 
 def __getattr__(name: str) -> Any:

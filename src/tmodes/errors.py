@@ -30,14 +30,14 @@ class InputError(TmodesError):
     which: str
     got: str
     expected: str
-    mend: str
+    hint: str
     where: str = ""
 
     exit_code = 2
 
     def __str__(self) -> str:
         place = f"{self.where}: " if self.where else ""
-        return f"{place}{self.which}: got {self.got}; expected {self.expected}. Mend: {self.mend}"
+        return f"{place}{self.which}: got {self.got}; expected {self.expected}. Mend: {self.hint}"
 
 
 class InputErrors(TmodesError):

@@ -11,7 +11,7 @@ import pytest
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive, Parameters
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
 
 
@@ -19,7 +19,7 @@ from tmodes.robots import load_robot
 class Seed:
     """A robot, and nine of its kind with numbers a little off."""
 
-    model: Model
+    model: PaperModel
     parameters: Parameters
     schedule: Schedule
     start: np.ndarray
@@ -40,7 +40,7 @@ def seed() -> Seed:
     """The paper's robot over its first 20 ms."""
     robot = load_robot("filipovic2010")
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
     settings = robot.integration.model_copy(update={"duration": 0.02, "output_step": 5e-4})
     many = parameters.vector * (1 + 0.05 * np.random.default_rng(1).normal(size=(9, len(parameters))))
     start = model.rest(robot.reference.start, parameters)

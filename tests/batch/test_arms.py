@@ -9,15 +9,15 @@ from arm.run.sheets import ZERO, arm, pendulum, torque
 from tmodes.compile.loops.gate import SHORTEST
 from tmodes.integrate.settings import Method
 from tmodes.simulation.loop import LoopNumbers
-from tmodes.simulation.start import arm_regime
+from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
 
 SHORT = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
 
 
 def settings(regime, **changes):
-    told = {"method": Method.DORMAND_PRINCE, **changes}
-    return regime.arm.integration.model_copy(update=told)
+    info = {"method": Method.DORMAND_PRINCE, **changes}
+    return regime.arm.integration.model_copy(update=info)
 
 
 def spread(regime, lanes, share=0.05):
@@ -29,7 +29,7 @@ def spread(regime, lanes, share=0.05):
 @pytest.fixture(scope="module")
 def swing():
     """An elastic pendulum under a constant torque."""
-    return arm_regime(pendulum({"inertia": 0.3}, {"stiffness": 100.0}, torque(2.0), integration=SHORT))
+    return run_setup(pendulum({"inertia": 0.3}, {"stiffness": 100.0}, torque(2.0), integration=SHORT))
 
 
 @pytest.fixture(scope="module")
@@ -37,7 +37,7 @@ def bounce():
     """A block that meets a wall which only pushes."""
     wall = {"shape": {"type": "plane", "position": [0.1, 0, 0], "normal": [-1, 0, 0]}, "law": "unilateral",
             "stiffness": 2000.0, "damping": 3.0}  # fmt: skip
-    return arm_regime(arm(
+    return run_setup(arm(
         gravity=0.0, contact=wall, integration=SHORT,
         joints=[{"name": "slide", "type": "prismatic", "parent": "base", "child": "block", "axis": [1, 0, 0]}],
         links=[{"name": "block", "bodies": [{"name": "mass", "mass": 0.5, "center": [0, 0, 0]}]}],

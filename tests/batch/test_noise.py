@@ -12,7 +12,7 @@ from tmodes.errors import InputError
 from tmodes.kinds.signals.signals_noise import Noise, normal_numbers
 from tmodes.paper.simulate import simulate
 from tmodes.robots import load_robot
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 
 def noise(**more):
@@ -84,7 +84,7 @@ def test_each_lane_has_a_seed_of_its_own():
     assert batch.finished.all()
     assert batch.states[0].tobytes() == batch.states[2].tobytes()
     assert np.abs(batch.states[0] - batch.states[1]).max() > 1e-4
-    run = simulate_arm(sheet.with_({"loads.0.signal.seed": 12}))
+    run = simulate_motion(sheet.with_({"loads.0.signal.seed": 12}))
     assert np.abs(batch.states[8, :, : len(run.coordinates)] - run.q).max() < 1e-12
 
 

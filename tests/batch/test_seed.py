@@ -34,8 +34,8 @@ def test_each_lane_is_the_run_by_itself(seed, method):
         single = alone(seed, seed.many[lane])
         assert np.array_equal(batch.times, single.times)
         assert np.abs(batch.states[lane] - single.states).max() < 1e-12 * np.abs(single.states).max()
-        told = {name: values[lane] for name, values in batch.statistics.items()}
-        assert told == {name: single.statistics[name] for name in told}
+        info = {name: values[lane] for name, values in batch.statistics.items()}
+        assert info == {name: single.statistics[name] for name in info}
         assert batch.message[lane] == single.message
 
 
@@ -83,8 +83,8 @@ with np.load(sys.argv[1]) as told:
 
 def test_bytes_do_not_depend_on_the_width_of_the_vectors(seed, tmp_path):
     """Four lanes on the same processor's instructions, in other surroundings, give the same bits as eight."""
-    np.savez(tmp_path / "told.npz", many=seed.many, start=seed.start)
-    line = [sys.executable, "-c", NARROW, str(tmp_path / "told.npz"), str(tmp_path / "batch")]
+    np.savez(tmp_path / "info.npz", many=seed.many, start=seed.start)
+    line = [sys.executable, "-c", NARROW, str(tmp_path / "info.npz"), str(tmp_path / "batch")]
     surroundings = {"PYTHONHASHSEED": "7", "TZ": "Asia/Tokyo", "LC_ALL": "de_DE.UTF-8", "OMP_NUM_THREADS": "3"}
     subprocess.run(line, check=True, env=os.environ | surroundings | {"TMODES_CACHE": str(tmp_path / "cache")})
     assert load_batch(tmp_path / "batch").states.tobytes() == seed.run().states.tobytes()
@@ -111,8 +111,8 @@ def test_order_of_the_method_in_lanes(seed):
     tolerances = np.array([1e-6, 1e-8, 1e-10])
     fine = replace(seed, settings=seed.settings.model_copy(update={"relative_tolerance": 1e-13})).run([0])
     for tolerance in tolerances:
-        told = {"relative_tolerance": float(tolerance), "absolute_tolerance": float(tolerance) * 1e-3}
-        run = replace(seed, settings=seed.settings.model_copy(update=told)).run([0])
+        info = {"relative_tolerance": float(tolerance), "absolute_tolerance": float(tolerance) * 1e-3}
+        run = replace(seed, settings=seed.settings.model_copy(update=info)).run([0])
         errors.append(np.abs(run.states[0, :, :6] - fine.states[0, :, :6]).max())
     slope = np.polyfit(np.log(tolerances), np.log(errors), 1)[0]
     assert 0.7 < slope < 1.3

@@ -18,8 +18,8 @@ from tmodes.simulation.batch.workers import thread_count
 def work_of(seed, lanes, method):
     settings = seed.settings.model_copy(update={"method": method})
     many = np.tile(seed.many[:1], (lanes, 1))
-    told = inputs(many, seed.schedule, seed.start, settings.duration, seed.model.batch_widths)
-    return Work(seed.model, told, settings, np.zeros(1), np.zeros((lanes, 1, 1)), np.arange(lanes))
+    info = inputs(many, seed.schedule, seed.start, settings.duration, seed.model.batch_widths)
+    return Work(seed.model, info, settings, np.zeros(1), np.zeros((lanes, 1, 1)), np.arange(lanes))
 
 
 @pytest.mark.parametrize("method", [Method.DORMAND_PRINCE, Method.DOP853])

@@ -97,8 +97,8 @@ def test_killed_leaves_no_batch(seed, tmp_path):
 )
 def test_a_folder_that_does_not_fit_together_is_refused(seed, tmp_path, key, value):
     seed.run(out=tmp_path)
-    told = json.loads((tmp_path / "batch.json").read_text(encoding="utf-8"))
-    (tmp_path / "batch.json").write_text(json.dumps(told | {key: value}), encoding="utf-8")
+    info = json.loads((tmp_path / "batch.json").read_text(encoding="utf-8"))
+    (tmp_path / "batch.json").write_text(json.dumps(info | {key: value}), encoding="utf-8")
     with pytest.raises(ResultFileError):
         load_batch(tmp_path)
 
@@ -136,13 +136,13 @@ def wrong_calls(seed):
     }
 
 
-@pytest.mark.parametrize("told", ["9", "26 numbers", "17 numbers", "4 numbers", "size", "1 to 1024", "1 or"])
-def test_wrong_calls_are_refused(seed, told):
-    with pytest.raises(InputError, match=told):
-        seed.model.simulate_batch(**wrong_calls(seed)[told])
+@pytest.mark.parametrize("info", ["9", "26 numbers", "17 numbers", "4 numbers", "size", "1 to 1024", "1 or"])
+def test_wrong_calls_are_refused(seed, info):
+    with pytest.raises(InputError, match=info):
+        seed.model.simulate_batch(**wrong_calls(seed)[info])
 
 
-def test_a_disk_that_fills_up_meanwhile_is_told_before_anything_runs(seed, tmp_path, monkeypatch):
+def test_a_disk_that_fills_up_meanwhile_is_reported_before_anything_runs(seed, tmp_path, monkeypatch):
     """Room is taken, not only asked for; where it is gone, nothing is left in the folder."""
 
     def full(handle, start, length):

@@ -11,9 +11,9 @@ import tmodes
 from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.regime import run_regime
+from tmodes.paper.regime import run_paper
 from tmodes.simulation.batch.store import load_batch
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 SHORT = {"integration.duration": 0.02, "integration.output_step": 1e-3}
 
@@ -38,7 +38,7 @@ def test_each_lane_is_the_run_of_its_sheet(robot):
     assert batch.finished.all()
     for lane in range(4):
         changes = {path: numbers[lane] for path, numbers in vary.items()}
-        alone = run_regime(robot.with_(changes).pair().real, Drive.CONTROLLED)
+        alone = run_paper(robot.with_(changes).pair().real, Drive.CONTROLLED)
         states = alone.trajectory.states
         assert np.abs(batch.states[lane] - states).max() < 1e-12 * np.abs(states).max()
         seen = alone.observed(len(states))["tip"]
@@ -53,7 +53,7 @@ def test_each_lane_is_the_run_of_its_arm(method):
     masses = [0.8, 1.0, 1.7]
     batch = tmodes.simulate_batch(arm, {"links.link.bodies.bob.mass": masses}, tips=True)
     for lane, mass in enumerate(masses):
-        run = simulate_arm(arm.with_({"links.link.bodies.bob.mass": mass}))
+        run = simulate_motion(arm.with_({"links.link.bodies.bob.mass": mass}))
         n = len(run.coordinates)
         assert np.abs(batch.states[lane, :, :n] - run.q).max() < 1e-12
         assert batch.tips is not None
@@ -67,7 +67,7 @@ def test_each_lane_has_its_own_start_and_motion():
     vary = {"initial.coordinates.joint": starts, "drives.0.signal.value": efforts}
     batch = tmodes.simulate_batch(arm, vary)
     for lane, (start, effort) in enumerate(zip(starts, efforts, strict=True)):
-        run = simulate_arm(arm.with_({"initial.coordinates.joint": start, "drives.0.signal.value": effort}))
+        run = simulate_motion(arm.with_({"initial.coordinates.joint": start, "drives.0.signal.value": effort}))
         assert batch.states[lane, 0, 0] == start
         assert np.abs(batch.states[lane, :, :2] - run.q).max() < 1e-12
 
@@ -77,7 +77,7 @@ def test_the_tip_on_a_base_that_moves():
     ramp = {"type": "expression", "formula": "0.3*t"}
     arm = type(swing()).from_data(swing().model_dump(mode="json", exclude_none=True) | {"base_motion": {"x": ramp}})
     batch = tmodes.simulate_batch(arm, {"gravity": [9.0, 9.8]}, tips=True)
-    run = simulate_arm(arm.with_({"gravity": 9.8}))
+    run = simulate_motion(arm.with_({"gravity": 9.8}))
     assert batch.tips is not None
     assert np.abs(batch.tips[1] - run.points.position[:, 0]).max() < 1e-12
     assert batch.tips[1, -1, 0] - batch.tips[1, 0, 0] > 0.03
@@ -117,10 +117,10 @@ WRONG = {
 }
 
 
-@pytest.mark.parametrize("told", list(WRONG))
-def test_wrong_numbers_are_told_with_their_lane(robot, told):
-    with pytest.raises((InputError, InputErrors), match=told):
-        tmodes.simulate_batch(robot, WRONG[told])
+@pytest.mark.parametrize("info", list(WRONG))
+def test_wrong_numbers_are_reported_with_their_lane(robot, info):
+    with pytest.raises((InputError, InputErrors), match=info):
+        tmodes.simulate_batch(robot, WRONG[info])
 
 
 def test_lanes_of_other_coordinates_are_refused():
@@ -134,7 +134,7 @@ def test_too_large_is_refused_before_the_lanes_are_prepared(robot):
     long = robot.with_({"integration.duration": 1e4, "integration.output_step": 0.1})
     with pytest.raises(TmodesError, match=r"at most 1\.8 GB in memory"):
         tmodes.simulate_batch(
-            long, {"payload.mass": np.linspace(0.4, 0.6, 1000)}, progress=lambda *told: stages.append(told)
+            long, {"payload.mass": np.linspace(0.4, 0.6, 1000)}, progress=lambda *info: stages.append(info)
         )
     assert not stages
 

@@ -37,27 +37,27 @@ def test_json_has_every_figure_with_its_error(quick: None, tmp_path: Path) -> No
     options = ["--sizes", "1,2", "--rounds", "1", "--peers", "none", "--json", str(file)]
     done = CliRunner().invoke(app, ["bench", *options], catch_exceptions=False)
     assert done.exit_code == 0
-    told = json.loads(file.read_text(encoding="utf-8"))
-    assert [size["n"] for size in told["sizes"]] == [1, 2]
-    for size in told["sizes"]:
+    info = json.loads(file.read_text(encoding="utf-8"))
+    assert [size["n"] for size in info["sizes"]] == [1, 2]
+    for size in info["sizes"]:
         assert len(size["contenders"]) == 3
         for one in size["contenders"]:
             assert 0 < one["seconds"]["low"] <= one["seconds"]["median"] <= one["seconds"]["high"]
             assert 0 <= one["error"] < 1e-12
         assert size["limit"]["changing"] <= size["limit"]["operations"]
         assert all(race["reached"] and race["error"] <= 1e-6 for race in size["runs"]["races"])
-    names = [race["name"] for race in told["seed"]["races"]]
+    names = [race["name"] for race in info["seed"]["races"]]
     assert "tmodes, rk4, the paper's step" in names
     assert not [name for name in names if "SciPy" in name]
-    for word in ("1 joints", "limit, by throughput", "The closed loop of the 2010 robot", told["machine"]["processor"]):
+    for word in ("1 joints", "limit, by throughput", "The closed loop of the 2010 robot", info["machine"]["processor"]):
         assert word in done.stdout
 
 
 def test_json_on_the_screen_is_json_alone(quick: None) -> None:
     done = CliRunner().invoke(app, ["bench", "--quick", "--rounds", "1", "--peers", "none", "--json", "-"])
-    told = json.loads(done.stdout)
-    assert [size["n"] for size in told["sizes"]] == [6, 12]
-    assert "seed" not in told
+    info = json.loads(done.stdout)
+    assert [size["n"] for size in info["sizes"]] == [6, 12]
+    assert "seed" not in info
 
 
 @pytest.mark.parametrize(
@@ -70,7 +70,7 @@ def test_json_on_the_screen_is_json_alone(quick: None) -> None:
         (["--rounds", "0"], ("--rounds", "at least 1")),
     ],
 )
-def test_wrong_options_are_told(options: list[str], words: tuple[str, ...]) -> None:
+def test_wrong_options_are_reported(options: list[str], words: tuple[str, ...]) -> None:
     done = CliRunner().invoke(app, ["bench", *options])
     assert isinstance(done.exception, InputError)
     for word in words:
@@ -95,8 +95,8 @@ def test_the_loosest_setting_that_is_good_enough_is_taken() -> None:
         return Runner(name, run, (1, 10, 100, 1000), "{:g} steps", given=given)
 
     races = at_equal_error([runner("good", 0), runner("bad", 0.5), runner("given", 0, given=True)], 0.01, 2.0, 3)
-    told = {race.name: (race.setting, race.error, race.reached, race.time.median) for race in races}
-    assert told == {
+    info = {race.name: (race.setting, race.error, race.reached, race.time.median) for race in races}
+    assert info == {
         "good": ("100 steps", 0.01, True, 500.0),
         "bad": ("10 steps", 0.5, False, 50.0),
         "given": ("1 steps", 1.0, False, 5.0),
@@ -119,16 +119,16 @@ def test_integrators_agree_on_the_falling_chain() -> None:
 @pytest.mark.slow
 def test_start_is_measured_in_processes_of_its_own() -> None:
     """Compiled once, then read: entries are there, and reading them is quicker than making them."""
-    told = started(1)
-    assert told["cache_entries"] > 0
-    assert 0 < told["reload"] < told["compile"]
-    assert told["memory"] >= told["memory_before"]
+    info = started(1)
+    assert info["cache_entries"] > 0
+    assert 0 < info["reload"] < info["compile"]
+    assert info["memory"] >= info["memory_before"]
 
 
 def test_who_was_left_out_is_said_once() -> None:
     size: dict[str, Any] = {"left_out": {"gcc": "given up", "mujoco": "not installed"}}
-    told = {"sizes": [size | {"n": 36}, size | {"n": 102}]}
-    assert left_out(told) == ["gcc, 36, 102 joints: given up", "mujoco, 36, 102 joints: not installed"]
+    info = {"sizes": [size | {"n": 36}, size | {"n": 102}]}
+    assert left_out(info) == ["gcc, 36, 102 joints: given up", "mujoco, 36, 102 joints: not installed"]
 
 
 def test_power_law_is_found() -> None:

@@ -41,10 +41,10 @@ def test_exact_accelerations_of_a_pendulum() -> None:
 
 def test_energy_is_kept_by_the_exact_accelerations() -> None:
     """Power of gravity is the rate of the kinetic energy, by central differences along the motion, at five joints."""
-    from tmodes.model.model import ArmModel
+    from tmodes.model.model import Model
 
     robot = RigidChain(5)
-    model = ArmModel(robot.chain())
+    model = Model(robot.chain())
     (q,), (v,) = robot.states(1)
     a = accelerations(robot, [q], [v])[0]
     h = 1e-5

@@ -29,9 +29,9 @@ def test_sweep_into_a_folder(tmp_path):
     """All combinations; the table tells the spread and the worst lane, the folder holds all samples."""
     out = tmp_path / "with spaces é"
     vary = ["--vary", "payload.mass=0.4:0.6:3", "--vary", "gear.damping=0:4:3"]
-    told = tmodes_batch(*vary, "--out", out).stdout
-    assert "9 of 9 runs finished" in told
-    assert "The tip parts farthest" in told
+    info = tmodes_batch(*vary, "--out", out).stdout
+    assert "9 of 9 runs finished" in info
+    assert "The tip parts farthest" in info
     batch = load_batch(out)
     assert batch.size == 9
     assert batch.values["payload.mass"].tolist() == np.repeat([0.4, 0.5, 0.6], 3).tolist()
@@ -52,7 +52,7 @@ def test_draws_are_the_same_for_the_same_seed():
     assert first == again != other
 
 
-def test_lanes_that_fail_are_told_and_the_exit_code_says_so():
+def test_lanes_that_fail_are_reported_and_the_exit_code_says_so():
     done = tmodes_batch("--vary", "payload.mass=0.5:1e5:2", code=3)
     assert "1 of 2 runs finished" in done.stdout
     assert "lane 1 (payload.mass = 100000) failed" in done.stderr
@@ -76,23 +76,23 @@ WRONG = {
 }
 
 
-@pytest.mark.parametrize("told", list(WRONG))
-def test_wrong_lines_are_refused(told, monkeypatch, capsys):
+@pytest.mark.parametrize("info", list(WRONG))
+def test_wrong_lines_are_refused(info, monkeypatch, capsys):
     """Before anything runs."""
     monkeypatch.setattr("tmodes.simulation.vary.simulate.run_all", lambda *_: pytest.fail("it runs"))
-    monkeypatch.setattr(sys, "argv", ["tmodes", *COMMAND[3:], *WRONG[told]])
+    monkeypatch.setattr(sys, "argv", ["tmodes", *COMMAND[3:], *WRONG[info]])
     with pytest.raises(SystemExit) as ended:
         main()
     assert ended.value.code == 2
-    assert told in capsys.readouterr().err
+    assert info in capsys.readouterr().err
 
 
 @pytest.mark.parametrize(("stage", "duration"), [("preparing", 1), ("running", 2000), ("tips", 1)])
 def test_interrupted_before_the_batch_has_begun(stage, duration, tmp_path, monkeypatch, capsys):
     """Ctrl-C during the sheet's own run ends the command; nothing is left behind."""
 
-    def interrupts(self, told, share):
-        if told == stage:
+    def interrupts(self, info, share):
+        if info == stage:
             raise KeyboardInterrupt
 
     monkeypatch.setattr("tmodes.cli.progress.Stages.__call__", interrupts)

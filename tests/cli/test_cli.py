@@ -40,8 +40,8 @@ def settings(changes: dict[str, str]) -> list[str]:
 def test_the_main_job(tmp_path):
     """One command: result, report and figures; a second one does not overwrite unasked."""
     out = tmp_path / "with spaces é"
-    told = tmodes("run", "filipovic2010", "--out", out).stdout
-    assert "largest tip deviation" in told
+    info = tmodes("run", "filipovic2010", "--out", out).stdout
+    assert "largest tip deviation" in info
     assert (out / "report.html").stat().st_size < 3_000_000
     assert len(list((out / "figures").glob("*.svg"))) == len(list((out / "figures").glob("*.png"))) >= 8
     assert sorted(path.name for path in out.iterdir()) == ["figures", "report.html", "result.nc"]
@@ -54,10 +54,10 @@ def test_the_main_job(tmp_path):
 def test_run_as_json(tmp_path):
     """Machines get everything that a person is told, and nothing else on standard output."""
     done = tmodes("run", "filipovic2010", "--json", "--no-figures", "--no-contact", "--out", tmp_path / "o")
-    told = json.loads(done.stdout)
-    assert told["status"] == "finished"
-    assert told["summary"]["deviation"]["max_m"] == pytest.approx(2.971e-3, abs=5e-6)
-    assert [round(line["frequency_Hz"], 3) for line in told["frequencies"]["locked"]] == [
+    info = json.loads(done.stdout)
+    assert info["status"] == "finished"
+    assert info["summary"]["deviation"]["max_m"] == pytest.approx(2.971e-3, abs=5e-6)
+    assert [round(line["frequency_Hz"], 3) for line in info["frequencies"]["locked"]] == [
         4.996, 7.315, 20.259, 32.616, 179.863,
     ]  # fmt: skip
 
@@ -82,9 +82,9 @@ def test_a_run_that_diverges(tmp_path):
     done = tmodes("run", "filipovic2010", *stiff, "--out", tmp_path, code=3)
     for word in ("diverged at t = ", "coordinate", "dt*omega"):
         assert word in done.stderr
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
-    kept = Result.load(tmp_path / "result.nc")
+    kept = PaperResult.load(tmp_path / "result.nc")
     assert kept.status == "diverged"
     assert kept.data.sizes["time"] >= 1
     assert "diverged" in (tmp_path / "report.html").read_text(encoding="utf-8")
@@ -101,15 +101,15 @@ def test_robots_prints_a_sheet_that_runs(tmp_path):
     wrong = tmodes("check", file, code=2).stderr
     for word in (f"my.yaml:{line}", "payload.mass", "-0.5", "kg", "Mend:"):
         assert word in wrong
-    told = json.loads(tmodes("check", file, "--json", code=2).stdout)
-    assert told["ok"] is False
-    assert told["errors"][0]["which"] == "payload.mass"
+    info = json.loads(tmodes("check", file, "--json", code=2).stdout)
+    assert info["ok"] is False
+    assert info["errors"][0]["which"] == "payload.mass"
 
 
 def test_modes():
     """Frequencies of the real robot and of the robot as known."""
-    told = json.loads(tmodes("modes", "filipovic2010", "--json").stdout)
-    assert [round(m["frequency_Hz"], 2) for m in told["nominal"]["locked"]] == [6.66, 7.35, 26.17, 32.78, 235.82]
+    info = json.loads(tmodes("modes", "filipovic2010", "--json").stdout)
+    assert [round(m["frequency_Hz"], 2) for m in info["nominal"]["locked"]] == [6.66, 7.35, 26.17, 32.78, 235.82]
     assert "gear" in tmodes("modes", "filipovic2010", "--reading", "printed").stdout
 
 
@@ -189,16 +189,16 @@ SHORTER = LONG | {"integration.duration": "6000", "reference.duration": "6000"}
 
 def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
     """Ctrl-C, early and late: exit 130, a marked result; the same command then ends as if nobody had pressed it."""
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
     line = ["run", "filipovic2010", "--no-figures", *settings(SHORTER)]
     for stage in ("prescribed", "controlled"):
         with running(line, tmp_path / "a", stage) as process:
             process.send_signal(signal.SIGINT)
-            told = process.communicate(timeout=60)[1]
-        assert "Traceback" not in told
+            info = process.communicate(timeout=60)[1]
+        assert "Traceback" not in info
         assert process.returncode == 130
-        first = Result.load(tmp_path / "a/result.nc")
+        first = PaperResult.load(tmp_path / "a/result.nc")
         assert first.status == "interrupted"
         assert all(np.isfinite(v.values).all() for v in first.data.data_vars.values() if v.dtype.kind == "f")
     assert "continuing" in tmodes(*line, "--out", tmp_path / "a").stderr
@@ -257,8 +257,8 @@ def sheet(tmp_path, name):
 
 def test_names_are_text(tmp_path):
     """A name that looks like markup, or that the terminal cannot write, is told as it is."""
-    told = tmodes("modes", sheet(tmp_path, "[/b] Róbót"), env=os.environ | {"PYTHONIOENCODING": "ascii"}).stdout
-    assert "[/b] R\\xf3b\\xf3t" in told
+    info = tmodes("modes", sheet(tmp_path, "[/b] Róbót"), env=os.environ | {"PYTHONIOENCODING": "ascii"}).stdout
+    assert "[/b] R\\xf3b\\xf3t" in info
     assert "control characters" in tmodes("check", sheet(tmp_path, "a\x1b[31mb"), code=2).stderr
 
 
@@ -275,7 +275,7 @@ def test_output_that_cannot_be_written():
     assert subprocess.run([*COMMAND, "robots"], preexec_fn=lambda: os.close(1), check=False).returncode == 0
 
 
-def test_places_of_the_wrong_kind_are_told_before_the_run(tmp_path):
+def test_places_of_the_wrong_kind_are_reported_before_the_run(tmp_path):
     """A file where the figures' folder belongs."""
     (tmp_path / "figures").touch()
     assert "Mend:" in tmodes("run", "filipovic2010", "--out", tmp_path, code=4).stderr

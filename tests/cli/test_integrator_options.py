@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 SHORT = ["--duration", "0.2", "--no-contact", "--no-figures"]
@@ -20,67 +20,67 @@ def tmodes(*arguments: object, code: int = 0) -> subprocess.CompletedProcess[str
     return done
 
 
-def test_options_and_what_is_told(tmp_path):
+def test_options_and_what_is_reported(tmp_path):
     """Method and both tolerances reach the run; steps, time of computing and errors are told."""
     options = ["--integrator", "dop853", "--rtol", 1e-8, "--atol", 1e-11, *SHORT]
-    told = tmodes("run", "filipovic2010", *options, "--out", tmp_path / "table").stdout
+    info = tmodes("run", "filipovic2010", *options, "--out", tmp_path / "table").stdout
     for words in ("of dop853 (", "of computing for each simulated second", "error", "< ", "--check-error"):
-        assert words in told
+        assert words in info
     printed = json.loads(tmodes("run", "filipovic2010", *options, "--json", "--out", tmp_path / "json").stdout)
     assert printed["statistics"]["real"]["method"] == "dop853"
     assert 0 < printed["statistics"]["real"]["smallest_step_s"] <= printed["statistics"]["real"]["mean_step_s"]
     assert printed["seconds_per_simulated_second"]["real"] > 0
     assert printed["summary"]["error"]["figures"]["deviation.max_m"] > 0
-    kept = Result.load(tmp_path / "json" / "result.nc")
+    kept = PaperResult.load(tmp_path / "json" / "result.nc")
     assert kept.robot.integration.absolute_tolerance == 1e-11
     assert kept.timing == {}
     assert (tmp_path / "table" / "result.nc").read_bytes() == (tmp_path / "json" / "result.nc").read_bytes()
 
 
 def test_check_error(tmp_path):
-    told = tmodes("run", "filipovic2010", "--check-error", *SHORT, "--out", tmp_path).stdout
-    assert "by a run with a tenth of the tolerances" in told
-    assert "< " not in told
+    info = tmodes("run", "filipovic2010", "--check-error", *SHORT, "--out", tmp_path).stdout
+    assert "by a run with a tenth of the tolerances" in info
+    assert "< " not in info
 
 
 def test_limits_of_a_robot_that_has_none(tmp_path):
-    told = tmodes("run", "filipovic2010", "--stop-at-limits", "--out", tmp_path, code=2).stderr
-    assert "--stop-at-limits: got the robot filipovic2010, which has none; expected an arm" in told
-    assert "Mend: leave it out; --stop ends a run" in told
+    info = tmodes("run", "filipovic2010", "--stop-at-limits", "--out", tmp_path, code=2).stderr
+    assert "--stop-at-limits: got the robot filipovic2010, which has none; expected an arm" in info
+    assert "Mend: leave it out; --stop ends a run" in info
 
 
 def test_unknown_integrator(tmp_path):
     """The known ones are listed."""
     for name, known in (("filipovic2010", ("dormand_prince", "dop853", "rk4")), ("spong1987", ("extrapolation",))):
-        told = tmodes("run", name, "--integrator", "euler", "--out", tmp_path, code=2).stderr
-        assert "euler" in told
-        assert all(word in told for word in known)
+        info = tmodes("run", name, "--integrator", "euler", "--out", tmp_path, code=2).stderr
+        assert "euler" in info
+        assert all(word in info for word in known)
 
 
-def test_passes_of_lanes_are_told(tmp_path):
+def test_passes_of_lanes_are_reported(tmp_path):
     """Of a method that evaluates several states at once both counts are told."""
     options = ["--integrator", "extrapolation", "--duration", "0.02", "--no-figures"]
-    told = tmodes("run", "spong1987", *options, "--out", tmp_path).stdout
-    assert "evaluations in " in told
-    assert "passes of four lanes" in told
+    info = tmodes("run", "spong1987", *options, "--out", tmp_path).stdout
+    assert "evaluations in " in info
+    assert "passes of four lanes" in info
 
 
 @pytest.mark.parametrize("method", ["auto", "extrapolation", "rosenbrock", "midpoint"])
 def test_every_method_for_the_2010_robot(tmp_path, method):
-    told = json.loads(
+    info = json.loads(
         tmodes("run", "filipovic2010", "--integrator", method, *SHORT, "--out", tmp_path, "--json").stdout
     )
-    assert told["status"] == "finished"
-    assert told["statistics"]["real"]["method"] == {"auto": "dormand_prince"}.get(method, method)
+    assert info["status"] == "finished"
+    assert info["statistics"]["real"]["method"] == {"auto": "dormand_prince"}.get(method, method)
 
 
 def test_help_teaches():
-    told = " ".join(tmodes("run", "--help").stdout.split())
+    info = " ".join(tmodes("run", "--help").stdout.split())
     for words in ("dop853: explicit, order 8", "extrapolation: implicit", "--check-error", "--atol", "Example"):
-        assert words in told
+        assert words in info
 
 
 def test_tolerance_below_rounding(tmp_path):
-    told = tmodes("run", "filipovic2010", "--rtol", 1e-15, "--out", tmp_path, code=2).stderr
-    assert "relative_tolerance" in told
-    assert "1e-13" in told
+    info = tmodes("run", "filipovic2010", "--rtol", 1e-15, "--out", tmp_path, code=2).stderr
+    assert "relative_tolerance" in info
+    assert "1e-13" in info

@@ -15,8 +15,8 @@ from arm.see.runs import NASTY, result_of
 from result.synthetic import synthetic_result
 from tmodes.cli.series import first_series, series_of_result
 from tmodes.cli.sparkline import ASCII, BLOCKS, sparkline, steps_for
-from tmodes.result import ArmResult
-from tmodes.result.record import Result
+from tmodes.result import Result
+from tmodes.result.record import PaperResult
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "show"]
 
@@ -29,11 +29,11 @@ def robot_run(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 
 @pytest.fixture(scope="module")
-def arm_result() -> ArmResult:
+def arm_result() -> Result:
     return result_of("swinging")
 
 
-def told(*arguments: object, code: int = 0, **more) -> subprocess.CompletedProcess[str]:
+def info(*arguments: object, code: int = 0, **more) -> subprocess.CompletedProcess[str]:
     done = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
     assert "Traceback" not in done.stderr
     assert done.returncode == code, done.stderr
@@ -41,16 +41,16 @@ def told(*arguments: object, code: int = 0, **more) -> subprocess.CompletedProce
 
 
 def test_folder_and_file_tell_the_same(robot_run):
-    shown = told(robot_run).stdout
-    assert shown.replace("\\", "/") == told(robot_run / "result.nc").stdout.replace("\\", "/")
+    shown = info(robot_run).stdout
+    assert shown.replace("\\", "/") == info(robot_run / "result.nc").stdout.replace("\\", "/")
     for word in ("finished", "largest tip deviation", "mm", "locked", "damping ratio", "voltage [V]", "█"):
         assert word in shown
     assert "\x1b" not in shown
 
 
 def test_numbers_for_machines_are_those_of_the_series(robot_run):
-    found = json.loads(told(robot_run, "--json").stdout)
-    data = Result.load(robot_run / "result.nc").data
+    found = json.loads(info(robot_run, "--json").stdout)
+    data = PaperResult.load(robot_run / "result.nc").data
     tip = data["tip"].sel(axis="y").values
     own = next(one for one in found["series"] if (one["variable"], one["of"]) == ("tip", "y"))
     assert (own["min"], own["max"], own["end"]) == (tip.min(), tip.max(), tip[-1])
@@ -61,7 +61,7 @@ def test_numbers_for_machines_are_those_of_the_series(robot_run):
 def test_an_arm_with_a_nasty_name(arm_result, tmp_path):
     """Names are text; each series of an arm has the one unit that is its own."""
     arm_result.save(tmp_path / "result.nc")
-    shown = told(tmp_path).stdout
+    shown = info(tmp_path).stdout
     assert f"effort {NASTY} [" in shown
     assert "along prismatic" not in shown
     units = {one.name: one.unit for one in series_of_result(arm_result.data)}
@@ -80,7 +80,7 @@ def test_series_along_a_link_are_the_farthest_values(arm_result):
 
 def test_no_blocks_where_the_terminal_has_none(robot_run):
     world = os.environ | {"PYTHONIOENCODING": "ascii"}
-    shown = told(robot_run, env=world).stdout
+    shown = info(robot_run, env=world).stdout
     assert shown.isascii()
     assert "\\u" not in shown
     assert "energy_balance" in shown
@@ -119,12 +119,12 @@ def test_damaged_results_are_refused(robot_run, tmp_path, hurt):
     content[len(content) // 2] ^= 1
     broken = {"cut": content[:-100], "bit": content, "foreign": b"GIF89a" * 100, "empty": b""}[hurt]
     (tmp_path / "result.nc").write_bytes(broken)
-    assert "Mend:" in told(tmp_path, code=4).stderr
+    assert "Mend:" in info(tmp_path, code=4).stderr
 
 
 def test_what_is_no_result(tmp_path):
-    assert "a folder without result.nc" in told(tmp_path, code=4).stderr
-    assert "got nothing" in told(tmp_path / "none", code=4).stderr
+    assert "a folder without result.nc" in info(tmp_path, code=4).stderr
+    assert "got nothing" in info(tmp_path / "none", code=4).stderr
 
 
 def test_the_reader_goes_away(robot_run):

@@ -53,11 +53,11 @@ def runs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 def test_two_runs_side_by_side(runs, tmp_path):
     """Runs of one robot are told apart by their folders; the page asks for nothing outside."""
     out = tmp_path / "a page.html"
-    told = json.loads(viewed(*runs, "--out", out, "--json").stdout)
+    info = json.loads(viewed(*runs, "--out", out, "--json").stdout)
     document = out.read_text(encoding="utf-8")
     head = head_of(document)
-    assert [run["name"] for run in head["runs"]] == told["runs"]
-    assert [name.partition(" (")[2] for name in told["runs"]] == ["soft)", "stiff)"]
+    assert [run["name"] for run in head["runs"]] == info["runs"]
+    assert [name.partition(" (")[2] for name in info["runs"]] == ["soft)", "stiff)"]
     assert "default-src 'none'" in html.unescape(document[:1000])
     assert not re.search(r"(?:src|href)=[\"']?https?:", document)
 

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 from oracle.parameters import random_parameters, random_state
 from tmodes.paper.environment import FrictionLaw
 from tmodes.paper.mechanism import Drive, Mechanism, Parameters, Reading
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
 
 READINGS = list(Reading)
@@ -29,7 +29,7 @@ def terms(seed, reading, contact=None, **override):
         numbers[f"link.modes.{k - 1}.mass_per_length"] = symbols[f"w{k}"]
     numbers |= {"payload.mass": symbols["m"], "payload.inertia": symbols["Jzz"], "gear.stiffness": symbols["Cxi"]}
     parameters = Parameters(tuple(numbers), np.array(list(numbers.values())))
-    found = Model(Mechanism(reading, contact, Drive.VOLTAGE)).evaluate(phi, phid, [u], parameters)
+    found = PaperModel(Mechanism(reading, contact, Drive.VOLTAGE)).evaluate(phi, phid, [u], parameters)
     return {name: value[0] for name, value in found.items()}, phi, phid
 
 

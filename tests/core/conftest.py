@@ -4,11 +4,11 @@ from __future__ import annotations
 
 import pytest
 
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import load_robot
 
 
 @pytest.fixture(scope="session")
-def robot() -> Robot:
+def robot() -> PaperRobot:
     """The paper's robot as shipped."""
     return load_robot("filipovic2010")

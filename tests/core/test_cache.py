@@ -45,7 +45,7 @@ def test_folder_that_we_make_is_private(place: Path) -> None:
     assert place.stat().st_mode & 0o777 == 0o700
 
 
-def test_folder_that_cannot_be_made_is_told(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_folder_that_cannot_be_made_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "file").touch()
     monkeypatch.setenv("TMODES_CACHE", str(tmp_path / "file" / "cache"))
     assert cache.folder() is None
@@ -106,12 +106,12 @@ def test_folder_is_not_listed_at_each_save(place: Path, monkeypatch: pytest.Monk
     assert 1 < listed <= 1 + saves * (size + 200) * 16 / limit
 
 
-def test_command_tells_folder_size_and_limit(place: Path) -> None:
+def test_command_reports_folder_size_and_limit(place: Path) -> None:
     cache.save("one", bytes(1000))
     cache.save("two", bytes(2000))
-    told = json.loads(cli("--json"))
+    info = json.loads(cli("--json"))
     size = sum(file.stat().st_size for file in place.iterdir())
-    assert told == {
+    assert info == {
         "folder": str(place), "used": True, "entries": 2, "bytes": size, "limit": cache.MAX_BYTES, "why_not": "",
     }  # fmt: skip
     shown = cli()
@@ -130,7 +130,7 @@ def test_command_without_a_folder(monkeypatch: pytest.MonkeyPatch) -> None:
     """An empty variable means none: shown as such, and nothing to clear."""
     monkeypatch.setenv("TMODES_CACHE", "")
     assert "TMODES_CACHE is empty" in cli()
-    told = json.loads(cli("--json"))
-    assert (told["folder"], told["used"]) == (None, False)
+    info = json.loads(cli("--json"))
+    assert (info["folder"], info["used"]) == (None, False)
     done = CliRunner().invoke(app, ["cache", "clear"])
     assert "expected one that is used" in str(done.exception)

@@ -10,7 +10,7 @@ from tmodes.compile.loops.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A
 from tmodes.integrate.settings import Integration, Method
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.simulation.trajectory import integrate
 
 STILL = Schedule(np.array([0.0, 10.0]), np.zeros((1, 3)))
@@ -21,7 +21,7 @@ def plucked(robot):
     """The arm with its motor held and no losses, away from rest: nothing fast, nothing that jumps."""
     free = {"motor.friction": 0.0, "gear.damping": 0.0, "link.modes.0.damping_time": 0.0}
     mechanism, parameters = robot.with_(free).split(Drive.PRESCRIBED, contact=False)
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
     state = model.rest(0.0, parameters)
     state[:5] += [0.010, 0.03, 0.008, 0.004, -0.03]
 
@@ -77,7 +77,7 @@ def test_order_between_the_steps(plucked):
 def test_agrees_with_scipy_at_its_tightest(robot):
     """SciPy's DOP853 on the same right-hand side, from knot to knot, and its dense output."""
     mechanism, parameters = robot.split(Drive.CONTROLLED, contact=False)
-    model, schedule = Model(mechanism), robot.reference.schedule()
+    model, schedule = PaperModel(mechanism), robot.reference.schedule()
     state = model.rest(0.0, parameters)
     settings = Integration(
         method=Method.DOP853, duration=0.6, output_step=1e-2, relative_tolerance=1e-12, absolute_tolerance=1e-15
@@ -104,7 +104,7 @@ def test_samples_are_as_good_as_the_steps_where_stability_holds_the_step(robot):
         change = {"method": method, "relative_tolerance": tolerance, "absolute_tolerance": tolerance * 1e-3}
         sheet = robot.with_({f"integration.{name}": value for name, value in change.items()})
         mechanism, parameters = sheet.split(Drive.CONTROLLED, contact=False)
-        model = Model(mechanism)
+        model = PaperModel(mechanism)
         settings = sheet.integration.model_copy(update={"duration": 0.6})
         start = model.rest(0.0, parameters)
         runs[method] = integrate(model, parameters, sheet.reference.schedule(), start, settings).states[:, :12]

@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.regime import run_regime
+from tmodes.paper.regime import run_paper
 from tmodes.paper.simulate import simulate
 
 TIGHT = {"relative_tolerance": 1e-13, "absolute_tolerance": 1e-16}
@@ -17,7 +17,7 @@ def with_settings(robot, **changes):
 
 
 def trajectory(robot, **changes):
-    return run_regime(with_settings(robot, **changes), Drive.CONTROLLED).trajectory
+    return run_paper(with_settings(robot, **changes), Drive.CONTROLLED).trajectory
 
 
 def sizes(run, exact):
@@ -38,10 +38,10 @@ def exact(robot):
 def test_local_errors_bound_a_stable_motion(robot, exact, method, tolerance):
     """Their sum is above the true error, of each component, and not beyond all reason."""
     run = trajectory(robot, method=method, relative_tolerance=tolerance, absolute_tolerance=tolerance * 1e-3)
-    true, told, signed = sizes(run, exact)
+    true, info, signed = sizes(run, exact)
     assert not signed
-    assert (told > true / 3).all()
-    assert told.max() < 2e3 * true.max()
+    assert (info > true / 3).all()
+    assert info.max() < 2e3 * true.max()
 
 
 @pytest.mark.parametrize(
@@ -56,10 +56,10 @@ def test_local_errors_bound_a_stable_motion(robot, exact, method, tolerance):
 def test_second_runs_tell_the_error_itself(robot, exact, changes):
     """By tolerances ten times smaller, or steps twice as long or half: right within a factor of three."""
     run = trajectory(robot, **changes)
-    true, told, signed = sizes(run, exact)
+    true, info, signed = sizes(run, exact)
     assert signed
-    assert (told > true / 3).all()
-    assert (told < 3 * true).all()
+    assert (info > true / 3).all()
+    assert (info < 3 * true).all()
 
 
 def test_no_estimate_from_a_run_that_is_lost(robot):
@@ -80,10 +80,10 @@ def test_estimate_interrupted(robot):
     assert with_error(done, settings, lambda changed: cut).status == "interrupted"
 
 
-def flat(told, start=""):
+def flat(info, start=""):
     """All numbers of a summary by their path."""
     found = {}
-    for key, value in told.items():
+    for key, value in info.items():
         if isinstance(value, dict):
             found |= flat(value, f"{start}{key}.")
         elif isinstance(value, float):
@@ -96,14 +96,14 @@ def test_headline_figures(robot, changes, most):
     """Beside every figure stands an error that is not far below the true one; sharp where it was asked for."""
     coarse = {"relative_tolerance": 1e-7, "absolute_tolerance": 1e-10}
     result, exact = simulate(with_settings(robot, **coarse, **changes)), simulate(with_settings(robot, **TIGHT))
-    told = result.summary()["error"]["figures"]
+    info = result.summary()["error"]["figures"]
     is_, should = flat(result.summary()), flat(exact.summary())
-    true = {name: abs(is_[name] - should[name]) for name in told if name in is_}
+    true = {name: abs(is_[name] - should[name]) for name in info if name in is_}
     tips = [one.data["tip"].values for one in (result, exact)]
     true["tip_m"] = np.linalg.norm(tips[0] - tips[1], axis=1).max()
-    assert set(true) == set(told)
-    assert all(told[name] > true[name] / 3 - 1e-16 for name in told)
-    assert told["tip_m"] < most * true["tip_m"]
-    deviations = [name for name in told if name.startswith(("deviation", "deformations"))]
+    assert set(true) == set(info)
+    assert all(info[name] > true[name] / 3 - 1e-16 for name in info)
+    assert info["tip_m"] < most * true["tip_m"]
+    deviations = [name for name in info if name.startswith(("deviation", "deformations"))]
     assert len(deviations) == 7
-    assert all(told[name] < 1e-4 * is_[name] for name in deviations)
+    assert all(info[name] < 1e-4 * is_[name] for name in deviations)

@@ -12,7 +12,7 @@ from tmodes.errors import InputErrors
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.environment import FrictionLaw
 from tmodes.paper.mechanism import Drive, Mechanism, Reading
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.paper.model_loops import rate_of
 from tmodes.paper.simulate import simulate
 
@@ -73,7 +73,7 @@ def test_midpoint_keeps_the_energy(robot, reading):
     )  # fmt: skip
     mechanism, parameters = lossless.split(Drive.PRESCRIBED, reading=reading, contact=False)
     rows = still.rows_at(done.times)
-    energy = Model(mechanism).observe(done.times, done.states, rows, parameters)["energy"].sum(axis=1)
+    energy = PaperModel(mechanism).observe(done.times, done.states, rows, parameters)["energy"].sum(axis=1)
     drift = np.polyfit(done.times, energy, 1)[0] * done.times[-1]
     half = len(energy) // 2
     bands = [np.ptp(part) for part in (energy[:half], energy[half:])]
@@ -95,7 +95,7 @@ def test_a_gear_that_is_all_but_rigid(robot):
     assert apart[0] / apart[1] == pytest.approx(10.0, rel=0.1)
 
 
-def test_the_default_tells_its_choice(robot):
+def test_the_default_reports_its_choice(robot):
     """Not stiff: explicit, and why."""
     done = simulate(robot.with_({"integration.duration": 0.1}))
     assert "by dormand_prince: the fastest eigenvalue" in done.message
@@ -105,7 +105,7 @@ def test_the_default_tells_its_choice(robot):
 def test_rest_on_a_surface_that_hardly_gives(robot, stiffness):
     """Rounding alone moves the arm there, yet it stands; its bend gives way: the tip comes near to the sphere."""
     mechanism, parameters = robot.with_({"environment.stiffness": stiffness}).split(contact=True)
-    model, row = Model(mechanism), np.zeros(mechanism.reference_degree + 2)
+    model, row = PaperModel(mechanism), np.zeros(mechanism.reference_degree + 2)
     state = model.rest(0.0, parameters)
     assert np.abs(model.rate(0.0, state, row, parameters)).max() < 1e-6
     reach = sum(mode.length for mode in robot.link.modes)

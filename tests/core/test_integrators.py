@@ -10,7 +10,7 @@ from tmodes.compile.loops.dormand_prince_loop import B_ERROR, DENSE, A, C
 from tmodes.integrate.settings import Method
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive, Reading
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.simulation.trajectory import integrate, sample_times
 
 LOSSLESS = {
@@ -34,7 +34,7 @@ def plucked(model, parameters):
 
 def run(robot, drive=Drive.CONTROLLED, schedule=None, state=None, reading=None, contact=False, **changes):
     mechanism, parameters = robot.split(drive, reading=reading, contact=contact)
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
     state = model.rest(0.0, parameters) if state is None else state(model, parameters)
     return integrate(model, parameters, schedule or robot.reference.schedule(), state, setting(robot, **changes))
 
@@ -87,7 +87,7 @@ def test_energy_without_losses(robot, reading, method, order):
             "absolute_tolerance": 1e-9 / level**5,
         }
         one = run(quiet, Drive.PRESCRIBED, STILL, plucked, reading, method=method, duration=1.0, **change)
-        energy = Model(mechanism).evaluate(
+        energy = PaperModel(mechanism).evaluate(
             one.states[:, :6], one.states[:, 6:12], np.zeros(len(one.times)), parameters
         )["energy"]
         drifts.append(np.abs(energy - energy[0]).max() / abs(energy[0]))
@@ -109,7 +109,7 @@ def test_chunks_change_no_bit(robot, monkeypatch, method):
 def test_agrees_with_scipy(robot, method):
     """The same right-hand side through SciPy's DOP853, restarted at the jumps, at tight tolerance."""
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, schedule = Model(mechanism), robot.reference.schedule()
+    model, schedule = PaperModel(mechanism), robot.reference.schedule()
     state = model.rest(0.0, parameters)
     for start, end in zip(schedule.knots[:-1], schedule.knots[1:], strict=True):
         row = schedule.rows_at([start])[0]
@@ -142,7 +142,7 @@ def test_sample_times(robot, duration, step, last):
     assert (np.diff(times) > 0).all()
 
 
-def test_divergence_is_told(robot):
+def test_divergence_is_reported(robot):
     """A run that blows up stops with time, coordinate and reason, and keeps what it had."""
     stiff = robot.with_({"gear.stiffness": 4.7e9})
     lost = run(stiff, method="rk4", step=1e-3, output_step=1e-3)
@@ -167,7 +167,7 @@ def test_limits_stop_a_run(robot):
 def test_interruption_keeps_what_was_done(robot):
     """Ctrl-C ends a run with its samples so far."""
     mechanism, parameters = robot.split(Drive.CONTROLLED, contact=False)
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
 
     def press(share):
         if share > 0.2:
@@ -187,7 +187,7 @@ def test_a_killed_run_goes_on_with_the_same_bytes(robot, tmp_path):
 
     whole = run(robot, duration=1.0)
     mechanism, parameters = robot.split(Drive.CONTROLLED, contact=False)
-    model, schedule = Model(mechanism), robot.reference.schedule()
+    model, schedule = PaperModel(mechanism), robot.reference.schedule()
     start, settings, one = model.rest(0.0, parameters), setting(robot, duration=1.0), None
     for _ in range(40):
         journal = RunJournal(tmp_path / "log", "this run", seconds=0.0)

@@ -14,10 +14,10 @@ from tmodes.equations.lagrange.coordinates import deformations
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.integrate.settings import Integration, Method
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.paper.modes import MotorState, Spectrum, all_modes, vibration_modes
-from tmodes.paper.regime import run_regime
-from tmodes.paper.sheet import NominalRealPair, Robot
+from tmodes.paper.regime import run_paper
+from tmodes.paper.sheet import PaperPair, PaperRobot
 from tmodes.paper.simulate import simulate
 
 RIGID = {
@@ -39,12 +39,12 @@ def test_rigid_is_the_limit_of_stiff(robot, elements, drive):
     """Infinite stiffness takes the coordinate away; a thousand times stiffer comes a thousand times nearer to it."""
     robot = robot.with_({"gear.damping": 40.0, **SHORT})  # so that the stiff motion dies out and the limit is seen
     rigid = robot.with_(RIGID[elements])
-    limit = run_regime(rigid, drive).trajectory.states[:, :6]
+    limit = run_paper(rigid, drive).trajectory.states[:, :6]
     held = np.stack(deformations(limit.T), axis=1)
     numbers, distance = dict(robot.numbers()), []
     for factor in (30.0, 300.0):
         stiff = {path: numbers[path] * factor for path in RIGID[elements]}
-        near = run_regime(robot.with_(stiff), drive).trajectory.states[:, :6]
+        near = run_paper(robot.with_(stiff), drive).trajectory.states[:, :6]
         distance.append(np.abs(near - limit).max())
     assert distance[1] < 0.25 * distance[0]
     names = {"gear": [4], "mode 1": [0, 2], "mode 2": [1, 3], "all": [0, 1, 2, 3, 4]}[elements]
@@ -53,7 +53,7 @@ def test_rigid_is_the_limit_of_stiff(robot, elements, drive):
 
 def test_rigid_gear_still_has_a_torque(robot):
     """The torque of a rigid gear is what the arm asks of it: the balance at the motor closes."""
-    run = run_regime(robot.with_({"gear.stiffness": math.inf, **SHORT}), Drive.CONTROLLED)
+    run = run_paper(robot.with_({"gear.stiffness": math.inf, **SHORT}), Drive.CONTROLLED)
     t = run.trajectory
     seen = run.model.observe(t.times, t.states, run.rows, run.parameters)
     motor = robot.motor
@@ -115,7 +115,7 @@ def test_step_verdict():
     assert step_times_eigenvalue(fixed, {"mean_step_s": 9.0}) == pytest.approx(1.0)
 
 
-def test_too_stiff_is_told_before_the_run(robot):
+def test_too_stiff_is_reported_before_the_run(robot):
     """Steps that no one would wait for are refused with their number and the coordinate."""
     with pytest.raises(SimulationError, match=r"too stiff.* coordinate \w+, .* steps"):
         simulate(robot.with_({"gear.damping": 1e9, "integration.method": "dormand_prince"}))
@@ -143,12 +143,12 @@ def test_singular_mass_matrix_names_the_coordinate(robot):
     """Masses that vanish are found before the run."""
     mechanism, parameters = robot.split(Drive.CONTROLLED, contact=False)
     parameters.vector[parameters.names.index("motor.inertia")] = 0.0
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
     with pytest.raises(SimulationError, match="theta"):
         model.check_mass_matrix(model.rest(0.0, parameters), parameters)
 
 
-def test_no_equilibrium_is_told(robot):
+def test_no_equilibrium_is_reported(robot):
     """A link that cannot carry its load is refused before the run."""
     with pytest.raises(SimulationError, match="equilibrium"):
         simulate(robot.with_({"link.modes.1.bending_stiffness": 1e-6, "contact": False}))
@@ -168,10 +168,10 @@ def test_every_bad_number_errs_or_runs(name, path, kind, text, tmp_path):
     try:
         sheet = load_robot(str(file))
     except InputErrors as errors:
-        told = str(errors)
+        info = str(errors)
     else:
-        told = shortly(sheet, path)
-    assert not told or ("Mend:" in told and path.split(".")[0] in told), told
+        info = shortly(sheet, path)
+    assert not info or ("Mend:" in info and path.split(".")[0] in info), info
 
 
 def shortly(sheet, path):
@@ -195,7 +195,7 @@ def test_modes_of_any_robot(robot, elements):
         assert len(modes) == count[state] - gone
 
 
-def test_instability_is_told(robot):
+def test_instability_is_reported(robot):
     """A preload that buckles the arm, and friction that feeds power in: `modes` and the run say so."""
     buckled = robot.with_({"environment.preload": 1500.0, "environment.friction": 0.0, "real": {}})
     worst = min(vibration_modes(buckled, MotorState.LOCKED, contact=True), key=lambda mode: mode.damping_ratio)
@@ -231,13 +231,13 @@ def test_a_jammed_contact_is_warned_of(robot):
     rng = np.random.default_rng(5)
     angles, rates = 0.2 * rng.standard_normal((400, 6)), rng.standard_normal((400, 6))
     states = np.column_stack([angles, rates, np.zeros((400, 5))])
-    told = []
+    info = []
     for change in ({}, {"environment.friction": 2.0, "environment.mass": 10.0}):
         mechanism, parameters = robot.with_(change).split(Drive.CONTROLLED)
-        seen = Model(mechanism).observe(np.zeros(400), states, np.zeros((400, 4)), parameters)
-        told.append(jam_warnings(np.arange(400.0), seen["contact_fold"]))
-    assert told[0] == []
-    assert "jams first at t = " in told[1][0]
+        seen = PaperModel(mechanism).observe(np.zeros(400), states, np.zeros((400, 4)), parameters)
+        info.append(jam_warnings(np.arange(400.0), seen["contact_fold"]))
+    assert info[0] == []
+    assert "jams first at t = " in info[1][0]
 
 
 def test_a_pair_must_move_alike(robot):
@@ -248,13 +248,15 @@ def test_a_pair_must_move_alike(robot):
         {"reference.end": 1.0},
         {"reading": "printed"},
     ):
-        with pytest.raises(InputError, match="NominalRealPair"):
-            NominalRealPair(robot, robot.with_(change))
+        with pytest.raises(InputError, match="PaperPair"):
+            PaperPair(robot, robot.with_(change))
 
 
 def test_text_that_can_not_be_data(robot):
     """Plain data make a robot, or all that is wrong is told."""
     data = robot.model_dump(mode="json")
-    assert Robot.from_data(data) == robot
+    assert PaperRobot.from_data(data) == robot
     with pytest.raises(InputErrors, match=r"gear.stiffness.*\n.*payload.mass|payload.mass.*\n.*gear.stiffness"):
-        Robot.from_data(data | {"gear": {"stiffness": -1, "damping": 0}, "payload": {"mass": "heavy", "inertia": 0}})
+        PaperRobot.from_data(
+            data | {"gear": {"stiffness": -1, "damping": 0}, "payload": {"mass": "heavy", "inertia": 0}}
+        )

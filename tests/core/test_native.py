@@ -14,7 +14,7 @@ from tmodes.equations.lagrange.closed_loop import closed_loop, observe_function,
 from tmodes.equations.lagrange.symbols import symbolic_robot
 from tmodes.errors import CompileError, ResultFileError
 from tmodes.paper.mechanism import Drive, Parameters
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 
 
 def sampled(function, *inputs, parameters=(1.0,)):
@@ -59,7 +59,7 @@ def test_sine_of_nothing_is_nothing(sine_cosine):
 def test_native_equals_casadi(robot, make):
     """The whole closed loop in contact, at random states: native code and CasADi's interpreter agree to rounding."""
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    function, model = make(closed_loop(mechanism)), Model(mechanism)
+    function, model = make(closed_loop(mechanism)), PaperModel(mechanism)
     rng = np.random.default_rng(3)
     time, row = rng.uniform(0, 2, 50), np.tile([0.4, 0.1, 0.5, -0.2], (50, 1))
     state = 0.1 * rng.standard_normal((50, 17))
@@ -75,7 +75,7 @@ def test_native_equals_casadi(robot, make):
 def test_parameters_are_inputs(robot):
     """One compiled model serves every parameter set: what follows from numbers is computed at each run."""
     mechanism, parameters = robot.split(Drive.CONTROLLED, contact=False)
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
     doubled = Parameters(parameters.names, parameters.vector * 2)
     state, row = 0.01 * np.ones(17), [0, 0, 0, 0]
     one, two = (model.rate([0.0], state, row, p)[0] for p in (parameters, doubled))

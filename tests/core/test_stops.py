@@ -14,12 +14,12 @@ from tmodes.io.paths import parse_assignment
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.io.write import robot_to_yaml
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.paper.quantities import robot_quantities, robot_stops
-from tmodes.paper.regime import run_regime
-from tmodes.paper.sheet import Robot
+from tmodes.paper.regime import run_paper
+from tmodes.paper.sheet import PaperRobot
 from tmodes.paper.simulate import simulate
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 from tmodes.simulation.stops import Instants
 
 SHORT = {"integration.duration": 0.6, "integration.output_step": 0.01}
@@ -30,7 +30,7 @@ COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 def test_a_motor_that_follows_its_reference_passes_an_angle(robot, method):
     """theta is theta_o of the planned robot: it passes an angle when the polynomials of the reference do."""
     sheet = robot.with_({**SHORT, "integration.method": method})
-    run = run_regime(sheet, Drive.PRESCRIBED, stops=robot_stops(sheet, ["theta.position > 2 deg"], Drive.PRESCRIBED))
+    run = run_paper(sheet, Drive.PRESCRIBED, stops=robot_stops(sheet, ["theta.position > 2 deg"], Drive.PRESCRIBED))
     schedule = robot.reference.schedule()
     assert run.trajectory.status == "stopped_by_condition"
     time = run.trajectory.times[-1]
@@ -59,7 +59,7 @@ def test_a_result_up_to_the_condition(robot, method):
 def test_every_name_gives_a_number(robot):
     """All quantities that a message may offer have values at a state, one for each instant."""
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
     states = np.tile(model.rest(0.0, parameters), (3, 1))
     rows = robot.reference.schedule().rows_at(np.zeros(3))
     for name, quantity in robot_quantities(model, parameters).items():
@@ -69,13 +69,13 @@ def test_every_name_gives_a_number(robot):
 
 
 @pytest.mark.parametrize(
-    ("stop", "error", "told"),
+    ("stop", "error", "info"),
     [("theta.positoin > 1", InputError, "did you mean `theta.position`"),
      ("contact.force < 5 Nm", InputError, "another dimension|unknown"),
      ("contact.force > 1 N", SimulationError, "holds at the start already")],
 )  # fmt: skip
-def test_what_is_refused(robot, stop, error, told):
-    with pytest.raises(error, match=told):
+def test_what_is_refused(robot, stop, error, info):
+    with pytest.raises(error, match=info):
         simulate(robot.with_(SHORT), stop=[stop])
 
 
@@ -92,7 +92,7 @@ def test_conditions_are_written_and_read_back(name, tmp_path):
     from tmodes.robots.load import load_sheet
 
     sheet = load_sheet(name, {"integration.stop": ["tip.z < 250 mm", "abs(tip.velocity.x) > 90e-3"]})
-    written = robot_to_yaml(sheet) if isinstance(sheet, Robot) else arm_to_yaml(sheet)
+    written = robot_to_yaml(sheet) if isinstance(sheet, PaperRobot) else arm_to_yaml(sheet)
     (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
     assert load_sheet(tmp_path / "sheet.yaml") == sheet
 
@@ -107,13 +107,13 @@ def test_batches_refuse_conditions(robot):
 
 
 @pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
-def test_a_wrong_name_is_told_by_check(name, tmp_path):
+def test_a_wrong_name_is_reported_by_check(name, tmp_path):
     """Before anything runs, and nothing is written."""
     from tmodes.cli.main import app
     from tmodes.robots.load import load_sheet
 
     sheet = load_sheet(name, {"integration.stop": ["tip.q < 1"]})
-    written = robot_to_yaml(sheet) if isinstance(sheet, Robot) else arm_to_yaml(sheet)
+    written = robot_to_yaml(sheet) if isinstance(sheet, PaperRobot) else arm_to_yaml(sheet)
     (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
     with pytest.raises(InputError, match=r"integration.stop.0: got the unknown name 'tip.q'.*did you mean `tip.z`"):
         app(["check", str(tmp_path / "sheet.yaml")], standalone_mode=False)
@@ -124,10 +124,10 @@ def test_from_the_command_line(tmp_path):
     options = ["--stop", "theta.position > 2 deg", "--no-figures", "--duration", "0.6"]
     command = [*COMMAND, "run", "filipovic2010", *options, "--json", "--out", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
-    told = json.loads(done.stdout)
-    assert told["status"] == "stopped_by_condition"
+    info = json.loads(done.stdout)
+    assert info["status"] == "stopped_by_condition"
     assert "theta.position > 2 deg" in done.stderr
-    kept = Result.load(tmp_path / "result.nc")
+    kept = PaperResult.load(tmp_path / "result.nc")
     assert kept.status == "stopped_by_condition"
     assert kept.robot.integration.stop == ("theta.position > 2 deg",)
 

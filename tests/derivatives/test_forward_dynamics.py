@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from arm.random_chains import random_chain, random_state
 from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, RigidLink, Segment
 from tmodes.errors import InputError, SimulationError
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
 
@@ -23,22 +23,22 @@ KINDS = ("q", "v", "effort", "parameters")
 
 
 @cache
-def model_of(seed: int) -> ArmModel:
-    return ArmModel(random_chain(seed, 2 if seed else 4, rigid=not seed))
+def model_of(seed: int) -> Model:
+    return Model(random_chain(seed, 2 if seed else 4, rigid=not seed))
 
 
 @cache
-def gripped() -> ArmModel:
+def gripped() -> Model:
     """A bending link between a joint that is prescribed and one that is driven."""
     body = Body(1.0, np.array([0.1, 0.02, -0.03]), np.diag([0.02, 0.03, 0.04]))
     first = Joint("lift", JointKind.PRISMATIC, Placement(), np.array([0.0, 0.0, 1.0]), Drive.PRESCRIBED)
     second = Joint("turn", JointKind.REVOLUTE, Placement(), np.array([0.0, 1.0, 0.0]), Drive.EFFORT)
     segment = Segment(0.5, stiffness_y=40.0, stiffness_z=60.0, bodies=(body,))
     nodes = (Node("a", -1, first, segment), Node("b", 0, second, RigidLink((body,))))
-    return ArmModel(Chain("gripped", nodes, GRAVITY))
+    return Model(Chain("gripped", nodes, GRAVITY))
 
 
-def state_of(model: ArmModel, seed: int = 7) -> dict[str, Array]:
+def state_of(model: Model, seed: int = 7) -> dict[str, Array]:
     q, v, _ = random_state(seed, tuple(model.coordinates))
     return {"q": q, "v": v, "effort": np.random.default_rng(seed).normal(size=len(model.efforts))}
 
@@ -49,7 +49,7 @@ def richardson(function: Any, step: float = 1e-3) -> Array:
     return (15 * ways[0] - 6 * ways[1] + ways[2]) / 10
 
 
-def accelerations(model: ArmModel, state: dict[str, Array]) -> Array:
+def accelerations(model: Model, state: dict[str, Array]) -> Array:
     return model.forward_dynamics(state["q"], state["v"], state["effort"])
 
 
@@ -136,7 +136,7 @@ def test_linearisation_is_that_of_the_inverse_dynamics() -> None:
 def test_a_coordinate_without_mass_is_named() -> None:
     axis = np.array([0.0, 0.0, 1.0])
     joint = Joint("idle", JointKind.REVOLUTE, Placement(), axis, Drive.EFFORT, motor=Motor(0.0))
-    model = ArmModel(Chain("bare", (Node("a", -1, joint, RigidLink()),), GRAVITY))
+    model = Model(Chain("bare", (Node("a", -1, joint, RigidLink()),), GRAVITY))
     with pytest.raises(SimulationError, match="idle"):
         model.forward_dynamics_derivatives([0.0], [0.0])
 
@@ -149,7 +149,7 @@ def test_derivatives_are_those_of_pinocchio() -> None:
 
     count, rng = 12, np.random.default_rng(3)
     robot = RigidChain(count)
-    model, (_, peer) = ArmModel(robot.chain()), peer_model(robot)
+    model, (_, peer) = Model(robot.chain()), peer_model(robot)
     data = peer.createData()
     q, v, effort = rng.normal(size=(3, count))
     pinocchio.computeABADerivatives(peer, data, q, v, effort)

@@ -12,15 +12,15 @@ from numpy.typing import NDArray
 
 from derivatives.test_runs import SQUARES, bending_arm, loaded_arm
 from tmodes.errors import InputError
-from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import steps_of
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import load_robot
 from tmodes.sensitivity.differences import replaced
 from tmodes.sensitivity.functional import Functional, tracking_error
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.sensitivity.lowering import lowered
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 Array = NDArray[np.float64]
 
@@ -44,27 +44,27 @@ def sixth_order(function: Callable[[float], float], step: float) -> float:
 
 
 @cache
-def robot() -> Robot:
+def robot() -> PaperRobot:
     """Steps of one length do not change with the numbers: differences of runs are differences on the same steps."""
     short = {"integration.duration": 0.25, "integration.output_step": 0.005, "integration.step": 1e-4}
     return load_robot("filipovic2010").with_({**short, "integration.method": "rk4"})
 
 
 @cache
-def arm() -> Arm:
+def arm() -> Robot:
     return bending_arm(method="rk4", step=2e-4)
 
 
 def measured(sheet: Any, functional: Functional) -> float:
     run = forward_sensitivities(sheet, quantities=functional.quantities)
-    return functional.measure(run.times, run.told)[0]
+    return functional.measure(run.times, run.info)[0]
 
 
-def value_of(sheet: Robot, path: str) -> float:
+def value_of(sheet: PaperRobot, path: str) -> float:
     return sheet.reference.start if path == "reference.start" else dict(sheet.numbers(), **_ends(sheet))[path]
 
 
-def _ends(sheet: Robot) -> dict[str, float]:
+def _ends(sheet: PaperRobot) -> dict[str, float]:
     reference: Any = sheet.reference
     return {"reference.end": reference.end}
 
@@ -89,8 +89,8 @@ def gradient_of_robot() -> Any:
 
 @pytest.mark.parametrize("quantity", ["tip", "points.tip_velocity", "gear", "a", "powers"])
 def test_any_quantity_of_an_arm_can_be_followed(quantity: str) -> None:
-    told = forward_sensitivities(arm(), quantities=(quantity,)).told[quantity]
-    functional = tracking_error(quantity, lambda times: told + np.cos(times)[:, None] * np.abs(told).max(axis=0))
+    info = forward_sensitivities(arm(), quantities=(quantity,)).info[quantity]
+    functional = tracking_error(quantity, lambda times: info + np.cos(times)[:, None] * np.abs(info).max(axis=0))
     paths = dict([*ARM_PATHS.items()][:: 1 if quantity == "tip" else 3])
     found = adjoint_gradient(arm(), functional, (*paths,))
     for path, value in paths.items():
@@ -105,8 +105,8 @@ def test_slopes_of_quantities_and_the_gradient_tell_the_same_number() -> None:
     sheet = bending_arm(method="extrapolation")
     forwards = forward_sensitivities(sheet, paths, quantities=names)
     rng = np.random.default_rng(0)
-    weights = {name: rng.normal(size=forwards.told[name].shape) for name in names}
-    whole = Functional(names, lambda times, told: (0.0, weights))
+    weights = {name: rng.normal(size=forwards.info[name].shape) for name in names}
+    whole = Functional(names, lambda times, info: (0.0, weights))
     gradient = adjoint_gradient(sheet, whole, paths)
     for path in paths:
         sizes = [np.abs(weights[name] * forwards.of[name][path]).sum() for name in names]
@@ -138,12 +138,12 @@ def test_what_the_real_arm_differs_by_is_seen() -> None:
 @pytest.mark.parametrize("path", ["joints.joint.gear.stiffness", "links.link.bodies.load.mass", "drives.0.signal.end"])
 def test_a_number_replaced_is_one_that_was_written(path: str) -> None:
     sheet = loaded_arm()
-    made = replaced(sheet, steps_of(path, arm_data(sheet)), 0.7)
-    assert arm_data(made) == arm_data(sheet.with_({path: 0.7}))
+    made = replaced(sheet, steps_of(path, sheet_data(sheet)), 0.7)
+    assert sheet_data(made) == sheet_data(sheet.with_({path: 0.7}))
     assert replaced(sheet, ("title",), 0.7) is None
 
 
-def test_the_cost_is_told() -> None:
+def test_the_cost_is_reported() -> None:
     cost = adjoint_gradient(bending_arm(), SQUARES, (), most_bytes=5000.0).cost
     assert cost.method == "dormand_prince"
     assert cost.bytes <= 5000.0

@@ -24,16 +24,16 @@ def test_the_examples_run() -> None:
     assert gradient.cost.checkpoints == gradient.cost.steps
     assert run.of["tip"]["gear.stiffness"].shape == (len(run.times), 3)
     assert run.by["payload.mass"].shape == (len(run.times), 17)
-    apart = run.told["tip"] - space["goal"]
+    apart = run.info["tip"] - space["goal"]
     assert gradient.value == pytest.approx(np.trapezoid((apart**2).sum(axis=1), run.times), rel=1e-12)
     slopes = 2 * (apart * run.of["tip"]["gear.stiffness"]).sum(axis=1)
     assert gradient.by["gear.stiffness"] == pytest.approx(np.trapezoid(slopes, run.times), rel=1e-9)
     assert space["at"].q.shape == (space["arm"].nq,) * 2
 
 
-def test_every_method_is_told_of() -> None:
-    told, refused = re.findall(
+def test_every_method_is_reported_of() -> None:
+    info, refused = re.findall(
         r"^the motion itself.*Methods: ([^;]*);(.*?)are refused", PAGE, re.MULTILINE | re.DOTALL
     )[0]
-    assert set(re.findall(r"`(\w+)`", told)) == set(METHODS)
+    assert set(re.findall(r"`(\w+)`", info)) == set(METHODS)
     assert set(re.findall(r"`(\w+)`", refused)) == {*Method} - {*METHODS, "auto"}

@@ -11,13 +11,13 @@ import pytest
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, SimulationError
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import load_robot
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
 from tmodes.sensitivity.lowering import Lowered, lowered
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.simulation.recording import record
 from tmodes.simulation.replay import Replay
 
@@ -32,16 +32,16 @@ IN_REVERSE = [*CASES, ("seed", "extrapolation")]
 
 
 @cache
-def seed_robot(method: str = "dormand_prince") -> Robot:
+def seed_robot(method: str = "dormand_prince") -> PaperRobot:
     return load_robot("filipovic2010").with_({**SHORT, "integration.method": method})
 
 
 @cache
-def bending_arm(**integration: Any) -> Arm:
+def bending_arm(**integration: Any) -> Robot:
     """A beam that hangs to the side of an elastic joint whose motor is led to another angle."""
-    told = {"duration": 0.2, "output_step": 0.006, "method": "dormand_prince", **integration}
+    info = {"duration": 0.2, "output_step": 0.006, "method": "dormand_prince", **integration}
     motion = {"type": "quintic", "start": 0.0, "end": 0.4, "duration": 0.15}
-    return Arm.from_data({
+    return Robot.from_data({
         "format": 1, "kind": "arm", "name": "test", "gravity": 9.81,
         "joints": [{"name": "joint", "type": "revolute", "parent": "base", "child": "link", "axis": [0, 1, 0],
                     "motor": {"side": "joint", "inertia": 0.05, "friction": {"viscous": 0.3}},
@@ -51,16 +51,16 @@ def bending_arm(**integration: Any) -> Arm:
                             "section": {"bending_stiffness": 20.0, "mass_per_length": 0.5}}}],
         "drives": [{"joint": "joint", "command": "position", "signal": motion,
                     "controller": {"type": "pd", "position_gain": 90.0, "velocity_gain": 6.0}}],
-        "integration": told,
+        "integration": info,
     })  # fmt: skip
 
 
 @cache
-def loaded_arm() -> Arm:
+def loaded_arm() -> Robot:
     """The same arm under a force that ends when the motion does."""
     data = bending_arm().model_dump(mode="json", exclude_none=True)
     fading = {"type": "quintic", "start": 1.0, "end": 0.0, "duration": 0.15}
-    return Arm.from_data(
+    return Robot.from_data(
         data | {"loads": [{"point": "tip", "frame": "world", "force": [0.0, 0.0, -2.0], "signal": fading}]}
     )
 
@@ -101,7 +101,7 @@ def richardson(function: Any, step: float) -> float:
     return (15 * ways[0] - 6 * ways[1] + ways[2]) / 10
 
 
-SQUARES = Functional(("state",), lambda times, told: _of_states(*squares(times, told["state"])))
+SQUARES = Functional(("state",), lambda times, info: _of_states(*squares(times, info["state"])))
 
 
 def _of_states(value: float, weights: Array) -> tuple[float, dict[str, Array]]:
@@ -203,15 +203,15 @@ def test_a_signal_and_the_start_are_differentiated_too() -> None:
 
 
 @pytest.mark.parametrize(
-    ("path", "complaint"),
+    ("path", "problem"),
     [
         ("links.link.beam.section.mas", "unknown"),
         ("joints.joint.gear.backlash", "other than 0"),
         ("drives.0.signal.duration", "times"),
     ],
 )
-def test_what_cannot_be_differentiated_is_refused(path: str, complaint: str) -> None:
-    with pytest.raises(InputError, match=complaint):
+def test_what_cannot_be_differentiated_is_refused(path: str, problem: str) -> None:
+    with pytest.raises(InputError, match=problem):
         Changes(bending_arm(), lowered(bending_arm())).along(path)
 
 

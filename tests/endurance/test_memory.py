@@ -14,7 +14,7 @@ from tmodes.compile.ir import kernels
 from tmodes.compile.loops import loops
 from tmodes.integrate.settings import Integration, Method
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.paper.mechanism import Parameters
 from tmodes.simulation.trajectory import integrate
 
@@ -89,7 +89,7 @@ def test_many_robots_in_one_process(monkeypatch: pytest.MonkeyPatch) -> None:
     for number in range(count):
         if number == first:
             before = memory()
-        model = ArmModel(robot(number))
+        model = Model(robot(number))
         assert np.isfinite(model.forward_dynamics(np.zeros(model.nq), np.zeros(model.nq))).all()
     assert len(kernels._loaded) <= 32
     assert memory() - before < often(3, 50)

@@ -33,9 +33,9 @@ def started(code: str, place: Path, *arguments: str) -> subprocess.Popen[str]:
 def compiled_by(processes: int, place: Path) -> set[str]:
     """What so many processes print that begin at the same time."""
     running = [started(COMPILE, place) for _ in range(processes)]
-    told = [one.communicate("go\n", timeout=300) for one in running]
-    assert [one.returncode for one in running] == [0] * processes, told
-    return {out for out, _ in told}
+    info = [one.communicate("go\n", timeout=300) for one in running]
+    assert [one.returncode for one in running] == [0] * processes, info
+    return {out for out, _ in info}
 
 
 @pytest.mark.slow

@@ -10,14 +10,14 @@ from io_cases import SHEET, Case, bad_numbers, line_of, number_paths
 from tmodes.errors import InputErrors
 from tmodes.io.check import robot_from_data
 from tmodes.io.yaml_file import parse_yaml
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 CASES = list(bad_numbers())
 WRONG_EVERYWHERE = ["nan", "minus infinite", "text", "comma", "empty", "bool", "list", "group", "huge", "overflow"]
 WRONG_EVERYWHERE += ["huge whole number", "underflow", "wrong unit"]
 
 
-def read(text: str) -> Robot:
+def read(text: str) -> PaperRobot:
     return robot_from_data(*parse_yaml(text, "sheet.yaml"), source="sheet.yaml")
 
 
@@ -33,7 +33,7 @@ def test_every_number_of_the_robot_is_tried() -> None:
 
 
 @pytest.mark.parametrize("case", CASES, ids=lambda case: case.id)
-def test_number_is_taken_or_told(case: Case) -> None:
+def test_number_is_taken_or_reported(case: Case) -> None:
     try:
         robot = read(case.text)
     except InputErrors as errors:
@@ -42,7 +42,7 @@ def test_number_is_taken_or_told(case: Case) -> None:
         assert error.where == f"sheet.yaml:{line}"
         assert error.got
         assert error.expected
-        assert error.mend
+        assert error.hint
     else:
         assert case.kind not in WRONG_EVERYWHERE
         assert all(not math.isnan(value) for _, value in robot.numbers())

@@ -13,7 +13,7 @@ from io_cases import SHEET, line_of
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.check import changed_robot, robot_from_data
 from tmodes.io.yaml_file import parse_yaml
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 
 def sheet(*changes: str) -> str:
@@ -25,22 +25,22 @@ def sheet(*changes: str) -> str:
     return text
 
 
-def read(text: str) -> Robot:
+def read(text: str) -> PaperRobot:
     return robot_from_data(*parse_yaml(text, "my.yaml"), source="my.yaml")
 
 
-def complaints(*changes: str) -> list[InputError]:
+def problems(*changes: str) -> list[InputError]:
     with pytest.raises(InputErrors) as caught:
         read(sheet(*changes))
     return list(caught.value.errors)
 
 
-def complaint(*changes: str) -> str:
-    (error,) = complaints(*changes)
+def problem(*changes: str) -> str:
+    (error,) = problems(*changes)
     return str(error)
 
 
-def changed(**values: Any) -> Robot:
+def changed(**values: Any) -> PaperRobot:
     data, _ = parse_yaml(SHEET, "my.yaml")
     return changed_robot(data, {path.replace("__", "."): value for path, value in values.items()})
 
@@ -52,16 +52,16 @@ def test_published_sheet_is_right() -> None:
     assert robot.pair().real.real == {}
 
 
-def test_message_tells_place_value_rule_unit_and_mend() -> None:
-    assert complaint("stiffness: 4700.0", "stiffness: -3.0") == (
+def test_message_reports_place_value_rule_unit_and_hint() -> None:
+    assert problem("stiffness: 4700.0", "stiffness: -3.0") == (
         f"my.yaml:{line_of('gear.stiffness')}: gear.stiffness: got -3.0; "
         "expected a number greater than 0 [N*m/rad], or .inf for rigid. "
         "Mend: correct the sign, the size or the unit of the torsional stiffness of the gear, after the reducer"
     )
 
 
-def test_all_errors_are_told_in_the_order_of_the_file() -> None:
-    errors = complaints(
+def test_all_errors_are_reported_in_the_order_of_the_file() -> None:
+    errors = problems(
         *("resistance: 0.299", "resistance: heavy", "gravity: 9.81", "gravity: .nan", "mass: 0.5 ", "mass: 1,5 "),
         *("damping: 2.0", "damping: true", "stiffness: 4700.0", "stifness: 4700.0", "gear.damping", "gear.dampin"),
         *("reading: consistent", "reading: consistant", "output_step: 1.0e-3", "output_step: 1.0e-9"),
@@ -79,7 +79,7 @@ def test_all_errors_are_told_in_the_order_of_the_file() -> None:
 
 
 @pytest.mark.parametrize(
-    ("old", "new", "mend"),
+    ("old", "new", "hint"),
     [
         ("stiffness: 4700.0", "stifness: 4700.0", "did you mean `stiffness`?"),
         ("  resistance: 0.299", "  Resistance: 0.299", "did you mean `resistance`?"),
@@ -92,12 +92,12 @@ def test_all_errors_are_told_in_the_order_of_the_file() -> None:
         ("reading: consistent", "reading: consistant", "did you mean `consistent`?"),
     ],
 )
-def test_the_name_that_was_meant_is_told(old: str, new: str, mend: str) -> None:
-    assert any(mend in error.mend for error in complaints(old, new))
+def test_the_name_that_was_meant_is_reported(old: str, new: str, hint: str) -> None:
+    assert any(hint in error.hint for error in problems(old, new))
 
 
-def test_a_missing_key_is_told_with_meaning_unit_and_the_line_of_its_group() -> None:
-    message = complaint("  inertia: 0.175", "  # inertia: 0.175")
+def test_a_missing_key_is_reported_with_meaning_unit_and_the_line_of_its_group() -> None:
+    message = problem("  inertia: 0.175", "  # inertia: 0.175")
     assert message.startswith(f"my.yaml:{line_of('motor')}: motor.inertia: got nothing; ")
     assert "[kg*m^2]: rotor inertia, reflected after the reducer" in message
     assert message.endswith("add the line `inertia: ...` inside `motor`")
@@ -117,14 +117,14 @@ def test_the_link_has_exactly_two_modes() -> None:
     ("version", "words"),
     [("2", "newer than this program"), ("0", "the first format there is"), ("true", "got true"), ("1.0", "got 1.0")],
 )
-def test_another_format_is_told_alone(version: str, words: str) -> None:
-    message = complaint("format: 1", f"format: {version}", "stiffness: 4700.0", "rigidity: 4700.0")
+def test_another_format_is_reported_alone(version: str, words: str) -> None:
+    message = problem("format: 1", f"format: {version}", "stiffness: 4700.0", "rigidity: 4700.0")
     assert message.startswith("my.yaml:5: format: got ")
     assert words in message
 
 
 @pytest.mark.parametrize("data", [None, [], 3, "robot", {1: 2}, {"gear": 5}, {"real": {3: 4}}, {None: None}])
-def test_data_of_another_shape_is_told(data: Any) -> None:
+def test_data_of_another_shape_is_reported(data: Any) -> None:
     with pytest.raises(InputErrors, match="Mend: "):
         robot_from_data(data)
 
@@ -159,32 +159,32 @@ def test_whole_numbers_may_be_written_with_an_exponent() -> None:
 class TestRealRobot:
     def test_a_factor_of_zero_takes_a_damping_away_but_no_stiffness(self) -> None:
         assert read(sheet("gear.damping: 0.2", "gear.damping: 0.0")).pair().real.gear.damping == 0.0
-        message = complaint("gear.stiffness: 0.2", "gear.stiffness: 0.0")
+        message = problem("gear.stiffness: 0.2", "gear.stiffness: 0.0")
         assert message.startswith(
             f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness: got 0.0 times 4700.0"
         )
 
     @pytest.mark.parametrize("factor", ["-1.0", ".nan", ".inf", "1.0e308", "some", "true"])
     def test_a_factor_is_a_number_from_zero(self, factor: str) -> None:
-        message = complaint("gear.stiffness: 0.2", f"gear.stiffness: {factor}")
+        message = problem("gear.stiffness: 0.2", f"gear.stiffness: {factor}")
         assert message.startswith(f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness: got ")
 
-    def test_an_unknown_path_is_told_once(self) -> None:
-        message = complaint("gear.stiffness: 0.2", "gear.siffness: 0.2")
+    def test_an_unknown_path_is_reported_once(self) -> None:
+        message = problem("gear.stiffness: 0.2", "gear.siffness: 0.2")
         assert "real.gear.siffness: got a path that names no number" in message
 
     @pytest.mark.parametrize("path", ["reference.end", "integration.duration", "environment.friction_law", "gear"])
     def test_only_numbers_of_the_plant_differ(self, path: str) -> None:
-        assert f"real.{path}" in complaint("gear.stiffness: 0.2", f"{path}: 0.2")
+        assert f"real.{path}" in problem("gear.stiffness: 0.2", f"{path}: 0.2")
 
     def test_a_rigid_gear_has_no_factor_of_zero(self) -> None:
-        message = complaint("stiffness: 4700.0", "stiffness: .inf", "gear.stiffness: 0.2", "gear.stiffness: 0")
+        message = problem("stiffness: 4700.0", "stiffness: .inf", "gear.stiffness: 0.2", "gear.stiffness: 0")
         assert "real.gear.stiffness: got 0.0 times .inf" in message
 
 
 class TestWhatMustFitTogether:
     def test_more_samples_than_memory_holds_are_refused_with_numbers(self) -> None:
-        message = complaint("output_step: 1.0e-3", "output_step: 1.0e-9")
+        message = problem("output_step: 1.0e-3", "output_step: 1.0e-9")
         assert message.startswith(f"my.yaml:{line_of('integration.output_step')}: integration.output_step: got 1e-09")
         assert "2e+09 samples, about 9.94e+03 GB" in message
         assert "write at least 5.55e-06 s" in message

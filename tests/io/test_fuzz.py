@@ -30,7 +30,7 @@ def mutated(seed: int, count: int) -> str:
     return text
 
 
-def complaint(data: Any, lines: dict[str, int] | None = None) -> str:
+def problem(data: Any, lines: dict[str, int] | None = None) -> str:
     """What tmodes has to say against plain data; empty for a right robot."""
     try:
         robot_from_data(data, lines, source="fuzz.yaml").pair()
@@ -39,19 +39,19 @@ def complaint(data: Any, lines: dict[str, int] | None = None) -> str:
     return ""
 
 
-def complaint_on_text(text: str) -> str:
+def problem_on_text(text: str) -> str:
     """What tmodes has to say against a text."""
     try:
         data, lines = parse_yaml(text, "fuzz.yaml")
     except TmodesError as error:
         return str(error)
-    return complaint(data, lines)
+    return problem(data, lines)
 
 
 @settings(max_examples=200)
 @given(seed=st.integers(0, 2**32), count=st.integers(1, 8))
 def test_mutated_sheets(seed: int, count: int) -> None:
-    said = complaint_on_text(mutated(seed, count))
+    said = problem_on_text(mutated(seed, count))
     assert said == "" or said.startswith("fuzz.yaml:")
 
 
@@ -63,7 +63,7 @@ def test_mutated_sheets(seed: int, count: int) -> None:
 @example("a: !!binary x")
 @example("- - - -\n -")
 def test_any_text(text: str) -> None:
-    assert complaint_on_text(text).startswith("fuzz.yaml:")
+    assert problem_on_text(text).startswith("fuzz.yaml:")
 
 
 plain = st.recursive(
@@ -83,5 +83,5 @@ def test_any_data_in_any_place(data: st.DataObject) -> None:
         where = where[group]
         group = data.draw(st.sampled_from(sorted(where)))
     where[group] = data.draw(plain)
-    said = complaint(sheet)
+    said = problem(sheet)
     assert said == "" or said.startswith("fuzz.yaml: ")

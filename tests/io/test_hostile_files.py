@@ -122,14 +122,14 @@ def test_names_of_files_may_hold_spaces_and_letters_of_all_kinds(tmp_path: Path)
 
 
 @pytest.mark.parametrize("cut", range(1, SHEET.index("ramp_fraction:"), 61))
-def test_a_truncated_file_is_told(cut: int) -> None:
+def test_a_truncated_file_is_reported(cut: int) -> None:
     """Something is missing wherever the cut is."""
     with pytest.raises((InputError, InputErrors), match=r"^cut\.yaml:\d"):
         robot_from_data(*parse_yaml(SHEET[:cut], "cut.yaml"), source="cut.yaml")
 
 
 @pytest.mark.parametrize("text", ["a: 1\nb: 2\na: 3", "a: {b: 1, b: 2}", "x:\n  - a: 1\n    a: 1"])
-def test_a_key_that_stands_twice_is_told_with_both_lines(text: str) -> None:
+def test_a_key_that_stands_twice_is_reported_with_both_lines(text: str) -> None:
     with pytest.raises(InputError, match=r"sheet:\d: .*got a second time \(first in line \d\)"):
         parse_yaml(text, "sheet")
 

@@ -20,7 +20,7 @@ def test_published_robots_are_listed_and_read() -> None:
 
 
 @pytest.mark.parametrize("wrong", ["filipovic", "Filipovic2010", "filipovic2010.yaml", "no/such/filipovic2010.yml"])
-def test_the_nearest_published_name_is_told(wrong: str) -> None:
+def test_the_nearest_published_name_is_reported(wrong: str) -> None:
     with pytest.raises(InputError, match="did you mean `filipovic2010`"):
         load_robot(wrong)
 
@@ -34,7 +34,7 @@ def test_neither_name_nor_file(wrong: str) -> None:
         text(wrong)
 
 
-def test_a_file_is_read_and_its_lines_are_told(tmp_path: Path) -> None:
+def test_a_file_is_read_and_its_lines_are_reported(tmp_path: Path) -> None:
     file = tmp_path / "my.yaml"
     file.write_text(SHEET.replace("gravity: 9.81", "gravity: -9.81"), encoding="utf-8")
     with pytest.raises(InputErrors) as caught:

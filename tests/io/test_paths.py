@@ -68,14 +68,14 @@ def test_each_number_of_the_robot_has_its_path() -> None:
         ("__class__", "look the path up"),
     ],
 )
-def test_an_unknown_path_is_told_with_the_nearest(path: str, meant: str) -> None:
+def test_an_unknown_path_is_reported_with_the_nearest(path: str, meant: str) -> None:
     with pytest.raises(InputError, match="an unknown path") as caught:
         set_paths(sheet(), {path: 1.0})
-    assert meant in caught.value.mend
+    assert meant in caught.value.hint
 
 
 @pytest.mark.parametrize("data", [{"link": 3.0}, {"link": {"modes": []}}, {"link": {"modes": 5}}, {"link": None}])
-def test_a_path_through_something_else_is_told(data: dict[str, Any]) -> None:
+def test_a_path_through_something_else_is_reported(data: dict[str, Any]) -> None:
     with pytest.raises(InputError, match=r"link\.modes\.0\.length: got "):
         set_paths(data, {"link.modes.0.length": 1.0})
 
@@ -113,5 +113,5 @@ def test_any_assignment_is_read_or_refused(text: str) -> None:
     try:
         path, _ = parse_assignment(text)
     except InputError as error:
-        path = error.mend
+        path = error.hint
     assert path

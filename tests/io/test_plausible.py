@@ -60,7 +60,7 @@ def test_right_robots_are_not_nagged(changes: dict[str, Any]) -> None:
         ({"link.modes.1.length": 1e-3, "payload.inertia": 0.0}, "link.modes.1 bends at .* outside the usual"),
     ],
 )
-def test_a_wrong_unit_is_told_with_its_factor(changes: dict[str, Any], words: str) -> None:
+def test_a_wrong_unit_is_reported_with_its_factor(changes: dict[str, Any], words: str) -> None:
     sentences = implausible(ROBOT.with_(changes))
     parts = words.split(" .* ")
     assert any(all(part in sentence for part in parts) for sentence in sentences), sentences

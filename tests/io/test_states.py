@@ -78,7 +78,7 @@ def test_the_number_of_coordinates_is_asked_for(tmp_path: Path) -> None:
         (TEXT, "{", "broken JSON"),
     ],
 )
-def test_a_wrong_value_is_told_with_record_and_field(old: str, new: str, words: str, tmp_path: Path) -> None:
+def test_a_wrong_value_is_reported_with_record_and_field(old: str, new: str, words: str, tmp_path: Path) -> None:
     assert old in TEXT
     file = written(tmp_path, f"[{TEXT}, {TEXT.replace(old, new, 1)}]")
     with pytest.raises(InputError) as caught:

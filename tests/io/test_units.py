@@ -47,7 +47,7 @@ def test_a_decimal_prefix_costs_no_digit() -> None:
 
 
 @pytest.mark.parametrize(
-    ("value", "unit", "got", "mend"),
+    ("value", "unit", "got", "hint"),
     [
         ("heavy", "kg", "the text 'heavy'", "a number in kg"),
         ("1,5", "m", "the text '1,5'", "a decimal point instead of the comma: 1.5"),
@@ -76,11 +76,11 @@ def test_a_decimal_prefix_costs_no_digit() -> None:
         ("0x1F", "m", "the text", "a number in m"),
     ],
 )
-def test_wrong_number(value: object, unit: str, got: str, mend: str) -> None:
+def test_wrong_number(value: object, unit: str, got: str, hint: str) -> None:
     with pytest.raises(NotANumber) as caught:
         number(value, unit)
     assert got in caught.value.got
-    assert mend in caught.value.mend
+    assert hint in caught.value.hint
 
 
 @settings(max_examples=200)
@@ -96,5 +96,5 @@ def test_any_text_is_a_number_or_refused(text: str) -> None:
     try:
         assert not math.isnan(number(text, "m"))
     except NotANumber as error:
-        mend = error.mend
-        assert mend
+        hint = error.hint
+        assert hint

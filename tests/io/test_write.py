@@ -13,13 +13,13 @@ from tmodes.io.check import robot_from_data
 from tmodes.io.fields import number_paths, place_at
 from tmodes.io.write import robot_to_yaml
 from tmodes.io.yaml_file import parse_yaml
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import load_robot, names
 
 PUBLISHED = load_robot("filipovic2010")
 
 
-def reread(robot: Robot) -> Robot:
+def reread(robot: PaperRobot) -> PaperRobot:
     return robot_from_data(*parse_yaml(robot_to_yaml(robot), "written.yaml"), source="written.yaml")
 
 

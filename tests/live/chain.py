@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 __all__ = ["chain"]
 
 
-def chain(count: int, turn: float = 0.3) -> Arm:
+def chain(count: int, turn: float = 0.3) -> Robot:
     """Links in the plane, each turned by ``turn`` [rad]; the last link is a point with a body."""
     ends = range(count)
     inertia = {"xx": 0.01, "yy": 0.01, "zz": 0.01}
@@ -24,7 +24,7 @@ def chain(count: int, turn: float = 0.3) -> Arm:
          "controller": {"type": "pd", "position_gain": 300.0, "velocity_gain": 12.0}}
         for k in ends
     ]  # fmt: skip
-    return Arm.from_data({
+    return Robot.from_data({
         "format": 1, "kind": "arm", "name": "chain", "gravity": 9.81, "joints": joints, "drives": drives,
         "links": [{"name": f"l{k}", "bodies": bodies[k]} for k in ends],
         "integration": {"method": "dormand_prince", "duration": 0.2, "output_step": 0.005, "line_points": 5,

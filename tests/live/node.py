@@ -49,8 +49,8 @@ def built_live(folder: Path) -> Path:
     (folder / "entry.ts").write_text(ENTRY.replace("{web}", WEB.as_posix()))
     (folder / "none.js").write_text('export default "";')
     target = folder / "live.mjs"
-    told = [os.fspath(ESBUILD), "entry.ts", "--bundle", "--format=esm", f"--alias:tmodes:worker={folder / 'none.js'}"]
-    subprocess.run([*told, f"--outfile={target}"], check=True, capture_output=True, cwd=folder)
+    info = [os.fspath(ESBUILD), "entry.ts", "--bundle", "--format=esm", f"--alias:tmodes:worker={folder / 'none.js'}"]
+    subprocess.run([*info, f"--outfile={target}"], check=True, capture_output=True, cwd=folder)
     return target
 
 
@@ -64,8 +64,8 @@ def built_page(entry: str, folder: Path) -> str:
         [ESBUILD, WEB / "src/live/worker.ts", *shared, f"--outfile={worker}"], check=True, capture_output=True
     )
     (folder / "source.js").write_text(f"export default {json.dumps(worker.read_text(encoding='utf-8'))};")
-    told = [ESBUILD, "page.ts", *shared, f"--alias:tmodes:worker={folder / 'source.js'}", "--outfile=page.js"]
-    subprocess.run(told, check=True, capture_output=True, cwd=folder)
+    info = [ESBUILD, "page.ts", *shared, f"--alias:tmodes:worker={folder / 'source.js'}", "--outfile=page.js"]
+    subprocess.run(info, check=True, capture_output=True, cwd=folder)
     return (folder / "page.js").read_text(encoding="utf-8").replace("</script", "<\\/script")
 
 

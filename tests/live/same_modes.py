@@ -18,12 +18,12 @@ def assert_same_modes(
 ) -> None:
     """Frequencies relative, damping of 1, shapes up to their phase."""
     assert [(one["case"], one["livesIn"]) for one in ours] == [(one["case"], one["livesIn"]) for one in native]
-    told = {
+    info = {
         name: np.array([[one[name] for one in modes] for modes in (ours, native)]) for name in ("frequency", "damping")
     }
     worst = [
-        np.abs(told["frequency"][0] / told["frequency"][1] - 1).max(),
-        np.abs(np.diff(told["damping"], axis=0)).max(),
+        np.abs(info["frequency"][0] / info["frequency"][1] - 1).max(),
+        np.abs(np.diff(info["damping"], axis=0)).max(),
     ]
     assert max(worst) < equal
     every = native[0]["rest"].shape[1] // (ours[0]["rest"].shape[1] - 1)

@@ -57,20 +57,20 @@ def test_unchanged_numbers_keep_all_their_bits() -> None:
 
 
 @pytest.mark.parametrize("function", [np.sin, np.exp, lambda x: x / (1 + x)])
-def test_what_has_no_such_form_is_told(function: Callable[[float], float]) -> None:
+def test_what_has_no_such_form_is_reported(function: Callable[[float], float]) -> None:
     """The variable is named, not the others."""
     with pytest.raises(Unfit) as caught:
         fitted(evaluate(lambda x, y, z: [x, float(function(y)), z]), RANGES, generator())
     assert list(caught.value.reasons) == [1]
 
 
-def test_a_product_of_powers_that_is_entangled_is_told() -> None:
+def test_a_product_of_powers_that_is_entangled_is_reported() -> None:
     """Each by itself is linear, both together are not: found by the random points alone."""
     with pytest.raises(Unfit):
         fitted(evaluate(lambda x, y, z: [x * y + max(0.0, (x - 2.0) * (y - 0.3)) ** 2]), RANGES[:2], generator())
 
 
-def test_what_a_zero_hides_is_told() -> None:
+def test_what_a_zero_hides_is_reported() -> None:
     """At the start the third variable is zero, so the first one does nothing: the random points show it."""
     with pytest.raises(Unfit):
         fitted(evaluate(lambda x, y, z: [z * x]), RANGES, generator())

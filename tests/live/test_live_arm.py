@@ -14,15 +14,15 @@ from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import arm_numbers, whole_moves
-from tmodes.live.surface import surface_numbers, surface_told
+from tmodes.live.surface import surface_info, surface_numbers
 from tmodes.report.meshes import with_shapes
 from tmodes.report.pack import pack
 from tmodes.report.scene_chain import arm_scene
-from tmodes.result import ArmResult, assemble_arm
+from tmodes.result import Result, assemble_result
 from tmodes.robots.load import load_sheet
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 from .chain import chain
 from .node import live_in_node, worst_difference
@@ -39,7 +39,7 @@ LINES = {"line", "line_rigid", "deflection", "slope", "moment", "elastic_moment"
 _WALL = {"shape": {"type": "wall", "distance": 0.87}, "law": "bilateral", "stiffness": 500.0, "damping": 5.0}
 
 
-def two_links() -> Arm:
+def two_links() -> Robot:
     """Soft enough for an explicit method: its own error is then below what is compared."""
     links = [
         {"name": f"l{k}", "beam": {
@@ -63,7 +63,7 @@ def two_links() -> Arm:
             {"type": "trapezoid", "start": 0.1, "end": 0.3, "duration": 0.15, "ramp_fraction": 0.3, "delay": 0.02},
         ))
     ]  # fmt: skip
-    return Arm.from_data({
+    return Robot.from_data({
         "format": 1, "kind": "arm", "name": "<two>: links", "gravity": 9.81, "joints": joints, "links": links,
         "drives": drives, "contact": _WALL, "real": {"joints.0.gear.stiffness": 0.8, "joints.j1.gear.stiffness": 0.6},
         "integration": {"method": "dormand_prince", "duration": 0.2, "output_step": 0.005, "line_points": 5,
@@ -71,8 +71,8 @@ def two_links() -> Arm:
     })  # fmt: skip
 
 
-def result_of(arm: Arm) -> ArmResult:
-    return assemble_arm(simulate_arm(arm), arm)
+def result_of(arm: Robot) -> Result:
+    return assemble_result(simulate_motion(arm), arm)
 
 
 def unchanged(live: LiveMap) -> list[float]:
@@ -85,7 +85,7 @@ def drawn(live: LiveMap) -> list[list[float]]:
 
 
 @pytest.fixture(scope="module")
-def native() -> ArmResult:
+def native() -> Result:
     return result_of(two_links())
 
 
@@ -95,7 +95,7 @@ def live() -> LiveMap:
 
 
 @pytest.fixture(scope="module")
-def bundle(native: ArmResult) -> dict[str, Any]:
+def bundle(native: Result) -> dict[str, Any]:
     found = live_bundle(native)
     assert found is not None
     return found
@@ -116,7 +116,7 @@ def scales(data: Any) -> dict[str, float]:
 
 
 def test_page_equals_native_run_unchanged_and_at_ten_random_settings(
-    native: ArmResult, live: LiveMap, runs: list[dict[str, Any]]
+    native: Result, live: LiveMap, runs: list[dict[str, Any]]
 ) -> None:
     """Every series along time but those of the elastic lines."""
     arms = [two_links().with_(live.changes(values)) for values in drawn(live)]
@@ -127,7 +127,7 @@ def test_page_equals_native_run_unchanged_and_at_ten_random_settings(
         assert difference < EQUAL, name
 
 
-def test_picture_is_that_of_the_result(native: ArmResult, bundle: dict[str, Any], runs: list[dict[str, Any]]) -> None:
+def test_picture_is_that_of_the_result(native: Result, bundle: dict[str, Any], runs: list[dict[str, Any]]) -> None:
     """The lines of all links at the display frames, bent and without elasticity; the first frame is at rest."""
     at = native.data.isel(time=bundle["frames"])
     for name, variable in (("line", "line"), ("rigid", "line_rigid")):
@@ -146,7 +146,7 @@ def test_the_surface_follows_its_slider(live: LiveMap, runs: list[dict[str, Any]
     for values, run in zip([unchanged(live), *drawn(live)], runs, strict=True):
         contact = two_links().with_(live.changes(values)).contact
         assert contact is not None
-        shown, true = run["scene"]["contact"]["surface"], surface_told(contact.shape)
+        shown, true = run["scene"]["contact"]["surface"], surface_info(contact.shape)
         assert shown["kind"] == true["kind"] == "plane"
         assert np.allclose(shown["position"], true["position"], rtol=1e-12)
     places = {tuple(run["scene"]["contact"]["surface"]["position"]) for run in runs}
@@ -195,7 +195,7 @@ def test_every_kind_of_surface_has_a_slider(shape: dict[str, Any], path: str) ->
     assert numbers["parameters"] == pytest.approx(true["parameters"], rel=1e-12)
 
 
-def test_headline_numbers_are_those_of_the_summary(native: ArmResult, runs: list[dict[str, Any]]) -> None:
+def test_headline_numbers_are_those_of_the_summary(native: Result, runs: list[dict[str, Any]]) -> None:
     summary, facts = native.summary(), runs[0]["facts"]
     gears = [one["max"] for name, one in summary["deformations"].items() if name.endswith(".gear")]
     expected = {
@@ -211,13 +211,13 @@ def test_headline_numbers_are_those_of_the_summary(native: ArmResult, runs: list
 def test_saved_sheet_is_that_of_the_settings(live: LiveMap, runs: list[dict[str, Any]]) -> None:
     for values, run in zip([unchanged(live), *drawn(live)], runs, strict=True):
         data, _ = parse_yaml(run["sheet"], "page")
-        assert Arm.from_data(data) == two_links().with_(live.changes(values))
+        assert Robot.from_data(data) == two_links().with_(live.changes(values))
 
 
 def test_an_arm_without_a_reference_run(tmp_path: Path) -> None:
     """A step that no motor can follow: nothing is compared, and nothing is missing."""
     arm = load_sheet("quanser_2dsfl", {"integration.duration": 0.3, "integration.method": "dop853"})
-    assert isinstance(arm, Arm)
+    assert isinstance(arm, Robot)
     result = result_of(arm)
     bundle = live_bundle(result)
     assert bundle is not None
@@ -227,9 +227,9 @@ def test_an_arm_without_a_reference_run(tmp_path: Path) -> None:
     assert worst_difference(run["series"], result.data, scales(result.data))[0] < 1e-8
 
 
-def test_bundle_of_a_saved_result_is_the_same(native: ArmResult, bundle: dict[str, Any], tmp_path: Path) -> None:
+def test_bundle_of_a_saved_result_is_the_same(native: Result, bundle: dict[str, Any], tmp_path: Path) -> None:
     """A report that is made later, from the file."""
-    again = live_bundle(ArmResult.load(native.save(tmp_path / "result.nc")))
+    again = live_bundle(Result.load(native.save(tmp_path / "result.nc")))
     assert again is not None
     assert pack(again) == pack(bundle)
 

@@ -12,19 +12,19 @@ from arm.run.sheets import landing
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
 from tmodes.report.chart_list import charts_of
-from tmodes.result import ArmResult, assemble_arm
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.result import Result, assemble_result
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 
 from .chain import chain
 from .node import live_in_node, worst_difference
 
 
-def result_of(arm: Arm) -> ArmResult:
-    return assemble_arm(simulate_arm(arm), arm)
+def result_of(arm: Robot) -> Result:
+    return assemble_result(simulate_motion(arm), arm)
 
 
-def lived(result: ArmResult, arm: Arm, folder: Path, **settings: Any) -> tuple[dict[str, Any], dict[str, Any]]:
+def lived(result: Result, arm: Robot, folder: Path, **settings: Any) -> tuple[dict[str, Any], dict[str, Any]]:
     """The bundle of a result, and what the page's run of it gives with some settings of the integration changed."""
     bundle = live_bundle(result)
     assert bundle is not None
@@ -33,7 +33,7 @@ def lived(result: ArmResult, arm: Arm, folder: Path, **settings: Any) -> tuple[d
     return bundle, run
 
 
-def spans(result: ArmResult) -> list[tuple[float, float]]:
+def spans(result: Result) -> list[tuple[float, float]]:
     """Of the report's own spectra."""
     return [chart["span"] for chart in charts_of([result])[0] if chart["abscissa"] == "frequency"]
 

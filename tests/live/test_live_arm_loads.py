@@ -13,9 +13,9 @@ from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import live_map
 from tmodes.report.facts_motion import arm_facts
 from tmodes.report.scene_chain import arm_line_panel, arm_scene
-from tmodes.result import ArmResult, assemble_arm
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.result import Result, assemble_result
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 
 from .node import live_in_node
 
@@ -42,7 +42,7 @@ def _beam(length: float, functions: dict[str, int], **more: Any) -> dict[str, An
     return {"model": "strain", "functions": functions, "length": length, "damping_time": 2e-3} | more
 
 
-def loaded() -> Arm:
+def loaded() -> Robot:
     """A sliding cart with two links of a soft plastic: a tube that twists, stretches and is bent at rest; boxes.
 
     A body amid the one, a payload off the other's tip; a dead load, and one that turns with its section; a wall.
@@ -73,7 +73,7 @@ def loaded() -> Arm:
     ]  # fmt: skip
     wall = {"shape": {"type": "plane", "position": [0.84, 0.0, 0.0], "normal": [-1.0, 0.0, 0.0]}, "law": "bilateral",
             "stiffness": 500.0, "damping": 5.0}  # fmt: skip
-    return Arm.from_data({
+    return Robot.from_data({
         "format": 1, "kind": "arm", "name": "loaded", "gravity": 9.81, "joints": joints, "links": links,
         "drives": [_driven(0, 0.02), _driven(1, 0.2), _driven(2, -0.3)], "loads": loads, "contact": wall,
         "points": [{"name": "hook", "link": "l2", "at": 0.6, "position": [0.0, 0.02, 0.0]}],
@@ -86,7 +86,7 @@ class Case(NamedTuple):
 
     bundle: dict[str, Any]
     runs: list[dict[str, Any]]
-    results: list[ArmResult]
+    results: list[Result]
 
 
 @pytest.fixture(scope="module")
@@ -96,7 +96,7 @@ def case(tmp_path_factory: pytest.TempPathFactory) -> Case:
     generator = np.random.default_rng(11)
     jobs = [[float(generator.uniform(s.low, s.high)) for s in live.sliders] for _ in range(SETTINGS)]
     arms = [arm, *(arm.with_(live.changes(values)) for values in jobs)]
-    results = [assemble_arm(simulate_arm(one), one) for one in arms]
+    results = [assemble_result(simulate_motion(one), one) for one in arms]
     bundle = live_bundle(results[0])
     assert bundle is not None
     jobs = [[slider.value for slider in live.sliders], *jobs]
@@ -107,7 +107,7 @@ def frames_of(case: Case) -> Any:
     return np.asarray(case.bundle["frames"], dtype=np.intp)
 
 
-def shown(case: Case, result: ArmResult, name: str) -> Any:
+def shown(case: Case, result: Result, name: str) -> Any:
     """A series along the links at the frames and at the stations that are shown."""
     stations = np.searchsorted(result.data["s"].values, case.bundle["stations"] - 1e-9)
     return result.data[name].isel(time=frames_of(case), s=stations).values
@@ -151,10 +151,10 @@ def test_links_are_coloured_by_the_loads_of_the_new_run(case: Case) -> None:
 def test_headline_numbers_are_of_the_new_run(case: Case) -> None:
     """The largest loads at all samples, and shares of strengths and limits: value, and when and where."""
     for run, result in zip(case.runs, case.results, strict=True):
-        told = {fact.id: fact for fact in arm_facts(result, result.summary())}
+        info = {fact.id: fact for fact in arm_facts(result, result.summary())}
         for name in FACTS:
-            assert run["facts"][name]["value"] == pytest.approx(told[name].value, rel=EQUAL), name
-            assert run["facts"][name]["note"] == told[name].note, name
+            assert run["facts"][name]["value"] == pytest.approx(info[name].value, rel=EQUAL), name
+            assert run["facts"][name]["note"] == info[name].note, name
 
 
 def test_of_very_many_samples_some_are_looked_at(case: Case, tmp_path: Path) -> None:
@@ -164,9 +164,9 @@ def test_of_very_many_samples_some_are_looked_at(case: Case, tmp_path: Path) -> 
     more = {"times": times, "frames": (dense * frames_of(case)).astype(np.int32)}
     sliders = [slider["value"] for slider in case.bundle["sliders"]]
     (run,) = live_in_node(case.bundle | more, [sliders], tmp_path)
-    told = {fact.id: fact for fact in arm_facts(case.results[0], case.results[0].summary())}
+    info = {fact.id: fact for fact in arm_facts(case.results[0], case.results[0].summary())}
     assert run["facts"]["moment.max"]["note"].endswith("(looked at: one sample in 2)")
-    assert run["facts"]["moment.max"]["value"] == pytest.approx(told["moment.max"].value, rel=1e-2)
+    assert run["facts"]["moment.max"]["value"] == pytest.approx(info["moment.max"].value, rel=1e-2)
     for quantity in run["line"]["quantities"]:
         same(quantity["values"], shown(case, case.results[0], quantity["id"]), quantity["id"])
 

@@ -13,9 +13,9 @@ from tmodes.live.map import LiveMap, live_map
 from tmodes.report.facts import frequency_facts
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.spectra import own_frequencies
-from tmodes.result import ArmResult, assemble_arm
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.result import Result, assemble_result
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 
 from .node import live_in_node
 from .same_modes import SHAPE, assert_same_modes
@@ -41,11 +41,11 @@ def drawn(live: LiveMap) -> list[list[float]]:
     return [[slider.value for slider in live.sliders], *random]
 
 
-def result_of(arm: Arm) -> ArmResult:
-    return assemble_arm(simulate_arm(arm), arm)
+def result_of(arm: Robot) -> Result:
+    return assemble_result(simulate_motion(arm), arm)
 
 
-def both(arm: Arm, folder: Path, most: int = 1 + SETTINGS) -> list[tuple[dict[str, Any], ArmResult]]:
+def both(arm: Robot, folder: Path, most: int = 1 + SETTINGS) -> list[tuple[dict[str, Any], Result]]:
     live, bundle = live_map(arm.pair(), (0.0, 1.0)), live_bundle(result_of(arm))
     assert bundle is not None
     values = drawn(live)[:most]
@@ -54,19 +54,19 @@ def both(arm: Arm, folder: Path, most: int = 1 + SETTINGS) -> list[tuple[dict[st
 
 
 @pytest.fixture(scope="module")
-def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[dict[str, Any], ArmResult]]:
+def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[dict[str, Any], Result]]:
     """Two flexible links in contact with a wall."""
     return both(two_links(), tmp_path_factory.mktemp("modes"))
 
 
-def assert_parts_equal(run: dict[str, Any], result: ArmResult) -> None:
+def assert_parts_equal(run: dict[str, Any], result: Result) -> None:
     largest = float(np.abs(result.data["deformation"].values).max())
     for name in ("deformation_stationary", "deformation_oscillatory"):
         true = result.data[name].transpose("time", "deformation_kind").values
         assert np.abs(run["series"][name] - true).max() < PARTS * largest, name
 
 
-def test_modes_of_each_case_are_the_native_ones(pairs: list[tuple[dict[str, Any], ArmResult]]) -> None:
+def test_modes_of_each_case_are_the_native_ones(pairs: list[tuple[dict[str, Any], Result]]) -> None:
     first = []
     for run, result in pairs:
         native = modes_of(result)
@@ -76,7 +76,7 @@ def test_modes_of_each_case_are_the_native_ones(pairs: list[tuple[dict[str, Any]
     assert np.ptp(first) > 0.1 * first[0]
 
 
-def test_marks_and_first_frequency_are_those_of_the_changed_arm(pairs: list[tuple[dict[str, Any], ArmResult]]) -> None:
+def test_marks_and_first_frequency_are_those_of_the_changed_arm(pairs: list[tuple[dict[str, Any], Result]]) -> None:
     for run, result in pairs:
         (fact,) = frequency_facts(result.summary()["first_frequency_Hz"])
         assert run["facts"]["frequency.first"]["value"] == pytest.approx(fact.value, rel=EQUAL)
@@ -86,7 +86,7 @@ def test_marks_and_first_frequency_are_those_of_the_changed_arm(pairs: list[tupl
         assert [mark["at"] for mark in run["vibration"]["marks"]] == pytest.approx([at for at, _ in marks], rel=EQUAL)
 
 
-def test_parts_of_the_deformations_are_the_native_ones(pairs: list[tuple[dict[str, Any], ArmResult]]) -> None:
+def test_parts_of_the_deformations_are_the_native_ones(pairs: list[tuple[dict[str, Any], Result]]) -> None:
     for run, result in pairs:
         assert_parts_equal(run, result)
 

@@ -67,7 +67,7 @@ def given() -> dict[str, Any]:
 
 
 @pytest.fixture(scope="module")
-def told(given: dict[str, Any], tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
+def info(given: dict[str, Any], tmp_path_factory: pytest.TempPathFactory) -> dict[str, Any]:
     node = shutil.which("node")
     if node is None or not ESBUILD.exists():
         pytest.skip("needs Node and the packages of the pages: npm ci in web/")
@@ -80,9 +80,9 @@ def told(given: dict[str, Any], tmp_path_factory: pytest.TempPathFactory) -> dic
     return json.loads(done.stdout)
 
 
-def test_squares_of_the_frequencies_are_those_of_numpy(given: dict[str, Any], told: dict[str, Any]) -> None:
+def test_squares_of_the_frequencies_are_those_of_numpy(given: dict[str, Any], info: dict[str, Any]) -> None:
     """Where K is positive definite the low ones have all digits; else each is as rounding of the largest leaves it."""
-    stiff, *others = zip(given["systems"], told["found"], strict=True)
+    stiff, *others = zip(given["systems"], info["found"], strict=True)
     inverse = np.linalg.eigvals(np.linalg.solve(stiff[0]["stiffness"], stiff[0]["mass"])).real
     assert stiff[1]["squares"][:LOW] == pytest.approx(np.sort(1 / inverse)[:LOW], rel=1e-9)
     for system, found in others:
@@ -90,8 +90,8 @@ def test_squares_of_the_frequencies_are_those_of_numpy(given: dict[str, Any], to
         assert np.abs(np.array(found["squares"]) - true).max() < 1e-13 * true.max()
 
 
-def test_shapes_have_unit_modal_mass_and_solve_the_equations(given: dict[str, Any], told: dict[str, Any]) -> None:
-    for system, found in zip(given["systems"], told["found"], strict=True):
+def test_shapes_have_unit_modal_mass_and_solve_the_equations(given: dict[str, Any], info: dict[str, Any]) -> None:
+    for system, found in zip(given["systems"], info["found"], strict=True):
         n = len(system["mass"])
         shapes, squares = np.reshape(found["still"], (n, n))[:, :LOW], np.array(found["squares"])[:LOW]
         left = system["mass"] @ shapes * squares - system["stiffness"] @ shapes
@@ -99,9 +99,9 @@ def test_shapes_have_unit_modal_mass_and_solve_the_equations(given: dict[str, An
         assert np.einsum("ik,ij,jk->k", shapes, system["mass"], shapes) == pytest.approx(np.ones(LOW), rel=1e-9)
 
 
-def test_damped_motions_solve_their_equations(given: dict[str, Any], told: dict[str, Any]) -> None:
+def test_damped_motions_solve_their_equations(given: dict[str, Any], info: dict[str, Any]) -> None:
     """(M s^2 + D s + K) x = 0 for the slow motions, as rounding of K leaves it; and no eigenvalue is missing."""
-    for system, found in zip(given["systems"], told["found"], strict=True):
+    for system, found in zip(given["systems"], info["found"], strict=True):
         n = len(system["mass"])
         values = np.array(found["re"]) + 1j * np.array(found["im"])
         slow = np.argsort(np.abs(values))[:LOW]
@@ -114,12 +114,12 @@ def test_damped_motions_solve_their_equations(given: dict[str, Any], told: dict[
         assert np.abs(values.sum() - true.sum()) < 1e-6 * np.abs(true).max()
 
 
-def test_inverse_is_that_of_numpy(given: dict[str, Any], told: dict[str, Any]) -> None:
-    for system, found in zip(given["systems"], told["found"], strict=True):
+def test_inverse_is_that_of_numpy(given: dict[str, Any], info: dict[str, Any]) -> None:
+    for system, found in zip(given["systems"], info["found"], strict=True):
         assert found["inverse"] == pytest.approx(np.linalg.inv(system["mass"]).ravel(), rel=1e-10, abs=1e-12)
 
 
-def test_assignment_costs_the_least(given: dict[str, Any], told: dict[str, Any]) -> None:
+def test_assignment_costs_the_least(given: dict[str, Any], info: dict[str, Any]) -> None:
     rows, columns = linear_sum_assignment(given["cost"])
-    assert len(set(told["partners"])) == ROWS
-    assert given["cost"][range(ROWS), told["partners"]].sum() == pytest.approx(given["cost"][rows, columns].sum())
+    assert len(set(info["partners"])) == ROWS
+    assert given["cost"][range(ROWS), info["partners"]].sum() == pytest.approx(given["cost"][rows, columns].sum())

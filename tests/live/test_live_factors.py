@@ -11,10 +11,10 @@ import pytest
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
 from tmodes.live.numbers import has_reference
-from tmodes.result import ArmResult, assemble_arm
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
-from tmodes.studio.sliders import told_sliders
+from tmodes.result import Result, assemble_result
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
+from tmodes.studio.sliders import info_sliders
 
 from .chain import chain
 from .node import live_in_node, worst_difference
@@ -23,22 +23,22 @@ FACTOR = {"real": {"joints.j0.gear.stiffness": 0.8}}
 PUSH = {"type": "step", "start": 0.0, "end": 2.0, "time": 0.05}
 
 
-def pushed() -> Arm:
+def pushed() -> Robot:
     """Torques of the motors, and no wanted position."""
     drives = [{"joint": f"j{k}", "command": "torque", "signal": PUSH} for k in range(2)]
     return chain(2).with_({"drives": drives, "gravity": 0.0})
 
 
-def result_of(arm: Arm) -> ArmResult:
-    return assemble_arm(simulate_arm(arm), arm)
+def result_of(arm: Robot) -> Result:
+    return assemble_result(simulate_motion(arm), arm)
 
 
 def real_ones(sliders: Any) -> list[str]:
-    return [told["path"] for told in sliders if told["path"].startswith("real:")]
+    return [info["path"] for info in sliders if info["path"].startswith("real:")]
 
 
 @pytest.mark.parametrize("arm", [chain(2), pushed(), pushed().with_(FACTOR)], ids=["position", "torque", "factor"])
-def test_the_factors_are_offered_where_the_run_is_compared(arm: Arm) -> None:
+def test_the_factors_are_offered_where_the_run_is_compared(arm: Robot) -> None:
     """As the native run has it, so does the page."""
     result = result_of(arm)
     compared = "tip_reference" in result.data
@@ -51,8 +51,8 @@ def test_the_factors_are_offered_where_the_run_is_compared(arm: Arm) -> None:
 
 def test_what_is_not_offered_would_make_a_reference_run() -> None:
     """`tmodes run` of such a sheet with a factor compares, which the page of the run without one cannot; it says so."""
-    assert simulate_arm(pushed()).reference is None
-    assert simulate_arm(pushed().with_(FACTOR)).reference is not None
+    assert simulate_motion(pushed()).reference is None
+    assert simulate_motion(pushed().with_(FACTOR)).reference is not None
     assert "no reference run" in live_map(pushed().pair()).left_out["real"]
 
 
@@ -72,8 +72,8 @@ def test_what_is_known_of_such_an_arm_keeps_its_sliders(tmp_path: Path) -> None:
 
 def test_the_studio_offers_them_all_the_same() -> None:
     """It runs natively, where a factor makes a reference run."""
-    from tmodes.io.sheet_check import arm_data
+    from tmodes.io.sheet_check import sheet_data
 
     arm = pushed()
-    told = told_sliders(arm, json.loads(json.dumps(arm_data(arm))))
-    assert any("real over known" in one["label"] for one in told)
+    info = info_sliders(arm, json.loads(json.dumps(sheet_data(arm))))
+    assert any("real over known" in one["label"] for one in info)

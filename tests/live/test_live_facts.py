@@ -10,7 +10,7 @@ import pytest
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.paper.simulate import simulate
 from tmodes.report.data import page_data
 from tmodes.robots.load import load_sheet
@@ -25,13 +25,13 @@ def live() -> LiveMap:
     return live_map(seed().pair())
 
 
-def seed() -> Robot:
+def seed() -> PaperRobot:
     sheet = load_sheet("filipovic2010")
-    assert isinstance(sheet, Robot)
+    assert isinstance(sheet, PaperRobot)
     return sheet
 
 
-def told(fact: dict[str, Any]) -> str:
+def info(fact: dict[str, Any]) -> str:
     return str(fact["note"]).replace("\xa0", " ")
 
 
@@ -51,7 +51,7 @@ def test_every_headline_number_and_its_note_are_those_of_the_native_report(live:
             assert (own["value"] is None) == (fact["value"] is None), fact["id"]
             if fact["value"] is not None:
                 assert own["value"] == pytest.approx(fact["value"], rel=1e-6), fact["id"]
-            assert told(own) == told(fact), fact["id"]
+            assert info(own) == info(fact), fact["id"]
         assert np.isfinite(run["facts"]["frequency.first"]["value"])
         settled.add(run["facts"]["settling"]["value"] is None)
     assert settled == {True, False}

@@ -12,7 +12,7 @@ import numpy as np
 import pytest
 
 from tmodes.live.bundle import live_bundle
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.paper.simulate import simulate
 from tmodes.report.pack import embedded, pack
 from tmodes.robots.load import load_sheet
@@ -69,7 +69,7 @@ def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> Non
     """The same numbers as natively, no request, no complaint of the browser; a newer run ends an older one."""
     playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to look at the page")
     sheet = load_sheet("filipovic2010")
-    assert isinstance(sheet, Robot)
+    assert isinstance(sheet, PaperRobot)
     result = simulate(sheet)
     bundle = live_bundle(result)
     assert bundle is not None
@@ -77,10 +77,10 @@ def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> Non
     with playwright.sync_playwright() as play:
         browser = play.chromium.launch(executable_path=chromium, args=["--no-sandbox"])
         page = browser.new_page()
-        told: list[str] = []
+        info: list[str] = []
         asked: list[str] = []
-        page.on("console", lambda message: told.append(message.text))
-        page.on("pageerror", lambda problem: told.append(str(problem)))
+        page.on("console", lambda message: info.append(message.text))
+        page.on("pageerror", lambda problem: info.append(str(problem)))
         page.on("request", lambda request: asked.append(request.url))
         page.goto((tmp_path / "page.html").as_uri())
         sliders = page.evaluate("ready")
@@ -93,7 +93,7 @@ def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> Non
     assert sliders == len(bundle["sliders"])
     assert workers == 1
     assert both == ["superseded", "finished"]
-    assert not told
+    assert not info
     assert [url for url in asked if not url.startswith(("file:", "blob:"))] == []
     assert len(spent) == 12
     print(f"slider to curves, median: {np.median(spent[2:]):.1f} ms")

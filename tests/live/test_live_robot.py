@@ -13,12 +13,12 @@ from tmodes.equations.lagrange.coordinates import basis
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.paper.simulate import simulate
 from tmodes.report.pack import pack
 from tmodes.report.scene_paper import line_at
 from tmodes.report.spectra import robot_spectra
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 from tmodes.robots.load import load_sheet
 
 from .node import live_in_node, worst_difference
@@ -38,14 +38,14 @@ two runs are a small sample. Measured: 1.7 at most, at twenty settings."""
 
 
 @pytest.fixture(scope="module")
-def seed() -> Robot:
+def seed() -> PaperRobot:
     sheet = load_sheet("filipovic2010")
-    assert isinstance(sheet, Robot)
+    assert isinstance(sheet, PaperRobot)
     return sheet
 
 
 @pytest.fixture(scope="module")
-def live(seed: Robot) -> LiveMap:
+def live(seed: PaperRobot) -> LiveMap:
     return live_map(seed.pair())
 
 
@@ -62,7 +62,7 @@ def drawn(live: LiveMap, count: int) -> list[list[float]]:
     return settings
 
 
-def in_page(robot: Robot, live: LiveMap, folder: Path) -> list[dict[str, Any]]:
+def in_page(robot: PaperRobot, live: LiveMap, folder: Path) -> list[dict[str, Any]]:
     """The unchanged run, then those at random settings."""
     bundle = live_bundle(simulate(robot))
     assert bundle is not None
@@ -70,7 +70,7 @@ def in_page(robot: Robot, live: LiveMap, folder: Path) -> list[dict[str, Any]]:
 
 
 @pytest.fixture(scope="module")
-def runs(seed: Robot, live: LiveMap, tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, Any]]:
+def runs(seed: PaperRobot, live: LiveMap, tmp_path_factory: pytest.TempPathFactory) -> list[dict[str, Any]]:
     return in_page(seed, live, tmp_path_factory.mktemp("live"))
 
 
@@ -82,7 +82,7 @@ def scales(data: Any) -> dict[str, float]:
     return {"energy_balance": moved, "deformation_oscillatory": bent, "deformation_stationary": bent}
 
 
-def own_difference(result: Result, names: Iterable[str]) -> float:
+def own_difference(result: PaperResult, names: Iterable[str]) -> float:
     """The largest difference of any series of the native run from that of a robot whose gear is stiffer by a digit."""
     robot = result.robot
     others = [simulate(robot.with_({"gear.stiffness": robot.gear.stiffness * factor})).data for factor in LAST_DIGITS]
@@ -90,7 +90,7 @@ def own_difference(result: Result, names: Iterable[str]) -> float:
     return max(worst_difference({name: other[name].values for name in names}, result.data, size)[0] for other in others)
 
 
-def native_runs(robot: Robot, live: LiveMap) -> Iterator[Result]:
+def native_runs(robot: PaperRobot, live: LiveMap) -> Iterator[PaperResult]:
     """By the method that the unchanged run took, as the page does."""
     yield simulate(robot)
     for values in drawn(live, SETTINGS):
@@ -98,19 +98,21 @@ def native_runs(robot: Robot, live: LiveMap) -> Iterator[Result]:
 
 
 def test_page_equals_native_run_unchanged_and_at_ten_random_settings(
-    seed: Robot, live: LiveMap, tmp_path: Path
+    seed: PaperRobot, live: LiveMap, tmp_path: Path
 ) -> None:
     """Every series along time, as `tmodes run --set PATH=VALUE` of each changed number gives it."""
     fine = seed.with_(FINE)
     for run, result in zip(in_page(fine, live, tmp_path), native_runs(fine, live), strict=True):
         assert run["status"] == result.status == "finished"
-        told = {name for name, one in result.data.items() if "time" in one.dims and "s" not in one.dims}
-        assert set(run["series"]) == told
+        info = {name for name, one in result.data.items() if "time" in one.dims and "s" not in one.dims}
+        assert set(run["series"]) == info
         difference, name = worst_difference(run["series"], result.data, scales(result.data))
         assert difference < EQUAL, name
 
 
-def test_page_equals_native_run_at_its_own_tolerance(seed: Robot, live: LiveMap, runs: list[dict[str, Any]]) -> None:
+def test_page_equals_native_run_at_its_own_tolerance(
+    seed: PaperRobot, live: LiveMap, runs: list[dict[str, Any]]
+) -> None:
     """The tip's path to 1e-9, as unchanged all series; else as near as native runs are by which a last digit differs.
 
     The run is limited by stability there, and rounding decides which steps are rejected.
@@ -122,7 +124,7 @@ def test_page_equals_native_run_at_its_own_tolerance(seed: Robot, live: LiveMap,
         assert worst_difference(tips, result.data, {})[0] < EQUAL
 
 
-def test_picture_is_that_of_the_result(seed: Robot, runs: list[dict[str, Any]]) -> None:
+def test_picture_is_that_of_the_result(seed: PaperRobot, runs: list[dict[str, Any]]) -> None:
     """The elastic line at the display frames, and its bending moment and deflection along each mode."""
     data, bundle = simulate(seed).data, live_bundle(simulate(seed))
     assert bundle is not None
@@ -135,7 +137,7 @@ def test_picture_is_that_of_the_result(seed: Robot, runs: list[dict[str, Any]]) 
     assert np.abs(np.linalg.norm(runs[0]["scene"]["roots"], axis=-1) - 1).max() < 1e-14
 
 
-def test_headline_numbers_are_those_of_the_summary(seed: Robot, runs: list[dict[str, Any]]) -> None:
+def test_headline_numbers_are_those_of_the_summary(seed: PaperRobot, runs: list[dict[str, Any]]) -> None:
     summary, facts = simulate(seed).summary(), runs[0]["facts"]
     expected = {
         "deviation.max": summary["deviation"]["max_m"],
@@ -146,23 +148,23 @@ def test_headline_numbers_are_those_of_the_summary(seed: Robot, runs: list[dict[
     assert {name: facts[name]["value"] for name in expected} == pytest.approx(expected, rel=EQUAL)
 
 
-def test_saved_sheet_is_that_of_the_settings(seed: Robot, live: LiveMap, runs: list[dict[str, Any]]) -> None:
+def test_saved_sheet_is_that_of_the_settings(seed: PaperRobot, live: LiveMap, runs: list[dict[str, Any]]) -> None:
     """The YAML of the page loads to the robot that the same changes give."""
     for values, run in zip([[s.value for s in live.sliders], *drawn(live, SETTINGS)], runs, strict=True):
         data, _ = parse_yaml(run["sheet"], "page")
-        assert Robot.from_data(data) == seed.with_(live.changes(values))
+        assert PaperRobot.from_data(data) == seed.with_(live.changes(values))
 
 
-def test_bundle_of_a_saved_result_is_the_same(seed: Robot, tmp_path: Path) -> None:
+def test_bundle_of_a_saved_result_is_the_same(seed: PaperRobot, tmp_path: Path) -> None:
     """A report that is made later, from the file."""
     result = simulate(seed)
-    first, again = live_bundle(result), live_bundle(Result.load(result.save(tmp_path / "result.nc")))
+    first, again = live_bundle(result), live_bundle(PaperResult.load(result.save(tmp_path / "result.nc")))
     assert first is not None
     assert again is not None
     assert pack(again) == pack(first)
 
 
-def test_what_cannot_start_is_told(seed: Robot, live: LiveMap, tmp_path: Path) -> None:
+def test_what_cannot_start_is_reported(seed: PaperRobot, live: LiveMap, tmp_path: Path) -> None:
     """A payload that the link does not carry, as the native run tells it."""
     bundle = live_bundle(simulate(seed))
     assert bundle is not None
@@ -171,7 +173,7 @@ def test_what_cannot_start_is_told(seed: Robot, live: LiveMap, tmp_path: Path) -
     assert "no static equilibrium" in run["error"]
 
 
-def test_runs_that_a_page_cannot_make_say_why(seed: Robot) -> None:
+def test_runs_that_a_page_cannot_make_say_why(seed: PaperRobot) -> None:
     stopped = simulate(seed.with_({"integration.stop": ["theta.position > 0.3 rad"]}))
     assert live_bundle(stopped) is None
     assert "did not reach its end" in why_not_live(stopped)
@@ -179,7 +181,9 @@ def test_runs_that_a_page_cannot_make_say_why(seed: Robot) -> None:
     assert "condition" in why_not_live(free)
 
 
-def test_ghost_and_spectra_are_those_of_the_changed_run(seed: Robot, live: LiveMap, runs: list[dict[str, Any]]) -> None:
+def test_ghost_and_spectra_are_those_of_the_changed_run(
+    seed: PaperRobot, live: LiveMap, runs: list[dict[str, Any]]
+) -> None:
     """The reference without elasticity; the time of which the report's spectra are, unchanged and of another move."""
     for run, result in list(zip(runs, native_runs(seed, live), strict=True))[:3]:
         spans = [draft.span for draft in robot_spectra(result.data)]
@@ -191,7 +195,7 @@ def test_ghost_and_spectra_are_those_of_the_changed_run(seed: Robot, live: LiveM
     assert np.abs(runs[0]["scene"]["referenceRigid"] - straight).max() < EQUAL
 
 
-def test_what_needs_the_end_is_not_told_without_it(seed: Robot, live: LiveMap, tmp_path: Path) -> None:
+def test_what_needs_the_end_is_not_reported_without_it(seed: PaperRobot, live: LiveMap, tmp_path: Path) -> None:
     """A run that breaks off."""
     bundle = live_bundle(simulate(seed))
     assert bundle is not None

@@ -10,12 +10,12 @@ import pytest
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.paper.simulate import simulate
 from tmodes.report.facts import frequency_facts
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.spectra import robot_spectra
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 from tmodes.robots.load import load_sheet
 
 from .node import live_in_node, worst_difference
@@ -28,9 +28,9 @@ COARSE = {"integration.method": "dormand_prince", "integration.relative_toleranc
 """The modes do not hang on the run."""
 
 
-def seed(**changes: Any) -> Robot:
+def seed(**changes: Any) -> PaperRobot:
     sheet = load_sheet("filipovic2010", COARSE | changes)
-    assert isinstance(sheet, Robot)
+    assert isinstance(sheet, PaperRobot)
     return sheet
 
 
@@ -45,7 +45,7 @@ def drawn(live: LiveMap) -> list[list[float]]:
     return [[slider.value for slider in live.sliders], *random]
 
 
-def both(robot: Robot, folder: Path) -> list[tuple[dict[str, Any], Result]]:
+def both(robot: PaperRobot, folder: Path) -> list[tuple[dict[str, Any], PaperResult]]:
     """Runs in the page and natively, by the same settings."""
     live, bundle = live_map(robot.pair()), live_bundle(simulate(robot))
     assert bundle is not None
@@ -55,11 +55,11 @@ def both(robot: Robot, folder: Path) -> list[tuple[dict[str, Any], Result]]:
 
 
 @pytest.fixture(scope="module")
-def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[dict[str, Any], Result]]:
+def pairs(tmp_path_factory: pytest.TempPathFactory) -> list[tuple[dict[str, Any], PaperResult]]:
     return both(seed(), tmp_path_factory.mktemp("modes"))
 
 
-def test_modes_of_each_case_are_the_native_ones(pairs: list[tuple[dict[str, Any], Result]]) -> None:
+def test_modes_of_each_case_are_the_native_ones(pairs: list[tuple[dict[str, Any], PaperResult]]) -> None:
     first = []
     for run, result in pairs:
         native = modes_of(result)
@@ -69,7 +69,9 @@ def test_modes_of_each_case_are_the_native_ones(pairs: list[tuple[dict[str, Any]
     assert np.ptp(first) > 0.1 * first[0]
 
 
-def test_marks_and_first_frequency_are_those_of_the_changed_robot(pairs: list[tuple[dict[str, Any], Result]]) -> None:
+def test_marks_and_first_frequency_are_those_of_the_changed_robot(
+    pairs: list[tuple[dict[str, Any], PaperResult]],
+) -> None:
     for run, result in pairs:
         (fact,) = frequency_facts(result.summary()["first_frequency_Hz"])
         assert run["facts"]["frequency.first"]["value"] == pytest.approx(fact.value, rel=EQUAL)
@@ -90,7 +92,7 @@ def test_modes_of_a_robot_with_rigid_elements(tmp_path: Path) -> None:
         assert_same_modes(run["vibration"]["modes"], modes_of(result), EQUAL, SHAPE)
 
 
-def test_modes_that_cannot_be_told_say_why(tmp_path: Path) -> None:
+def test_modes_that_cannot_be_reported_say_why(tmp_path: Path) -> None:
     """The run is shown all the same."""
     robot = seed()
     bundle = live_bundle(simulate(robot))

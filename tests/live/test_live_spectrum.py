@@ -32,8 +32,8 @@ def test_spectrum_is_of_the_run_s_span_without_an_odd_last_sample(tmp_path: Path
     chart = {"span": [0.0, 0.5], "at": {"data": [20.0]}}
     given = json.dumps({"times": times.tolist(), "values": values.tolist(), "chart": chart, "span": [0.72, 2.0]})
     (tmp_path / "entry.ts").write_text(PROGRAM.format(web=WEB.as_posix(), given=given))
-    told = [ESBUILD, "entry.ts", "--bundle", "--format=esm", "--outfile=entry.mjs"]
-    subprocess.run(told, check=True, capture_output=True, cwd=tmp_path)
+    info = [ESBUILD, "entry.ts", "--bundle", "--format=esm", "--outfile=entry.mjs"]
+    subprocess.run(info, check=True, capture_output=True, cwd=tmp_path)
     found = json.loads(subprocess.run([node, "entry.mjs"], check=True, capture_output=True, cwd=tmp_path).stdout)
     frequency, amplitude = amplitude_spectrum(values[144:400], 0.005, 4)
     count = len(found["x"])

@@ -9,9 +9,9 @@ from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import arm_numbers, robot_numbers, whole, whole_moves
 from tmodes.live.sliders import MOST
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.robots.load import load_sheet
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
 
 from .chain import chain
@@ -35,10 +35,10 @@ def test_numbers_are_those_of_the_changed_sheet(name: str) -> None:
         pair = sheet.with_(live.changes(values)).pair()
         for run in live.forms:
             of = pair.nominal if run == "reference" else pair.real
-            if isinstance(of, Robot):
+            if isinstance(of, PaperRobot):
                 true = robot_numbers(of, Drive.PRESCRIBED if run == "reference" else Drive.CONTROLLED)
             else:
-                assert isinstance(sheet, Arm)
+                assert isinstance(sheet, Robot)
                 until = whole_moves(sheet, REACH)
                 true = arm_numbers(of, Follow.SHEET if run == "real" else Follow.WANTED, until)
             found = live.numbers(values, run)

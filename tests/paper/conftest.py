@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from tmodes.paper.mechanism import Parameters
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import load_robot
 
 PATHS = {
@@ -22,13 +22,13 @@ PATHS = {
 
 
 @pytest.fixture(scope="session")
-def robot() -> Robot:
+def robot() -> PaperRobot:
     """The paper's robot as shipped."""
     return load_robot("filipovic2010")
 
 
 @pytest.fixture(scope="session")
-def to_parameters(robot: Robot) -> Callable[[Mapping[str, float]], Parameters]:
+def to_parameters(robot: PaperRobot) -> Callable[[Mapping[str, float]], Parameters]:
     """Parameters of the package from the oracle's symbols (Cs, Bs become EI and eta)."""
 
     def convert(symbols: Mapping[str, float]) -> Parameters:

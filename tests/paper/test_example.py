@@ -110,10 +110,10 @@ def test_stationary_part_at_rest_is_the_gravity_sag(free):
 
 def test_settling_is_found_beyond_the_end_of_the_run(robot):
     """A run as long as its move tells when the tip settles; a longer run sees the same with its own samples."""
-    told = simulate(robot).summary()["settling"]
+    info = simulate(robot).summary()["settling"]
     longer = simulate(robot.with_({"integration.duration": 14.0}))
     time, deviation = longer.data["time"].values, longer.data["deviation"].values
-    beyond = time[deviation > told["limit_m"]]
-    assert told["limit_m"] == pytest.approx(0.05 * deviation.max(), rel=1e-6)
-    assert told["time_s"] == pytest.approx(beyond[-1] - 2.0, abs=0.02)
-    assert longer.summary()["settling"]["time_s"] == pytest.approx(told["time_s"], abs=0.02)
+    beyond = time[deviation > info["limit_m"]]
+    assert info["limit_m"] == pytest.approx(0.05 * deviation.max(), rel=1e-6)
+    assert info["time_s"] == pytest.approx(beyond[-1] - 2.0, abs=0.02)
+    assert longer.summary()["settling"]["time_s"] == pytest.approx(info["time_s"], abs=0.02)

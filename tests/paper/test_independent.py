@@ -10,7 +10,7 @@ from oracle.parameters import with_equivalents
 from paper.conftest import PATHS
 from tmodes.paper.mechanism import Drive, Reading
 from tmodes.paper.modes import MotorState, vibration_modes
-from tmodes.paper.regime import run_regime
+from tmodes.paper.regime import run_paper
 from tmodes.paper.simulate import simulate
 
 FINE = {
@@ -69,7 +69,7 @@ def test_run_moves_as_the_oracle(finely):
 def test_voltage_of_the_reference_moves_the_oracle_along_it(finely):
     """Fed with the voltage that the prescribed motor asks for, the known robot accelerates as theta_o''."""
     robot, data = finely
-    regime = run_regime(robot.pair().nominal, Drive.PRESCRIBED)
+    regime = run_paper(robot.pair().nominal, Drive.PRESCRIBED)
     taken = regime.trajectory
     assert np.array_equal(data["q_reference"].values, taken.states[:, :6])
     seen = regime.model.observe(taken.times, taken.states, regime.rows, regime.parameters)
@@ -125,7 +125,7 @@ def test_bending_moment_is_that_of_the_seen_accelerations(finely):
 def test_frequencies_are_those_of_the_oracle(robot, reading, state, touch):
     """Eigenvalues of the oracle's accelerations, differenced about rest, in every state of the motor."""
     robot = robot.with_({"reading": reading.value, "payload.mass": 1.5, "controller.position_gain": 150.0})
-    rest = run_regime(robot.with_({"contact": touch}), Drive.CONTROLLED, until=0.0).trajectory.states[0, :6]
+    rest = run_paper(robot.with_({"contact": touch}), Drive.CONTROLLED, until=0.0).trajectory.states[0, :6]
     p, count, small = symbols(robot), 5 if state is MotorState.LOCKED else 6, 2e-6
     if state is MotorState.LOCKED:
         p["I"] = 1e15

@@ -7,7 +7,7 @@ import pytest
 
 from tmodes.equations.lagrange.coordinates import deformations
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 
 PHI = np.array([0.302, 0.012, 0.3, -0.004, -0.02, 0.29])
 PHID = np.array([0.5, -0.2, 0.45, 0.05, -0.1, 0.6])
@@ -17,7 +17,7 @@ def state(robot, phi=PHI, phid=PHID, contact=True, **changes):
     """The line's quantities at 201 stations of both modes, and the terms of the equations."""
     robot = robot.with_({path.replace("__", "."): value for path, value in changes.items()}) if changes else robot
     mechanism, parameters = robot.split(Drive.VOLTAGE, contact=contact)
-    model, s = Model(mechanism), np.linspace(0, 1, 201)
+    model, s = PaperModel(mechanism), np.linspace(0, 1, 201)
     terms = {name: value[0] for name, value in model.evaluate(phi, phid, [3.0], parameters).items()}
     motion = np.concatenate([phi, phid, terms["phidd"], terms["F_tip_on_environment"]])
     return s, {name: value[0] for name, value in model.line(motion, s, parameters).items()}, terms
@@ -57,7 +57,7 @@ def test_line_moments_obey_galerkin(robot):
 def test_static_moments_are_levers(robot):
     """At rest without contact: the vertical moment is weight times lever, the shear is the weight outboard."""
     mechanism, parameters = robot.split(Drive.VOLTAGE, contact=False)
-    phi = Model(mechanism).rest(0.0, parameters)[:6]
+    phi = PaperModel(mechanism).rest(0.0, parameters)[:6]
     _, line, terms = state(robot, phi, np.zeros(6), contact=False)
     first, second = robot.link.modes
     inner, outer = first.tip_mass * 9.81, (second.tip_mass + 0.5) * 9.81

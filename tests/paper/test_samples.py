@@ -12,14 +12,14 @@ from oracle.oracle import oracle
 from oracle.parameters import random_parameters, random_state
 from tmodes.paper.environment import FrictionLaw
 from tmodes.paper.mechanism import Drive, Mechanism, Reading
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 
 STATES = json.loads((Path(__file__).parents[1] / "oracle/reference_states.json").read_text())
 CASES = [(reading, kind) for reading in ("printed", "consistent") for kind in ("free", "contact")]
 
 
-def model_of(reading: str, kind: str, law: FrictionLaw = FrictionLaw.SIGNED) -> Model:
-    return Model(Mechanism(Reading(reading), law if kind == "contact" else None, Drive.VOLTAGE))
+def model_of(reading: str, kind: str, law: FrictionLaw = FrictionLaw.SIGNED) -> PaperModel:
+    return PaperModel(Mechanism(Reading(reading), law if kind == "contact" else None, Drive.VOLTAGE))
 
 
 def assert_equal(found, wanted, names, tolerance=1e-9):

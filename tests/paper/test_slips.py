@@ -11,7 +11,7 @@ from tmodes.integrate.settings import Integration
 from tmodes.paper.environment import DynamicEnvironment
 from tmodes.paper.mechanism import Drive, Reading
 from tmodes.paper.mode import FlexibleMode, shape_deflection
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 
 PHI = np.array([0.3, -0.2, 0.25, 0.15, -0.1, 0.2])
 PHID = np.array([0.5, -1.0, 0.7, 0.3, -0.4, 0.6])
@@ -21,7 +21,7 @@ Q, DELTA, GAMMA, VT, E, THETA = PHI
 def terms(robot, reading=Reading.CONSISTENT, contact=False, phi=PHI, phid=PHID, u=0.0, **changes):
     robot = robot.with_({path.replace("__", "."): value for path, value in changes.items()}) if changes else robot
     mechanism, parameters = robot.split(Drive.VOLTAGE, reading=reading, contact=contact)
-    return {name: value[0] for name, value in Model(mechanism).evaluate(phi, phid, [u], parameters).items()}
+    return {name: value[0] for name, value in PaperModel(mechanism).evaluate(phi, phid, [u], parameters).items()}
 
 
 def test_slip_13_mass():

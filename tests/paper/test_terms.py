@@ -12,7 +12,7 @@ from tmodes.equations.lagrange.kinematics import chord_slopes, line_point, tip
 from tmodes.paper.local_pd import LocalPD
 from tmodes.paper.mechanism import Drive, Mechanism, Reading
 from tmodes.paper.mode import FlexibleMode, shape_angle, shape_deflection, shape_slope
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 
 PHI = np.array([0.3, -0.2, 0.25, 0.15, -0.1, 0.2])
 PHID = np.array([0.5, -1.0, 0.7, 0.3, -0.4, 0.6])
@@ -38,7 +38,7 @@ def array(value) -> np.ndarray:
 def terms(robot, reading):
     """Terms at PHI, PHID of the robot as known."""
     m, parameters = robot.split(Drive.VOLTAGE, reading=reading, contact=False)
-    return {name: value[0] for name, value in Model(m).evaluate(PHI, PHID, [0.0], parameters).items()}
+    return {name: value[0] for name, value in PaperModel(m).evaluate(PHI, PHID, [0.0], parameters).items()}
 
 
 def test_mode_shape():
@@ -50,8 +50,8 @@ def test_mode_shape():
     assert ca.simplify(fourth).is_zero()
     at = ca.Function("at", [s], [shape_deflection(s), ca.jacobian(shape_deflection(s), s), shape_slope(s)])
     for place in (0.0, 0.3, 1.0):
-        value, slope, told = (float(x) for x in at(place))
-        assert slope == pytest.approx(told)
+        value, slope, info = (float(x) for x in at(place))
+        assert slope == pytest.approx(info)
         assert value == pytest.approx(place * shape_angle(place))
     assert [float(x) for x in at(0)] == [0, 0, 0]
     assert float(at(1)[0]) == 1
@@ -128,7 +128,7 @@ def test_printed_h11_entry(robot, reading):
 def test_rows_are_lagrange(robot, reading):
     """(34)-(38): along any free motion without loss, H phi'' + h + f_el is d/dt dT/dphi' - dT/dphi + dV/dphi."""
     m, parameters = robot.split(Drive.VOLTAGE, reading=reading, contact=False)
-    model, step = Model(m), 1e-5
+    model, step = PaperModel(m), 1e-5
 
     def lagrangian(phi, phid):
         e = {name: value[0] for name, value in model.evaluate(phi, phid, [0.0], parameters).items()}

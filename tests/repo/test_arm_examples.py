@@ -10,17 +10,17 @@ import pytest
 
 from tmodes.robots.load import load_sheet
 from tmodes.robots.packages import installed_models
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 GUIDE = (Path(__file__).resolve().parents[2] / "docs" / "arms.md").read_text(encoding="utf-8")
 BLOCKS = re.findall(r"^```yaml\n(.*?)^```$", GUIDE, re.MULTILINE | re.DOTALL)
 URDF = "robots/ur_description/urdf/ur5_robot.urdf"
 
 
-def loaded(text: str, folder: Path) -> Arm:
+def loaded(text: str, folder: Path) -> Robot:
     (folder / "sheet.yaml").write_text(text, encoding="utf-8")
     arm = load_sheet(folder / "sheet.yaml")
-    assert isinstance(arm, Arm)
+    assert isinstance(arm, Robot)
     return arm
 
 

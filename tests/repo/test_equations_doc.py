@@ -14,8 +14,8 @@ HOME = Home(ROOT / "src" / "tmodes" / "part.py", "tmodes.part")
 
 
 def one(text: str) -> Citation:
-    (citation,), complaints = citations_in(text, HOME)
-    assert not complaints
+    (citation,), problems = citations_in(text, HOME)
+    assert not problems
     return citation
 
 
@@ -49,9 +49,9 @@ def test_range_covers_its_numbers() -> None:
 
 
 def test_citations_that_follow_one_another_are_parted() -> None:
-    found, complaints = citations_in("Eq. (1) [stated]: a. {test_a}\nSlip (p. 61): b {test_b}", HOME)
+    found, problems = citations_in("Eq. (1) [stated]: a. {test_a}\nSlip (p. 61): b {test_b}", HOME)
     assert [(c.place, c.kind, c.text) for c in found] == [("(1)", "stated", "a"), ("(p. 61)", "slip", "b")]
-    assert not complaints
+    assert not problems
 
 
 @pytest.mark.parametrize(
@@ -64,10 +64,10 @@ def test_citations_that_follow_one_another_are_parted() -> None:
         "Eq. (1) [stated]: a forgotten brace. Eq. (2) [stated]: b. {test_b}",
     ],
 )
-def test_unreadable_citation_is_told(text: str) -> None:
-    _, complaints = citations_in(text, HOME)
-    assert len(complaints) == 1
-    assert complaints[0].startswith("tmodes.part: cannot read")
+def test_unreadable_citation_is_reported(text: str) -> None:
+    _, problems = citations_in(text, HOME)
+    assert len(problems) == 1
+    assert problems[0].startswith("tmodes.part: cannot read")
 
 
 def test_plain_mention_is_no_citation() -> None:
@@ -79,14 +79,14 @@ def test_complete_citations_have_no_problem() -> None:
 
 
 @pytest.mark.parametrize("missing", range(len(EQUATIONS) + len(SLIPS)))
-def test_each_missing_home_is_told(missing: int) -> None:
+def test_each_missing_home_is_reported(missing: int) -> None:
     citations = complete()
     gone = citations.pop(missing)
     (found,) = problems(citations, {"test_x"})
     assert f"{gone.place} has no home" in found if gone.kind != "slip" else found.startswith("slip S")
 
 
-def test_missing_test_unknown_equation_unknown_slip_are_told() -> None:
+def test_missing_test_unknown_equation_unknown_slip_are_reported() -> None:
     citations = [
         *complete(),
         one("Eq. (45) [stated]: none. {test_x}"),

@@ -66,7 +66,7 @@ def test_source_files_are_short() -> None:
     assert long == {}
 
 
-def test_every_source_file_tells_what_it_is() -> None:
+def test_every_source_file_reports_what_it_is() -> None:
     silent = [
         str(file.relative_to(ROOT))
         for file in (ROOT / "src").rglob("*.py")

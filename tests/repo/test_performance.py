@@ -63,9 +63,9 @@ def test_bounds_count_as_reached() -> None:
 
 
 def test_words_are_of_the_figures() -> None:
-    told = figures(Pinocchio=8.0, MuJoCo=1.0)
-    told["sizes"][0]["limit"] = {"throughput": 1.5}
-    page = " ".join(performance_doc._words(told))
+    info = figures(Pinocchio=8.0, MuJoCo=1.0)
+    info["sizes"][0]["limit"] = {"throughput": 1.5}
+    page = " ".join(performance_doc._words(info))
     assert "With 36 joints one evaluation takes 2e+06 µs" in page
     assert "4.0 times less than Pinocchio, 2.0 times more than MuJoCo" in page
     assert "at best 1.5e+06 µs, 75 % of what is taken" in page

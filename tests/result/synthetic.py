@@ -13,7 +13,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 
 COORDINATES = ("q", "delta", "gamma", "vt", "e", "theta")
 DEFORMATIONS = ("th11q", "th12d", "th11m", "th12e", "xi")
@@ -97,7 +97,7 @@ ROBOT: dict[str, Any] = {
 }
 
 
-def synthetic_result(contact: bool = True, *, duration: float = 2.0, samples: int = 2001) -> Result:
+def synthetic_result(contact: bool = True, *, duration: float = 2.0, samples: int = 2001) -> PaperResult:
     """A finished run of the example robot, in contact or in free space; ``duration`` [s], the move always takes 2 s."""
     import xarray as xr
 
@@ -152,7 +152,7 @@ def synthetic_result(contact: bool = True, *, duration: float = 2.0, samples: in
         coords=labels(time),
         attrs=attributes(contact),
     )
-    return Result(data)
+    return PaperResult(data)
 
 
 def trapezoid(time: Any) -> tuple[Any, Any, Any]:

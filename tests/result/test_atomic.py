@@ -219,7 +219,7 @@ def test_a_reused_process_number_does_not_hold_a_lock(tmp_path: Path) -> None:
         pass
 
 
-def test_a_process_whose_start_is_not_told_holds_its_lock(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_process_whose_start_is_not_reported_holds_its_lock(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     """As on macOS, or where the administrator hides the processes of others."""
     left_lock(tmp_path)
     monkeypatch.setattr(atomic, "_process", lambda _: (True, ""))
@@ -261,7 +261,7 @@ def test_a_lock_without_content_holds_only_while_it_is_young(tmp_path: Path) -> 
         pass
 
 
-def test_a_take_over_that_was_itself_killed_is_told(tmp_path: Path) -> None:
+def test_a_take_over_that_was_itself_killed_is_reported(tmp_path: Path) -> None:
     left_lock(tmp_path, pid=dead_pid())
     (tmp_path / f"{LOCK_NAME}.bury").touch()
     with pytest.raises(ResultFileError, match=r"just taking.*delete .*\.tmodes\.lock\*"), FolderLock(tmp_path):

@@ -181,9 +181,9 @@ def test_killed_while_it_appends_what_was_acknowledged_is_there(tmp_path: Path) 
     command = [sys.executable, "-c", KILLED, str(tmp_path / "log")]
     with subprocess.Popen(command, stdout=subprocess.PIPE, env=environment, text=True) as child:
         assert child.stdout is not None
-        told = [child.stdout.readline() for _ in range(15)]
+        info = [child.stdout.readline() for _ in range(15)]
         child.kill()
-        last = int([*told, *(line for line in child.stdout if line.endswith("\n"))][-1])
+        last = int([*info, *(line for line in child.stdout if line.endswith("\n"))][-1])
     records = read_checkpoint(tmp_path / "log", "id").records
     assert len(records) in (last + 1, last + 2)
     assert all((entry["state"] == number).all() for number, entry in enumerate(records))

@@ -11,15 +11,15 @@ import pytest
 from result.synthetic import ROBOT, synthetic_result
 from tmodes.errors import InputError, ResultFileError
 from tmodes.io.resultfile import write_sealed
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 
 
 @pytest.fixture(scope="module")
-def result() -> Result:
+def result() -> PaperResult:
     return synthetic_result()
 
 
-def test_it_tells_how_the_run_went(result: Result) -> None:
+def test_it_reports_how_the_run_went(result: PaperResult) -> None:
     assert result.success
     assert result.status == "finished"
     assert result.message
@@ -27,10 +27,10 @@ def test_it_tells_how_the_run_went(result: Result) -> None:
     assert result.frequencies["locked"][0]["frequency_Hz"] == 4.9957
     assert result.statistics["steps"] == 4321
     assert "xarray" in result._repr_html_()
-    assert not Result(result.data.assign_attrs(status="diverged")).success
+    assert not PaperResult(result.data.assign_attrs(status="diverged")).success
 
 
-def test_its_robot_is_the_one_that_ran(result: Result) -> None:
+def test_its_robot_is_the_one_that_ran(result: PaperResult) -> None:
     pytest.importorskip("tmodes.io.check")
     assert json.loads(json.dumps(result.robot.model_dump(mode="json"))) == ROBOT
 
@@ -38,20 +38,20 @@ def test_its_robot_is_the_one_that_ran(result: Result) -> None:
 @pytest.mark.parametrize("contact", [True, False])
 def test_it_comes_back_whole(contact: bool, tmp_path: Path) -> None:
     result = synthetic_result(contact, samples=101)
-    back = Result.load(result.save(tmp_path / "run.nc"))
+    back = PaperResult.load(result.save(tmp_path / "run.nc"))
     assert back.data.identical(result.data)
     assert ("contact_force" in back.data) == contact
     assert back.summary() == result.summary()
 
 
-def test_an_existing_file_is_kept_unless_told(tmp_path: Path) -> None:
+def test_an_existing_file_is_kept_unless_reported(tmp_path: Path) -> None:
     path = tmp_path / "run.nc"
     path.write_text("old")
     with pytest.raises(ResultFileError, match="overwrite=True"):
         synthetic_result(samples=11).save(path)
     assert path.read_text() == "old"
     synthetic_result(samples=11).save(path, overwrite=True)
-    assert Result.load(path).data.sizes["time"] == 11
+    assert PaperResult.load(path).data.sizes["time"] == 11
 
 
 def test_a_number_that_is_not_finite_is_never_saved(tmp_path: Path) -> None:
@@ -69,20 +69,20 @@ def test_a_number_that_is_not_finite_is_never_saved(tmp_path: Path) -> None:
 def test_another_version_or_status_is_refused(attribute: str, value: int | str, tmp_path: Path) -> None:
     write_sealed(synthetic_result(samples=11).data.assign_attrs({attribute: value}), tmp_path / "run.nc")
     with pytest.raises(ResultFileError, match=attribute):
-        Result.load(tmp_path / "run.nc")
+        PaperResult.load(tmp_path / "run.nc")
 
 
-def test_attributes_that_are_missing_or_rubbish_are_named(result: Result) -> None:
+def test_attributes_that_are_missing_or_rubbish_are_named(result: PaperResult) -> None:
     for value in ("{", "[" * 100_000):
         with pytest.raises(ResultFileError, match="frequencies"):
-            _ = Result(result.data.assign_attrs(frequencies=value)).frequencies
+            _ = PaperResult(result.data.assign_attrs(frequencies=value)).frequencies
     bare = result.data.copy()
     del bare.attrs["warnings"]
     with pytest.raises(ResultFileError, match="attribute warnings"):
-        _ = Result(bare).warnings
+        _ = PaperResult(bare).warnings
 
 
-def test_the_summary_is_plain_json(result: Result) -> None:
+def test_the_summary_is_plain_json(result: PaperResult) -> None:
     summary = result.summary()
     assert json.loads(json.dumps(summary, allow_nan=False)) == summary
 
@@ -136,7 +136,7 @@ def test_settling_is_the_last_time_out_of_the_band() -> None:
     assert settling([0.0, 0.0, 0.0])["time_s"] == 0.0
 
 
-def test_settling_that_cannot_be_told_has_a_reason() -> None:
+def test_settling_that_cannot_be_reported_has_a_reason() -> None:
     still = settling([0.0, 0.0, 0.06])
     assert still["time_s"] is None
     assert "still 0.06 m" in str(still["reason"])
@@ -148,7 +148,7 @@ def test_settling_that_cannot_be_told_has_a_reason() -> None:
 
 
 def test_the_summary_of_a_run_that_stopped_at_once() -> None:
-    summary = Result(synthetic_result(False).data.isel(time=slice(0, 1))).summary()
+    summary = PaperResult(synthetic_result(False).data.isel(time=slice(0, 1))).summary()
     assert summary["settling"]["time_s"] is None
     assert summary["contact_force_radial"] is None
     assert json.dumps(summary, allow_nan=False)
@@ -158,7 +158,7 @@ def test_mean_force_counts_time_not_samples() -> None:
     """The last sample may follow a shorter step."""
     data = synthetic_result(samples=11).data.isel(time=[0, 5, 10]).assign_coords(time=[0.0, 1.0, 1.5])
     data["contact_force_radial"][:] = [0.0, 0.0, 3.0]
-    assert Result(data).summary()["contact_force_radial"]["mean_N"] == pytest.approx(0.5)
+    assert PaperResult(data).summary()["contact_force_radial"]["mean_N"] == pytest.approx(0.5)
 
 
 def test_no_reference_motion_no_ratio() -> None:

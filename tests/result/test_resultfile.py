@@ -273,7 +273,7 @@ def test_what_would_not_come_back_is_not_written(change: dict[str, Any], named: 
     assert list(tmp_path.iterdir()) == []
 
 
-def test_a_full_disk_is_told_in_bytes(data: xr.Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
+def test_a_full_disk_is_reported_in_bytes(data: xr.Dataset, tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     path = tmp_path / "run.nc"
     path.write_bytes(b"old")
     monkeypatch.setattr("shutil.disk_usage", lambda _: type("Usage", (), {"free": 1234})())

@@ -14,13 +14,13 @@ from see.looking import OPTIONS
 from tmodes.plot import drawings
 from tmodes.plot.save import Drawing
 from tmodes.report import write_report
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 
 NASTY = """<script>alert("1")</script> & 'x' <img src=x onerror=alert(2)> ]]> --> &amp; {braces} %s"""
 """A text that breaks pages that do not escape."""
 
 
-def failed_result(name: str = NASTY) -> Result:
+def failed_result(name: str = NASTY) -> PaperResult:
     """A run in free space that diverged after three samples, with every text nasty."""
     data = synthetic_result(contact=False).data.isel(time=slice(0, 3)).copy()
     robot = json.loads(data.attrs["robot"]) | {"name": name, "title": name, "citation": name}
@@ -31,7 +31,7 @@ def failed_result(name: str = NASTY) -> Result:
         "warnings": json.dumps([f"Energy grew. {name}"]),
         "versions": json.dumps({name: name}),
     }
-    return Result(data)
+    return PaperResult(data)
 
 
 RESULTS = {
@@ -43,26 +43,26 @@ RESULTS = {
 
 
 @pytest.fixture(scope="session", params=RESULTS)
-def result(request: pytest.FixtureRequest) -> Result:
+def result(request: pytest.FixtureRequest) -> PaperResult:
     """Each of the results in turn."""
     return RESULTS[request.param]()
 
 
 @pytest.fixture(scope="session")
-def good() -> Result:
+def good() -> PaperResult:
     """A finished run in contact."""
     return synthetic_result()
 
 
 @pytest.fixture(scope="session")
-def drawn_figures(good: Result) -> dict[str, Drawing]:
+def drawn_figures(good: PaperResult) -> dict[str, Drawing]:
     """The figures of the good run, each rendered once for all tests."""
     return drawings(good)
 
 
 @pytest.fixture(scope="session")
 def reports(
-    tmp_path_factory: pytest.TempPathFactory, good: Result, failed: Result, drawn_figures: dict[str, Drawing]
+    tmp_path_factory: pytest.TempPathFactory, good: PaperResult, failed: PaperResult, drawn_figures: dict[str, Drawing]
 ) -> dict[str, Path]:
     """The report of a finished and of a failed run, in a folder whose name needs escaping."""
     folder = tmp_path_factory.mktemp("a report & more – ü")
@@ -73,7 +73,7 @@ def reports(
 
 
 @pytest.fixture(scope="session")
-def failed() -> Result:
+def failed() -> PaperResult:
     """A run that diverged after three samples, with every text nasty."""
     return failed_result()
 

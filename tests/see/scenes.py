@@ -5,27 +5,27 @@ from __future__ import annotations
 from functools import cache
 
 from arm.see.runs import QUINTIC, sheet, tube
-from tmodes import load_robot, run, simulate_arm
-from tmodes.result import ArmResult, assemble_arm
-from tmodes.result.record import Result
-from tmodes.sheet import Arm
+from tmodes import load_robot, run, simulate_motion
+from tmodes.result import Result, assemble_result
+from tmodes.result.record import PaperResult
+from tmodes.sheet import Robot
 
 MOVE = {"reference.duration": 0.2, "integration.duration": 0.2, "integration.line_points": 7}
 
 
 @cache
-def robot_result(mass: float = 0.5) -> Result:
+def robot_result(mass: float = 0.5) -> PaperResult:
     """The robot of the 2010 paper in contact, a move of 0.2 s."""
     return run(load_robot("filipovic2010").with_(MOVE | {"payload.mass": mass}))
 
 
 @cache
-def arm_result() -> ArmResult:
+def arm_result() -> Result:
     """A bending rod and a rigid hand behind elastic gears, on a base that turns and rises."""
     motor = {"inertia": 0.2, "side": "joint"}
     gear = {"stiffness": 900.0, "damping": 1.0}
     pd = {"type": "pd", "position_gain": 900.0, "velocity_gain": 40.0}
-    told = sheet(
+    info = sheet(
         gravity=9.81,
         base={"position": [0.1, 0.2, 0.3], "rpy": [0.0, 0.0, 0.4]},
         base_motion={"z": {"type": "sine", "amplitude": 0.05, "frequency": 2.0}},
@@ -45,5 +45,5 @@ def arm_result() -> ArmResult:
         ],
         real={"joints.shoulder.gear.stiffness": 0.5},
     )  # fmt: skip
-    arm = Arm.from_data(told)
-    return assemble_arm(simulate_arm(arm), arm)
+    arm = Robot.from_data(info)
+    return assemble_result(simulate_motion(arm), arm)

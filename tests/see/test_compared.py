@@ -9,17 +9,17 @@ import numpy as np
 import pytest
 
 from see.looking import Window, look
-from tmodes import simulate_arm
+from tmodes import simulate_motion
 from tmodes.report.data import page_data
 from tmodes.report.viewer import viewer_document
-from tmodes.result import ArmResult, assemble_arm
-from tmodes.sheet import Arm
+from tmodes.result import Result, assemble_result
+from tmodes.sheet import Robot
 
 INERTIA = {"xx": 0.01, "yy": 0.01, "zz": 0.01}
 
 
 @cache
-def driven(kinds: tuple[str, ...], duration: float) -> ArmResult:
+def driven(kinds: tuple[str, ...], duration: float) -> Result:
     """A chain of joints on elastic gears, each of a kind, that moves for 0.1 s."""
     joints = [
         {"name": f"j{k}", "type": kind, "child": f"l{k}", "axis": [0, 0, 1],
@@ -34,12 +34,12 @@ def driven(kinds: tuple[str, ...], duration: float) -> ArmResult:
          "controller": {"type": "pd", "position_gain": 300.0, "velocity_gain": 20.0}}
         for k in range(len(kinds))
     ]  # fmt: skip
-    arm = Arm.from_data({
+    arm = Robot.from_data({
         "format": 1, "kind": "arm", "name": " and ".join(kinds), "gravity": [0, 0, 0], "joints": joints,
         "drives": drives, "links": [{"name": f"l{k}", "bodies": bodies} for k in range(len(kinds))],
         "integration": {"duration": duration, "output_step": 0.002, "line_points": 3},
     })  # fmt: skip
-    return assemble_arm(simulate_arm(arm), arm)
+    return assemble_result(simulate_motion(arm), arm)
 
 
 COLOURS = {"turns": "var(--blue)", "slides": "var(--red)", "both": "var(--green)"}
@@ -47,14 +47,14 @@ RUNS = {"turns": (("revolute",), 0.2), "slides": (("prismatic",), 0.3), "both": 
 
 
 @pytest.fixture(scope="module")
-def told() -> dict[str, Any]:
+def info() -> dict[str, Any]:
     return page_data([driven(*how) for how in RUNS.values()], list(RUNS))
 
 
 @pytest.fixture(scope="module")
-def window(browser: Any, told: dict[str, Any], tmp_path_factory: pytest.TempPathFactory) -> Window:
+def window(browser: Any, info: dict[str, Any], tmp_path_factory: pytest.TempPathFactory) -> Window:
     path = tmp_path_factory.mktemp("compared") / "mixed.html"
-    path.write_text(viewer_document(told), encoding="utf-8")
+    path.write_text(viewer_document(info), encoding="utf-8")
     return look(browser, path, (1280, 1000))
 
 
@@ -65,11 +65,11 @@ def value(window: Window, chart: str, name: str) -> str:
     return found.locator(".value").inner_text().strip()
 
 
-def test_charts_of_one_name_are_of_one_unit(told: dict[str, Any]) -> None:
+def test_charts_of_one_name_are_of_one_unit(info: dict[str, Any]) -> None:
     """Angles and lengths never share an axis; what all runs have, they share."""
     units: dict[str, set[str]] = {}
     known: dict[str, int] = {}
-    for chart in (chart for run in told["runs"] for chart in run["charts"]):
+    for chart in (chart for run in info["runs"] for chart in run["charts"]):
         units.setdefault(chart["id"], set()).add(chart["unit"])
         known[chart["id"]] = known.get(chart["id"], 0) + 1
     assert all(len(found) == 1 for found in units.values())
@@ -81,9 +81,9 @@ def test_charts_of_one_name_are_of_one_unit(told: dict[str, Any]) -> None:
     assert {next(iter(units[name])) for name in sliding} <= {"m", "mm"}
 
 
-def test_numbers_of_one_name_keep_their_own_units(window: Window, told: dict[str, Any]) -> None:
+def test_numbers_of_one_name_keep_their_own_units(window: Window, info: dict[str, Any]) -> None:
     cells = window.page.locator("[data-fact='gear.max'] td").all_inner_texts()
-    facts = [{fact["id"]: fact for fact in run["facts"]}["gear.max"] for run in told["runs"]]
+    facts = [{fact["id"]: fact for fact in run["facts"]}["gear.max"] for run in info["runs"]]
     assert [fact["unit"] for fact in facts] == ["rad", "m", "rad"]
     assert [cell.split()[-1].lstrip("mµ") for cell in cells] == ["rad", "", "rad"]
     for cell, fact in zip(cells, facts, strict=True):
@@ -91,11 +91,11 @@ def test_numbers_of_one_name_keep_their_own_units(window: Window, told: dict[str
         assert float(cell.split()[0]) == pytest.approx(factor * fact["value"], rel=1e-3)
 
 
-def test_a_run_has_its_colour_in_every_chart(window: Window, told: dict[str, Any]) -> None:
+def test_a_run_has_its_colour_in_every_chart(window: Window, info: dict[str, Any]) -> None:
     window.page.get_by_role("tab", name="Motors").click()
     for chart in window.page.locator(".chart-grid .chart").all():
         name = chart.get_attribute("data-chart")
-        having = [run["name"] for run in told["runs"] if name in {one["id"] for one in run["charts"]}]
+        having = [run["name"] for run in info["runs"] if name in {one["id"] for one in run["charts"]}]
         rows = chart.locator(".legend-row").first
         assert rows.get_attribute("aria-label") == "Runs"
         toggles = rows.locator(".toggle").all()

@@ -163,11 +163,11 @@ def test_a_surface_that_moved_is_drawn_where_it_is(robot: Window) -> None:
     assert differing(first, robot.picture()) == 0
 
 
-def test_it_tells_what_it_leaves_out(robot: Window) -> None:
-    told = robot.page.locator(".scene-flat")
-    assert told.text_content() == "Drawn in lines, without WebGL"
+def test_it_reports_what_it_leaves_out(robot: Window) -> None:
+    info = robot.page.locator(".scene-flat")
+    assert info.text_content() == "Drawn in lines, without WebGL"
     robot.do(MESH)
-    assert "meshes) are left out" in told.text_content()
+    assert "meshes) are left out" in info.text_content()
 
 
 def test_it_has_no_choice_of_quality(robot: Window) -> None:

@@ -16,12 +16,12 @@ from tmodes.errors import InputError
 from tmodes.io.mesh_file import Triangles, read_mesh
 from tmodes.io.primitives import box, cylinder, sphere
 from tmodes.io.urdf_shapes import MOST_SHAPES, LinkShape
-from tmodes.report.folder_motion import ArmRunFolder
+from tmodes.report.folder_motion import MotionFolder
 from tmodes.report.mesh_thin import thinned
 from tmodes.report.meshes import MOST_TRIANGLES, kept_meshes, read_shapes, with_shapes
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.scene import scene_of
-from tmodes.result import ArmResult
+from tmodes.result import Result
 
 
 def area(surface: Triangles) -> float:
@@ -37,8 +37,8 @@ def volume(surface: Triangles) -> float:
 
 def binary(surface: Triangles, count: int | None = None) -> bytes:
     faces = surface.vertices[surface.faces].astype("<f4")
-    told = len(faces) if count is None else count
-    return bytes(80) + struct.pack("<I", told) + b"".join(bytes(12) + face.tobytes() + bytes(2) for face in faces)
+    info = len(faces) if count is None else count
+    return bytes(80) + struct.pack("<I", info) + b"".join(bytes(12) + face.tobytes() + bytes(2) for face in faces)
 
 
 def ascii_stl(surface: Triangles) -> bytes:
@@ -96,7 +96,7 @@ BROKEN = {
 
 
 @pytest.mark.parametrize("name", BROKEN)
-def test_a_broken_mesh_is_told_and_harms_nothing(tmp_path: Path, name: str) -> None:
+def test_a_broken_mesh_is_reported_and_harms_nothing(tmp_path: Path, name: str) -> None:
     path = tmp_path / name
     path.write_bytes(BROKEN[name])
     with pytest.raises(InputError, match="expected a mesh as STL or OBJ"):
@@ -133,8 +133,8 @@ URDF = """<robot name="r"><material name="red"><color rgba="1 0 0 1"/></material
 def test_shapes_are_placed_as_the_urdf_says(tmp_path: Path) -> None:
     (tmp_path / "ball.stl").write_bytes(binary(sphere(100.0)))
     (tmp_path / "r.urdf").write_text(URDF.format(file="ball.stl"), encoding="utf-8")
-    shapes, doubts = read_shapes(tmp_path / "r.urdf")
-    assert doubts == []
+    shapes, notices = read_shapes(tmp_path / "r.urdf")
+    assert notices == []
     assert [(shape.link, shape.colour) for shape in shapes] == [
         ("base_link", "#ff0000"), ("arm", "#b4bec8"), ("arm", "#b4bec8")]  # fmt: skip
     rod, ball = shapes[1].surface.vertices, shapes[2].surface.vertices
@@ -151,11 +151,11 @@ def test_a_mesh_that_may_not_be_read_costs_no_run(tmp_path: Path, file: str) -> 
     home.mkdir()
     (home / "bad.stl").write_bytes(b"nothing")
     (home / "r.urdf").write_text(URDF.format(file=file), encoding="utf-8")
-    shapes, doubts = read_shapes(home / "r.urdf")
+    shapes, notices = read_shapes(home / "r.urdf")
     assert all(shape.link == "base_link" or len(shape.surface.faces) > 12 for shape in shapes)
     assert len(shapes) < 3
-    assert len(doubts) == 1
-    assert "not shown" in doubts[0]
+    assert len(notices) == 1
+    assert "not shown" in notices[0]
 
 
 def shapes_of(tmp_path: Path, *geometries: str) -> tuple[list[LinkShape], list[str]]:
@@ -176,30 +176,30 @@ def test_a_mesh_of_many_shapes_is_read_once(tmp_path: Path, monkeypatch: pytest.
     read = []
     monkeypatch.setattr("tmodes.io.urdf_shapes.read_mesh", lambda path: read.append(path.name) or read_mesh(path))
     good, bad = '<mesh filename="good.stl" scale="1 1 -2"/>', '<mesh filename="bad.obj"/>'
-    shapes, doubts = shapes_of(tmp_path, *[good, bad] * 20)
+    shapes, notices = shapes_of(tmp_path, *[good, bad] * 20)
     assert sorted(read) == ["bad.obj", "good.stl"]
-    assert [len(shapes), len(doubts)] == [20, 20]
+    assert [len(shapes), len(notices)] == [20, 20]
     assert np.ptp(shapes[-1].surface.vertices, axis=0) == pytest.approx([1.0, 2.0, 6.0])
 
 
 @pytest.mark.parametrize("geometry", ['<box size="1 1 1"/>', '<mesh filename="none.stl"/>'])
-def test_more_shapes_than_may_be_are_told(tmp_path: Path, geometry: str) -> None:
-    shapes, doubts = shapes_of(tmp_path, *[geometry] * (MOST_SHAPES + 50))
-    assert len(shapes) + len(doubts) == MOST_SHAPES + 1
-    assert f"at most {MOST_SHAPES} shapes" in doubts[-1]
+def test_more_shapes_than_may_be_are_reported(tmp_path: Path, geometry: str) -> None:
+    shapes, notices = shapes_of(tmp_path, *[geometry] * (MOST_SHAPES + 50))
+    assert len(shapes) + len(notices) == MOST_SHAPES + 1
+    assert f"at most {MOST_SHAPES} shapes" in notices[-1]
     assert f"at most {MOST_SHAPES}" not in "".join(shapes_of(tmp_path, *[geometry] * MOST_SHAPES)[1])
 
 
-@pytest.mark.parametrize(("geometry", "told"), [
+@pytest.mark.parametrize(("geometry", "info"), [
     ('<mesh filename="good.stl" scale="0 0 0"/>', "without area"), ('<box size="-1 0 1"/>', "negative"),
     ('<box size="0 0 1"/>', "without area"), ('<sphere radius="0"/>', "without area"),
     ('<sphere radius="-1"/>', "negative"), ('<cylinder radius="1" length="-1"/>', "negative"),
 ])  # fmt: skip
-def test_what_has_no_size_is_told(tmp_path: Path, geometry: str, told: str) -> None:
+def test_what_has_no_size_is_reported(tmp_path: Path, geometry: str, info: str) -> None:
     (tmp_path / "good.stl").write_bytes(binary(box([1.0, 2.0, 3.0])))
-    shapes, [doubt] = shapes_of(tmp_path, geometry)
+    shapes, [notice] = shapes_of(tmp_path, geometry)
     assert shapes == []
-    assert told in doubt
+    assert info in notice
     [plate] = shapes_of(tmp_path, '<box size="1 1 0"/>')[0]  # which can be seen
     assert area(plate.surface) == pytest.approx(2.0)
 
@@ -208,7 +208,7 @@ def test_what_is_no_urdf_has_no_shapes() -> None:
     assert read_shapes("spong1987") == ([], [])
 
 
-def shaped_result() -> ArmResult:
+def shaped_result() -> Result:
     """The arm with a ball on its rigid hand, a bar on its rod and a plate below."""
     ball = Triangles(sphere(0.05).vertices + np.array([0.25, 0, 0]), sphere(0.05).faces)
     surfaces = {"hand": ball, "rod": box([0.8, 0.1, 0.1]), "base": box([0.4, 0.4, 0.1])}
@@ -222,7 +222,7 @@ def middle(mesh: dict[str, Any]) -> Any:
 def test_shapes_go_with_the_result_into_its_file_and_its_scene(tmp_path: Path) -> None:
     result = shaped_result()
     path = result.save(tmp_path / "result.nc")
-    meshes = scene_of(ArmResult.load(path))["meshes"]
+    meshes = scene_of(Result.load(path))["meshes"]
     assert [(mesh["link"], mesh["colour"]) for mesh in meshes] == [(1, "#102030"), (-1, "#102030")]
     assert middle(meshes[0]) == pytest.approx([0.25, 0, 0], abs=1e-6)
     assert middle(meshes[1]) == pytest.approx([0.1, 0.2, 0.3], abs=1e-6)
@@ -242,7 +242,7 @@ def test_a_link_without_length_is_there_for_its_mesh() -> None:
     data = arm_result().data
     hidden = data.isel(link=[0]).copy()
     hidden.attrs = data.attrs
-    result = with_shapes(ArmResult(hidden), [LinkShape("hand", "#102030", sphere(0.05))])
+    result = with_shapes(Result(hidden), [LinkShape("hand", "#102030", sphere(0.05))])
     scene = scene_of(result)
     whole = scene_of(arm_result())
     assert [(link["name"], link["parent"]) for link in scene["links"]] == [("rod", -1), ("hand", 0)]
@@ -253,6 +253,6 @@ def test_a_link_without_length_is_there_for_its_mesh() -> None:
 
 def test_a_run_keeps_how_its_links_look(tmp_path: Path) -> None:
     arm = arm_result().arm.with_({"integration.duration": 0.02})
-    with ArmRunFolder(tmp_path / "run", arm, shapes=[LinkShape("hand", "#102030", sphere(0.05))]) as folder:
+    with MotionFolder(tmp_path / "run", arm, shapes=[LinkShape("hand", "#102030", sphere(0.05))]) as folder:
         folder.simulate(lambda stage, share: None)
-    assert [mesh.link for mesh in kept_meshes(ArmResult.load(folder.result_file).data)] == ["hand"]
+    assert [mesh.link for mesh in kept_meshes(Result.load(folder.result_file).data)] == ["hand"]

@@ -13,9 +13,9 @@ from tmodes.paper.simulate import simulate
 from tmodes.report.data import live_page
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.viewer import viewer_document
-from tmodes.result import assemble_arm
+from tmodes.result import assemble_result
 from tmodes.robots import load_robot
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 STATUS = ".sliders-panel [role=status]"
 PANEL = ".lower section[aria-label='Modes of vibration']"
@@ -27,7 +27,7 @@ def of_robot(changes: dict[str, float]) -> Any:
 
 def of_arm(changes: dict[str, float]) -> Any:
     arm = chain(2).with_(changes)
-    return assemble_arm(simulate_arm(arm), arm)
+    return assemble_result(simulate_motion(arm), arm)
 
 
 KINDS = {
@@ -54,17 +54,17 @@ def give(window: Any, slider: str, value: float) -> None:
     window.page.wait_for_selector(f"{PANEL} .note:text('under each number')")
 
 
-def told(window: Any) -> list[float]:
+def info(window: Any) -> list[float]:
     """The frequencies in the table, without those that were."""
     cells = window.page.locator(f"{PANEL} tbody tr td:first-child").all()
     return [float(cell.inner_text().split("\n")[0]) for cell in cells]
 
 
-def test_the_table_tells_the_modes_of_the_changed_robot(opened: tuple[Any, ...]) -> None:
+def test_the_table_reports_the_modes_of_the_changed_robot(opened: tuple[Any, ...]) -> None:
     window, slider, value, result = opened
     give(window, slider, value)
     wanted = [mode["frequency"] for mode in modes_of(result) if mode["case"] == "controlled"]
-    assert told(window) == pytest.approx(wanted, rel=1e-3)
+    assert info(window) == pytest.approx(wanted, rel=1e-3)
     assert "was" in window.page.locator(f"{PANEL} tbody").inner_text()
     fact = window.page.locator("[data-fact='frequency.first']").inner_text()
     assert "was" in fact
@@ -80,13 +80,13 @@ def test_the_mode_that_swings_goes_on_as_it_is_now_and_the_way_back(opened: tupl
     give(window, slider, value)
     window.page.get_by_role("button", name="reset all").click()
     window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
-    before = told(window)
+    before = info(window)
     window.page.locator(f"{PANEL} tbody button").first.click()
     give(window, slider, value)
     assert window.page.locator(f"{PANEL} tbody button").first.inner_text() == "stop"
     window.page.get_by_role("button", name="back to the motion").click()
     window.page.get_by_role("button", name="reset all").click()
     window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
-    assert told(window) == before
+    assert info(window) == before
     assert "was" not in window.page.locator(f"{PANEL} tbody").inner_text()
     assert window.page.locator(f"{PANEL} .note").is_hidden()

@@ -91,8 +91,8 @@ def test_no_number_of_the_original_run_comes_back_between_two_settings(fresh: tu
     move_and_wait(window.page, slider, value)
     move_and_wait(window.page, slider, 0.8 * value)
     records = window.page.evaluate("() => window.records")
-    for told in ([one["fact"] for one in records], [one["cells"] for one in records]):
-        kinds = [one for k, one in enumerate(told) if k == 0 or one != told[k - 1]]
+    for info in ([one["fact"] for one in records], [one["cells"] for one in records]):
+        kinds = [one for k, one in enumerate(info) if k == 0 or one != info[k - 1]]
         assert len(kinds) == 3  # the original run's, and those of either setting, each once
         assert kinds[0] not in kinds[1:]
     assert not any("original" in text for text in records[-1]["others"])
@@ -100,14 +100,14 @@ def test_no_number_of_the_original_run_comes_back_between_two_settings(fresh: tu
 
 def test_the_settling_of_the_setting_before_stays_until_its_own_is_there(fresh: tuple[Any, str, float]) -> None:
     window, slider, value = fresh
-    told = window.page.locator("[data-fact='settling']")
+    info = window.page.locator("[data-fact='settling']")
     move_and_wait(window.page, slider, value)
-    before = told.inner_text()
+    before = info.inner_text()
     window.page.evaluate(HOLD)
     move(window.page, slider, 0.8 * value)
     window.page.wait_for_function("() => window.release")
-    assert "carried on" not in told.inner_text()
-    assert told.locator("strong").inner_text() in before
+    assert "carried on" not in info.inner_text()
+    assert info.locator("strong").inner_text() in before
     window.page.evaluate("() => { window.release(); delete window.release; }")
 
 

@@ -23,7 +23,7 @@ from tmodes.report import write_report
 from tmodes.report.markup import Markup, tag
 from tmodes.report.quantity import power_of_ten, written
 from tmodes.report.viewer import program
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 
 VOID = {"meta", "img", "br"}
 
@@ -115,9 +115,9 @@ def test_figures_have_a_text_and_a_caption(texts: dict[str, str]) -> None:
     page = Page(texts["good"])
     pictures = page.all("svg") + page.all("img")
     assert len(pictures) == len(page.all("figure")) == len(page.all("figcaption")) == len(plot.FIGURES)
-    told = [a.get("aria-label") or a.get("alt") or "" for a in pictures]
-    assert all(len(words) > 60 for words in told)
-    assert len(set(told)) == len(told)
+    info = [a.get("aria-label") or a.get("alt") or "" for a in pictures]
+    assert all(len(words) > 60 for words in info)
+    assert len(set(info)) == len(info)
     assert all(a.get("role") == "img" for a in page.all("svg"))
     assert all(entry.caption in page.text for entry in plot.FIGURES.values())
     assert page.all("table")
@@ -153,19 +153,19 @@ def test_a_finished_run_says_so(texts: dict[str, str]) -> None:
     assert "Warnings" not in page.text
 
 
-def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: Result) -> None:
-    told, text = good.summary(), Page(texts["good"]).text
-    assert f"Largest deviation of the tip {told['deviation']['max_m'] * 1e3:.4g} mm" in text
-    assert f"at {told['deviation']['time_of_max_s']:.3g} s" in text
-    assert "Settling after the move – not seen: " + told["settling"]["reason"] in text
+def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: PaperResult) -> None:
+    info, text = good.summary(), Page(texts["good"]).text
+    assert f"Largest deviation of the tip {info['deviation']['max_m'] * 1e3:.4g} mm" in text
+    assert f"at {info['deviation']['time_of_max_s']:.3g} s" in text
+    assert "Settling after the move – not seen: " + info["settling"]["reason"] in text
     assert "First frequency, controlled 4.938 Hz 4.996 Hz with the motor locked" in text
-    assert f"Largest elastic angle {1e3 * told['deformations']['th12e']['max_rad']:.4g} mrad mode 2, vertical" in text
-    moment = f"{abs(told['largest_bending_moment']['value_Nm']):.4g} N·m"
+    assert f"Largest elastic angle {1e3 * info['deformations']['th12e']['max_rad']:.4g} mrad mode 2, vertical" in text
+    moment = f"{abs(info['largest_bending_moment']['value_Nm']):.4g} N·m"
     assert f"Largest bending moment {moment} mode 1, at the root, vertical plane, at 0.102 s" in text
-    assert f"Largest gear torque {told['gear_torque']['max_Nm']:.4g} N·m" in text
+    assert f"Largest gear torque {info['gear_torque']['max_Nm']:.4g} N·m" in text
     assert "Radial contact force, mean 4.983 N from 4.981 to 4.984 N" in text
     assert "Energy balance 1.7 × 10⁻¹¹" in text
-    ratio = told["deformations"]["xi"]["rms_deviation_over_rms_reference"]
+    ratio = info["deformations"]["xi"]["rms_deviation_over_rms_reference"]
     assert f"{100 * ratio:.3g} %" in text
     for case in good.frequencies.values():
         assert all(
@@ -173,13 +173,13 @@ def test_the_numbers_are_those_of_the_summary(texts: dict[str, str], good: Resul
         )
 
 
-def test_settling_that_is_seen(good: Result, tmp_path: Path) -> None:
+def test_settling_that_is_seen(good: PaperResult, tmp_path: Path) -> None:
     data = good.data.copy()
     robot = json.loads(data.attrs["robot"])
     robot["reference"]["duration"] = 1.0
     fading = np.where(data["time"] < 1.5, 1e-3, 0.0)
     data = data.assign(deviation=("time", fading)).assign_attrs(robot=json.dumps(robot))
-    page = Page(write_report(Result(data), tmp_path / "r.html", figures={}).read_text(encoding="utf-8"))
+    page = Page(write_report(PaperResult(data), tmp_path / "r.html", figures={}).read_text(encoding="utf-8"))
     assert "Settling after the move 0.499 s until the tip stays within 50 µm, 5 % of its largest deviation" in page.text
 
 
@@ -192,7 +192,7 @@ def leaves(value: object) -> Iterator[float]:
         yield value
 
 
-def test_the_data_sheet_is_told_with_units_and_symbols(texts: dict[str, str], good: Result) -> None:
+def test_the_data_sheet_is_reported_with_units_and_symbols(texts: dict[str, str], good: PaperResult) -> None:
     text = Page(texts["good"]).text
     sheet = json.loads(good.data.attrs["robot"])
     del sheet["real"]
@@ -209,17 +209,17 @@ def test_the_data_sheet_is_told_with_units_and_symbols(texts: dict[str, str], go
 
 
 @pytest.mark.parametrize("stored", [float("inf"), "Infinity"])
-def test_rigid_elements_are_called_rigid(stored: float | str, good: Result, tmp_path: Path) -> None:
+def test_rigid_elements_are_called_rigid(stored: float | str, good: PaperResult, tmp_path: Path) -> None:
     robot = json.loads(good.data.attrs["robot"])
     robot["gear"]["stiffness"] = stored
     data = good.data.assign_attrs(robot=json.dumps(robot), parameters=json.dumps({"gear.stiffness": float("inf")}))
-    page = Page(write_report(Result(data), tmp_path / "r.html", figures={}).read_text(encoding="utf-8"))
+    page = Page(write_report(PaperResult(data), tmp_path / "r.html", figures={}).read_text(encoding="utf-8"))
     assert "stiffness Cxi ∞ (rigid) N·m/rad" in page.text
 
 
-def test_statistics_of_several_runs(good: Result, tmp_path: Path) -> None:
-    told = json.dumps({"reference": {"steps": 12}, "real": {"steps": 34, "dt_omega": 0.51234567, "largest": None}})
-    run = Result(good.data.assign_attrs(statistics=told))
+def test_statistics_of_several_runs(good: PaperResult, tmp_path: Path) -> None:
+    info = json.dumps({"reference": {"steps": 12}, "real": {"steps": 34, "dt_omega": 0.51234567, "largest": None}})
+    run = PaperResult(good.data.assign_attrs(statistics=info))
     text = Page(write_report(run, tmp_path / "r.html", figures={}).read_text(encoding="utf-8")).text
     assert "reference: steps 12 real: steps 34 real: dt omega 0.512346 real: largest –" in text
 
@@ -229,12 +229,12 @@ def test_its_size(text: str) -> None:
     assert len(text.encode()) < 2_800_000
 
 
-def test_a_noisy_run_is_embedded_as_pixels_and_stays_small(good: Result, tmp_path: Path) -> None:
+def test_a_noisy_run_is_embedded_as_pixels_and_stays_small(good: PaperResult, tmp_path: Path) -> None:
     noise = np.random.default_rng(1).normal(size=good.data["deformation"].shape) * 1e-3
     data = good.data.assign(
         deformation=good.data["deformation"] + noise, deformation_oscillatory=0 * good.data.q[:, :5] + noise
     )
-    long = Result(data.isel(time=np.tile(np.arange(2001), 5)).assign_coords(time=np.arange(10005) * 1e-3))
+    long = PaperResult(data.isel(time=np.tile(np.arange(2001), 5)).assign_coords(time=np.arange(10005) * 1e-3))
     chosen = {name: drawing for name, drawing in plot.drawings(long).items() if name in {"deformations", "drive"}}
     text = write_report(long, tmp_path / "r.html", figures=chosen).read_text(encoding="utf-8")
     page = Page(text)
@@ -243,7 +243,7 @@ def test_a_noisy_run_is_embedded_as_pixels_and_stays_small(good: Result, tmp_pat
     assert len(text) < 600_000 + len(program()) + 1_300_000
 
 
-def test_the_report_is_written_whole_or_not_at_all(good: Result, tmp_path: Path) -> None:
+def test_the_report_is_written_whole_or_not_at_all(good: PaperResult, tmp_path: Path) -> None:
     old = tmp_path / "report.html"
     old.write_text("old")
 

@@ -12,7 +12,7 @@ import pytest
 from tmodes import plot
 from tmodes.errors import InputError, ResultFileError
 from tmodes.plot.save import Drawing
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 
 TESTS = Path(__file__).parents[1]
 
@@ -31,14 +31,14 @@ print("report", hashlib.sha256(page(result, figures).encode()).hexdigest())
 """
 
 
-def test_every_figure_in_every_format(good: Result, drawn_figures: dict[str, Drawing], tmp_path: Path) -> None:
-    told: list[tuple[int, int, str]] = []
+def test_every_figure_in_every_format(good: PaperResult, drawn_figures: dict[str, Drawing], tmp_path: Path) -> None:
+    info: list[tuple[int, int, str]] = []
     folder = tmp_path / "figures"
-    files = plot.save_figures(good, folder, progress=lambda *step: told.append(step), figures=drawn_figures)
+    files = plot.save_figures(good, folder, progress=lambda *step: info.append(step), figures=drawn_figures)
     names = list(plot.FIGURES)
     assert [file.name for file in files] == [f"{name}.{kind}" for name in names for kind in ("svg", "png")]
     assert sorted(path.name for path in folder.iterdir()) == sorted(file.name for file in files)
-    assert told == [(k, len(names), name) for k, name in enumerate([*names, ""])]
+    assert info == [(k, len(names), name) for k, name in enumerate([*names, ""])]
     assert all(file.read_bytes().startswith(b"\x89PNG" if file.suffix == ".png" else b"<?xml") for file in files)
     assert all(1000 < file.stat().st_size < 600_000 for file in files)
 
@@ -60,7 +60,7 @@ def test_the_same_bytes_in_any_process_on_any_day() -> None:
     assert hashes == others
 
 
-def test_a_drawing_is_drawn_and_rendered_once(good: Result) -> None:
+def test_a_drawing_is_drawn_and_rendered_once(good: PaperResult) -> None:
     calls: list[int] = []
 
     def draw() -> list:
@@ -75,18 +75,18 @@ def test_a_drawing_is_drawn_and_rendered_once(good: Result) -> None:
     assert len(calls) == 1
 
 
-def test_a_part_of_the_figures(good: Result, tmp_path: Path) -> None:
+def test_a_part_of_the_figures(good: PaperResult, tmp_path: Path) -> None:
     chosen = {name: drawing for name, drawing in plot.drawings(good).items() if name == "drive"}
     assert plot.save_figures(good, tmp_path, ["pdf"], figures=chosen) == [tmp_path / "drive.pdf"]
 
 
-def test_an_unknown_format_is_refused_before_anything_is_written(good: Result, tmp_path: Path) -> None:
+def test_an_unknown_format_is_refused_before_anything_is_written(good: PaperResult, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="'bmp'; expected some of svg, png, pdf"):
         plot.save_figures(good, tmp_path / "new", ["svg", "bmp"])
     assert not (tmp_path / "new").exists()
 
 
-def test_a_folder_that_is_a_file(good: Result, tmp_path: Path) -> None:
+def test_a_folder_that_is_a_file(good: PaperResult, tmp_path: Path) -> None:
     place = tmp_path / "figures"
     place.write_text("mine")
     with pytest.raises(ResultFileError, match="which is a file"):
@@ -94,7 +94,7 @@ def test_a_folder_that_is_a_file(good: Result, tmp_path: Path) -> None:
     assert place.read_text() == "mine"
 
 
-def test_a_figure_that_fails_leaves_the_old_file(good: Result, tmp_path: Path) -> None:
+def test_a_figure_that_fails_leaves_the_old_file(good: PaperResult, tmp_path: Path) -> None:
     old = tmp_path / "drive.svg"
     old.write_text("old")
 

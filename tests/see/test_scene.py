@@ -11,14 +11,14 @@ from scipy.spatial.transform import Rotation
 
 from see.scenes import arm_result, robot_result
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.pack import Coarse, Sum, pack
 from tmodes.report.scene import line_of, scene_of
 from tmodes.report.scene_arrays import displaced, kept, stations_shown, steady
 from tmodes.report.scene_paper import real_robot
 from tmodes.report.scene_sections import section_of, solid_bar
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 RESULTS = [robot_result, arm_result]
 
@@ -50,15 +50,15 @@ def test_the_reference_ends_where_the_result_says(made: Any) -> None:
     result = made()
     scene = scene_of(result)
     line, reference = plain(scene["line"]), plain(scene["reference"])
-    told = result.data.isel(time=frames(result))
-    assert np.abs(line - told["line"].transpose("time", ..., "s", "axis").values).max() < 1e-6
+    info = result.data.isel(time=frames(result))
+    assert np.abs(line - info["line"].transpose("time", ..., "s", "axis").values).max() < 1e-6
     if result.kind == "robot":
-        assert np.abs(reference[:, -1, -1] - told["tip_reference"].values).max() < 1e-6
+        assert np.abs(reference[:, -1, -1] - info["tip_reference"].values).max() < 1e-6
     else:
-        hand = told["tip_reference"].values - reference[:, -1, 0]
+        hand = info["tip_reference"].values - reference[:, -1, 0]
         assert np.allclose(np.linalg.norm(hand, axis=1), 0.25, atol=1e-6)
         assert np.abs(reference[:, 0, -1] - reference[:, 1, 0]).max() < 1e-6
-    assert np.abs(plain(scene["tipReference"]) - told["tip_reference"].values).max() < 1e-12
+    assert np.abs(plain(scene["tipReference"]) - info["tip_reference"].values).max() < 1e-12
 
 
 @pytest.mark.parametrize("made", RESULTS)
@@ -74,16 +74,16 @@ def test_roots_look_along_their_links(made: Any) -> None:
 
 def test_the_rigid_robot_lies_along_its_motor() -> None:
     result = robot_result()
-    told = result.data.isel(time=frames(result))
-    theta = told["q"].sel(coordinate="theta").values
+    info = result.data.isel(time=frames(result))
+    theta = info["q"].sel(coordinate="theta").values
     tip = 0.9 * np.stack([np.cos(theta), np.sin(theta), 0 * theta], axis=-1)
     assert np.abs(plain(scene_of(result)["rigid"])[:, -1, -1] - tip).max() < 1e-6
 
 
 def test_the_reference_is_enlarged_about_its_own_rigid_arm() -> None:
     result = robot_result()
-    told = result.data.isel(time=frames(result))
-    theta = told["q_reference"].sel(coordinate="theta").values
+    info = result.data.isel(time=frames(result))
+    theta = info["q_reference"].sel(coordinate="theta").values
     tip = 0.9 * np.stack([np.cos(theta), np.sin(theta), 0 * theta], axis=-1)
     assert np.abs(plain(scene_of(result)["referenceRigid"])[:, -1, -1] - tip).max() < 1e-6
     scene = scene_of(arm_result())
@@ -120,7 +120,7 @@ def test_a_run_of_one_frame_has_a_scene() -> None:
     assert plain(one["line"]).shape == (1, 2, 7, 3)
 
 
-def test_turning_is_told_without_jumps_of_sign() -> None:
+def test_turning_is_reported_without_jumps_of_sign() -> None:
     angle = np.linspace(0, 30, 400)
     found = np.stack([0 * angle, 0 * angle, np.sin(angle / 2), np.cos(angle / 2)], axis=-1)[:, None]
     jumping = found * np.where(np.sin(3 * angle) > 0, 1, -1)[:, None, None]
@@ -139,8 +139,8 @@ def test_stations_get_fewer_where_there_are_many() -> None:
 def test_modes_are_those_of_the_result(made: Any) -> None:
     result = made()
     modes = modes_of(result)
-    for case, told in result.frequencies.items():
-        wanted = [mode for mode in told if mode["frequency_Hz"] > 0][:8]
+    for case, info in result.frequencies.items():
+        wanted = [mode for mode in info if mode["frequency_Hz"] > 0][:8]
         found = [mode for mode in modes if mode["case"] == case]
         for name, key in (("frequency", "frequency_Hz"), ("damping", "damping_ratio")):
             assert [mode[name] for mode in found] == pytest.approx([mode[key] for mode in wanted], rel=1e-6, abs=1e-12)
@@ -156,7 +156,7 @@ def test_the_tip_of_a_mode_moves_by_the_jacobian() -> None:
     robot = real_robot(result)
     phi, shaped = shaped_modes(robot, MotorState.CONTROLLED)
     mechanism, parameters = robot.split(Drive.VOLTAGE, contact=False)
-    jacobian = Model(mechanism).evaluate(phi[None], np.zeros((1, 6)), np.zeros(1), parameters)["J"][0]
+    jacobian = PaperModel(mechanism).evaluate(phi[None], np.zeros((1, 6)), np.zeros(1), parameters)["J"][0]
     for mode, (_, motion) in zip(modes_of(result), shaped, strict=False):
         tip = mode["real"][-1, -1] + 1j * mode["imaginary"][-1, -1]
         wanted = jacobian @ motion
@@ -170,8 +170,8 @@ def test_the_line_panel_holds_the_series_of_the_result() -> None:
         assert panel is not None
         assert panel["links"] == links
         moment = next(one for one in panel["quantities"] if one["id"] in {"bending_moment", "moment"})
-        told = np.abs(result.data[moment["id"]].isel(time=frames(result))).max()
-        assert np.abs(plain(moment["values"])).max() == pytest.approx(float(told), rel=1e-4)
+        info = np.abs(result.data[moment["id"]].isel(time=frames(result))).max()
+        assert np.abs(plain(moment["values"])).max() == pytest.approx(float(info), rel=1e-4)
         assert panel["places"].shape == (len(links), plain(moment["values"]).shape[2])
         assert panel["places"][0, -1] == pytest.approx(0.6 if links != ["rod"] else 0.8)
 
@@ -211,7 +211,7 @@ def test_a_solid_bar_is_found_again_by_its_stiffness_and_mass() -> None:
 
 
 def test_sections_come_from_the_sheet() -> None:
-    arm = Arm.from_data(json_sheet(arm_result()))
+    arm = Robot.from_data(json_sheet(arm_result()))
     section = section_of(arm, "rod", np.linspace(0, 1, 4))
     assert section is not None
     assert (section["shape"], section["guessed"]) == ("round", False)

@@ -295,13 +295,13 @@ def test_nothing_is_left_when_it_goes(robot: Window) -> None:
     assert len(np.unique(robot.picture().reshape(-1, 3), axis=0)) > 300
 
 
-def test_the_scale_tells_the_largest_value_and_its_unit(browser: Any, pages: Callable[[str], Path]) -> None:
+def test_the_scale_reports_the_largest_value_and_its_unit(browser: Any, pages: Callable[[str], Path]) -> None:
     window = look(browser, pages("arm"))
     window.page.get_by_label("Colour").select_option("stress")
-    told = window.page.locator(".scene-scale").inner_text().replace("\xa0", " ")
+    info = window.page.locator(".scene-scale").inner_text().replace("\xa0", " ")
     largest = arm_result().data["stress"].max().item() / 1e6
-    assert "[MPa]" in told
-    assert f"{largest:.3g}" in told
+    assert "[MPa]" in info
+    assert f"{largest:.3g}" in info
     window.close()
 
 

@@ -45,9 +45,9 @@ def test_a_changed_payload_is_simulated_as_natively(window: Any, robot: Any) -> 
     before = ink(window, "tip_deviation")
     give(window, "0.9")
     wanted = simulate(robot.with_({"payload.mass": 0.9})).summary()["deviation"]["max_m"]
-    told = window.page.locator(WORST).inner_text().replace("\u00a0", " ").split(" ")
-    assert told[1] == "mm"
-    assert float(told[0]) == pytest.approx(1e3 * wanted, rel=1e-3)
+    info = window.page.locator(WORST).inner_text().replace("\u00a0", " ").split(" ")
+    assert info[1] == "mm"
+    assert float(info[0]) == pytest.approx(1e3 * wanted, rel=1e-3)
     assert "was" in window.page.locator("[data-fact='deviation.max']").inner_text()
     assert ink(window, "tip_deviation") > before  # the run as it was, pale behind the new one
 

@@ -88,10 +88,10 @@ def test_what_has_the_focus_is_seen(browser: Any, reports: dict[str, Path], size
     found = []
     while len(found) < 300:
         page.keyboard.press("Tab")
-        told = page.evaluate(FOCUS)
-        if told is None:
+        info = page.evaluate(FOCUS)
+        if info is None:
             break
-        found.append(told)
+        found.append(info)
     assert 40 < len(found) < 300
     assert [name for name, seen, _ in found if not seen] == []
     assert [name for name, _, line in found if line == "none"] == []

@@ -16,7 +16,7 @@ from result.synthetic import synthetic_result
 from tmodes.errors import InputError
 from tmodes.plot.frequency_marks import keep_apart
 from tmodes.plot.paper.vibration import amplitude_spectrum, spectrum
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 
 TIME = np.arange(1201) * 1e-3
 
@@ -69,7 +69,7 @@ def test_marks_are_labelled_and_do_not_overlap() -> None:
         {"frequency_Hz": 40, "damped_frequency_Hz": 40.0, "damping_ratio": 1.0, "element": "too damped to ring"}
     )
     data = result.data.assign_attrs(frequencies=json.dumps({"controlled": crowd}))
-    panel: Any = spectrum(Result(data))[0]
+    panel: Any = spectrum(PaperResult(data))[0]
     panel.figure.draw_without_rendering()
     labels = [text for text in panel.texts if "Hz" in text.get_text()]
     assert [label.get_text().split("\n")[0] for label in labels] == ["4.9 Hz", "5 Hz", "5.3 Hz", "6 Hz", "58 Hz"]
@@ -83,7 +83,7 @@ def test_marks_are_labelled_and_do_not_overlap() -> None:
 def test_a_motion_without_vibration_draws() -> None:
     result = synthetic_result()
     still = result.data.assign(deformation=result.data["deformation"] * 0, v=result.data["v"] * 0)
-    panel: Any = spectrum(Result(still))[0]
+    panel: Any = spectrum(PaperResult(still))[0]
     panel.figure.draw_without_rendering()
 
 

@@ -35,16 +35,16 @@ class Studio:
         return f"tmodes-studio-{self.host.rpartition(':')[2]}"
 
     def get(self, address: str, code: int = 200, **more: Any) -> Any:
-        return self._told(self.client.get(address, **more), code)
+        return self._info(self.client.get(address, **more), code)
 
     def post(self, address: str, code: int = 200, **more: Any) -> Any:
-        return self._told(self.client.post(address, **more), code)
+        return self._info(self.client.post(address, **more), code)
 
     def put(self, address: str, code: int = 200, **more: Any) -> Any:
-        return self._told(self.client.put(address, **more), code)
+        return self._info(self.client.put(address, **more), code)
 
     @staticmethod
-    def _told(answer: Any, code: int) -> Any:
+    def _info(answer: Any, code: int) -> Any:
         assert answer.status_code == code, answer.text
         return answer.json()
 
@@ -53,9 +53,9 @@ class Studio:
 
     def ended(self, job: str, within: float = 30.0) -> Any:
         until = time.monotonic() + within
-        while (told := self.get(f"/api/jobs/{job}?wait=1"))["state"] in ("waiting", "running"):
+        while (info := self.get(f"/api/jobs/{job}?wait=1"))["state"] in ("waiting", "running"):
             assert time.monotonic() < until
-        return told
+        return info
 
 
 @pytest.fixture(scope="session")

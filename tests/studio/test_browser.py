@@ -75,9 +75,9 @@ class Tab:
         page.on("dialog", lambda dialog: (self.wrong.append(dialog.message), dialog.dismiss()))
         page.on("request", lambda one: self._look(one.url))
 
-    def _hear(self, told: Any) -> None:
-        if told.type == "error" and "status of 4" not in told.text:  # wrong input, which the page explains itself
-            self.wrong.append(told.text)
+    def _hear(self, info: Any) -> None:
+        if info.type == "error" and "status of 4" not in info.text:  # wrong input, which the page explains itself
+            self.wrong.append(info.text)
 
     def _look(self, url: str) -> None:
         if not url.startswith(("http://127.0.0.1", "data:", "blob:")) and not url.endswith("/open.html"):
@@ -86,7 +86,7 @@ class Tab:
     def line(self) -> str:
         return self.page.inner_text(".line")
 
-    def told(self, start: str, within: int = WAIT) -> None:
+    def info(self, start: str, within: int = WAIT) -> None:
         """Wait until the line of the studio says something that starts so."""
         self.page.locator(".line", has_text=re.compile(f"^{start}")).wait_for(timeout=within)
 
@@ -94,7 +94,7 @@ class Tab:
         """Do something and wait for new curves; what is told of them."""
         self.page.evaluate("document.querySelector('.line').textContent = ''")
         act()
-        self.told("New curves")
+        self.info("New curves")
         return self.line()
 
     def fact(self, name: str) -> str:
@@ -126,7 +126,7 @@ def test_the_page_that_leads_there(browser, address):
     with door(address) as page:
         assert page is not None
         for tab in opened(browser, page.as_uri()):
-            tab.told("New curves")
+            tab.info("New curves")
             assert tab.page.url == address.partition("?")[0]
 
 
@@ -160,7 +160,7 @@ def test_a_typed_number_with_its_unit(tab):
     assert tab.fact("deviation.max") == heavy
 
 
-def test_a_wrong_number_is_told_at_its_field(tab):
+def test_a_wrong_number_is_reported_at_its_field(tab):
     """The field is marked, the sentence stands below it and above, and a right number takes both away."""
     tab.page.locator("details[data-path=payload] > summary").click()
     tab.type("Mass", "-1")
@@ -172,14 +172,14 @@ def test_a_wrong_number_is_told_at_its_field(tab):
     assert not tab.page.is_visible(".errors")
 
 
-def test_a_wrong_urdf_is_told_by_file_line_and_field(tab):
+def test_a_wrong_urdf_is_reported_by_file_line_and_field(tab):
     tab.page.set_input_files(
         "input[type=file] >> nth=0", [{"name": "two.urdf", "mimeType": "text/xml", "buffer": SLOW_URDF.encode()}]
     )
     tab.page.wait_for_selector(".errors p", timeout=WAIT)
-    told = tab.page.inner_text(".errors")
-    assert "two.urdf:3" in told
-    assert "mass" in told
+    info = tab.page.inner_text(".errors")
+    assert "two.urdf:3" in info
+    assert "mass" in info
 
 
 def test_meshes_that_are_chosen_with_a_urdf(tab, tmp_path):
@@ -231,13 +231,13 @@ def test_cancel_and_go_on(tab):
     """A run of minutes shows its progress, and ends within a second when it is not wanted any more."""
     tab.page.evaluate(LONG)
     tab.page.reload()
-    tab.told("New curves")
+    tab.info("New curves")
     tab.page.get_by_label("Open a study").select_option("long.yaml")
     cancel = tab.page.get_by_role("button", name="Cancel")
     cancel.wait_for(timeout=WAIT)
     assert "%" in tab.line()
     cancel.click()
-    tab.told("Cancelled", 5000)
+    tab.info("Cancelled", 5000)
     assert not cancel.is_visible()
     tab.fresh(lambda: tab.page.get_by_label("Robot", exact=True).select_option("spong1987"))
 
@@ -258,7 +258,7 @@ def test_a_study_is_kept_and_opened_again(tab):
     name = tab.page.get_by_label("Name of the study")
     name.fill("kept")
     tab.page.get_by_role("button", name="Save", exact=True).click()
-    tab.told("Saved", WAIT)
+    tab.info("Saved", WAIT)
     tab.fresh(lambda: drag(tab, "payload.mass", 0.2))
     tab.fresh(lambda: tab.page.get_by_label("Open a study").select_option("kept.yaml"))
     assert tab.fact("deviation.max") == kept
@@ -266,7 +266,7 @@ def test_a_study_is_kept_and_opened_again(tab):
     replace = tab.page.get_by_role("button", name="Replace")
     replace.wait_for(timeout=WAIT)
     replace.click()
-    tab.told("Saved", WAIT)
+    tab.info("Saved", WAIT)
 
 
 def test_names_that_are_none_and_what_is_typed_beside_a_slider(tab):
@@ -277,7 +277,7 @@ def test_names_that_are_none_and_what_is_typed_beside_a_slider(tab):
     tab.page.locator(".errors", has_text="the plain name of a file").wait_for(timeout=WAIT)
     name.fill("x")
     save.click()
-    tab.told("Saved")
+    tab.info("Saved")
     assert not tab.page.is_visible(".errors")
     typed = tab.page.locator("[data-slider='payload.mass'] input.number")
     typed.fill("some")
@@ -290,7 +290,7 @@ def test_names_that_are_none_and_what_is_typed_beside_a_slider(tab):
 
 def test_a_robot_called_script_stays_text(tab):
     tab.type("Name", "<img src=x onerror=alert(1)>")
-    tab.told("New", WAIT)
+    tab.info("New", WAIT)
     assert tab.page.locator("img").count() == 0
     assert "filipovic" not in tab.page.input_value(".sheet input")
 
@@ -335,14 +335,14 @@ def test_a_studio_that_goes_away_and_comes_back(browser, tmp_path):
         port = address.partition("/?")[0].rpartition(":")[2]
         tab = Tab(browser.new_page())
         tab.page.goto(address)
-        tab.told("New curves")
+        tab.info("New curves")
         gone = tab.page.locator(".gone")
         running.send_signal(signal.SIGSTOP)
         gone.wait_for(timeout=WAIT)
         assert "start it again" in gone.inner_text()
         tab.page.evaluate("document.querySelector('.line').textContent = ''")
         running.send_signal(signal.SIGCONT)
-        tab.told("New curves")
+        tab.info("New curves")
         assert not gone.is_visible()
         assert tab.wrong == []
         running.terminate()

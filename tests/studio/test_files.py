@@ -30,7 +30,7 @@ def save(tab: Tab, name: str) -> None:
 def test_a_refused_file_leaves_the_picture_as_true_as_it_was(tab: Tab) -> None:
     """The picture is of the sheet where only its file was refused, and of another where the sheet itself was."""
     errors = tab.page.locator(".errors")
-    tab.told("New curves")
+    tab.info("New curves")
     save(tab, "../x")
     errors.locator("p", has_text="plain name").wait_for(timeout=WAIT)
     assert not stale(tab)
@@ -51,21 +51,21 @@ def test_a_refused_file_leaves_the_picture_as_true_as_it_was(tab: Tab) -> None:
 
 def test_a_report_that_is_asked_for_twice_is_made_once(tab: Tab) -> None:
     """Its button waits for it; one that was ended all the same is told in a sentence, not by an empty box."""
-    tab.told("New curves")
+    tab.info("New curves")
     begun: list[str] = []
     tab.page.on("request", lambda one: begun.append(one.post_data) if one.method == "POST" else None)
     report = tab.page.get_by_role("button", name="Report", exact=True)
     with tab.page.expect_download(timeout=WAIT) as kept:
         report.evaluate("(it) => { it.focus(); it.click(); it.click(); }")
     assert kept.value.suggested_filename.endswith(".html")
-    tab.told("The report is among")
+    tab.info("The report is among")
     assert sum('"product":"report"' in one for one in begun) == 1
     assert report.is_enabled()
     assert report.evaluate("(it) => it === document.activeElement")
     ended = '{"job": "x", "state": "cancelled", "stage": "", "share": 0, "told": {}, "errors": []}'
     tab.page.route("**/api/jobs", lambda one: one.fulfill(body=ended, content_type="application/json"))
     report.click()
-    tab.told("The report was ended")
+    tab.info("The report was ended")
     assert not tab.page.is_visible(".errors")
     assert report.is_enabled()
 
@@ -73,14 +73,14 @@ def test_a_report_that_is_asked_for_twice_is_made_once(tab: Tab) -> None:
 @pytest.mark.parametrize("kind", ["exists", None])
 def test_replace_is_offered_for_a_file_that_is_there_alone(tab: Tab, kind: str | None) -> None:
     """Not where the disk is full, or nothing may be written: the answer is the same but for its kind."""
-    told = {"path": "name", "message": "cannot be kept", "got": "", "expected": "", "mend": "", "where": ""}
-    answer = {"errors": [told | {"steps": None} | ({"kind": kind} if kind else {})]}
+    info = {"path": "name", "message": "cannot be kept", "got": "", "expected": "", "hint": "", "where": ""}
+    answer = {"errors": [info | {"steps": None} | ({"kind": kind} if kind else {})]}
     tab.page.route("**/api/studies/there.yaml", lambda one: one.fulfill(status=409, json=answer))
     save(tab, "there")
     tab.page.locator(".errors p", has_text="cannot be kept").wait_for(timeout=WAIT)
     assert tab.page.get_by_role("button", name="Replace").is_visible() == (kind == "exists")
     save(tab, f"free_{kind}")
-    tab.told("Saved as")
+    tab.info("Saved as")
     assert not tab.page.get_by_role("button", name="Replace").is_visible()
 
 
@@ -88,10 +88,10 @@ def test_the_list_of_robots_names_what_is_shown(tab: Tab) -> None:
     """A file of one's own is none of them: the robot that was there before can be chosen again."""
     robots = tab.page.get_by_label("Robot", exact=True)
     shown = robots.locator("option:checked")
-    tab.told("New curves")
+    tab.info("New curves")
     assert robots.input_value() == "filipovic2010"
     save(tab, "own")
-    tab.told("Saved as")
+    tab.info("Saved as")
     tab.fresh(lambda: tab.page.get_by_label("Open a study").select_option("own.yaml"))
     assert (robots.input_value(), shown.text_content()) == ("", "from a file")
     tab.page.route("**/api/robots/spong1987", lambda one: one.fulfill(status=422, json={"errors": []}))
@@ -118,9 +118,9 @@ GONE_ENTRY = """(kind) => {
 """A folder that is dropped, of which a file or the folder itself is no longer there."""
 
 
-def test_a_file_that_is_gone_is_told(tab: Tab, tmp_path: Path) -> None:
+def test_a_file_that_is_gone_is_reported(tab: Tab, tmp_path: Path) -> None:
     """What was chosen and changed on the disk before it was read; what was dropped and taken away."""
-    tab.told("New curves")
+    tab.info("New curves")
     errors = tab.page.locator(".errors p", has_text="cannot be read")
     (chosen := tmp_path / "two.urdf").write_text("<robot/>", encoding="utf-8")
     tab.page.evaluate("""() => {
@@ -146,7 +146,7 @@ SETTLED = "new Promise((done) => requestAnimationFrame(() => requestAnimationFra
 
 def test_a_dark_studio_has_light_curves_on_paper(tab: Tab) -> None:
     """As a light one prints them, without the data sheet beside them; dark again afterwards."""
-    tab.told("New curves")
+    tab.info("New curves")
     printed = []
     for scheme in ("light", "dark"):
         tab.page.emulate_media(color_scheme=scheme)

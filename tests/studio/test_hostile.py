@@ -31,7 +31,7 @@ def asked(studio, method="GET", address="/api/robots", **headers):
 def test_nothing_without_the_token(studio, address):
     answer = asked(studio, address=address)
     assert answer.status_code == 401
-    assert "open the address" in answer.json()["errors"][0]["mend"]
+    assert "open the address" in answer.json()["errors"][0]["hint"]
     assert "set-cookie" not in answer.headers
 
 
@@ -112,7 +112,7 @@ def test_a_study_names_no_file_outside(studio):
         (studio.folder / "far.yaml").write_text(f"urdf: {urdf}\n", encoding="utf-8")
         error = studio.get("/api/studies/far.yaml", code=422)["errors"][0]
         assert error["path"] == "urdf", error
-        assert error["mend"]
+        assert error["hint"]
 
 
 @pytest.mark.parametrize(
@@ -121,7 +121,7 @@ def test_a_study_names_no_file_outside(studio):
 )
 def test_files_that_are_no_sheets(studio, content):
     (studio.folder / "junk.yaml").write_bytes(content)
-    assert studio.get("/api/studies/junk.yaml", code=422)["errors"][0]["mend"]
+    assert studio.get("/api/studies/junk.yaml", code=422)["errors"][0]["hint"]
 
 
 def test_what_would_never_be_read_is_refused_at_once(studio, sheet):
@@ -228,9 +228,9 @@ def test_huge_runs_are_refused_before_they_begin(studio, sheet):
 def test_a_robot_called_script_stays_text(studio, sheet):
     name = '<script>alert(1)</script>"&'
     sheet["name"] = name
-    told = studio.client.post("/api/check", json={"sheet": sheet})
-    assert told.headers["content-type"] == "application/json"
-    assert told.json()["name"] == name
+    info = studio.client.post("/api/check", json={"sheet": sheet})
+    assert info.headers["content-type"] == "application/json"
+    assert info.json()["name"] == name
     studio.put("/api/studies/script.yaml", json={"sheet": sheet})
     assert studio.get("/api/studies/script.yaml")["sheet"]["name"] == name
 
@@ -268,18 +268,18 @@ def test_names_of_uploads(studio, name):
     assert studio.post("/api/upload", json={"files": files}, code=422)["errors"][0]["path"] == "files"
 
 
-@pytest.mark.parametrize(("name", "told"), [("a [1].urdf", "sign '['"), ("a/b/c/d/e/f/g.urdf", "6 folders deep"),
+@pytest.mark.parametrize(("name", "info"), [("a [1].urdf", "sign '['"), ("a/b/c/d/e/f/g.urdf", "6 folders deep"),
                                             ("/x.urdf", "sign '/'"), (".x.urdf", "'.' at the start"),
                                             ("x" * 120 + ".urdf", "125 characters")])  # fmt: skip
-def test_what_is_wrong_with_a_name_is_told(studio, name, told):
+def test_what_is_wrong_with_a_name_is_reported(studio, name, info):
     files = [{"name": name, "content": ""}]
-    assert told in studio.post("/api/upload", json={"files": files}, code=422)["errors"][0]["got"]
+    assert info in studio.post("/api/upload", json={"files": files}, code=422)["errors"][0]["got"]
 
 
 def test_uploads_that_are_none(studio):
     for files in (None, [], [1], [{}], [{"name": "x.urdf", "content": "§"}], [{"name": "x.exe", "content": ""}],
                   [{"name": f"{k}.urdf", "content": ""} for k in range(200)]):  # fmt: skip
-        assert studio.post("/api/upload", json={"files": files}, code=422)["errors"][0]["mend"]
+        assert studio.post("/api/upload", json={"files": files}, code=422)["errors"][0]["hint"]
 
 
 BOMB = '<?xml version="1.0"?><!DOCTYPE r [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">]><robot name="&b;"/>'
@@ -288,5 +288,5 @@ BOMB = '<?xml version="1.0"?><!DOCTYPE r [<!ENTITY a "aaaa"><!ENTITY b "&a;&a;">
 @pytest.mark.parametrize("text", [BOMB, "", "<robot", "<robot>" * 5000, "junk"])
 def test_hostile_robots_are_refused(studio, text):
     error = studio.post("/api/upload", json=encoded(**{"x.urdf": text}), code=422)["errors"][0]
-    assert error["mend"]
+    assert error["hint"]
     assert error["where"].startswith("x.urdf")

@@ -16,7 +16,7 @@ import pytest
 from tmodes.errors import InputError
 from tmodes.io.primitives import box
 from tmodes.report.meshes import Kept, kept_meshes
-from tmodes.result import ArmResult
+from tmodes.result import Result
 from tmodes.studio.folder import WorkingFolder
 from tmodes.studio.looks import MOST_KEPT, Shelf, source_of
 from tmodes.studio.main_file import main_file
@@ -54,20 +54,20 @@ def stl(size: float) -> bytes:
 
 
 def sent(studio: Any, files: dict[str, bytes | str], code: int = 200) -> Any:
-    told = [
+    info = [
         {"name": name, "content": base64.b64encode(text.encode() if isinstance(text, str) else text).decode()}
         for name, text in files.items()
     ]
-    return studio.post("/api/upload", json={"files": told}, code=code)
+    return studio.post("/api/upload", json={"files": info}, code=code)
 
 
-def simulated(studio: Any, told: Any, product: str = "curves", code: int = 200) -> Any:
+def simulated(studio: Any, info: Any, product: str = "curves", code: int = 200) -> Any:
     """What is told of a job with the looks of an answer, and its bytes."""
-    order = {"product": product, "sheet": told["sheet"], "looks": told["looks"], "client": "looks"}
+    order = {"product": product, "sheet": info["sheet"], "looks": info["looks"], "client": "looks"}
     job = studio.post("/api/jobs", json=order, code=code)["job"]
     ended = studio.ended(job)
     assert ended["state"] == "done", ended["errors"]
-    return ended["told"], studio.client.get(f"/api/jobs/{job}/content").content
+    return ended["info"], studio.client.get(f"/api/jobs/{job}/content").content
 
 
 def meshes(content: bytes) -> list[Any]:
@@ -76,11 +76,11 @@ def meshes(content: bytes) -> list[Any]:
     return head["page"]["runs"][0]["scene"]["meshes"]
 
 
-def kept(studio: Any, told: Any, path: Path) -> tuple[Any, list[Kept]]:
+def kept(studio: Any, info: Any, path: Path) -> tuple[Any, list[Kept]]:
     """What is told of a run, and the surfaces that its result keeps."""
-    result, content = simulated(studio, told, "data")
+    result, content = simulated(studio, info, "data")
     path.write_bytes(content)
-    return result, kept_meshes(ArmResult.load(path).data)
+    return result, kept_meshes(Result.load(path).data)
 
 
 LAYOUTS = {
@@ -100,19 +100,19 @@ def test_meshes_of_an_upload_are_found(studio, layout, tmp_path):
     main, named, lies = LAYOUTS[layout]
     sheet = str(Path(main).with_suffix(".yaml"))
     files = {lies: stl(0.25), main: URDF.format(mesh=named), sheet: ELASTICITY.format(urdf="two.urdf")}
-    told = sent(studio, files)
-    assert told["looks"].startswith("upload:")
-    result, [mesh] = kept(studio, told, tmp_path / "result.nc")
+    info = sent(studio, files)
+    assert info["looks"].startswith("upload:")
+    result, [mesh] = kept(studio, info, tmp_path / "result.nc")
     assert result["unseen"] == []
     assert (mesh.link, len(mesh.faces)) == ("arm", 12)
     assert np.ptp(mesh.vertices, axis=0) == pytest.approx(np.full(3, 0.25))
 
 
 def test_scene_and_exported_report_show_them(studio):
-    told = sent(studio, {"arm.stl": stl(0.25), "two.urdf": URDF.format(mesh="arm.stl"),
+    info = sent(studio, {"arm.stl": stl(0.25), "two.urdf": URDF.format(mesh="arm.stl"),
                          "two.yaml": ELASTICITY.format(urdf="two.urdf")})  # fmt: skip
-    assert len(meshes(simulated(studio, told)[1])) == 1
-    report = simulated(studio, told, "report")[1].decode()
+    assert len(meshes(simulated(studio, info)[1])) == 1
+    report = simulated(studio, info, "report")[1].decode()
     packed = re.search(r'id="tmodes-data"[^>]*>([^<]*)<', report)
     assert packed
     assert len(meshes(gzip.decompress(base64.b64decode(packed[1])))) == 1
@@ -120,24 +120,24 @@ def test_scene_and_exported_report_show_them(studio):
 
 def test_a_missing_mesh_is_a_warning_at_its_link(studio):
     """The run is made; what is missing is told with file, line, link and mend, and nothing of this machine."""
-    told = sent(
+    info = sent(
         studio, {"two.urdf": URDF.format(mesh="meshes/arm.stl"), "two.yaml": ELASTICITY.format(urdf="two.urdf")}
     )
-    result, content = simulated(studio, told)
+    result, content = simulated(studio, info)
     assert meshes(content) == []
     [unseen] = result["unseen"]
     assert unseen["where"] == "two.urdf:6"
     assert (unseen["path"], unseen["steps"]) == ("links.arm", ["links", 0])
     assert "not there" in unseen["got"]
-    assert "choose that file too" in unseen["mend"]
+    assert "choose that file too" in unseen["hint"]
     assert "tmodes-upload" not in str(unseen)
 
 
 @pytest.mark.parametrize("content", [b"", b"solid x", bytes(80) + b"\xff" * 4 + bytes(50), b"<COLLADA/>" * 9])
 def test_a_broken_mesh_is_a_warning_too(studio, content):
-    told = sent(studio, {"arm.stl": content, "two.urdf": URDF.format(mesh="arm.stl"),
+    info = sent(studio, {"arm.stl": content, "two.urdf": URDF.format(mesh="arm.stl"),
                          "two.yaml": ELASTICITY.format(urdf="two.urdf")})  # fmt: skip
-    result, _ = simulated(studio, told)
+    result, _ = simulated(studio, info)
     assert result["unseen"][0]["path"] == "links.arm"
     assert result["unseen"][0]["where"] == "arm.stl"
     assert "tmodes-upload" not in str(result["unseen"])
@@ -148,15 +148,15 @@ def test_nothing_is_put_outside_of_the_upload(studio, mesh):
     """A file of that name was sent, and still is not laid where it may not lie."""
     error = sent(studio, {"arm.stl": stl(1.0), "two.urdf": URDF.format(mesh=mesh)}, code=422)["errors"][0]
     assert error["where"] == "two.urdf:6"
-    assert "--root" not in error["mend"]
+    assert "--root" not in error["hint"]
 
 
 def test_a_robot_of_the_working_folder_with_its_meshes(studio):
     (studio.folder / "own.urdf").write_text(URDF.format(mesh="own.stl"), encoding="utf-8")
     (studio.folder / "own.stl").write_bytes(stl(0.5))
     (studio.folder / "own.yaml").write_text(ELASTICITY.format(urdf="own.urdf"), encoding="utf-8")
-    told = studio.get("/api/studies/own.yaml")
-    assert len(meshes(simulated(studio, told)[1])) == 1
+    info = studio.get("/api/studies/own.yaml")
+    assert len(meshes(simulated(studio, info)[1])) == 1
     (studio.folder / "own.stl").unlink()
     (studio.folder / "own.stl").symlink_to("/etc/passwd")
     (studio.folder / "own.urdf").touch()
@@ -165,22 +165,22 @@ def test_a_robot_of_the_working_folder_with_its_meshes(studio):
 
 
 def test_a_study_saved_of_an_upload_keeps_its_looks_while_the_studio_runs(studio):
-    told = sent(studio, {"arm.stl": stl(0.25), "two.urdf": URDF.format(mesh="arm.stl"),
+    info = sent(studio, {"arm.stl": stl(0.25), "two.urdf": URDF.format(mesh="arm.stl"),
                          "two.yaml": ELASTICITY.format(urdf="two.urdf")})  # fmt: skip
-    studio.put("/api/studies/of upload.yaml", json={"sheet": told["sheet"], "looks": told["looks"], "overwrite": True})
+    studio.put("/api/studies/of upload.yaml", json={"sheet": info["sheet"], "looks": info["looks"], "overwrite": True})
     again = studio.get("/api/studies/of upload.yaml")
-    assert again["sheet"] == told["sheet"]
+    assert again["sheet"] == info["sheet"]
     assert len(meshes(simulated(studio, again)[1])) == 1
-    studio.put("/api/studies/of upload.yaml", json={"sheet": told["sheet"], "overwrite": True})
+    studio.put("/api/studies/of upload.yaml", json={"sheet": info["sheet"], "overwrite": True})
     assert studio.get("/api/studies/of upload.yaml")["looks"] == "study:of upload.yaml"
 
 
 def test_an_upload_that_is_kept_no_more_says_so(studio):
-    told = sent(studio, {"two.urdf": URDF.format(mesh="arm.stl"), "two.yaml": ELASTICITY.format(urdf="two.urdf")})
-    result, _ = simulated(studio, told | {"looks": "upload:guessed"})
+    info = sent(studio, {"two.urdf": URDF.format(mesh="arm.stl"), "two.yaml": ELASTICITY.format(urdf="two.urdf")})
+    result, _ = simulated(studio, info | {"looks": "upload:guessed"})
     assert "not kept any more" in result["unseen"][0]["message"]
     for odd in (None, 3, {}, "robot:nobody", "study:../x.yaml", "study:none.yaml", "file:/etc/passwd"):
-        result, content = simulated(studio, told | {"looks": odd})
+        result, content = simulated(studio, info | {"looks": odd})
         assert (result["unseen"], meshes(content)) == ([], [])
 
 

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 from tmodes.robots.load import sheet_names
 
 
@@ -22,8 +22,8 @@ def test_robots_and_their_sheets(studio):
 
 
 def test_units_of_an_arm_are_those_of_its_joints(studio):
-    told = studio.get("/api/robots/spong1987")
-    assert told["units"]["joints.0.gear.stiffness.0"] == "N*m/rad"
+    info = studio.get("/api/robots/spong1987")
+    assert info["units"]["joints.0.gear.stiffness.0"] == "N*m/rad"
     assert studio.get("/api/robots/filipovic2010")["units"] == {}
 
 
@@ -34,20 +34,20 @@ def test_schema_of_the_forms(studio, kind):
     assert studio.get("/api/schemas/other", code=422)["errors"][0]["path"] == "kind"
 
 
-def test_a_right_sheet_is_told_with_its_doubts(studio, sheet):
+def test_a_right_sheet_is_reported_with_its_notices(studio, sheet):
     assert studio.post("/api/check", json={"sheet": sheet})["warnings"] == []
     sheet["payload"]["mass"] = 500.0
     assert "500 kg" in studio.post("/api/check", json={"sheet": sheet})["warnings"][0]
 
 
-def test_every_wrong_value_is_told_at_its_place(studio, sheet):
+def test_every_wrong_value_is_reported_at_its_place(studio, sheet):
     sheet["payload"]["mass"] = -1.0
     sheet["gear"]["stifness"] = 3.0
     found = studio.post("/api/check", json={"sheet": sheet}, code=422)["errors"]
     by_path = {one["path"]: one for one in found}
     assert by_path["payload.mass"]["steps"] == ["payload", "mass"]
     assert "kg" in by_path["payload.mass"]["expected"]
-    assert "stiffness" in by_path["gear.stifness"]["mend"]
+    assert "stiffness" in by_path["gear.stifness"]["hint"]
 
 
 def test_errors_of_an_arm_lead_to_steps(studio):
@@ -61,27 +61,27 @@ def test_errors_of_an_arm_lead_to_steps(studio):
 def test_a_run_is_the_run_of_the_command_line(studio, sheet, tmp_path):
     """The bytes of the result are those that `tmodes run` writes for the same sheet."""
     sheet["payload"]["mass"] = 0.7
-    told = studio.ended(job := studio.begin(sheet))
-    assert told["state"] == "done", told["errors"]
-    assert told["told"]["success"] is True
-    assert set(told["told"]["seconds"]) == {"check", "simulate", "shapes", "data", "loops"}
+    info = studio.ended(job := studio.begin(sheet))
+    assert info["state"] == "done", info["errors"]
+    assert info["info"]["success"] is True
+    assert set(info["info"]["seconds"]) == {"check", "simulate", "shapes", "data", "loops"}
     content = studio.client.get(f"/api/jobs/{job}/content").content
     (tmp_path / "other.nc").write_bytes(content)
     here = tmodes.run(tmodes.load_robot("filipovic2010").with_({"payload.mass": 0.7}))
     assert content == here.save(tmp_path / "here.nc").read_bytes()
-    assert np.array_equal(Result.load(tmp_path / "other.nc").data["tip"], here.data["tip"])
+    assert np.array_equal(PaperResult.load(tmp_path / "other.nc").data["tip"], here.data["tip"])
 
 
 def test_a_run_that_cannot_start_says_why(studio, sheet):
     sheet["payload"]["mass"] = "much"
-    told = studio.ended(studio.begin(sheet))
-    assert told["state"] == "error"
-    assert told["errors"][0]["steps"] == ["payload", "mass"]
+    info = studio.ended(studio.begin(sheet))
+    assert info["state"] == "error"
+    assert info["errors"][0]["steps"] == ["payload", "mass"]
     sheet["payload"]["mass"] = 0.5
     sheet["integration"] |= {"stop": ["tip.z < 5 m"]}
-    told = studio.ended(studio.begin(sheet))
-    assert told["state"] == "error"
-    assert "holds" in told["errors"][0]["message"]
+    info = studio.ended(studio.begin(sheet))
+    assert info["state"] == "error"
+    assert "holds" in info["errors"][0]["message"]
 
 
 def test_cancel_works_within_a_second(studio, long_sheet, sheet):

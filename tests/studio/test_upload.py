@@ -37,29 +37,29 @@ integration: {duration: 0.3, output_step: 0.01}
 
 def sent(studio: Any, code: int = 200, **files: str) -> Any:
     content = {name.replace("__", "."): base64.b64encode(text.encode()).decode() for name, text in files.items()}
-    told = [{"name": name, "content": text} for name, text in content.items()]
-    return studio.post("/api/upload", json={"files": told}, code=code)
+    info = [{"name": name, "content": text} for name, text in content.items()]
+    return studio.post("/api/upload", json={"files": info}, code=code)
 
 
 def test_a_urdf_with_its_elasticity_file_runs(studio):
     """The elasticity file is meant, whichever comes first; what comes back is a sheet like any other."""
-    told = sent(studio, two__urdf=URDF, two__yaml=ELASTICITY)
-    assert told["name"] == "mine"
-    assert told["sheet"]["joints"][0]["gear"]["stiffness"] == [900.0]
-    assert told["units"]["joints.0.gear.stiffness.0"] == "N*m/rad"
-    assert studio.ended(studio.begin(told["sheet"]))["state"] == "done"
+    info = sent(studio, two__urdf=URDF, two__yaml=ELASTICITY)
+    assert info["name"] == "mine"
+    assert info["sheet"]["joints"][0]["gear"]["stiffness"] == [900.0]
+    assert info["units"]["joints.0.gear.stiffness.0"] == "N*m/rad"
+    assert studio.ended(studio.begin(info["sheet"]))["state"] == "done"
 
 
 def test_a_urdf_alone(studio):
-    told = sent(studio, two__urdf=URDF)
-    assert [joint["name"] for joint in told["sheet"]["joints"]] == ["hinge"]
+    info = sent(studio, two__urdf=URDF)
+    assert [joint["name"] for joint in info["sheet"]["joints"]] == ["hinge"]
 
 
 @pytest.mark.parametrize("name", ["two (1).urdf", "(2) two's.urdf"])
 def test_names_as_browsers_give_them(studio, name):
     files: dict[str, Any] = {name: URDF, "two.yaml": ELASTICITY.replace("two.urdf", f'"{name}"')}
-    told = sent(studio, **files)
-    assert told["name"] == "mine"
+    info = sent(studio, **files)
+    assert info["name"] == "mine"
     (studio.folder / name).write_text(URDF, encoding="utf-8")
     assert name in studio.get("/api/studies")["studies"]
 
@@ -84,10 +84,10 @@ def test_errors_tell_file_line_and_field(studio, files, where, path):
     error = sent(studio, code=422, **files)["errors"][0]
     assert error["where"] == where, error
     assert path in error["path"], error
-    assert error["mend"]
+    assert error["hint"]
 
 
-def test_nothing_of_this_machine_is_told(studio, tmp_path):
+def test_nothing_of_this_machine_is_reported(studio, tmp_path):
     """Where the files lay for a moment is nobody's business."""
     for files in (
         {"two__yaml": ELASTICITY},

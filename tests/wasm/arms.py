@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 __all__ = ["two_links"]
 
@@ -22,7 +22,7 @@ def _link(k: int, **more: Any) -> dict[str, Any]:
     return {"name": f"l{k}", "beam": beam, **more}
 
 
-def two_links(*, wall: bool = False, **integration: Any) -> Arm:
+def two_links(*, wall: bool = False, **integration: Any) -> Robot:
     """Twelve coordinates and a payload; the real gears are softer and the real payload is heavier than known."""
     joints = [
         {"name": f"j{k}", "type": "revolute", "child": f"l{k}", "axis": axis,
@@ -36,7 +36,7 @@ def two_links(*, wall: bool = False, **integration: Any) -> Arm:
          "signal": {"type": "quintic", "start": 0.1, "end": 0.5, "duration": 0.15}}
         for k in range(2)
     ]  # fmt: skip
-    return Arm.from_data({
+    return Robot.from_data({
         "format": 1, "kind": "arm", "name": "two", "gravity": 9.81, "joints": joints,
         "links": [_link(0), _link(1, bodies=[{"name": "payload", "mass": 0.4, "at": 1.0}])], "drives": drives,
         "tip": {"link": "l1", "at": 1.0}, "real": {"joints.0.gear.stiffness": 0.8},

@@ -47,8 +47,8 @@ def built_model(folder: Path) -> Path:
     """The engine as one file; the test is skipped where it is neither built nor can be."""
     target = folder / "model.mjs"
     if ESBUILD.exists():
-        told = [os.fspath(ESBUILD), os.fspath(SOURCE), "--bundle", "--format=esm", f"--outfile={target}"]
-        subprocess.run(told, check=True, capture_output=True)
+        info = [os.fspath(ESBUILD), os.fspath(SOURCE), "--bundle", "--format=esm", f"--outfile={target}"]
+        subprocess.run(info, check=True, capture_output=True)
     elif SHIPPED.exists():
         target.write_bytes(SHIPPED.read_bytes())
     else:

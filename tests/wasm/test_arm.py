@@ -15,14 +15,14 @@ from tmodes.compile.ir.calls import DIRECT
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.wasm.wasm_parts import schedule_samples
 from tmodes.live.module import Functions, LiveModule
-from tmodes.live.wasm_motion import ArmFunctions, arm_module, needed_for, stationed
+from tmodes.live.wasm_motion import ModelFunctions, arm_module, needed_for, stationed
 from tmodes.model.evaluator import derivatives
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import ArmRegime, arm_regime, run_arm_regime
+from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from wasm.arms import two_links
 from wasm.node import in_node
 
@@ -32,21 +32,21 @@ SAME = {"dormand_prince": 1e-11, "extrapolation": 1e-8}
 STATIONS = tuple(np.linspace(0, 1, 5))
 
 
-def _arm(method: str = "extrapolation") -> Arm:
+def _arm(method: str = "extrapolation") -> Robot:
     return two_links(wall=True, method=method, step=1e-4, duration=0.02 if method == "dormand_prince" else 0.12)
 
 
 @pytest.fixture(scope="module")
 def module() -> LiveModule:
-    return arm_module(ArmFunctions(_arm().pair(), STATIONS), [*SAME])
+    return arm_module(ModelFunctions(_arm().pair(), STATIONS), [*SAME])
 
 
-def _regimes(arm: Arm) -> dict[str, ArmRegime]:
+def _regimes(arm: Robot) -> dict[str, RunSetup]:
     pair = arm.pair()
-    return {"reference": arm_regime(pair.nominal, Follow.WANTED), "real": arm_regime(pair.real)}
+    return {"reference": run_setup(pair.nominal, Follow.WANTED), "real": run_setup(pair.real)}
 
 
-def _job(name: str, regime: ArmRegime) -> dict[str, Any]:
+def _job(name: str, regime: RunSetup) -> dict[str, Any]:
     settings, schedule = regime.arm.integration, regime.planned.schedule.until(regime.arm.integration.duration)
     return {"run": {
         "loop": f"{name}.{settings.method.value}", "parameters": regime.model.numbers.vector, "knots": schedule.knots,
@@ -62,11 +62,11 @@ def test_motion_is_the_native_one(module: LiveModule, tmp_path: Path) -> None:
     cases = [(method, *case) for method in SAME for case in _regimes(_arm(method)).items()]
     found = in_node(module, [_job(name, regime) for _, name, regime in cases], tmp_path)
     touched = 0
-    for (method, _, regime), told in zip(cases, found, strict=True):
-        native = run_arm_regime(regime)
-        assert told["status"] == native.status == "finished"
-        touched += told["statistics"].get("contact_changes", 0)
-        states, largest = told["states"].reshape(native.states.shape), np.abs(native.states).max()
+    for (method, _, regime), info in zip(cases, found, strict=True):
+        native = run_trajectory(regime)
+        assert info["status"] == native.status == "finished"
+        touched += info["statistics"].get("contact_changes", 0)
+        states, largest = info["states"].reshape(native.states.shape), np.abs(native.states).max()
         np.testing.assert_allclose(states, native.states, rtol=0, atol=SAME[method] * largest, err_msg=method)
     assert touched
 
@@ -94,19 +94,19 @@ def test_samples_are_the_native_ones(module: LiveModule, tmp_path: Path) -> None
         {"sample": f"{name}.{label}", "parameters": regimes[name].model.numbers.vector, "inputs": inputs, "count": 4}
         for name, label, inputs, _ in cases
     ]
-    for (_, _, _, expected), told in zip(cases, in_node(module, jobs, tmp_path), strict=True):
-        assert set(told) == set(expected)
+    for (_, _, _, expected), info in zip(cases, in_node(module, jobs, tmp_path), strict=True):
+        assert set(info) == set(expected)
         for label, values in expected.items():
-            _same(told[label].reshape(4, -1), values, 1e-8)
+            _same(info[label].reshape(4, -1), values, 1e-8)
 
 
-def _same(told: np.ndarray, expected: np.ndarray, share: float) -> None:
-    np.testing.assert_allclose(told, expected, rtol=0, atol=share * max(np.abs(expected).max(initial=0), 1e-3))
+def _same(info: np.ndarray, expected: np.ndarray, share: float) -> None:
+    np.testing.assert_allclose(info, expected, rtol=0, atol=share * max(np.abs(expected).max(initial=0), 1e-3))
 
 
 def test_picture_and_energies_are_the_native_ones(module: LiveModule, tmp_path: Path) -> None:
-    arm = ArmFunctions(_arm().pair(), STATIONS)
-    model = ArmModel(arm.pair.real.model_copy(update={"drives": ()}).chain())
+    arm = ModelFunctions(_arm().pair(), STATIONS)
+    model = Model(arm.pair.real.model_copy(update={"drives": ()}).chain())
     q, v, a = random_state(11, model.coordinates, bend=0.2)
     numbers, motion = arm.numbers(), {"q": q, "v": v, "a": a}
     base = {"rest": model.at_rest(gravity=0.0), "weight": model.at_rest()}
@@ -117,11 +117,11 @@ def test_picture_and_energies_are_the_native_ones(module: LiveModule, tmp_path: 
     ]
     pose, elastic, inertia = in_node(module, jobs, tmp_path)
     points = pose["points"].reshape(2, len(STATIONS), 24)
-    exact = ArmModel(stationed(model.chain, STATIONS)).points(q, v, a)
+    exact = Model(stationed(model.chain, STATIONS)).points(q, v, a)
     np.testing.assert_allclose(points[..., 9:12].reshape(-1, 3), exact.position, atol=1e-12)
-    for told, line in zip(points, elastic_line(model, q, stations=STATIONS).links.values(), strict=True):
-        np.testing.assert_allclose(told[:, :9].reshape(-1, 3, 3), line.rotation[0], atol=1e-5)
-        np.testing.assert_allclose(told[:, 9:12], line.position[0], atol=1e-5)
+    for info, line in zip(points, elastic_line(model, q, stations=STATIONS).links.values(), strict=True):
+        np.testing.assert_allclose(info[:, :9].reshape(-1, 3, 3), line.rotation[0], atol=1e-5)
+        np.testing.assert_allclose(info[:, 9:12], line.position[0], atol=1e-5)
     energies, losses = model.energies(q, v), model.losses(q, v)
     by_kind = elastic["energies"].reshape(-1, 2).sum(axis=0)
     assert by_kind == pytest.approx([energies["elastic_gear"], energies["elastic_link"]], rel=1e-12)
@@ -132,7 +132,7 @@ def test_picture_and_energies_are_the_native_ones(module: LiveModule, tmp_path: 
 
 def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -> None:
     pair = _arm().pair()
-    arm, regime = ArmFunctions(pair, STATIONS), arm_regime(pair.real)
+    arm, regime = ModelFunctions(pair, STATIONS), run_setup(pair.real)
     held, row = LoopModel(arm.plans["rest"].plan), arm.numbers()["rest_row"]
     state = np.zeros(held.layout.size)
     state[held.layout.q] = regime.start[regime.model.layout.q]
@@ -146,9 +146,9 @@ def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -
         "directions": directions,
         "count": count,
     }
-    (told,) = in_node(module, [job], tmp_path)
-    accelerations = told["values"]["rate"].reshape(count, n)[0, held.layout.v]
-    slope = told["slopes"]["rate"].reshape(count, n)[:, held.layout.v].T
+    (info,) = in_node(module, [job], tmp_path)
+    accelerations = info["values"]["rate"].reshape(count, n)[0, held.layout.v]
+    slope = info["slopes"]["rate"].reshape(count, n)[:, held.layout.v].T
     free = [k for k in range(count) if k not in module.layout["held"]]
     step = np.linalg.solve(slope[np.ix_(free, free)], accelerations[free])
     assert np.abs(step).max() < 1e-12
@@ -161,7 +161,7 @@ def test_random_chains(tmp_path: Path) -> None:
     chains = [random_chain(seed, 2) for seed in (3, 5, 9)]
     made, jobs, expected = Functions(), [], []
     for k, chain in enumerate(chains):
-        model = ArmModel(chain)
+        model = Model(chain)
         q, v, a = random_state(k, model.coordinates)
         inputs = {"q": q, "v": v, "a": a, "base": model.at_rest()}
         schedule = model.passes.schedule("inertia")
@@ -184,24 +184,24 @@ def test_random_chains(tmp_path: Path) -> None:
 
 
 def test_long_kernels_in_pieces(tmp_path: Path) -> None:
-    model = ArmModel(random_chain(3, 2))
+    model = Model(random_chain(3, 2))
     schedule, (q, v, a) = model.passes.schedule("inertia"), random_state(2, model.coordinates)
     longest = max((kernel for kernel, _, _ in schedule.calls), key=lambda kernel: len(kernel_program(kernel).values))
     inputs = {"q": q, "v": v, "a": a, "base": model.at_rest()}
-    told = []
+    info = []
     for piece in (10**6, 50):
         made = Functions()
         made.schedule("inertia", schedule_samples("inertia", schedule, piece=piece), schedule)
         job = {"sample": "inertia", "parameters": model.parameters, "inputs": inputs, "count": 1}
-        told += in_node(made.module("pieces"), [job], tmp_path)
+        info += in_node(made.module("pieces"), [job], tmp_path)
     assert len(kernel_program(longest).values) > 100
-    for name, values in told[0].items():
-        np.testing.assert_array_equal(told[1][name], values)
+    for name, values in info[0].items():
+        np.testing.assert_array_equal(info[1][name], values)
 
 
 def test_calls_as_data(tmp_path: Path) -> None:
     """So many calls that they stand in a table, whose address moves with the data."""
-    model = ArmModel(random_chain(7, 140, rigid=True))
+    model = Model(random_chain(7, 140, rigid=True))
     schedule, made = model.passes.schedule("inertia"), Functions()
     assert len(schedule.calls) > DIRECT
     made.schedule("inertia", schedule_samples("inertia", schedule), schedule)
@@ -211,11 +211,11 @@ def test_calls_as_data(tmp_path: Path) -> None:
         "inputs": {"q": q, "v": v, "a": a, "base": model.at_rest()},
     }  # fmt: skip
     (found,) = in_node(made.module("long"), [job], tmp_path)
-    told = found["forces"] + a * model.rotor_inertias + model.elastic_forces(q, v)
-    _same(told, model.inverse_dynamics(q, v, a), 1e-10)
+    info = found["forces"] + a * model.rotor_inertias + model.elastic_forces(q, v)
+    _same(info, model.inverse_dynamics(q, v, a), 1e-10)
 
 
 def test_only_what_is_needed_is_computed() -> None:
-    schedule = ArmModel(replace(random_chain(4, 4), points=())).passes.schedule("inertia")
+    schedule = Model(replace(random_chain(4, 4), points=())).passes.schedule("inertia")
     assert len(needed_for(schedule, ("points",)).calls) < 0.6 * len(schedule.calls)
     assert set(needed_for(schedule, ("forces",)).outputs) == {"forces"}

@@ -61,17 +61,17 @@ def test_it_runs_in_node_as_natively(made: Exported, seed: Any, folder: Path) ->
     (folder / "use.mjs").write_text(SCRIPT)
     done = subprocess.run([node, "use.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr
-    told, native = json.loads(done.stdout), simulate(seed).data
-    states = np.array(told["states"]).reshape(native.sizes["time"], -1)
-    assert (told["status"], told["runs"]) == ("finished", ["reference", "real"])
+    info, native = json.loads(done.stdout), simulate(seed).data
+    states = np.array(info["states"]).reshape(native.sizes["time"], -1)
+    assert (info["status"], info["runs"]) == ("finished", ["reference", "real"])
     np.testing.assert_allclose(states[:, :6], native["q"].values, rtol=0, atol=1e-12)
-    np.testing.assert_allclose(np.array(told["tip"]).reshape(-1, 3), native["tip"].values, rtol=0, atol=1e-12)
-    assert told["observed"]["tip"] == 3
-    assert np.abs(np.array(told["heavy"]).reshape(states.shape) - states)[:, :6].max() > 1e-5
-    assert told["short"] == [0, 0.02, 0.04, 0.05]
-    assert told["wrong"].startswith("parameter: got weight; expected one of ")
-    assert told["late"].startswith("duration: got 9 s; expected at most 0.1 s")
-    assert told["ended"]
+    np.testing.assert_allclose(np.array(info["tip"]).reshape(-1, 3), native["tip"].values, rtol=0, atol=1e-12)
+    assert info["observed"]["tip"] == 3
+    assert np.abs(np.array(info["heavy"]).reshape(states.shape) - states)[:, :6].max() > 1e-5
+    assert info["short"] == [0, 0.02, 0.04, 0.05]
+    assert info["wrong"].startswith("parameter: got weight; expected one of ")
+    assert info["late"].startswith("duration: got 9 s; expected at most 0.1 s")
+    assert info["ended"]
 
 
 def test_the_example_runs_from_disk(made: Exported, seed: Any, folder: Path, chromium: str) -> None:
@@ -86,13 +86,13 @@ def test_the_example_runs_from_disk(made: Exported, seed: Any, folder: Path, chr
         window.on("pageerror", lambda error: said.append(str(error)))
         window.goto(page.as_uri())
         window.wait_for_function("document.getElementById('told').textContent !== ''", timeout=30_000)
-        told, title = window.inner_text("#told"), window.inner_text("h1")
+        info, title = window.inner_text("#told"), window.inner_text("h1")
         browser.close()
     assert said == []
     assert title == "<script>"
-    assert told.startswith("finished: reached the end, t = 0.1 s")
+    assert info.startswith("finished: reached the end, t = 0.1 s")
     last = float(simulate(seed).data["q"].values[-1, 0])
-    assert float(told.rpartition(" ")[2]) == pytest.approx(last, rel=1e-10)
+    assert float(info.rpartition(" ")[2]) == pytest.approx(last, rel=1e-10)
 
 
 def test_an_arm_is_exported_as_well(folder: Path) -> None:
@@ -121,8 +121,8 @@ def test_the_types_are_those_of_the_program(folder: Path) -> None:
         "  return [shown, result];\n};\n"
     )
     options = ["--noEmit", "--strict", "--target", "ES2022", "--module", "ESNext", "--moduleResolution", "bundler"]
-    told = [os.fspath(compiler), *options, "--lib", "ES2022,DOM", "--skipLibCheck", "types.ts"]
-    done = subprocess.run(told, cwd=folder, capture_output=True, text=True, check=False, timeout=60)
+    info = [os.fspath(compiler), *options, "--lib", "ES2022,DOM", "--skipLibCheck", "types.ts"]
+    done = subprocess.run(info, cwd=folder, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stdout
 
 

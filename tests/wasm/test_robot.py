@@ -11,7 +11,7 @@ import pytest
 from tmodes.live.module import LiveModule
 from tmodes.live.wasm_paper import robot_module
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.robots.load import load_sheet
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.trajectory import integrate
@@ -41,11 +41,11 @@ def module() -> LiveModule:
     return robot_module(_robot().pair(), [*SAME])
 
 
-def _regime(robot: Any, regime: str) -> tuple[Any, Model, Any, Any, Any]:
+def _regime(robot: Any, regime: str) -> tuple[Any, PaperModel, Any, Any, Any]:
     drive = Drive.PRESCRIBED if regime == "reference" else Drive.CONTROLLED
     which = robot.pair().nominal if regime == "reference" else robot.pair().real
     mechanism, parameters = which.split(drive)
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
     schedule = which.wanted(drive).until(which.integration.duration)
     return which.integration, model, parameters, schedule, model.rest(which.reference.start, parameters)
 
@@ -67,13 +67,13 @@ def test_motion_is_the_native_one(module: LiveModule, tmp_path: Path) -> None:
     cases = [(method, regime) for method in SAME for regime in ("reference", "real")]
     jobs = [_job(_robot(method), regime) for method, regime in cases]
     found = in_node(module, [job for job, _ in jobs], tmp_path)
-    for (method, _), told, (_, native) in zip(cases, found, jobs, strict=True):
-        assert told["status"] == native.status == "finished"
-        assert told["message"] == native.message
+    for (method, _), info, (_, native) in zip(cases, found, jobs, strict=True):
+        assert info["status"] == native.status == "finished"
+        assert info["message"] == native.message
         same = {name: native.statistics[name] for name in ("method", "steps", "rejected", "evaluations")}
-        assert {name: told["statistics"][name] for name in same} == same
-        np.testing.assert_array_equal(told["times"], native.times)
-        states, largest = told["states"].reshape(native.states.shape), np.abs(native.states).max()
+        assert {name: info["statistics"][name] for name in same} == same
+        np.testing.assert_array_equal(info["times"], native.times)
+        states, largest = info["states"].reshape(native.states.shape), np.abs(native.states).max()
         np.testing.assert_allclose(states, native.states, rtol=0, atol=SAME[method] * largest)
 
 
@@ -129,17 +129,17 @@ def test_only_lanes_ask_for_vectors(module: LiveModule) -> None:
     assert not robot_module(_robot().pair(), ["dormand_prince"]).layout["simd"]
 
 
-def _slope_error(told: dict[str, Any], near: Any, job: dict[str, Any], module: LiveModule, folder: Path) -> float:
+def _slope_error(info: dict[str, Any], near: Any, job: dict[str, Any], module: LiveModule, folder: Path) -> float:
     """Of the slope along one direction, against a central difference."""
     along, h = np.array([0.3, -0.5, 0.2, 0.7, -0.1]), 1e-6
     moved = [{**job, "inputs": job["inputs"] | {"angles": near + side * h * along}} for side in (1, -1)]
     ahead, behind = (found["residual"] for found in in_node(module, moved, folder))
-    slope = told["slope"].reshape(-1, 5, 5).transpose(0, 2, 1) @ along
+    slope = info["slope"].reshape(-1, 5, 5).transpose(0, 2, 1) @ along
     difference = ((ahead - behind) / (2 * h)).reshape(-1, 5)
     return float(np.abs(slope - difference).max() / np.abs(slope).max())
 
 
-def test_what_is_wrong_is_told(module: LiveModule, tmp_path: Path) -> None:
+def test_what_is_wrong_is_reported(module: LiveModule, tmp_path: Path) -> None:
     job, _ = _job(_robot(), "real")
     numbers = job["run"]["parameters"]
     jobs = [

@@ -60,7 +60,7 @@ export interface Curve {
   role: Role;
   /** Values at the chart's abscissa [count], in the chart's unit. */
   values: Numbers;
-  /** From which series of the result it is, so that the live model can draw it anew; null where it cannot. */
+  /** From which series of the result it is, so that the live model can draw it again; null where it cannot. */
   source: Source | null;
   shown: boolean;
 }
@@ -117,7 +117,7 @@ export interface SceneLink {
   length: number;
   /**
    * Half-widths of its section at the stations along y and z of the section [S, 2] m, round or a box; null: unknown.
-   * `guessed`: the sheet tells only its stiffness and mass, so it is drawn as a solid bar of metal that has both.
+   * `guessed`: the sheet reports only its stiffness and mass, so it is drawn as a solid bar of metal that has both.
    */
   section: { shape: "round" | "box"; sizes: Numbers; guessed: boolean } | null;
 }

@@ -22,7 +22,7 @@ export interface LiveRun {
   span?: [number, number];
   /** Headline numbers by the ids of the facts; those that cannot be computed are absent. */
   facts: Record<string, { value: number | null; note: string }>;
-  /** Its modes; a sentence where they cannot be told, none where they are not known yet. */
+  /** Its modes; a sentence where they cannot be reported, none where they are not known yet. */
   vibration?: Vibration | string;
 }
 

@@ -33,8 +33,8 @@ export function swatch(color: string, dash: number[], width = 2): SVGSVGElement 
   const space = "http://www.w3.org/2000/svg";
   const svg = document.createElementNS(space, "svg");
   const line = document.createElementNS(space, "line");
-  const told = { x1: 0, y1: 5, x2: 26, y2: 5, "stroke-width": width, "stroke-dasharray": dash.join(" ") };
-  for (const [key, value] of Object.entries(told)) line.setAttribute(key, String(value));
+  const info = { x1: 0, y1: 5, x2: 26, y2: 5, "stroke-width": width, "stroke-dasharray": dash.join(" ") };
+  for (const [key, value] of Object.entries(info)) line.setAttribute(key, String(value));
   line.style.stroke = color;
   for (const [key, value] of Object.entries({ width: 26, height: 10, "aria-hidden": "true" }))
     svg.setAttribute(key, String(value));
@@ -42,11 +42,11 @@ export function swatch(color: string, dash: number[], width = 2): SVGSVGElement 
   return svg;
 }
 
-let told = 0;
+let info = 0;
 /** A name that no other element of the page has. */
 export function ownId(stem: string): string {
-  told += 1;
-  return `tm-${stem}-${told}`;
+  info += 1;
+  return `tm-${stem}-${info}`;
 }
 
 /** Give the user a file. */

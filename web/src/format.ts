@@ -43,7 +43,7 @@ export function readable(unit: string, size: number): { factor: number; name: st
 }
 
 /** `4.041 mm`. */
-export function told(value: number | null, unit: string): string {
+export function info(value: number | null, unit: string): string {
   if (value === null || !Number.isFinite(value)) return "–";
   const size = Math.abs(value);
   const { factor, name } = readable(unit, size);

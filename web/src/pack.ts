@@ -6,7 +6,7 @@ export interface Numbers {
   readonly shape: readonly number[];
 }
 
-interface Told {
+interface Info {
   dtype: "f8" | "d4" | "i4" | "u1" | "d2";
   shape: number[];
   offset: number;
@@ -22,33 +22,33 @@ export function unpack(bytes: Uint8Array): unknown {
   if (new TextDecoder().decode(bytes.subarray(0, 4)) !== MAGIC) throw new Error("these bytes are no data of tmodes");
   const view = new DataView(bytes.buffer, bytes.byteOffset, bytes.byteLength);
   const length = view.getUint32(4, true);
-  const head = JSON.parse(new TextDecoder().decode(bytes.subarray(8, 8 + length))) as { page: unknown; arrays: Told[] };
+  const head = JSON.parse(new TextDecoder().decode(bytes.subarray(8, 8 + length))) as { page: unknown; arrays: Info[] };
   const base = 8 * Math.ceil((8 + length) / 8);
-  const arrays = head.arrays.map((told) => read(bytes, base, told));
+  const arrays = head.arrays.map((info) => read(bytes, base, info));
   return filled(head.page, arrays);
 }
 
-function read(bytes: Uint8Array, base: number, told: Told): Numbers {
-  const count = told.shape.reduce((product, size) => product * size, 1);
-  const width = Number(told.dtype[1]);
-  const part = bytes.slice(base + told.offset, base + told.offset + count * width).buffer;
-  if (told.dtype === "f8") return { data: new Float64Array(part), shape: told.shape };
-  if (told.dtype === "d4") return { data: single(new Uint8Array(part), count, told), shape: told.shape };
-  if (told.dtype === "i4") return { data: new Int32Array(part), shape: told.shape };
-  if (told.dtype === "u1") return { data: new Uint8Array(part), shape: told.shape };
-  return { data: smooth(new Uint8Array(part), count, told), shape: told.shape };
+function read(bytes: Uint8Array, base: number, info: Info): Numbers {
+  const count = info.shape.reduce((product, size) => product * size, 1);
+  const width = Number(info.dtype[1]);
+  const part = bytes.slice(base + info.offset, base + info.offset + count * width).buffer;
+  if (info.dtype === "f8") return { data: new Float64Array(part), shape: info.shape };
+  if (info.dtype === "d4") return { data: single(new Uint8Array(part), count, info), shape: info.shape };
+  if (info.dtype === "i4") return { data: new Int32Array(part), shape: info.shape };
+  if (info.dtype === "u1") return { data: new Uint8Array(part), shape: info.shape };
+  return { data: smooth(new Uint8Array(part), count, info), shape: info.shape };
 }
 
-/** Whole numbers of two bytes that are told as changes from row to row, their low bytes before their high ones. */
-function smooth(bytes: Uint8Array, count: number, { shape, scale = 1, start = 0 }: Told): Float32Array {
+/** Whole numbers of two bytes that are reported as changes from row to row, their low bytes before their high ones. */
+function smooth(bytes: Uint8Array, count: number, { shape, scale = 1, start = 0 }: Info): Float32Array {
   const row = count / (shape[0] || 1) || 1;
   const whole = new Int16Array(count);
   for (let k = 0; k < count; k++) whole[k] = (bytes[k] | (bytes[count + k] << 8)) + (k >= row ? whole[k - row] : 0);
   return Float32Array.from(whole, (value) => start + scale * value);
 }
 
-/** Numbers of single precision, told as changes of their bits from row to row, the lowest bytes of all first. */
-function single(bytes: Uint8Array, count: number, { shape }: Told): Float32Array {
+/** Numbers of single precision, reported as changes of their bits from row to row, the lowest bytes of all first. */
+function single(bytes: Uint8Array, count: number, { shape }: Info): Float32Array {
   const row = count / (shape[0] || 1) || 1;
   const whole = new Uint32Array(count);
   for (let k = 0; k < count; k++) {

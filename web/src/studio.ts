@@ -3,7 +3,7 @@
 import { button, make, ownId } from "./dom";
 import { forPaper } from "./paper";
 import { watch } from "./studio/alive";
-import { api, type SheetTold, type Wrong } from "./studio/api";
+import { api, type SheetInfo, type Wrong } from "./studio/api";
 import { attempt, exportControls, studyControls, type FilesHost } from "./studio/files";
 import { Form } from "./studio/form";
 import { messages } from "./studio/messages";
@@ -21,8 +21,8 @@ async function main(): Promise<void> {
   const sliderPlace = make("div", { class: "sliders", role: "group", "aria-label": "Sliders" });
   const view = make("main", { class: "view", id: "main" });
   const robots = make("select", { id: ownId("robots") });
-  const told = messages();
-  let current: SheetTold | null = null;
+  const info = messages();
+  let current: SheetInfo | null = null;
   let form: Form | null = null;
   let sliders: SlidersView | null = null;
   let slow = 0;
@@ -34,14 +34,14 @@ async function main(): Promise<void> {
   const runner = new Runner({
     begun() {
       clearTimeout(slow);
-      slow = window.setTimeout(() => told.progress("waiting", 0), WAIT);
+      slow = window.setTimeout(() => info.progress("waiting", 0), WAIT);
     },
-    progress: (job, milliseconds) => { if (milliseconds > WAIT) told.progress(job.stage, job.share); },
+    progress: (job, milliseconds) => { if (milliseconds > WAIT) info.progress(job.stage, job.share); },
     done(page, job, milliseconds) {
       clearTimeout(slow);
-      told.done(page, job, milliseconds);
-      form?.mark([], job.told.unseen);
-      told.unseen(job.told.unseen ?? [], go);
+      info.done(page, job, milliseconds);
+      form?.mark([], job.info.unseen);
+      info.unseen(job.info.unseen ?? [], go);
       shown.show(page, job);
       view.classList.remove("stale");
     },
@@ -49,7 +49,7 @@ async function main(): Promise<void> {
     wrong,
     cancelled() {
       clearTimeout(slow);
-      told.say("Cancelled: what is shown is the run before.");
+      info.say("Cancelled: what is shown is the run before.");
       view.classList.add("stale");
     },
   });
@@ -61,14 +61,14 @@ async function main(): Promise<void> {
   /** A run was refused: what is shown is that of another sheet. */
   function wrong(errors: Wrong[]): void {
     clearTimeout(slow);
-    told.wrong(errors, go);
+    info.wrong(errors, go);
     form?.mark(errors);
     view.classList.add("stale");
   }
 
   /** A file or a robot was refused: what is shown is still the run of the sheet. */
   function refused(errors: Wrong[]): void {
-    told.wrong(errors, go);
+    info.wrong(errors, go);
     if (errors.some((one) => one.steps)) form?.mark(errors);
   }
 
@@ -80,14 +80,14 @@ async function main(): Promise<void> {
   }
 
   /** A sheet whose structure changed has other sliders. */
-  async function look(of: SheetTold): Promise<void> {
+  async function look(of: SheetInfo): Promise<void> {
     const fresh = await api.check(of.sheet).catch(() => null);
     if (!fresh || current !== of) return;
     form?.tell(fresh.units);
     sliders = slidersOf({ ...fresh, sheet: of.sheet, looks: of.looks });
   }
 
-  function slidersOf(of: SheetTold): SlidersView {
+  function slidersOf(of: SheetInfo): SlidersView {
     return mountSliders(sliderPlace, of.sliders, of.sheet, () => {
       form?.refresh();
       runner.want(of);
@@ -95,7 +95,7 @@ async function main(): Promise<void> {
   }
 
   /** `named`: what it is called in the list of robots, nothing for a file's own. */
-  async function load(loaded: SheetTold, from: string, named = ""): Promise<void> {
+  async function load(loaded: SheetInfo, from: string, named = ""): Promise<void> {
     const schema = await api.schema(loaded.kind);
     current = loaded;
     robots.value = listed = named;
@@ -103,7 +103,7 @@ async function main(): Promise<void> {
     form = new Form(formPlace, new Forms(schema), loaded.sheet, loaded.units, changed);
     sliders = slidersOf(loaded);
     document.title = `${loaded.name} – tmodes studio`;
-    told.loaded(from, loaded.warnings);
+    info.loaded(from, loaded.warnings);
     runner.want(loaded);
   }
 
@@ -116,20 +116,20 @@ async function main(): Promise<void> {
       void attempt(host, () => load(one, from));
     },
     wrong: refused,
-    right: told.right,
-    say: told.say,
+    right: info.right,
+    say: info.say,
   };
   const choose = async (name: string) => {
     const mine = ++choice;
     await attempt(host, async () => {
-      const told = name.startsWith("./") ? await api.study(name.slice(2)) : await api.robot(name);
-      if (mine === choice) await load(told, name.replace("./", ""), name); // else another was chosen meanwhile
+      const info = name.startsWith("./") ? await api.study(name.slice(2)) : await api.robot(name);
+      if (mine === choice) await load(info, name.replace("./", ""), name); // else another was chosen meanwhile
     });
     if (mine === choice) robots.value = listed; // also where that one was refused
   };
   robots.addEventListener("change", () => { if (robots.value) void choose(robots.value); });
   const cancel = button("Cancel", () => void runner.cancel(), { class: "warn", hidden: true });
-  told.cancel(cancel);
+  info.cancel(cancel);
 
   const bar = make(
     "header",
@@ -146,7 +146,7 @@ async function main(): Promise<void> {
   document.body.append(
     skip,
     bar,
-    told.element,
+    info.element,
     make(
       "div",
       { class: "studio" },
@@ -162,7 +162,7 @@ async function main(): Promise<void> {
     ),
   );
 
-  watch({ away: told.away, back: () => { if (current) runner.want(current); } });
+  watch({ away: info.away, back: () => { if (current) runner.want(current); } });
   const first = document.body.dataset.first ?? "";
   await attempt(host, async () => {
     const list = (await api.robots()).robots;

@@ -14,12 +14,12 @@ async function main(): Promise<void> {
     mountPage(root, page);
     document.documentElement.classList.add("running");
   } catch (error) {
-    const told = error instanceof Error ? error.message : String(error);
+    const info = error instanceof Error ? error.message : String(error);
     root.replaceChildren(
       make("p", {
         class: "status warning",
         role: "alert",
-        text: `The interactive part of this page could not start: ${told}. The whole report without it follows.`,
+        text: `The interactive part of this page could not start: ${info}. The whole report without it follows.`,
       }),
     );
   }

@@ -58,10 +58,10 @@ def disturbed_rows(states: Array, estimate: Any, samples: Sequence[int], rows: i
     at ``turn``), of which the worst will count.
     """
     kept = np.asarray(samples, dtype=int)
-    told = np.repeat(states[kept], rows, axis=0).reshape(len(kept), rows, -1)
+    info = np.repeat(states[kept], rows, axis=0).reshape(len(kept), rows, -1)
     signs = np.ones((1, 1)) if estimate.signed else _signs(states.shape[1], turn)
-    told[:, 1:] += signs * estimate.values[kept][:, None]
-    return told.reshape(len(kept) * rows, -1)
+    info[:, 1:] += signs * estimate.values[kept][:, None]
+    return info.reshape(len(kept) * rows, -1)
 
 
 def _signs(size: int, turn: int) -> Array:
@@ -76,9 +76,9 @@ def figure_errors(
 
     ``variables`` of the rows of :func:`disturbed_rows` at these samples.
     """
-    told = {}
+    info = {}
     for figure in figures:
         values = figure.value(variables).reshape(len(samples), rows, -1)
         apart = np.linalg.norm(values[:, 1:] - values[:, :1], axis=2).max(axis=1)
-        told[figure.name] = float(max(apart[samples.index(k)] for k in figure.samples))
-    return {name: error for name, error in told.items() if math.isfinite(error)}
+        info[figure.name] = float(max(apart[samples.index(k)] for k in figure.samples))
+    return {name: error for name, error in info.items() if math.isfinite(error)}

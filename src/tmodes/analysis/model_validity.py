@@ -14,8 +14,8 @@ from tmodes.analysis.range import bent
 from tmodes.chain.chain import Beam, Segment
 from tmodes.equations.recursion.beam_tables import beam_tables, section_edges
 from tmodes.kinds.links.material import find_material
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 
 __all__ = [
     "MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "rest_warnings", "run_warnings",
@@ -37,7 +37,7 @@ _NEGLIGIBLE = 1e-4
 """Share of a link's energy below which a direction does not count."""
 
 
-def run_warnings(arm: Arm, model: ArmModel, times: ArrayLike, q: ArrayLike, lines: LinkLines) -> list[str]:
+def run_warnings(arm: Robot, model: Model, times: ArrayLike, q: ArrayLike, lines: LinkLines) -> list[str]:
     """Sentences on the links in a run at n times [s]; each says what, when first, how far, and what to do.
 
     ``q`` (n, nq); ``lines`` of the same samples, under the same wrenches.
@@ -46,7 +46,7 @@ def run_warnings(arm: Arm, model: ArmModel, times: ArrayLike, q: ArrayLike, line
     return [*_range(model, time, q), *_of_lines(arm, model, time, lines)]
 
 
-def rest_warnings(arm: Arm, model: ArmModel, lines: LinkLines) -> list[str]:
+def rest_warnings(arm: Robot, model: Model, lines: LinkLines) -> list[str]:
     """Sentences on an arm at rest: functions that are missing, material that yields, links pressed too hard.
 
     ``lines``: of the one pose, under its loads.
@@ -54,14 +54,14 @@ def rest_warnings(arm: Arm, model: ArmModel, lines: LinkLines) -> list[str]:
     return [*_of_lines(arm, model, np.zeros(1), lines)]
 
 
-def _of_lines(arm: Arm, model: ArmModel, time: Array, lines: LinkLines) -> Iterator[str]:
+def _of_lines(arm: Robot, model: Model, time: Array, lines: LinkLines) -> Iterator[str]:
     yield from _functions(model, lines)
     for line in lines.bending():
         yield from _yielding(arm, time, line)
         yield from _buckling(model, time, line)
 
 
-def _range(model: ArmModel, time: Array, q: Array) -> Iterator[str]:
+def _range(model: Model, time: Array, q: Array) -> Iterator[str]:
     """Angles beyond what the equations of a link are good for."""
     for part in model.parts.nodes:
         if part.link is None:
@@ -108,7 +108,7 @@ def missing_share(line: LinkLine, link: Beam) -> dict[str, float]:
     return {name: shares[name] / total for name, total in totals.items() if total > _NEGLIGIBLE * whole}
 
 
-def _functions(model: ArmModel, lines: LinkLines) -> Iterator[str]:
+def _functions(model: Model, lines: LinkLines) -> Iterator[str]:
     """Links whose load bends them in ways that their functions do not have."""
     for line in lines.bending():
         link = model.chain.nodes[line.node].link
@@ -121,7 +121,7 @@ def _functions(model: ArmModel, lines: LinkLines) -> Iterator[str]:
                 )
 
 
-def _yielding(arm: Arm, time: Array, line: LinkLine) -> Iterator[str]:
+def _yielding(arm: Robot, time: Array, line: LinkLine) -> Iterator[str]:
     strength = yield_strength(arm, line.name)
     if line.stress is None or strength is None:
         return
@@ -134,20 +134,20 @@ def _yielding(arm: Arm, time: Array, line: LinkLine) -> Iterator[str]:
     )  # fmt: skip
 
 
-def yield_strength(arm: Arm, name: str) -> float | None:
+def yield_strength(arm: Robot, name: str) -> float | None:
     """Least yield strength [Pa] of a link's materials, None where none is told. Segments of a link bear its name."""
     names = {link.name for link in arm.links}
     beam = arm.link(name if name in names else name.rpartition(".")[0]).beam if arm.links else None
     if beam is None:
         return None
     choices = [beam.material, *(piece.material for piece in beam.pieces)]
-    told = [choice for choice in choices if choice is not None]
-    materials = [find_material(choice) if isinstance(choice, str) else choice for choice in told]
+    info = [choice for choice in choices if choice is not None]
+    materials = [find_material(choice) if isinstance(choice, str) else choice for choice in info]
     strengths = [material.yield_strength for material in materials if material.yield_strength is not None]
     return min(strengths, default=None)
 
 
-def _buckling(model: ArmModel, time: Array, line: LinkLine) -> Iterator[str]:
+def _buckling(model: Model, time: Array, line: LinkLine) -> Iterator[str]:
     """Axial compression against pi^2 EI/(4 L^2), a link clamped at its root and free at its tip."""
     link = model.chain.nodes[line.node].link
     stiffness = []
@@ -166,13 +166,13 @@ def _buckling(model: ArmModel, time: Array, line: LinkLine) -> Iterator[str]:
     )  # fmt: skip
 
 
-def _beyond(time: Array, value: Array, bound: float, what: str, unit: str, mend: str) -> Iterator[str]:
+def _beyond(time: Array, value: Array, bound: float, what: str, unit: str, hint: str) -> Iterator[str]:
     """A sentence where a value passes its bound."""
     past = np.flatnonzero(value > bound)
     if len(past):
         worst = int(past[np.argmax(value[past])])
         if len(time) == 1:
-            yield f"{what}: {value[worst]:.4g} {unit}; {mend}"
+            yield f"{what}: {value[worst]:.4g} {unit}; {hint}"
             return
         reached = f"reaches {value[worst]:.4g} {unit} at t = {time[worst]:.4g} s"
-        yield f"{what} first at t = {time[past[0]]:.4g} s and {reached}: {mend}"
+        yield f"{what} first at t = {time[past[0]]:.4g} s and {reached}: {hint}"

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.chain.chain import Drive
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = [
     "Split",
@@ -60,20 +60,20 @@ class Split:
     held: NDArray[np.bool_]
 
 
-def elastic_names(model: ArmModel) -> tuple[str, ...]:
+def elastic_names(model: Model) -> tuple[str, ...]:
     """``joint.gear`` of each elastic gear, then the links' coordinates."""
     gears = [f"{model.coordinates[joint]}.gear" for joint in sprung(model)]
     return (*gears, *(model.coordinates[k] for k in model.deformations))
 
 
-def deflections(model: ArmModel, q: ArrayLike) -> Array:
+def deflections(model: Model, q: ArrayLike) -> Array:
     """Elastic coordinates (n, m) of states q (n, nq): gear output less gear input, and the links' coordinates."""
     q = np.atleast_2d(np.asarray(q, dtype=float))
     return np.concatenate([q[:, sprung(model)] - gear_inputs(model, q, rest=True), q[:, model.deformations]], axis=1)
 
 
 def split_motion(
-    model: ArmModel, q: ArrayLike, v: ArrayLike, a: ArrayLike, *, wrenches: ArrayLike | None = None,
+    model: Model, q: ArrayLike, v: ArrayLike, a: ArrayLike, *, wrenches: ArrayLike | None = None,
     base: ArrayLike | None = None,
 ) -> Split:  # fmt: skip
     """T_st and T_to of every elastic coordinate at n samples of coordinates, rates and accelerations (n, nq)."""
@@ -84,7 +84,7 @@ def split_motion(
 
 
 def held_shape(
-    model: ArmModel, q: ArrayLike, v: ArrayLike = 0.0, a: ArrayLike = 0.0, *, wrenches: ArrayLike | None = None,
+    model: Model, q: ArrayLike, v: ArrayLike = 0.0, a: ArrayLike = 0.0, *, wrenches: ArrayLike | None = None,
     base: ArrayLike | None = None,
 ) -> tuple[Array, NDArray[np.bool_]]:  # fmt: skip
     """Coordinates (n, nq) in which the present forces are held statically, motors as they are; and whether they are.
@@ -110,13 +110,13 @@ def held_shape(
     return found, held
 
 
-def sprung(model: ArmModel) -> list[int]:
+def sprung(model: Model) -> list[int]:
     """Coordinates of the joints behind an elastic gear, in the order of the nodes."""
     parts = model.parts.nodes
     return [part.angle for part in parts if part.angle >= 0 and part.node.joint.drive in {Drive.ELASTIC, Drive.SPRING}]
 
 
-def gear_inputs(model: ArmModel, values: Array, *, rest: bool = False) -> Array:
+def gear_inputs(model: Model, values: Array, *, rest: bool = False) -> Array:
     """Gear inputs of these joints (n, gears) from motor angles (or their rates); of locked motors ``rest``, or 0."""
     couplings = np.eye(len(model.motors)) if model.chain.couplings is None else np.asarray(model.chain.couplings)
     motors, column = values[:, model.motors] @ couplings.T, 0
@@ -131,7 +131,7 @@ def gear_inputs(model: ArmModel, values: Array, *, rest: bool = False) -> Array:
     return np.stack(columns, axis=1) if columns else np.zeros((len(values), 0))
 
 
-def gross_motion(model: ArmModel, values: Array) -> Array:
+def gross_motion(model: Model, values: Array) -> Array:
     """Rates, or accelerations, of the gross motion: no deflection moves."""
     gross = values.copy()
     gross[:, sprung(model)] = gear_inputs(model, values)
@@ -143,7 +143,7 @@ def gross_motion(model: ArmModel, values: Array) -> Array:
 class _Loads:
     """What is to be held at each sample."""
 
-    model: ArmModel
+    model: Model
     free: NDArray[np.intp]
     rates: Array
     gains: Array

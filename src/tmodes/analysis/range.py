@@ -12,7 +12,7 @@ from tmodes.chain.chain import Beam, Segment
 from tmodes.equations.recursion.beam_functions import interval_integrals
 from tmodes.equations.recursion.beam_rule import beam_rule
 from tmodes.equations.recursion.parts import LinkPart, NodePart
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["LIMITS", "LinkRange", "bent", "link_angles", "link_ranges"]
 
@@ -45,20 +45,20 @@ class LinkRange:
     verdict: str
 
 
-def link_angles(model: ArmModel, q: ArrayLike) -> dict[str, Array]:
+def link_angles(model: Model, q: ArrayLike) -> dict[str, Array]:
     """For each flexible link the angle [rad] that limits its model, at poses q (n, nq): arrays (n,)."""
     poses = np.atleast_2d(np.asarray(q, dtype=float))
     return {part.node.name: np.linalg.norm(_turns(part, poses), axis=2).max(axis=1) for part, _ in _bending(model)}
 
 
-def link_ranges(model: ArmModel, q: ArrayLike) -> list[LinkRange]:
+def link_ranges(model: Model, q: ArrayLike) -> list[LinkRange]:
     """The flexible links in the pose q (nq,)."""
     pose = np.asarray(q, dtype=float)
     angles = link_angles(model, pose)
     return [_range(part, pose, float(angles[part.node.name][0])) for part, _ in _bending(model)]
 
 
-def _bending(model: ArmModel) -> list[tuple[NodePart, LinkPart]]:
+def _bending(model: Model) -> list[tuple[NodePart, LinkPart]]:
     return [(part, part.link) for part in model.parts.nodes if part.link]
 
 

@@ -48,13 +48,13 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
     z = settings.step * eigenvalues[eigenvalues.real <= 0]
     growth = float(np.abs(1 + z + z**2 / 2 + z**3 / 6 + z**4 / 24).max(initial=0.0))
     dt_omega = settings.step * highest
-    told = f"dt*omega = {dt_omega:.3g} (step {settings.step:.3g} s, {highest:.4g} rad/s in coordinate {coordinate})"
+    info = f"dt*omega = {dt_omega:.3g} (step {settings.step:.3g} s, {highest:.4g} rad/s in coordinate {coordinate})"
     if growth > 1 + 1e-9:
-        mend = f"set integration.step below {2.5 / highest:.2g}, or integration.method: dormand_prince"
-        return StepVerdict(highest, dt_omega, False, f"rk4 is unstable at this step: {told}; {mend}")
+        hint = f"set integration.step below {2.5 / highest:.2g}, or integration.method: dormand_prince"
+        return StepVerdict(highest, dt_omega, False, f"rk4 is unstable at this step: {info}; {hint}")
     if dt_omega > 1.0:
-        mend = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
-        return StepVerdict(highest, dt_omega, True, f"rk4 is stable but inaccurate at this step: {told}; {mend}")
+        hint = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
+        return StepVerdict(highest, dt_omega, True, f"rk4 is stable but inaccurate at this step: {info}; {hint}")
     return StepVerdict(highest, dt_omega, True)
 
 

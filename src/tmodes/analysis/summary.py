@@ -16,12 +16,12 @@ if TYPE_CHECKING:
 
 __all__ = [
     "first_frequencies",
+    "info_deviation",
+    "info_energy",
+    "info_errors",
+    "info_settling",
     "mean_over_time",
     "summarise",
-    "told_deviation",
-    "told_energy",
-    "told_errors",
-    "told_settling",
 ]
 
 Array = NDArray[np.float64]
@@ -40,27 +40,27 @@ def summarise(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     return {
         "status": data.attrs["status"],
         "first_frequency_Hz": first_frequencies(data),
-        "deviation": told_deviation(data, time),
+        "deviation": info_deviation(data, time),
         "settling": _settling(data, time, band),
         "deformations": _deformations(data, time),
         "largest_bending_moment": _largest_moment(data, time),
         "gear_torque": _largest_torque(data, time),
         "contact_force_radial": _contact(data, time),
-        "energy": told_energy(data),
-        "error": told_errors(data),
+        "energy": info_energy(data),
+        "error": info_errors(data),
     }
 
 
 def first_frequencies(data: Dataset) -> dict[str, float | None]:
     """The lowest frequency [Hz] with the motor locked, and the lowest that rings under control."""
-    told = json.loads(data.attrs["frequencies"])
+    info = json.loads(data.attrs["frequencies"])
     return {
-        case: min((line[key] for line in told.get(case, []) if line[key]), default=None)
+        case: min((line[key] for line in info.get(case, []) if line[key]), default=None)
         for case, key in (("locked", "frequency_Hz"), ("controlled", "damped_frequency_Hz"))
     }
 
 
-def told_deviation(data: Dataset, time: Array) -> dict[str, float]:
+def info_deviation(data: Dataset, time: Array) -> dict[str, float]:
     """The largest distance of the tip from its reference [m], when it is reached [s], and that at the end."""
     deviation = data["deviation"].values
     worst = int(np.argmax(deviation))
@@ -73,43 +73,43 @@ def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any]:
     if known and known["band"] == band:
         return known
     move_end = float(json.loads(data.attrs["robot"])["reference"]["duration"])
-    return told_settling(data["deviation"].values, time, move_end, band)
+    return info_settling(data["deviation"].values, time, move_end, band)
 
 
-def told_settling(deviation: Array, time: Array, move_end: float | None, band: float) -> dict[str, Any]:
+def info_settling(deviation: Array, time: Array, move_end: float | None, band: float) -> dict[str, Any]:
     """Time from the end of the move to the last sample at which the deviation is out of the band [s].
 
     ``move_end`` [s] is None where what moves the tip changes up to the end of the run.
     """
     limit = band * float(deviation.max())
-    told: dict[str, Any] = {"time_s": None, "band": band, "limit_m": limit, "reason": ""}
+    info: dict[str, Any] = {"time_s": None, "band": band, "limit_m": limit, "reason": ""}
     if move_end is None:
-        return told | {"reason": "what moves the arm changes up to the end of the run"}
+        return info | {"reason": "what moves the arm changes up to the end of the run"}
     outside = time[(deviation > limit) & (time > move_end)]
     if time[-1] <= move_end * (1 + 1e-9):
-        told["reason"] = f"the run ends at {time[-1]:g} s, the move at {move_end:g} s: simulate longer to see it settle"
+        info["reason"] = f"the run ends at {time[-1]:g} s, the move at {move_end:g} s: simulate longer to see it settle"
     elif outside.size and outside[-1] == time[-1]:
-        told["reason"] = f"the deviation is still {deviation[-1]:.3g} m when the run ends at {time[-1]:g} s"
+        info["reason"] = f"the deviation is still {deviation[-1]:.3g} m when the run ends at {time[-1]:g} s"
     else:
-        told["time_s"] = float(outside[-1] - move_end) if outside.size else 0.0
-    return told
+        info["time_s"] = float(outside[-1] - move_end) if outside.size else 0.0
+    return info
 
 
 def _deformations(data: Dataset, time: Array) -> dict[str, dict[str, float | None]]:
     """Per deformation: largest size, of the real robot and of the reference, and rms deviation over rms reference."""
     real, reference = data["deformation"].values, data["deformation_reference"].values
     names = [str(name) for name in data["deformation_kind"].values]
-    told: dict[str, dict[str, float | None]] = {}
+    info: dict[str, dict[str, float | None]] = {}
     for name, is_, should in zip(names, real.T, reference.T, strict=True):
         size = np.sqrt(mean_over_time(time, should**2))
-        told[name] = {
+        info[name] = {
             "max_rad": float(np.abs(is_).max()),
             "max_reference_rad": float(np.abs(should).max()),
             "rms_deviation_over_rms_reference": float(np.sqrt(mean_over_time(time, (is_ - should) ** 2)) / size)
             if size
             else None,
         }
-    return told
+    return info
 
 
 def _largest_moment(data: Dataset, time: Array) -> dict[str, Any]:
@@ -139,14 +139,14 @@ def _contact(data: Dataset, time: Array) -> dict[str, float] | None:
     return {"min_N": float(force.min()), "max_N": float(force.max()), "mean_N": mean_over_time(time, force)}
 
 
-def told_energy(data: Dataset) -> dict[str, float | None]:
+def info_energy(data: Dataset) -> dict[str, float | None]:
     """Energy moved (the largest change of one energy, or one work), and the worst residual of the balance over it."""
     moved = largest_flow(data["energy"].values, data["work"].values)
     worst = float(np.abs(data["energy_balance"].values).max())
     return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}
 
 
-def told_errors(data: Dataset) -> dict[str, Any] | None:
+def info_errors(data: Dataset) -> dict[str, Any] | None:
     """How the error of the integration was estimated, and that of each figure by its path; None where it is unknown."""
     return json.loads(data.attrs.get("errors", "null")) or None
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.energy import largest_flow
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = [
     "BENDING_LIMIT",
@@ -57,13 +57,13 @@ def _first_beyond(off: NDArray[np.float64], moved: float, tolerance: float) -> i
 def energy_warnings(data: Any, tolerance: float) -> list[str]:
     """An energy balance that does not close, with the first time and the worst value."""
     moved = largest_flow(data["energy"].values, data["work"].values)
-    mend = "lower integration.relative_tolerance (adaptive methods) or integration.step (rk4, midpoint)"
-    told = energy_sentence(data["time"].values, data["energy_balance"].values, moved, tolerance, mend)
-    return [told] if told else []
+    hint = "lower integration.relative_tolerance (adaptive methods) or integration.step (rk4, midpoint)"
+    info = energy_sentence(data["time"].values, data["energy_balance"].values, moved, tolerance, hint)
+    return [info] if info else []
 
 
 def energy_sentence(
-    times: NDArray[np.float64], residual: NDArray[np.float64], moved: float, tolerance: float, mend: str
+    times: NDArray[np.float64], residual: NDArray[np.float64], moved: float, tolerance: float, hint: str
 ) -> str:
     """A residual [J] beyond ``tolerance`` of the energy moved [J], in words, with its mend; empty within it."""
     off = np.abs(residual)
@@ -74,11 +74,11 @@ def energy_sentence(
     return (
         f"the energy balance is off first at t = {float(times[first]):.4g} s, by {worst:.2g} J at worst, "
         f"{worst / moved if moved else np.inf:.1e} of the energy moved ({moved:.3g} J): the integration is too "
-        f"coarse; {mend}"
+        f"coarse; {hint}"
     )
 
 
-def start_warnings(data: Any, robot: Robot) -> list[str]:
+def start_warnings(data: Any, robot: PaperRobot) -> list[str]:
     """A start away from the environment's sphere, which launches the tip."""
     if "contact_force_radial" not in data:
         return []

@@ -20,7 +20,7 @@ class Runner:
     name: str
     run: Callable[[float], tuple[float, float]]
     settings: Sequence[float]
-    told: str
+    info: str
     given: bool = False
 
 
@@ -53,7 +53,7 @@ def at_equal_error(
             known.append(one.run(setting)[0] / duration)
         tell(0.5 + 0.5 * (number + 1) / rounds)
     return [
-        Race(one.name, one.told.format(setting), Timed.of(known), found, found <= error)
+        Race(one.name, one.info.format(setting), Timed.of(known), found, found <= error)
         for one, (setting, found), known in zip(runners, chosen, times, strict=True)
     ]
 

@@ -62,9 +62,9 @@ def build(text: str, flags: Sequence[str], patience: float = PATIENCE) -> tuple[
         source.write_text(text, encoding="utf-8")
         command = [gcc, "-std=gnu11", *flags, "-fPIC", "-shared", str(source), "-o", str(binary), "-lm"]
         began = time.perf_counter()
-        code, complaint = compiled(command, patience)
+        code, problem = compiled(command, patience)
         if code:
-            raise RuntimeError(f"gcc {' '.join(flags)} refused the C text:\n{complaint[:2000]}")
+            raise RuntimeError(f"gcc {' '.join(flags)} refused the C text:\n{problem[:2000]}")
         seconds = time.perf_counter() - began
         return ctypes.CDLL(str(binary)), seconds
 
@@ -76,14 +76,14 @@ def compiled(command: Sequence[str], patience: float) -> tuple[int, str]:
     """
     with subprocess.Popen(command, stderr=subprocess.PIPE, text=True, start_new_session=True) as process:
         try:
-            _, complaint = process.communicate(timeout=patience)
+            _, problem = process.communicate(timeout=patience)
         except BaseException as late:
             with suppress(ProcessLookupError):
                 process.kill() if sys.platform == "win32" else os.killpg(process.pid, signal.SIGKILL)
             if isinstance(late, subprocess.TimeoutExpired):
                 raise PeerMissing(f"given up: it compiles longer than {patience:g} s") from late
             raise
-    return process.returncode, complaint
+    return process.returncode, problem
 
 
 def contender(ours: Ours, name: str, patience: float = PATIENCE) -> Contender:
@@ -110,6 +110,6 @@ def _text(schedule: Any) -> str:
         "PARAMETERS": [schedule.parameters],
     }
     loop = _LOOP
-    for word, told in numbers.items():
-        loop = loop.replace(word, ", ".join(map(str, told)))
+    for word, info in numbers.items():
+        loop = loop.replace(word, ", ".join(map(str, info)))
     return c_text(unrolled(schedule), "forward") + loop

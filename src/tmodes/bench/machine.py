@@ -43,8 +43,8 @@ def _processor() -> str:
     """The name that the system gives it, with the name that LLVM gives its architecture."""
     from tmodes.compile.native import processor
 
-    told = ""
+    info = ""
     if sys.platform == "linux":
         lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
-        told = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")
-    return f"{told or platform.processor() or platform.machine()} ({processor()})"
+        info = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")
+    return f"{info or platform.processor() or platform.machine()} ({processor()})"

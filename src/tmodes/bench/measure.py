@@ -58,13 +58,13 @@ class Plan:
 def measured(plan: Plan, tell: Tell = lambda stage, share: None) -> dict[str, Any]:
     """All figures, as JSON knows them: times in seconds, errors beside them. ``tell`` hears stage and share done."""
     here = machine()
-    told: dict[str, Any] = {"format": FORMAT, "machine": described(), "rounds": plan.rounds, "samples": SAMPLES}
-    told["operations"] = {"cycle": here.cycle, "latency": here.latency, "cost": here.cost}
-    told["sizes"] = [_size(plan, n, tell) for n in plan.sizes]
-    told["scaling"] = exponents(told["sizes"])
+    info: dict[str, Any] = {"format": FORMAT, "machine": described(), "rounds": plan.rounds, "samples": SAMPLES}
+    info["operations"] = {"cycle": here.cycle, "latency": here.latency, "cost": here.cost}
+    info["sizes"] = [_size(plan, n, tell) for n in plan.sizes]
+    info["scaling"] = exponents(info["sizes"])
     if plan.runs:
-        told["seed"] = _seed(plan, tell)
-    return told
+        info["seed"] = _seed(plan, tell)
+    return info
 
 
 def _size(plan: Plan, joints: int, tell: Tell) -> dict[str, Any]:

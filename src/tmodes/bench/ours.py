@@ -18,7 +18,7 @@ from tmodes.bench.rigid import RigidChain
 from tmodes.compile.ir import kernels
 from tmodes.compile.lanes.wide import Wide
 from tmodes.equations.recursion.forward import forward_dynamics
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.simulation.batch.memory import private
 
 __all__ = ["LANES", "SAMPLES", "Ours", "cores"]
@@ -48,7 +48,7 @@ class Ours:
 
     def __init__(self, robot: RigidChain) -> None:
         self.robot = robot
-        self.model = ArmModel(robot.chain())
+        self.model = Model(robot.chain())
         self.schedule = forward_dynamics(self.model.parts)
 
     @cached_property

@@ -27,14 +27,14 @@ def model(robot: RigidChain, step: float = 1e-5) -> tuple[Any, Any]:
     mujoco = needed("mujoco", "mujoco")
     bodies = ""
     for axis, place in zip(robot.axes, robot.places, strict=True):
-        bodies += f'<body pos="{_told(place)}" quat="{_told(_quaternion())}"><joint axis="{_told(np.eye(3)[axis])}"/>'
-        bodies += f'<inertial pos="{_told(CENTER)}" mass="{MASS}" diaginertia="{_told(INERTIA)}"/>'
+        bodies += f'<body pos="{_info(place)}" quat="{_info(_quaternion())}"><joint axis="{_info(np.eye(3)[axis])}"/>'
+        bodies += f'<inertial pos="{_info(CENTER)}" mass="{MASS}" diaginertia="{_info(INERTIA)}"/>'
     option = f'<option integrator="RK4" timestep="{step!r}"><flag contact="disable" constraint="disable"/></option>'
-    told = f"<mujoco>{option}<worldbody>{bodies}{'</body>' * robot.joints}</worldbody></mujoco>"
-    return mujoco, mujoco.MjModel.from_xml_string(told)
+    info = f"<mujoco>{option}<worldbody>{bodies}{'</body>' * robot.joints}</worldbody></mujoco>"
+    return mujoco, mujoco.MjModel.from_xml_string(info)
 
 
-def _told(values: NDArray[np.float64]) -> str:
+def _info(values: NDArray[np.float64]) -> str:
     return " ".join(repr(float(value)) for value in values)
 
 

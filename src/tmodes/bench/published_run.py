@@ -14,7 +14,7 @@ from tmodes.bench.equal_error import Runner
 from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved, tolerances_of
 from tmodes.integrate.settings import Integration, Method
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
 from tmodes.simulation.trajectory import integrate
 
@@ -39,7 +39,7 @@ class SeedRun:
     def __init__(self) -> None:
         robot = load_robot("filipovic2010").pair().real
         mechanism, self.parameters = robot.split(Drive.CONTROLLED, contact=False)
-        self.model, self.schedule = Model(mechanism), robot.reference.schedule().until(DURATION)
+        self.model, self.schedule = PaperModel(mechanism), robot.reference.schedule().until(DURATION)
         self.start = self.model.rest(0.0, self.parameters)
 
     @cached_property

@@ -35,8 +35,8 @@ def started(joints: int) -> dict[str, float]:
         entries = list(caches[0].iterdir())
         size = sum(entry.stat().st_size for entry in entries)
     reload = statistics.median(one["compile"] for one in later)
-    told = {name: statistics.median(one[name] for one in first) for name in first[0]}
-    return told | {"reload": reload, "cache_entries": len(entries), "cache_bytes": size}
+    info = {name: statistics.median(one[name] for one in first) for name in first[0]}
+    return info | {"reload": reload, "cache_entries": len(entries), "cache_bytes": size}
 
 
 def _process(joints: int, cache: Path) -> dict[str, Any]:

@@ -11,28 +11,28 @@ Table = tuple[str, tuple[str, ...], list[list[str]]]
 """Title, columns, rows."""
 
 
-def tables(told: dict[str, Any]) -> Iterator[Table]:
+def tables(info: dict[str, Any]) -> Iterator[Table]:
     """Forward dynamics, then runs, of what :func:`tmodes.bench.measure.measured` returned."""
-    sizes = told["sizes"]
-    title = f"Forward dynamics of rigid chains [µs], relative error; medians of {told['rounds']} rounds"
+    sizes = info["sizes"]
+    title = f"Forward dynamics of rigid chains [µs], relative error; medians of {info['rounds']} rounds"
     columns = ("", *(f"{size['n']} joints" for size in sizes))
     yield title, columns, [*_times(sizes), *_limits(sizes), *_starts(sizes)]
-    if told["scaling"]:
-        sizes_told = ", ".join(str(size["n"]) for size in sizes)
-        yield f"Cost grows with the joints to the power of ({sizes_told} joints)", ("", "power"), _powers(told)
-    for name, runs in _runs(told):
+    if info["scaling"]:
+        sizes_info = ", ".join(str(size["n"]) for size in sizes)
+        yield f"Cost grows with the joints to the power of ({sizes_info} joints)", ("", "power"), _powers(info)
+    for name, runs in _runs(info):
         what = f"{name}: {runs['duration']:g} s to {runs['error']:g} {runs['unit']}, at equal error"
         yield what, ("", "setting", "ms per simulated second", f"error [{runs['unit']}]"), _races(runs)
 
 
-def _powers(told: dict[str, Any]) -> list[list[str]]:
-    return [[name, f"{power:.2f}"] for name, power in told["scaling"].items()]
+def _powers(info: dict[str, Any]) -> list[list[str]]:
+    return [[name, f"{power:.2f}"] for name, power in info["scaling"].items()]
 
 
-def left_out(told: dict[str, Any]) -> list[str]:
+def left_out(info: dict[str, Any]) -> list[str]:
     """Who did not take part, where, and why."""
     reasons: dict[tuple[str, str], list[str]] = {}
-    for size in told["sizes"]:
+    for size in info["sizes"]:
         for name, why in size["left_out"].items():
             reasons.setdefault((name, why), []).append(str(size["n"]))
     return [f"{name}, {', '.join(where)} joints: {why}" for (name, why), where in reasons.items()]
@@ -49,12 +49,12 @@ def _time(one: dict[str, Any]) -> str:
 
 
 def _limits(sizes: list[dict[str, Any]]) -> Iterator[list[str]]:
-    for name, key, scale, told in (
+    for name, key, scale, info in (
         ("limit, by throughput", "throughput", 1e6, "{:.3g}"),
         ("limit, by the critical path", "critical_path", 1e6, "{:.3g}"),
         ("operations of a new state", "changing", 1, "{:,}"),
     ):
-        yield [name, *(told.format(size["limit"][key] * scale) if size["limit"] else "-" for size in sizes)]
+        yield [name, *(info.format(size["limit"][key] * scale) if size["limit"] else "-" for size in sizes)]
 
 
 def _starts(sizes: list[dict[str, Any]]) -> Iterator[list[str]]:
@@ -76,12 +76,12 @@ def _by_compiler(size: dict[str, Any], way: str) -> str:
     return next((f"{one['compile']:.3g}" for one in size["contenders"] if one["name"] == way), "-")
 
 
-def _runs(told: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
-    for size in told["sizes"]:
+def _runs(info: dict[str, Any]) -> Iterator[tuple[str, dict[str, Any]]]:
+    for size in info["sizes"]:
         if "runs" in size:
             yield f"A chain of {size['n']} joints falls", size["runs"]
-    if "seed" in told:
-        yield "The closed loop of the 2010 robot", told["seed"]
+    if "seed" in info:
+        yield "The closed loop of the 2010 robot", info["seed"]
 
 
 def _races(runs: dict[str, Any]) -> list[list[str]]:

@@ -27,7 +27,7 @@ def tolerances_of(method: Method) -> tuple[float, ...]:
     """Those that a method takes."""
     if method is not Method.EXTRAPOLATION:
         return TOLERANCES
-    return tuple(max(told, LEAST_EXTRAPOLATED) for told in TOLERANCES if told > 0.9 * LEAST_EXTRAPOLATED)
+    return tuple(max(info, LEAST_EXTRAPOLATED) for info in TOLERANCES if info > 0.9 * LEAST_EXTRAPOLATED)
 
 
 def adaptive_methods(loops: Any) -> list[Method]:

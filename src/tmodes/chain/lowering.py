@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -24,11 +24,9 @@ from tmodes.chain.links import Lowered, lowered_link, placed
 from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
 from tmodes.kinds.joints.joint import JointSheet, JointState, JointType, MeasuredFrom
 from tmodes.kinds.schema.axes import rotation_about, unit
+from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, TipSheet
 from tmodes.sheet.topology import last_link, parents, rooted_order
-
-if TYPE_CHECKING:
-    from tmodes.sheet import Arm
 
 __all__ = ["lowered"]
 
@@ -44,7 +42,7 @@ class _Hung(NamedTuple):
         return self.first + len(self.link.nodes) - 1
 
 
-def lowered(arm: Arm) -> Chain:
+def lowered(arm: Robot) -> Chain:
     """The chain of an arm; see :meth:`tmodes.sheet.Arm.chain`."""
     names, hung, nodes = parents(arm.joints), {}, []
     for index in rooted_order(arm.joints):
@@ -83,7 +81,7 @@ def _frames(joint: JointSheet, holder: _Hung | None) -> tuple[Placement, Placeme
     return tip @ placed(joint.origin), Placement()
 
 
-def _joint(sheet: JointSheet, placement: Placement, arm: Arm) -> Joint:
+def _joint(sheet: JointSheet, placement: Placement, arm: Robot) -> Joint:
     axis = unit(sheet.axis) if sheet.axis else np.array([0.0, 0.0, 1.0])
     if sheet.is_locked:
         return Joint(sheet.name, JointKind.FIXED, placement @ _locked(sheet, axis), axis)
@@ -113,7 +111,7 @@ def _locked(sheet: JointSheet, axis: NDArray[np.float64]) -> Placement:
     return Placement()
 
 
-def _drive(sheet: JointSheet, arm: Arm) -> Drive:
+def _drive(sheet: JointSheet, arm: Robot) -> Drive:
     if sheet.state is JointState.LOCKED:
         return Drive.SPRING
     if sheet.is_elastic:
@@ -129,14 +127,14 @@ def _friction(sheet: FrictionSheet | None) -> Friction:
 
 
 def _motor(sheet: MotorSheet) -> Motor:
-    told = sheet.at_joint()
+    info = sheet.at_joint()
     return Motor(
-        inertia=told.inertia,
-        friction=Friction(told.viscous, told.coulomb, told.static_extra, told.stribeck_rate, told.smoothing),
-        resistance=told.resistance,
-        back_emf=told.back_emf,
-        torque_constant=told.torque_constant,
-        inductance=told.inductance,
+        inertia=info.inertia,
+        friction=Friction(info.viscous, info.coulomb, info.static_extra, info.stribeck_rate, info.smoothing),
+        resistance=info.resistance,
+        back_emf=info.back_emf,
+        torque_constant=info.torque_constant,
+        inductance=info.inductance,
     )
 
 
@@ -144,7 +142,7 @@ def _gear(sheet: GearSheet) -> Gear:
     return Gear(sheet.stiffness, sheet.torque_limits, sheet.damping, sheet.backlash)
 
 
-def _points(arm: Arm, hung: dict[str, _Hung]) -> list[Point]:
+def _points(arm: Robot, hung: dict[str, _Hung]) -> list[Point]:
     tip = arm.tip or TipSheet(link=last_link(arm.joints))
     named = [("tip", tip), *((point.name, point) for point in arm.points)]
     return [_point(name, point, hung) for name, point in named]
@@ -156,7 +154,7 @@ def _point(name: str, sheet: TipSheet, hung: dict[str, _Hung]) -> Point:
     return Point(name, first + spot.node, spot.s, spot.placement @ placed(sheet))
 
 
-def _couplings(arm: Arm, nodes: list[Node]) -> NDArray[np.float64] | None:
+def _couplings(arm: Robot, nodes: list[Node]) -> NDArray[np.float64] | None:
     """Gear inputs over motor angles, in the order of the nodes with an elastic drive; None where each has its own."""
     if not arm.couplings:
         return None

@@ -91,11 +91,11 @@ def _values(vary: list[str], draw: list[str], runs: int, seed: int) -> dict[str,
     from tmodes.simulation.vary.study import drawn, grid
 
     if bool(vary) == bool(draw):
-        got, mend = (
+        got, hint = (
             "both" if vary else "neither",
             "write --vary payload.mass=0.4:0.6:11, or --draw payload.mass=0.4:0.6",
         )
-        raise InputError("--vary, --draw", got, "one of them", mend)
+        raise InputError("--vary, --draw", got, "one of them", hint)
     if draw:
         return drawn({path: (low, high) for path, low, high in _ranges("--draw", draw)}, runs, seed)
     ranges = {path: (low, high, _count(path, count)) for path, low, high, count in _ranges("--vary", vary)}
@@ -154,11 +154,11 @@ def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | No
 def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
     from tmodes.cli.output import notice, print_json
 
-    told = parted.told(found)
+    info = parted.info(found)
     if as_json:
-        print_json(told | {"each": _each(found, parted)})
+        print_json(info | {"each": _each(found, parted)})
     else:
-        _print(name, found, told)
+        _print(name, found, info)
     lost = [lane for lane, status in enumerate(found.status) if status != "finished"]
     for lane in lost[:MOST_TOLD]:
         values = ", ".join(f"{path} = {values[lane]:.6g}" for path, values in found.values.items())
@@ -182,17 +182,17 @@ def _each(found: BatchRun, parted: Spread) -> list[dict[str, Any]]:
     ]
 
 
-def _print(name: str, found: BatchRun, told: dict[str, Any]) -> None:
+def _print(name: str, found: BatchRun, info: dict[str, Any]) -> None:
     from tmodes.cli.output import print_table
 
-    title = f"{name}: {told['finished']} of {told['lanes']} runs finished"
+    title = f"{name}: {info['finished']} of {info['lanes']} runs finished"
     labels = {"tip_difference_m": "tip off by at most [mm]", "tip_difference_at_end_m": "at the end [mm]"}
     rows = [
-        [label, *(f"{told[key][part] * 1e3:.4g}" if told[key] else "-" for part in ("min", "median", "max"))]
+        [label, *(f"{info[key][part] * 1e3:.4g}" if info[key] else "-" for part in ("min", "median", "max"))]
         for key, label in labels.items()
     ]
     print_table(title, ["from the sheet's own run", "least", "median", "largest"], rows)
-    if worst := told["worst"]:
+    if worst := info["worst"]:
         values = ", ".join(f"{path} = {value:.6g}" for path, value in worst["values"].items())
         print(
             f"The tip parts farthest, by {worst['tip_difference_m'] * 1e3:.4g} mm, in lane {worst['lane']}: {values}."

@@ -45,13 +45,13 @@ def bench(
 
     plan = _plan(sizes, rounds, peers, patience, quick=quick)
     with heard() as wish, Stages(wish) as tell:
-        told = measured(plan, tell)
+        info = measured(plan, tell)
     if json_file and str(json_file) == "-":
-        print_json(told)
+        print_json(info)
         return
     if json_file:
-        _write(json_file, told)
-    print_tables(told)
+        _write(json_file, info)
+    print_tables(info)
 
 
 def _plan(sizes: str, rounds: int, peers: str, patience: float, *, quick: bool) -> Plan:
@@ -65,32 +65,32 @@ def _plan(sizes: str, rounds: int, peers: str, patience: float, *, quick: bool) 
     return Plan(_sizes(sizes), rounds, _peers(peers), patience=patience)
 
 
-def _sizes(told: str) -> tuple[int, ...]:
+def _sizes(info: str) -> tuple[int, ...]:
     from tmodes.errors import InputError
 
-    words = told.split(",")
+    words = info.split(",")
     if not all(word.strip().isdecimal() and 1 <= int(word) <= 1000 for word in words):
-        raise InputError("--sizes", ascii(told), "whole numbers from 1 to 1000 with commas", "write --sizes 6,36")
+        raise InputError("--sizes", ascii(info), "whole numbers from 1 to 1000 with commas", "write --sizes 6,36")
     return tuple(map(int, words))
 
 
-def _peers(told: str) -> tuple[str, ...]:
+def _peers(info: str) -> tuple[str, ...]:
     from tmodes.bench.measure import PEERS
     from tmodes.errors import InputError
 
-    if told in ("all", "none"):
-        return PEERS if told == "all" else ()
-    names = tuple(name.strip() for name in told.split(","))
+    if info in ("all", "none"):
+        return PEERS if info == "all" else ()
+    names = tuple(name.strip() for name in info.split(","))
     if unknown := [name for name in names if name not in PEERS]:
         expected = f"all, none, or some of {', '.join(PEERS)}"
         raise InputError("--peers", ascii(unknown[0]), expected, "write --peers gcc,mujoco")
     return names
 
 
-def _write(target: Path, told: dict[str, Any]) -> None:
+def _write(target: Path, info: dict[str, Any]) -> None:
     import json
 
     from tmodes.io.atomic import atomic_write
 
     with atomic_write(target) as temporary:
-        temporary.write_text(json.dumps(told, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+        temporary.write_text(json.dumps(info, indent=1, allow_nan=False) + "\n", encoding="utf-8")

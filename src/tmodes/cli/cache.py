@@ -45,8 +45,8 @@ def _clear(place: Path | None, refusal: str, *, as_json: bool) -> None:
     from tmodes.errors import ResultFileError
 
     if place is None or refusal:
-        mend = "name a folder of your own: TMODES_CACHE=FOLDER"
-        raise ResultFileError(f"cache: got {place or 'no folder'}; expected one that is used: {refusal}. Mend: {mend}")
+        hint = "name a folder of your own: TMODES_CACHE=FOLDER"
+        raise ResultFileError(f"cache: got {place or 'no folder'}; expected one that is used: {refusal}. Mend: {hint}")
     count, size = clear(place)
     if as_json:
         print_json({"folder": str(place), "removed": count, "bytes": size})
@@ -62,8 +62,8 @@ def _show(place: Path | None, refusal: str, *, as_json: bool) -> None:
     found = [] if place is None or refusal else list(entries(place))
     size = sum(entry.size for entry in found)
     if as_json:
-        told = {"folder": place and str(place), "used": not refusal, "entries": len(found), "bytes": size}
-        print_json(told | {"limit": MAX_BYTES, "why_not": refusal})
+        info = {"folder": place and str(place), "used": not refusal, "entries": len(found), "bytes": size}
+        print_json(info | {"limit": MAX_BYTES, "why_not": refusal})
         return
     print(f"compiled code  {place or 'no folder'}")
     if refusal:

@@ -25,41 +25,41 @@ def describe(
 
     arm = chosen_arm(robot, settings, root, trust_paths=trust_paths)
     with heard() as wish, Stages(wish) as tell:
-        told = described(arm, progress=tell)
+        info = described(arm, progress=tell)
     if as_json:
-        print_json(told)
+        print_json(info)
         return
-    _print(told)
-    for warning in told["warnings"]:
+    _print(info)
+    for warning in info["warnings"]:
         notice(f"warning: {warning}")
 
 
-def _print(told: dict[str, Any]) -> None:
+def _print(info: dict[str, Any]) -> None:
     from tmodes.cli.output import print_table
 
-    print(f"{told['name']}: {told['title'] or 'an arm'}")
-    count = len(told["coordinates"])
+    print(f"{info['name']}: {info['title'] or 'an arm'}")
+    count = len(info["coordinates"])
     moves = "coordinate" if count == 1 else "coordinates" if count else "coordinates (nothing in it moves or bends)"
-    print(f"{count or 'no'} {moves}, {told['total_mass_kg']:.4g} kg")
+    print(f"{count or 'no'} {moves}, {info['total_mass_kg']:.4g} kg")
     joints = [[one["name"], one["type"], one["kind"], one["carries"], one["command"] or "held", _limits(one)]
-              for one in told["joints"]]  # fmt: skip
+              for one in info["joints"]]  # fmt: skip
     print_table("Joints (A active, L locked; E elastic, R rigid)",
                 ["joint", "type", "kind", "carries", "drive", "limits"], joints)  # fmt: skip
     columns = ["link", "model", "mass [kg]", "length [m]", "EI y, z [N*m^2]", "GJ [N*m^2]", "EA [N]",
                "bare y, z [Hz]"]  # fmt: skip
-    print_table("Links", columns, [_link(one) for one in told["links"]])
-    for one in told["links"]:
+    print_table("Links", columns, [_link(one) for one in info["links"]])
+    for one in info["links"]:
         if "equivalent_mass_kg" in one:
             print(f"link {one['name']}: in its model of segments {one['equivalent_mass_kg']:.4g} kg, equivalent masses "
                   "(33/140 of each segment at its tip)")  # fmt: skip
-    if told["gears"]:
+    if info["gears"]:
         gears = [[one["joint"], ", ".join(f"{k:.4g}" for k in one["stiffness"]), one["unit"],
-                  _number(one["stiffness_over_EI_per_L"])] for one in told["gears"]]  # fmt: skip
+                  _number(one["stiffness_over_EI_per_L"])] for one in info["gears"]]  # fmt: skip
         print_table("Gears", ["joint", "stiffness", "unit", "over EI/L of its link"], gears)
-    if told["sag"]:
-        travel = ", ".join(f"{1e3 * x:.5g}" for x in told["sag"]["displacement_m"])
-        print(f"Sag of the tip under weight: {travel} mm (x, y, z), turned by {told['sag']['rotation_rad']:.4g} rad\n")
-    print_stiffness(told["stiffness"])
+    if info["sag"]:
+        travel = ", ".join(f"{1e3 * x:.5g}" for x in info["sag"]["displacement_m"])
+        print(f"Sag of the tip under weight: {travel} mm (x, y, z), turned by {info['sag']['rotation_rad']:.4g} rad\n")
+    print_stiffness(info["stiffness"])
 
 
 def _link(one: dict[str, Any]) -> list[str]:
@@ -75,8 +75,8 @@ def _ends(pair: list[float | None] | None) -> str:
     """A number that is the same at both ends, or both; ``rigid`` for none."""
     if pair is None:
         return "-"
-    told = ["rigid" if value is None else f"{value:.4g}" for value in pair]
-    return told[0] if told[0] == told[1] else f"{told[0]} to {told[1]}"
+    info = ["rigid" if value is None else f"{value:.4g}" for value in pair]
+    return info[0] if info[0] == info[1] else f"{info[0]} to {info[1]}"
 
 
 def _number(value: float | None) -> str:

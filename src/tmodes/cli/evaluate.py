@@ -40,10 +40,10 @@ def evaluate(
     from tmodes.errors import InputError
     from tmodes.io.states import read_states
     from tmodes.paper.evaluate import evaluate_states
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
     sheet = chosen_sheet(robot, settings, reading, contact or None, roots=root, trust_paths=trust_paths)
-    if isinstance(sheet, Arm):
+    if isinstance(sheet, Robot):
         if contact:
             raise InputError("--contact", "an arm", "no contact: its terms are those in free space", "leave it out")
         pair = sheet.pair()

@@ -10,9 +10,9 @@ import numpy as np
 from tmodes.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
-    from tmodes.cli.states import ArmStates
-    from tmodes.model.model import ArmModel
-    from tmodes.sheet import Arm
+    from tmodes.cli.states import ChainStates
+    from tmodes.model.model import Model
+    from tmodes.sheet import Robot
 
 __all__ = ["UNITS", "arm_answers", "evaluate_arm"]
 
@@ -38,13 +38,13 @@ _MOST_NUMBERS = 20_000_000
 """Numbers of all answers together beyond which they are refused."""
 
 
-def evaluate_arm(arm: Arm, path: str, *, as_json: bool) -> None:
+def evaluate_arm(arm: Robot, path: str, *, as_json: bool) -> None:
     """Read states, evaluate, and print."""
     from tmodes.cli.output import print_json
     from tmodes.cli.states import read_arm_states
-    from tmodes.model.model import ArmModel
+    from tmodes.model.model import Model
 
-    model = ArmModel(arm.model_copy(update={"drives": ()}).chain())  # every joint with its motor, none prescribed
+    model = Model(arm.model_copy(update={"drives": ()}).chain())  # every joint with its motor, none prescribed
     states = read_arm_states(path, model.coordinates, model.efforts)
     answers = list(arm_answers(model, states))
     if as_json:
@@ -54,7 +54,7 @@ def evaluate_arm(arm: Arm, path: str, *, as_json: bool) -> None:
         _print(model, answers)
 
 
-def arm_answers(model: ArmModel, states: ArmStates) -> Iterator[dict[str, Any]]:
+def arm_answers(model: Model, states: ChainStates) -> Iterator[dict[str, Any]]:
     """The terms at each state, free of contact and loads.
 
     Raises :class:`tmodes.errors.InputError` for more than memory should hold, and
@@ -100,7 +100,7 @@ def _check_finite(name: str, values: Any) -> None:
         )
 
 
-def _print(model: ArmModel, answers: list[dict[str, Any]]) -> None:
+def _print(model: Model, answers: list[dict[str, Any]]) -> None:
     from tmodes.cli.output import print_table
 
     rows = [[name, *(f"{one['a'][i]:.6g}" for one in answers[:6])] for i, name in enumerate(model.coordinates)]

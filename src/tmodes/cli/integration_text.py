@@ -10,20 +10,20 @@ __all__ = ["error_of", "integration_lines"]
 
 def error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> str:
     """The estimated error of a figure in its unit, ``< `` before a bound; empty where it is not known."""
-    told = summary["error"]
-    if not told or path not in told["figures"]:
+    info = summary["error"]
+    if not info or path not in info["figures"]:
         return ""
-    error = told["figures"][path] * factor
-    bound = "< " if "sum" in told["how"] and error else ""
+    error = info["figures"][path] * factor
+    bound = "< " if "sum" in info["how"] and error else ""
     return f"{bound}{error:.1e} {unit}".rstrip() if error else f"0 {unit}".rstrip()
 
 
 def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:
     """Lines on the run, and on how its error is known."""
-    told = result.statistics.get("real", {})
-    if "method" in told:
-        yield f"steps   {_steps(told)}{_seconds(result.timing)}"
-    for part in told.get("parts", {}).values():
+    info = result.statistics.get("real", {})
+    if "method" in info:
+        yield f"steps   {_steps(info)}{_seconds(result.timing)}"
+    for part in info.get("parts", {}).values():
         yield f"        from t = {part['from_s']:.4g} s on by {part['method']}: {part['steps']:,} steps"
     if summary["error"] is None:
         yield "error   not estimated"
@@ -33,12 +33,12 @@ def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:
         yield f"error   by a {summary['error']['how']}"
 
 
-def _steps(told: dict[str, Any]) -> str:
-    text = f"{told['steps']:,} of {told['method']} ({told['rejected']:,} rejected), {told['evaluations']:,} evaluations"
-    if told.get("passes"):
-        text += f" in {told['passes']:,} passes of four lanes"
-    if told.get("mean_step_s"):
-        text += f"; smallest {told['smallest_step_s']:.2g} s, mean {told['mean_step_s']:.2g} s"
+def _steps(info: dict[str, Any]) -> str:
+    text = f"{info['steps']:,} of {info['method']} ({info['rejected']:,} rejected), {info['evaluations']:,} evaluations"
+    if info.get("passes"):
+        text += f" in {info['passes']:,} passes of four lanes"
+    if info.get("mean_step_s"):
+        text += f"; smallest {info['smallest_step_s']:.2g} s, mean {info['mean_step_s']:.2g} s"
     return text
 
 

@@ -62,8 +62,8 @@ def _print(found: Ladder) -> None:
     print_table(title, columns, [_row(rung, found) for rung in found.rungs])
     print(f"Within {found.tolerance:g} of {found.rungs[-1].model}, the cheapest is {found.recommended}.")
     if not found.converged:
-        told = f"{found.rungs[-2].model} is not within the tolerance of {found.rungs[-1].model}"
-        notice(f"{told}: that itself may be off by more; add --finest {len(found.rungs) - 1}")
+        info = f"{found.rungs[-2].model} is not within the tolerance of {found.rungs[-1].model}"
+        notice(f"{info}: that itself may be off by more; add --finest {len(found.rungs) - 1}")
     if all(rung.tip_error is None for rung in found.rungs):
         notice("the tip does not deflect in this move, so only frequencies are compared: is `tip` on the right link?")
     for rung in found.rungs:

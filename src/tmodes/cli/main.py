@@ -114,8 +114,8 @@ def _explain(error: Any) -> None:
     expected = kinds.get(found["type"]) or found["msg"].rpartition(" is not ")[2].removeprefix(
         "Input should be "
     ).rstrip(".")
-    mend = f"see {error.ctx.command_path} --help"
-    _say(f"tmodes: {InputError(error.param.opts[0], ascii(found['input']), expected, mend)}")
+    hint = f"see {error.ctx.command_path} --help"
+    _say(f"tmodes: {InputError(error.param.opts[0], ascii(found['input']), expected, hint)}")
 
 
 def _prepare_streams() -> None:

@@ -11,7 +11,7 @@ from tmodes.cli.static import print_links
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
 __all__ = ["modes"]
 
@@ -53,16 +53,16 @@ def modes(
     """
     from tmodes.cli.output import print_json
     from tmodes.paper.modes import all_modes
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
     if angle is not None and not abs(angle) <= _MOST_ANGLE:
         expected = f"an angle between -{_MOST_ANGLE:g} and {_MOST_ANGLE:g} rad"
         raise InputError("--angle", repr(angle), expected, "give the motor's angle in radians, or leave it out")
     sheet = chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths)
-    if isinstance(sheet, Arm):
+    if isinstance(sheet, Robot):
         if angle is not None:
-            mend = "set the start of its drives: --set drives.0.signal.start=0.5"
-            raise InputError("--angle", repr(angle), "no angle: an arm has several motors", mend)
+            hint = "set the start of its drives: --set drives.0.signal.start=0.5"
+            raise InputError("--angle", repr(angle), "no angle: an arm has several motors", hint)
         _modes_of_arm(sheet, contact=contact, as_json=as_json)
         return
     pair = sheet.pair()
@@ -80,7 +80,7 @@ def modes(
             _print(f"{pair.nominal.name}, {whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
 
 
-def _modes_of_arm(arm: Arm, *, contact: bool, as_json: bool) -> None:
+def _modes_of_arm(arm: Robot, *, contact: bool, as_json: bool) -> None:
     from tmodes.analysis.modes.of_sheet import vibrations
     from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice, print_json

@@ -9,10 +9,10 @@ import typer
 
 from tmodes.errors import InputError
 from tmodes.paper.mechanism import Reading
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 if TYPE_CHECKING:
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
 __all__ = [
     "AbsoluteTolerance",
@@ -122,21 +122,21 @@ def chosen_sheet(
     roots: list[Path] | None = None,
     trust_paths: bool = False,
     changes: dict[str, Any] | None = None,
-) -> Robot | Arm:
+) -> PaperRobot | Robot:
     """The robot or arm that a command line names, with its changes; raises an InputError for any wrong part."""
     from tmodes.io.paths import parse_assignment
     from tmodes.robots.load import load_sheet
 
-    told = dict(parse_assignment(text) for text in settings or []) | (changes or {})
+    info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
     own = {"reading": reading and reading.value, "contact": contact}
     own = {name: value for name, value in own.items() if value is not None}
-    if "integration.stop_at_limits" in told and _is_paper_robot(robot):
-        got, mend = f"the robot {robot}, which has none", "leave it out; --stop ends a run at a value of your choice"
-        raise InputError("--stop-at-limits", got, "an arm whose joints have limits", mend)
+    if "integration.stop_at_limits" in info and _is_paper_robot(robot):
+        got, hint = f"the robot {robot}, which has none", "leave it out; --stop ends a run at a value of your choice"
+        raise InputError("--stop-at-limits", got, "an arm whose joints have limits", hint)
     if own and not _is_arm(robot):
-        return load_sheet(robot, told | own)
-    sheet = load_sheet(robot, told, roots=roots or (), trust_paths=trust_paths)
-    return sheet if isinstance(sheet, Robot) or not own else _as_wished(sheet, own)
+        return load_sheet(robot, info | own)
+    sheet = load_sheet(robot, info, roots=roots or (), trust_paths=trust_paths)
+    return sheet if isinstance(sheet, PaperRobot) or not own else _as_wished(sheet, own)
 
 
 def integration_changes(
@@ -150,9 +150,9 @@ def integration_changes(
     stop_at_limits: bool = False,
 ) -> dict[str, Any]:
     """The options of the command line as changes by path."""
-    told = {"method": integrator, "relative_tolerance": rtol, "absolute_tolerance": atol, "duration": duration}
-    told |= {"check_error": check_error or None, "stop": stop or None, "stop_at_limits": stop_at_limits or None}
-    return {f"integration.{name}": value for name, value in told.items() if value is not None}
+    info = {"method": integrator, "relative_tolerance": rtol, "absolute_tolerance": atol, "duration": duration}
+    info |= {"check_error": check_error or None, "stop": stop or None, "stop_at_limits": stop_at_limits or None}
+    return {f"integration.{name}": value for name, value in info.items() if value is not None}
 
 
 def _is_paper_robot(robot: str) -> bool:
@@ -176,17 +176,17 @@ def _is_arm(robot: str) -> bool:
     return "kind" in data or "urdf" in data
 
 
-def _as_wished(arm: Arm, own: dict[str, Any]) -> Arm:
+def _as_wished(arm: Robot, own: dict[str, Any]) -> Robot:
     """An arm in contact or not, as the command line says."""
-    from tmodes.io.sheet_check import arm_data
+    from tmodes.io.sheet_check import sheet_data
 
     if "reading" in own:
-        mend = "leave --reading out"
-        raise InputError("--reading", own["reading"], "no reading: it is of the robot of the 2010 paper", mend)
+        hint = "leave --reading out"
+        raise InputError("--reading", own["reading"], "no reading: it is of the robot of the 2010 paper", hint)
     if own["contact"] == (arm.contact is not None):
         return arm
     if own["contact"]:
         raise InputError("--contact", "an arm that touches nothing", "a sheet with `contact`", "add it to the sheet")
-    data = {key: value for key, value in arm_data(arm).items() if key != "contact"}
+    data = {key: value for key, value in sheet_data(arm).items() if key != "contact"}
     data["real"] = {path: factor for path, factor in arm.real.items() if not path.startswith("contact.")}
     return type(arm).from_data(data)

@@ -6,8 +6,8 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from tmodes.result import ArmResult
-    from tmodes.result.record import Result
+    from tmodes.result import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["plain", "result_file", "stored_result"]
 
@@ -19,22 +19,22 @@ def result_file(path: Path) -> Path:
     """
     from tmodes.io.atomic import file_error
 
-    mend = "name a result.nc, or the folder that `tmodes run --out` was given"
+    hint = "name a result.nc, or the folder that `tmodes run --out` was given"
     if path.is_dir():
         if not (path / "result.nc").is_file():
-            raise file_error(path, "a folder without result.nc", "the folder of a run", mend)
+            raise file_error(path, "a folder without result.nc", "the folder of a run", hint)
         return path / "result.nc"
     if not path.exists():
         from tmodes.robots.load import sheet_names
 
         if str(path) in sheet_names():
-            mend = f"run it first: tmodes run {path} --out FOLDER, and name that folder"
-            raise file_error(path, "the name of a robot", "a result file, or the folder of a run", mend)
-        raise file_error(path, "nothing", "a result file, or the folder of a run", mend)
+            hint = f"run it first: tmodes run {path} --out FOLDER, and name that folder"
+            raise file_error(path, "the name of a robot", "a result file, or the folder of a run", hint)
+        raise file_error(path, "nothing", "a result file, or the folder of a run", hint)
     return path
 
 
-def stored_result(path: Path) -> Result | ArmResult:
+def stored_result(path: Path) -> PaperResult | Result:
     """The result, of either kind, that a path means; the errors are those of reading it."""
     from tmodes.result import load_result
 

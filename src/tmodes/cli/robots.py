@@ -46,8 +46,8 @@ def _known() -> list[dict[str, str]]:
     found = []
     for name in sheet_names():
         data, _ = parse_yaml(sheet_text(name), f"{name}.yaml")
-        told = {key: str(data.get(key, "")) for key in ("title", "citation")}
-        found.append({"name": name, "kind": _kind(data), **told})
+        info = {key: str(data.get(key, "")) for key in ("title", "citation")}
+        found.append({"name": name, "kind": _kind(data), **info})
     return found
 
 
@@ -59,9 +59,9 @@ def _kind(data: dict[str, Any]) -> str:
 
 def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
     from tmodes.cli.output import print_json
-    from tmodes.io.sheet_check import arm_data
+    from tmodes.io.sheet_check import sheet_data
     from tmodes.robots.load import load_sheet, sheet_names, sheet_text
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
     if name not in sheet_names():
         raise _unknown(name, sheet_names())
@@ -69,7 +69,7 @@ def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
         print(sheet_text(name), end="")
         return
     sheet = load_sheet(name, roots=root or ())
-    print_json(arm_data(sheet) if isinstance(sheet, Arm) else sheet.model_dump(mode="json"))
+    print_json(sheet_data(sheet) if isinstance(sheet, Robot) else sheet.model_dump(mode="json"))
 
 
 def _unknown(name: str, known: list[str]) -> InputError:
@@ -77,5 +77,5 @@ def _unknown(name: str, known: list[str]) -> InputError:
     from tmodes.io.words import nearest, shown
 
     close = nearest(name, known)
-    mend = f"did you mean `{close}`?" if close else "see the list: tmodes robots"
-    return InputError("robot", shown(name), f"one of {', '.join(known)}", mend)
+    hint = f"did you mean `{close}`?" if close else "see the list: tmodes robots"
+    return InputError("robot", shown(name), f"one of {', '.join(known)}", hint)

@@ -27,9 +27,9 @@ from tmodes.cli.options import (
 )  # fmt: skip
 
 if TYPE_CHECKING:
-    from tmodes.paper.sheet import Robot
+    from tmodes.paper.sheet import PaperRobot
     from tmodes.report.folder import RunFolder
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
 __all__ = ["folder_name", "run"]
 
@@ -87,27 +87,27 @@ class _Looks(NamedTuple):
     trust_paths: bool
 
 
-def _folder(path: Path, sheet: Robot | Arm, overwrite: bool, looks: _Looks, *, live: bool) -> RunFolder:
+def _folder(path: Path, sheet: PaperRobot | Robot, overwrite: bool, looks: _Looks, *, live: bool) -> RunFolder:
     from tmodes.cli.output import notice
     from tmodes.report.folder import RunFolder
-    from tmodes.report.folder_motion import ArmRunFolder
+    from tmodes.report.folder_motion import MotionFolder
     from tmodes.report.meshes import read_shapes
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
-    if not isinstance(sheet, Arm):
+    if not isinstance(sheet, Robot):
         return RunFolder(path, sheet, overwrite, live=live)
-    shapes, doubts = read_shapes(looks.robot, looks.roots or (), looks.trust_paths)
-    for doubt in doubts:
-        notice(f"notice: {doubt}")
-    return ArmRunFolder(path, sheet, overwrite, shapes, live=live)
+    shapes, notices = read_shapes(looks.robot, looks.roots or (), looks.trust_paths)
+    for text in notices:
+        notice(f"notice: {text}")
+    return MotionFolder(path, sheet, overwrite, shapes, live=live)
 
 
-def _computed(folder: RunFolder, sheet: Robot | Arm, figures: bool) -> Any:
+def _computed(folder: RunFolder, sheet: PaperRobot | Robot, figures: bool) -> Any:
     from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice
     from tmodes.cli.progress import Stages
     from tmodes.errors import SimulationError
-    from tmodes.io.doubts import doubts_about
+    from tmodes.io.notices import notices_about
 
     with heard() as wish, folder, Stages(wish) as progress:
         if folder.continues:
@@ -115,8 +115,8 @@ def _computed(folder: RunFolder, sheet: Robot | Arm, figures: bool) -> Any:
         try:
             result = folder.simulate(progress)
         except SimulationError:
-            for doubt in doubts_about(sheet):  # a wrong unit is the likely cause
-                notice(f"warning: {doubt}")
+            for text in notices_about(sheet):  # a wrong unit is the likely cause
+                notice(f"warning: {text}")
             raise
         if figures and result.status != "interrupted":
             folder.illustrate(result, progress)
@@ -125,9 +125,9 @@ def _computed(folder: RunFolder, sheet: Robot | Arm, figures: bool) -> Any:
 
 def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
     from tmodes.cli.output import notice, print_json
-    from tmodes.cli.summary_text import told
+    from tmodes.cli.summary_text import info
 
-    print_json(folder.summary(result)) if as_json else told(result, folder)
+    print_json(folder.summary(result)) if as_json else info(result, folder)
     for warning in result.warnings:
         notice(f"warning: {warning}")
     if result.status != "finished":

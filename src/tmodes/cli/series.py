@@ -72,16 +72,16 @@ def _coordinate_units(data: Dataset) -> dict[str, str]:
     """Unit of each coordinate of an arm; a gear's deflection has that of its joint."""
     if "coordinate_unit" not in data.coords:
         return {}
-    told = dict(zip(map(str, data["coordinate"].values), map(str, data["coordinate_unit"].values), strict=True))
-    return told | {f"{name}.gear": unit for name, unit in told.items()}
+    info = dict(zip(map(str, data["coordinate"].values), map(str, data["coordinate_unit"].values), strict=True))
+    return info | {f"{name}.gear": unit for name, unit in info.items()}
 
 
-def _own_unit(told: str, word: str, units: dict[str, str]) -> str:
+def _own_unit(info: str, word: str, units: dict[str, str]) -> str:
     """The unit of one column of ``(rad, m along prismatic joints, 1 of stretch)/s``; others are told as they are."""
-    inner, _, per = told.removeprefix("(").partition(")")
+    inner, _, per = info.removeprefix("(").partition(")")
     choices = inner.split(", ")
     if len(choices) == 1:
-        return told
+        return info
     place = ("rad", "m", "1").index(units.get(word, "rad"))
     return choices[min(place, len(choices) - 1)].partition(" along ")[0].partition(" of ")[0] + per
 

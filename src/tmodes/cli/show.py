@@ -13,8 +13,8 @@ from tmodes.cli.options import AsJson
 
 if TYPE_CHECKING:
     from tmodes.cli.series import Series
-    from tmodes.result import ArmResult
-    from tmodes.result.record import Result
+    from tmodes.result import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["show"]
 
@@ -51,7 +51,7 @@ def show(
     _show(stored, result_file(result), chosen, sum(1 for _ in series_of_result(data)))
 
 
-def _for_machines(stored: Result | ArmResult, file: Path, chosen: list[Series]) -> dict[str, Any]:
+def _for_machines(stored: PaperResult | Result, file: Path, chosen: list[Series]) -> dict[str, Any]:
     return {
         "file": str(file),
         "kind": stored.kind,
@@ -71,13 +71,13 @@ def _extremes(one: Series) -> dict[str, float]:
     return {"min": float(one.values.min()), "max": float(one.values.max()), "end": float(one.values[-1])}
 
 
-def _show(stored: Result | ArmResult, file: Path, chosen: list[Series], total: int) -> None:
+def _show(stored: PaperResult | Result, file: Path, chosen: list[Series], total: int) -> None:
     from tmodes.cli.integration_text import integration_lines
     from tmodes.cli.output import notice, print_table
     from tmodes.cli.results import plain
-    from tmodes.cli.summary_text import told_summary
+    from tmodes.cli.summary_text import info_summary
 
-    summary = told_summary(stored)
+    summary = info_summary(stored)
     print(f"end     {plain(stored.message)}")
     for line in integration_lines(stored, summary):
         print(line)

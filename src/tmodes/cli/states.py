@@ -16,7 +16,7 @@ from tmodes.io.files import read_bytes
 from tmodes.io.states import MOST_BYTES, check_keys, is_number, parsed_json
 from tmodes.io.words import nearest, shown, shown_path
 
-__all__ = ["ArmStates", "read_arm_states"]
+__all__ = ["ChainStates", "read_arm_states"]
 
 Array = NDArray[np.float64]
 Names = tuple[str, ...]
@@ -28,7 +28,7 @@ _EXAMPLE = '[{"q": {"shoulder": 0.3}, "v": {}, "effort": {}}]'
 
 
 @dataclass(frozen=True, eq=False)
-class ArmStates:
+class ChainStates:
     """n states: ``q`` and ``v`` (n, coordinates) and ``effort`` (n, efforts), SI."""
 
     q: Array
@@ -36,7 +36,7 @@ class ArmStates:
     effort: Array
 
 
-def read_arm_states(path: str, coordinates: Names, efforts: Names) -> ArmStates:
+def read_arm_states(path: str, coordinates: Names, efforts: Names) -> ChainStates:
     """States from a file, ``.csv`` or JSON.
 
     JSON: a list of records ``{"q": ..., "v": ..., "effort": ...}`` or ``{"states": [...]}``; each a list of all
@@ -59,7 +59,7 @@ def read_arm_states(path: str, coordinates: Names, efforts: Names) -> ArmStates:
         key: np.array([_block(row.get(key, {}), names, f"record {k}: {key}", source) for k, row in enumerate(rows)])
         for key, names in blocks.items()
     }
-    return ArmStates(**{key: array.reshape(len(rows), len(blocks[key])) for key, array in arrays.items()})
+    return ChainStates(**{key: array.reshape(len(rows), len(blocks[key])) for key, array in arrays.items()})
 
 
 def _listed(data: Any, source: str) -> list[Mapping[str, Any]]:
@@ -93,13 +93,13 @@ def _block(values: Any, names: Names, which: str, source: str) -> list[float]:
 
 def _unknown(which: str, name: str, names: Names, source: str) -> InputError:
     close = nearest(name, names)
-    mend = f"did you mean `{close}`?" if close else "take one of these"
-    return InputError(which, shown(name), f"one of {_few(names)}", mend, source)
+    hint = f"did you mean `{close}`?" if close else "take one of these"
+    return InputError(which, shown(name), f"one of {_few(names)}", hint, source)
 
 
 def _few(names: Iterable[str]) -> str:
-    told = list(names)
-    return ", ".join(told[:12]) + (", ..." if len(told) > 12 else "")
+    info = list(names)
+    return ", ".join(info[:12]) + (", ..." if len(info) > 12 else "")
 
 
 def _table(content: bytes, source: str) -> list[Mapping[str, Any]]:

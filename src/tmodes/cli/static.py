@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from pathlib import Path
 
     from tmodes.analysis.statics.equilibrium import Equilibrium
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
 __all__ = ["ArmArgument", "chosen_arm", "print_links", "print_stiffness", "static"]
 
@@ -68,14 +68,14 @@ def static(
     from tmodes.cli.interrupt import heard
     from tmodes.cli.progress import Stages
     from tmodes.cli.static_options import held_of, load_of, three_of
-    from tmodes.model.model import ArmModel
+    from tmodes.model.model import Model
 
     arm = chosen_arm(robot, settings, root, trust_paths=trust_paths)
     loads = [load_of(text) for text in load or []]
     if force or moment:
-        told = three_of("--force", force or "0,0,0", "N"), three_of("--moment", moment or "0,0,0", "N*m")
-        loads.append(Load(point, *told))
-    model = ArmModel(arm.chain())
+        info = three_of("--force", force or "0,0,0", "N"), three_of("--moment", moment or "0,0,0", "N*m")
+        loads.append(Load(point, *info))
+    model = Model(arm.chain())
     index = point_index(model, point)
     held = dict(held_of(text, arm) for text in hold or [])
     with heard() as wish, Stages(wish) as tell:
@@ -85,46 +85,46 @@ def static(
 
 def chosen_arm(
     robot: str, settings: list[str] | None, root: list[Path] | None = None, *, trust_paths: bool = False
-) -> Arm:
+) -> Robot:
     """The arm that a command line names, with its changes; raises an InputError for a sheet of another kind."""
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
     sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
-    if not isinstance(sheet, Arm):
-        mend = "take tmodes modes and tmodes run, which know it, or write a sheet with `kind: arm`"
-        raise InputError("robot", f"`{sheet.name}`, the robot of the 2010 paper", "a data sheet of an arm", mend)
+    if not isinstance(sheet, Robot):
+        hint = "take tmodes modes and tmodes run, which know it, or write a sheet with `kind: arm`"
+        raise InputError("robot", f"`{sheet.name}`, the robot of the 2010 paper", "a data sheet of an arm", hint)
     return sheet
 
 
-def _tell(arm: Arm, rest: Equilibrium, index: int, as_json: bool) -> None:
-    from tmodes.analysis.describe.describe import statics_told
+def _tell(arm: Robot, rest: Equilibrium, index: int, as_json: bool) -> None:
+    from tmodes.analysis.describe.describe import statics_info
     from tmodes.cli.output import notice, print_json
 
-    told = statics_told(arm, rest, index)
+    info = statics_info(arm, rest, index)
     if as_json:
-        print_json({"arm": arm.name, "units": UNITS, **told})
+        print_json({"arm": arm.name, "units": UNITS, **info})
         return
-    _print(arm, told)
-    for warning in told["warnings"]:
+    _print(arm, info)
+    for warning in info["warnings"]:
         notice(f"warning: {warning}")
 
 
-def _print(arm: Arm, told: dict[str, Any]) -> None:
+def _print(arm: Robot, info: dict[str, Any]) -> None:
     from tmodes.cli.output import print_table
 
-    lowest = told["lowest_frequency_Hz"]
-    stable = "stable" if told["stable"] else "NOT STABLE"
+    lowest = info["lowest_frequency_Hz"]
+    stable = "stable" if info["stable"] else "NOT STABLE"
     print(f"{arm.name} at rest: {stable}" + (f", lowest frequency {lowest:.4g} Hz" if lowest else ""))
-    if not told["coordinates"]:
+    if not info["coordinates"]:
         print("It has no coordinates: nothing in it moves or bends.")
-    coordinates = [[name, f"{value:.6g}"] for name, value in told["coordinates"].items()]
+    coordinates = [[name, f"{value:.6g}"] for name, value in info["coordinates"].items()]
     if coordinates:
         print_table("Pose", ["coordinate", "value [rad, m]"], coordinates)
     sags = [[one["point"], *_numbers(one["position_m"], 1.0), *_numbers(one["displacement_m"], 1e3),
-             f"{one['rotation_rad']:.4g}"] for one in told["points"]]  # fmt: skip
+             f"{one['rotation_rad']:.4g}"] for one in info["points"]]  # fmt: skip
     print_table("Points", ["point", "x [m]", "y [m]", "z [m]", "dx [mm]", "dy [mm]", "dz [mm]", "turn [rad]"], sags)
-    print_links(told["links"])
-    print_stiffness(told["stiffness"])
+    print_links(info["links"])
+    print_stiffness(info["stiffness"])
 
 
 def print_links(links: list[dict[str, Any]]) -> None:
@@ -149,16 +149,16 @@ def _numbers(values: list[float], factor: float) -> list[str]:
     return [f"{factor * value:.6g}" for value in values]
 
 
-def print_stiffness(told: dict[str, Any] | None) -> None:
+def print_stiffness(info: dict[str, Any] | None) -> None:
     """Print a table of stiffness by direction and the elements that give most."""
     from tmodes.cli.output import print_table
 
-    if told is None:
+    if info is None:
         return
     rows = []
-    for one in told["directions"]:
+    for one in info["directions"]:
         stiffness = "-" if one["why"] else "rigid" if one["stiffness"] is None else f"{one['stiffness']:.5g}"
         largest = sorted(one["shares"].items(), key=lambda item: -abs(item[1]))[:4]
         shares = ", ".join(f"{name} {share:.1%}" for name, share in largest if abs(share) >= 5e-4)
         rows.append([one["direction"], stiffness, one["unit"], one["why"] or shares])
-    print_table(f"Stiffness at {told['point']}", ["direction", "stiffness", "unit", "what gives way"], rows)
+    print_table(f"Stiffness at {info['point']}", ["direction", "stiffness", "unit", "what gives way"], rows)

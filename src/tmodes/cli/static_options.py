@@ -10,7 +10,7 @@ from tmodes.errors import InputError
 
 if TYPE_CHECKING:
     from tmodes.analysis.statics.loads import Load
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
 __all__ = ["held_of", "load_of", "three_of"]
 
@@ -57,8 +57,8 @@ def _unknown(which: str, name: str, known: Sequence[str]) -> InputError:
     from tmodes.io.words import nearest, shown
 
     close = nearest(name, known)
-    mend = f"did you mean `{close}`?" if close else EXAMPLE
-    return InputError(which, f"the unknown word {shown(name)}", f"one of {', '.join(known)}", mend)
+    hint = f"did you mean `{close}`?" if close else EXAMPLE
+    return InputError(which, f"the unknown word {shown(name)}", f"one of {', '.join(known)}", hint)
 
 
 def three_of(which: str, text: str, unit: str) -> list[float]:
@@ -69,7 +69,7 @@ def three_of(which: str, text: str, unit: str) -> list[float]:
     return [_number(which, word, unit, "three finite numbers") for word in words]
 
 
-def held_of(text: str, arm: Arm) -> tuple[str, float]:
+def held_of(text: str, arm: Robot) -> tuple[str, float]:
     """Coordinate and value [rad; m of a prismatic joint] of ``shoulder=45deg``."""
     name, equals, value = (part.strip() for part in text.partition("="))
     if not (name and equals and value):
@@ -85,7 +85,7 @@ def _number(which: str, text: str, unit: str, expected: str) -> float:
     try:
         value = number(text, unit)
     except NotANumber as error:
-        raise InputError(which, error.got, f"{expected} [{unit}]", error.mend) from None
+        raise InputError(which, error.got, f"{expected} [{unit}]", error.hint) from None
     if not math.isfinite(value) or abs(value) > LARGEST:
         bounds = f"{expected} [{unit}], at most {LARGEST:g}"
         raise InputError(which, shown(text), bounds, "correct the exponent or the unit")

@@ -37,8 +37,8 @@ def studio(
 
     for package in ("fastapi", "uvicorn"):
         if find_spec(package) is None:
-            got, mend = f"no package {package}", "install it: pip install 'tmodes[studio]'"
-            raise InputError("tmodes studio", got, "the extra `studio`", mend)
+            got, hint = f"no package {package}", "install it: pip install 'tmodes[studio]'"
+            raise InputError("tmodes studio", got, "the extra `studio`", hint)
     from tmodes.studio.folder import WorkingFolder
     from tmodes.studio.serve import serve
 
@@ -62,8 +62,8 @@ def _first(robot: str, folder: WorkingFolder) -> str:
     load_sheet(robot)
     path = Path(robot).absolute()
     if path.parent.resolve() != folder.path:
-        mend = f"add --folder {path.parent}"
-        raise InputError("FILE", repr(robot), "a file of the working folder", mend)
+        hint = f"add --folder {path.parent}"
+        raise InputError("FILE", repr(robot), "a file of the working folder", hint)
     return f"./{folder.existing(path.name).name}"
 
 
@@ -73,11 +73,11 @@ def _refuse_what_is_no_robot(path: Path) -> None:
 
     expected = "a published robot, or a data sheet or URDF"
     if path.suffix == ".nc" or (path / "result.nc").is_file():
-        mend = f"look at it with: tmodes view {path}"
-        raise InputError("ROBOT|FILE", f"a result ({shown_path(path)})", expected, mend)
+        hint = f"look at it with: tmodes view {path}"
+        raise InputError("ROBOT|FILE", f"a result ({shown_path(path)})", expected, hint)
     if path.is_dir():
-        mend = f"to work in this folder: tmodes studio --folder {path}"
-        raise InputError("ROBOT|FILE", f"a folder ({shown_path(path)})", expected, mend)
+        hint = f"to work in this folder: tmodes studio --folder {path}"
+        raise InputError("ROBOT|FILE", f"a folder ({shown_path(path)})", expected, hint)
 
 
 def _ready(address: str, folder: Path, until_stopped: ExitStack | None) -> None:

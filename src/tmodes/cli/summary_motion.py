@@ -43,10 +43,10 @@ def _tip(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
 
 
 def _deformations(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
-    told = summary["deformations"]
-    largest = sorted(told, key=lambda name: -told[name]["max"])[:_MOST_DEFORMATIONS]
-    for name in (name for name in told if name in largest):
-        one = told[name]
+    info = summary["deformations"]
+    largest = sorted(info, key=lambda name: -info[name]["max"])[:_MOST_DEFORMATIONS]
+    for name in (name for name in info if name in largest):
+        one = info[name]
         unit = "1e-3" if one["unit"] == "1" else f"m{one['unit']}"
         parts = f"T_st {one['max_stationary'] * 1e3:.4g}, T_to {one['max_oscillatory'] * 1e3:.4g}"
         error = error_of(summary, f"deformations.{name}.max", 1e3, unit)
@@ -67,10 +67,10 @@ def _link(name: str, link: dict[str, Any], summary: dict[str, Any]) -> Iterator[
 
 
 def _efforts(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
-    told = summary["joints"]
-    largest = sorted(told, key=lambda name: -abs(told[name]["largest_effort"]))[:_MOST_JOINTS]
-    for name in (name for name in told if name in largest):
-        one = told[name]
+    info = summary["joints"]
+    largest = sorted(info, key=lambda name: -abs(info[name]["largest_effort"]))[:_MOST_JOINTS]
+    for name in (name for name in info if name in largest):
+        one = info[name]
         unit = "N" if one["unit"] == "m" else "N m"
         error = error_of(summary, f"joints.{name}.largest_effort", 1.0, unit)
         yield (

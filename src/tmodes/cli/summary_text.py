@@ -6,17 +6,17 @@ from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
-    from tmodes.result import ArmResult
-    from tmodes.result.record import Result
+    from tmodes.result import Result
+    from tmodes.result.record import PaperResult
 
-__all__ = ["told", "told_summary"]
+__all__ = ["info", "info_summary"]
 
 
-def told(result: Result | ArmResult, folder: RunFolder) -> None:
+def info(result: PaperResult | Result, folder: RunFolder) -> None:
     """Print the summary of a run as a table, and the files to open."""
     from tmodes.cli.integration_text import integration_lines
 
-    summary = told_summary(result)
+    summary = info_summary(result)
     if result.status == "finished":  # any other ending is told apart, where errors are
         print(f"end     {result.message}")
     for line in integration_lines(result, summary):
@@ -25,14 +25,14 @@ def told(result: Result | ArmResult, folder: RunFolder) -> None:
     print(f"data    {folder.result_file}")
 
 
-def told_summary(result: Result | ArmResult) -> dict[str, Any]:
+def info_summary(result: PaperResult | Result) -> dict[str, Any]:
     """Print the summary of a result as a table, and give it back."""
     from tmodes.cli.output import print_table
     from tmodes.cli.summary_motion import arm_rows
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
     summary = result.summary()
-    if isinstance(result, ArmResult):
+    if isinstance(result, Result):
         title, rows = f"{result.arm.name}: {result.status}", arm_rows(summary)
     else:
         title, rows = f"{result.robot.name}: {result.status} ({result.data.attrs['reading']} reading)", _rows(summary)

@@ -74,9 +74,9 @@ def names_apart(names: list[str], paths: list[Path]) -> list[str]:
     parts = [(path.parent if path.name == "result.nc" else path.with_suffix("")).parts for path in files]
     longest = max(map(len, parts))
     for depth in range(1, longest + 1):
-        told = [f"{name} ({'/'.join(one[-depth:])})" for name, one in zip(names, parts, strict=True)]
-        if len(set(told)) == len(told):
-            return told
+        info = [f"{name} ({'/'.join(one[-depth:])})" for name, one in zip(names, parts, strict=True)]
+        if len(set(info)) == len(info):
+            return info
     return [f"{name} ({number})" for number, name in enumerate(names, 1)]
 
 

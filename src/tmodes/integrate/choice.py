@@ -24,13 +24,13 @@ def chosen_method(given: Integration, highest: float) -> tuple[Method, str]:
     if given.method is not Method.AUTO:
         return given.method, ""
     steps = highest * given.duration / _REACH
-    told = f"the fastest eigenvalue, {_about(highest)} 1/s, asks for some {_about(max(steps, 2.0))} explicit steps"
+    info = f"the fastest eigenvalue, {_about(highest)} 1/s, asks for some {_about(max(steps, 2.0))} explicit steps"
     if steps > STIFF and _too_exact(given):
         why = "because extrapolation rounds above its tolerance"
-        return Method.DORMAND_PRINCE, f"by dormand_prince, {why}, though {told}"
+        return Method.DORMAND_PRINCE, f"by dormand_prince, {why}, though {info}"
     if steps > STIFF:
-        return Method.EXTRAPOLATION, f"by extrapolation, because {told}"
-    return Method.DORMAND_PRINCE, f"by dormand_prince: {told}"
+        return Method.EXTRAPOLATION, f"by extrapolation, because {info}"
+    return Method.DORMAND_PRINCE, f"by dormand_prince: {info}"
 
 
 def _about(value: float) -> str:

@@ -40,7 +40,7 @@ class Condition:
         found = _GRAMMAR.fullmatch(" ".join(text.split())) if isinstance(text, str) and len(text) <= LONGEST else None
         if found is None:
             shown = repr(text if len(str(text)) <= 60 else f"{str(text)[:60]}...")
-            raise InputError(which, shown, EXPECTED, _mend(str(text)))
+            raise InputError(which, shown, EXPECTED, _hint(str(text)))
         name = found["size"] or found["name"]
         return cls(name, found["size"] is not None, found["sign"] == ">", found["value"].strip())
 
@@ -50,7 +50,7 @@ class Condition:
         return f"abs({self.name})" if self.size else self.name
 
 
-def _mend(text: str) -> str:
+def _hint(text: str) -> str:
     if "=" in text:
         return "write > or <: a quantity passes a value at one time, with or without it"
     if "<" not in text and ">" not in text:

@@ -10,16 +10,16 @@ from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, mod
 
 from tmodes.errors import InputError
 from tmodes.integrate.condition import MOST, Condition
-from tmodes.kinds.schema.quantity import DataSheet, Misfit, positive, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, positive, refuse
 
 __all__ = [
     "FIXED_STEP",
     "LEAST_EXTRAPOLATED",
     "LEAST_TOLERANCE",
     "MOST_BYTES",
-    "ArmIntegration",
     "Integration",
     "Method",
+    "RobotIntegration",
     "refuse_stops",
     "refuse_too_large",
 ]
@@ -126,43 +126,43 @@ class Integration(DataSheet):
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        refuse([*self._sampling_misfits(), *self._stepping_misfits(), *self._stop_misfits()])
+        refuse([*self._sampling_issues(), *self._stepping_issues(), *self._stop_issues()])
         return self
 
-    def _stop_misfits(self) -> Iterator[Misfit]:
+    def _stop_issues(self) -> Iterator[Issue]:
         for place, text in enumerate(self.stop):
             try:
                 Condition.parsed(text, f"stop.{place}")
             except InputError as error:
-                yield Misfit(error.which, error.got, error.expected, error.mend)
+                yield Issue(error.which, error.got, error.expected, error.hint)
 
-    def _sampling_misfits(self) -> Iterator[Misfit]:
+    def _sampling_issues(self) -> Iterator[Issue]:
         samples, most_samples = self.duration / self.output_step, MOST_BYTES / self.bytes_per_sample
         if self.line_points < 2:
-            yield Misfit("line_points", str(self.line_points), "at least 2, the ends", "21 shows every bend")
+            yield Issue("line_points", str(self.line_points), "at least 2, the ends", "21 shows every bend")
         if self.output_step > self.duration:
             most = f"at most integration.duration, {self.duration!r} [s]"
-            yield Misfit("output_step", repr(self.output_step), most, "lengthen the duration or sample more often")
+            yield Issue("output_step", repr(self.output_step), most, "lengthen the duration or sample more often")
         elif samples > most_samples:
             got = f"{self.output_step!r}, that is {self._size(samples)}"
             least = f"{1.005 * self.duration / most_samples:.3g} s"
-            mend = f"write at least {least}, a shorter duration, or fewer line_points"
-            yield Misfit("output_step", got, f"at most {self._size(most_samples)}", mend)
+            hint = f"write at least {least}, a shorter duration, or fewer line_points"
+            yield Issue("output_step", got, f"at most {self._size(most_samples)}", hint)
 
-    def _stepping_misfits(self) -> Iterator[Misfit]:
+    def _stepping_issues(self) -> Iterator[Issue]:
         if self.method is Method.EXTRAPOLATION and self.relative_tolerance < LEAST_EXTRAPOLATED:
             least = f"at least {LEAST_EXTRAPOLATED:g} for extrapolation, whose rounding is larger than that of others"
-            yield Misfit("relative_tolerance", repr(self.relative_tolerance), least, "take dop853, or rosenbrock")
+            yield Issue("relative_tolerance", repr(self.relative_tolerance), least, "take dop853, or rosenbrock")
         if self.method not in FIXED_STEP:
             return
         steps = self.duration / self.step
         if self.step > self.duration:
             most = f"at most integration.duration, {self.duration!r} [s]"
-            yield Misfit("step", repr(self.step), most, "write a shorter step")
+            yield Issue("step", repr(self.step), most, "write a shorter step")
         elif steps > self.max_steps:
             got, most = f"{self.step!r}, that is {steps:.3g} steps", f"at most max_steps, {self.max_steps} steps"
-            mend = f"write at least {self.duration / self.max_steps:.3g} s, or raise max_steps"
-            yield Misfit("step", got, most, mend)
+            hint = f"write at least {self.duration / self.max_steps:.3g} s, or raise max_steps"
+            yield Issue("step", got, most, hint)
 
     def finer(self) -> Self:
         """The settings of the run that tells the error of this one: a tenth of the tolerances, half the step."""
@@ -194,7 +194,7 @@ class Integration(DataSheet):
         return f"{samples:.3g} samples, about {samples * self.bytes_per_sample / 1e9:.3g} GB"
 
 
-class ArmIntegration(Integration):
+class RobotIntegration(Integration):
     """The same settings for an arm, whose joints may have limits."""
 
     stop_at_limits: bool = Field(
@@ -227,5 +227,5 @@ def refuse_stops(settings: Integration, what: str) -> None:
     asked = {"stop": list(settings.stop), "stop_at_limits": getattr(settings, "stop_at_limits", False)}
     for name, value in asked.items():
         if value:
-            mend = f"leave `{name}` out, or run by itself: tmodes run"
-            raise InputError(f"integration.{name}", repr(value), f"nothing: {what} to the end of integration", mend)
+            hint = f"leave `{name}` out, or run by itself: tmodes run"
+            raise InputError(f"integration.{name}", repr(value), f"nothing: {what} to the end of integration", hint)

@@ -24,9 +24,9 @@ LOCK_NAME = ".tmodes.lock"
 YOUNG = 10.0  # age [s] below which a lock without content is believed to be one that is just being written
 
 
-def file_error(which: object, got: str, expected: str, mend: str) -> ResultFileError:
+def file_error(which: object, got: str, expected: str, hint: str) -> ResultFileError:
     """The error of this floor; it tells four things: which, got, expected, mend."""
-    return ResultFileError(f"{shown_path(str(which))}: got {got}; expected {expected}. Mend: {mend}")
+    return ResultFileError(f"{shown_path(str(which))}: got {got}; expected {expected}. Mend: {hint}")
 
 
 @contextmanager
@@ -97,9 +97,9 @@ def _claim(temporary: Path, target: Path) -> None:
 
 
 def _cannot_write(path: object, error: Exception) -> ResultFileError:
-    mend = "free some space, or choose another folder or name; what was there before is untouched"
+    hint = "free some space, or choose another folder or name; what was there before is untouched"
     got = f"“{getattr(error, 'strerror', None) or error}” when writing"
-    return file_error(path, got, "a place that can be written", mend)
+    return file_error(path, got, "a place that can be written", hint)
 
 
 class _Holder(NamedTuple):
@@ -184,8 +184,8 @@ class FolderLock:
         return content
 
     def _refusal(self, got: str) -> ResultFileError:
-        mend = f"wait for that run to end, or use another folder; if nothing runs there, delete {self.path}*"
-        return file_error(f"folder {self.folder}", got, "a folder in which nothing else writes", mend)
+        hint = f"wait for that run to end, or use another folder; if nothing runs there, delete {self.path}*"
+        return file_error(f"folder {self.folder}", got, "a folder in which nothing else writes", hint)
 
 
 def remove_orphans(folder: Path) -> None:
@@ -208,8 +208,8 @@ def check_writable(folder: str | os.PathLike[str], bytes_needed: int) -> None:
             raise file_error(f"folder {path}", f"{standing}, which is a file", "a folder", "choose another, or move it")
         free = shutil.disk_usage(standing).free
         if free < bytes_needed:
-            got, mend = f"a disk with {free:,} bytes free", "free some space, or choose another disk, or sample less"
-            raise file_error(f"folder {path}", got, f"at least {bytes_needed:,} bytes", mend)
+            got, hint = f"a disk with {free:,} bytes free", "free some space, or choose another disk, or sample less"
+            raise file_error(f"folder {path}", got, f"at least {bytes_needed:,} bytes", hint)
         path.mkdir(parents=True, exist_ok=True)
         with _temporary(path):
             pass

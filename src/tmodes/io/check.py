@@ -10,20 +10,20 @@ from typing import Any
 from pydantic import ValidationError
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.complaints import complaints
 from tmodes.io.fields import Place, number_paths, place_at
 from tmodes.io.paths import set_paths
+from tmodes.io.problems import problems
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import nearest, shown
 from tmodes.io.yaml_file import nearest_line
-from tmodes.paper.sheet import FORMAT, Robot
+from tmodes.paper.sheet import FORMAT, PaperRobot
 
 __all__ = ["changed_robot", "robot_from_data"]
 
 MOST_ERRORS = 100
 
 
-def robot_from_data(data: Any, positions: Mapping[str, int] | None = None, source: str = "") -> Robot:
+def robot_from_data(data: Any, positions: Mapping[str, int] | None = None, source: str = "") -> PaperRobot:
     """The checked robot of plain data (maps, lists and scalars, as a YAML file holds them).
 
     ``positions`` gives the line of each dotted path and ``source`` the name of the file, for messages. Numbers may be
@@ -35,16 +35,16 @@ def robot_from_data(data: Any, positions: Mapping[str, int] | None = None, sourc
     plain = copy.deepcopy(data)
     wrong = {error.which: error for error in [*_read_numbers(plain), *_wrong_factors(plain)]}
     try:
-        robot = Robot.model_validate(plain)
+        robot = PaperRobot.model_validate(plain)
     except ValidationError as error:
-        told = complaints(error)
-        raise _located([*wrong.values(), *(one for one in told if one.which not in wrong)], positions, source) from None
-    if told := list(wrong.values()) or list(_wrong_real(robot)):
-        raise _located(told, positions, source)
+        info = problems(error)
+        raise _located([*wrong.values(), *(one for one in info if one.which not in wrong)], positions, source) from None
+    if info := list(wrong.values()) or list(_wrong_real(robot)):
+        raise _located(info, positions, source)
     return robot
 
 
-def changed_robot(data: Mapping[str, Any], changes: Mapping[str, Any]) -> Robot:
+def changed_robot(data: Mapping[str, Any], changes: Mapping[str, Any]) -> PaperRobot:
     """The checked robot of plain data with changes by dotted path; see :func:`tmodes.io.paths.set_paths`."""
     return robot_from_data(set_paths(data, changes))
 
@@ -53,13 +53,13 @@ def _other_format(data: Any) -> Iterator[InputError]:
     """A sheet of another version is not read any further: its keys may mean something else."""
     if not isinstance(data, Mapping) or "format" not in data:
         return
-    version, mend = data["format"], f"write `format: {FORMAT}`"
+    version, hint = data["format"], f"write `format: {FORMAT}`"
     if type(version) is not int:
-        yield InputError("format", shown(version), f"the number {FORMAT}", mend)
+        yield InputError("format", shown(version), f"the number {FORMAT}", hint)
     elif version > FORMAT:
         yield InputError("format", f"{shown(version)}, newer than this program", f"at most {FORMAT}", "update tmodes")
     elif version < FORMAT:
-        yield InputError("format", shown(version), f"the number {FORMAT}, the first format there is", mend)
+        yield InputError("format", shown(version), f"the number {FORMAT}, the first format there is", hint)
 
 
 def _read_numbers(data: Any, path: str = "") -> Iterator[InputError]:
@@ -74,14 +74,14 @@ def _read_numbers(data: Any, path: str = "") -> Iterator[InputError]:
         try:
             data[key] = _read_number(value, place)
         except NotANumber as error:
-            yield InputError(here, error.got, place.expected, error.mend)
+            yield InputError(here, error.got, place.expected, error.hint)
 
 
 def _read_number(value: Any, place: Place) -> float:
     result = number(value, place.unit or "-")
     if math.isinf(result) and not (place.may_be_infinite and result > 0):
-        mend = "write a finite number" + ("; .inf makes it rigid" if place.may_be_infinite else "")
-        raise NotANumber(f"the infinite number {shown(result)}", mend)
+        hint = "write a finite number" + ("; .inf makes it rigid" if place.may_be_infinite else "")
+        raise NotANumber(f"the infinite number {shown(result)}", hint)
     if place.annotation is int and result.is_integer():
         return int(result)
     return result
@@ -93,12 +93,12 @@ def _wrong_factors(data: Any) -> Iterator[InputError]:
     for path in real if isinstance(real, dict) else ():
         if path not in number_paths():
             close = nearest(str(path), number_paths())
-            mend = f"did you mean `{close}`?" if close else f"name a number, such as `{number_paths()[-1]}`"
+            hint = f"did you mean `{close}`?" if close else f"name a number, such as `{number_paths()[-1]}`"
             expected = "the path of a number of the motor, gear, link, payload, environment, controller, or gravity"
-            yield InputError(f"real.{path}", "a path that names no number", expected, mend)
+            yield InputError(f"real.{path}", "a path that names no number", expected, hint)
 
 
-def _wrong_real(robot: Robot) -> Iterator[InputError]:
+def _wrong_real(robot: PaperRobot) -> Iterator[InputError]:
     """Products of known values and factors that no robot may have."""
     known = dict(robot.numbers())
     try:
@@ -107,7 +107,7 @@ def _wrong_real(robot: Robot) -> Iterator[InputError]:
         for error in errors.errors:
             factor = robot.real[error.which]
             got = f"{shown(factor)} times {shown(known[error.which])}"
-            yield InputError(f"real.{error.which}", got, error.expected, f"change the factor: {error.mend}")
+            yield InputError(f"real.{error.which}", got, error.expected, f"change the factor: {error.hint}")
 
 
 def _located(errors: list[InputError], positions: Mapping[str, int], source: str) -> InputErrors:
@@ -115,8 +115,8 @@ def _located(errors: list[InputError], positions: Mapping[str, int], source: str
     lines = {id(error): nearest_line(error.which, positions) for error in errors}
     errors = sorted(errors, key=lambda error: lines[id(error)])
     if len(errors) > MOST_ERRORS:
-        got, mend = f"{len(errors)} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
-        errors = [*errors[:MOST_ERRORS], InputError("the file", got, "a data sheet of this format", mend)]
+        got, hint = f"{len(errors)} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
+        errors = [*errors[:MOST_ERRORS], InputError("the file", got, "a data sheet of this format", hint)]
     for error in errors:
         line = lines.get(id(error), 0)
         error.where = f"{source}:{line}" if source and line else source

@@ -118,8 +118,8 @@ class CheckpointWriter:
         self.close()
 
     def _cannot_write(self, error: OSError) -> Exception:
-        mend = "free some space or mend the permissions; the records before are whole"
-        return file_error(self.path, f"“{error.strerror}” when writing", "a file that can be written", mend)
+        hint = "free some space or mend the permissions; the records before are whole"
+        return file_error(self.path, f"“{error.strerror}” when writing", "a file that can be written", hint)
 
 
 def _header(identity: str) -> bytes:

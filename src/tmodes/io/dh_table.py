@@ -60,8 +60,8 @@ def _faults(data: Mapping[str, Any]) -> list[tuple[str, str, str, str]]:
         faults.append(("convention", got, f"one of {', '.join(conventions)}", f"write `convention: {conventions[0]}`"))
     rows = data.get("rows")
     if not isinstance(rows, list) or not rows:
-        mend = "write one row for each joint, starting with `- `"
-        return [*faults, ("rows", shown(rows), "a list of rows", mend)]
+        hint = "write one row for each joint, starting with `- `"
+        return [*faults, ("rows", shown(rows), "a list of rows", hint)]
     faults += [
         (key, f"{key} beside `rows`", "rows alone", f"move what it says into the rows, and remove `{key}`")
         for key in ("joints", "links")
@@ -83,8 +83,8 @@ def _row_faults(which: str, row: Any) -> list[tuple[str, str, str, str]]:
     for key in row:
         if key not in KEYS:
             close = nearest(str(key), KEYS)
-            mend = f"did you mean `{close}`?" if close else "remove it"
-            faults.append((f"{which}.{key}", "an unknown key", f"one of {', '.join(KEYS)}", mend))
+            hint = f"did you mean `{close}`?" if close else "remove it"
+            faults.append((f"{which}.{key}", "an unknown key", f"one of {', '.join(KEYS)}", hint))
     return faults
 
 

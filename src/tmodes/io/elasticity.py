@@ -86,8 +86,8 @@ def _urdf_path(
         raise InputError("urdf", shown(name), "the path of a URDF", "write `urdf: robot.urdf`", place)
     found = folders_of(path, roots, trust).find(name, "urdf", place)
     if found is None:
-        mend = "check the path, which starts at the elasticity file's folder; for package:// give its folder as --root"
-        raise InputError("urdf", f"{shown(name)}, which is not there", "the path of a URDF", mend, place)
+        hint = "check the path, which starts at the elasticity file's folder; for package:// give its folder as --root"
+        raise InputError("urdf", f"{shown(name)}, which is not there", "the path of a URDF", hint, place)
     if found.suffix.lower() not in {".urdf", ".xacro", ".xml"}:
         raise InputError("urdf", shown(name), "a file .urdf, .xacro or .xml", "name the robot's own file", place)
     return found
@@ -150,8 +150,8 @@ class _Overlay:
         if "beam" in group:
             self._bend(which, link, group["beam"], group.get("keep_inertial"))
         elif "keep_inertial" in group:
-            mend = "remove it: the link does not bend"
-            raise InputError(f"{which}.keep_inertial", "a link without `beam`", "a link with a beam", mend)
+            hint = "remove it: the link does not bend"
+            raise InputError(f"{which}.keep_inertial", "a link without `beam`", "a link with a beam", hint)
         if bodies:
             link["bodies"] = [*link.get("bodies", []), *bodies]
 
@@ -197,16 +197,16 @@ class _Overlay:
         try:
             one(name, group)
         except InputError as error:
-            self._wrong(error.which, error.got, error.expected, error.mend)
+            self._wrong(error.which, error.got, error.expected, error.hint)
 
     def _unknown(self, which: str, name: str, names: Iterable[str], expected: str) -> None:
         close = nearest(name, names)
-        mend = f"did you mean {shown(close)}?" if close else "remove it"
-        self._wrong(which, f"the unknown name {shown(name)}", expected, mend)
+        hint = f"did you mean {shown(close)}?" if close else "remove it"
+        self._wrong(which, f"the unknown name {shown(name)}", expected, hint)
 
-    def _wrong(self, which: str, got: str, expected: str, mend: str) -> None:
+    def _wrong(self, which: str, got: str, expected: str, hint: str) -> None:
         place = f"{self.source}:{nearest_line(which, self.lines, 1)}"
-        self.errors.append(InputError(which, got, expected, mend, place))
+        self.errors.append(InputError(which, got, expected, hint, place))
 
     def _copy_lines(self, path: str, to: str) -> None:
         """The lines of a group of the elasticity file become those of the sheet's group."""

@@ -84,14 +84,14 @@ def give_mass(which: str, beam: dict[str, Any], body: dict[str, Any] | None, kee
     weighed = [section for section in sections if _has_mass(section)]
     if weighed and body and keep is None:
         got = f"a section that has a mass, beside {body['mass']:g} kg of the URDF"
-        mend = "write `keep_inertial: rigid` to add both, or `keep_inertial: replaced` to count the section's alone"
-        raise InputError(f"{which}.keep_inertial", got, "one of the two masses, or that both count", mend)
+        hint = "write `keep_inertial: rigid` to add both, or `keep_inertial: replaced` to count the section's alone"
+        raise InputError(f"{which}.keep_inertial", got, "one of the two masses, or that both count", hint)
     if weighed or not sections:
         return
     if body is None or keep == "rigid":
         why = "the URDF has no mass for this link" if body is None else "the URDF's mass rides on it as a rigid body"
-        mend = "add `mass_per_length: ...` in kg/m to the section"
-        raise InputError(f"{which}.beam.section.mass_per_length", "nothing", f"a mass, because {why}", mend)
+        hint = "add `mass_per_length: ...` in kg/m to the section"
+        raise InputError(f"{which}.beam.section.mass_per_length", "nothing", f"a mass, because {why}", hint)
     for section in sections:
         section["mass_per_length"] = body["mass"] / length
 
@@ -126,8 +126,8 @@ def _only_joint(which: str, carried: Sequence[dict[str, Any]]) -> Array:
     if len(chosen) != 1:
         names = ", ".join(joint["name"] for joint in carried[:8])
         got = f"a link that carries {len(carried)} joints ({names})" if carried else "a link that carries no joint"
-        mend = "write `to: [x, y, z]` [m] in the link's frame"
-        raise InputError(f"{which}.to", got, "where the beam ends", mend)
+        hint = "write `to: [x, y, z]` [m] in the link's frame"
+        raise InputError(f"{which}.to", got, "where the beam ends", hint)
     return np.array(chosen[0]["origin"]["position"])
 
 
@@ -144,7 +144,7 @@ def length_of(which: str, value: Any, *, positive: bool = True) -> float:
     try:
         result = number(value, "m")
     except NotANumber as error:
-        raise InputError(which, error.got, "a number [m]", error.mend) from None
+        raise InputError(which, error.got, "a number [m]", error.hint) from None
     if not abs(result) <= 1e6 or (positive and result < SHORTEST):
         bound = f"from {SHORTEST:g} to 1e6 [m]" if positive else "of at most 1e6 [m]"
         raise InputError(which, shown(result), f"a number {bound}", "correct the exponent or the unit")

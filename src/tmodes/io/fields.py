@@ -12,8 +12,8 @@ from typing import Any, Literal, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from tmodes.kinds.schema.quantity import span_told
-from tmodes.paper.sheet import FACTOR, PLANT, Robot
+from tmodes.kinds.schema.quantity import span_info
+from tmodes.paper.sheet import FACTOR, PLANT, PaperRobot
 
 __all__ = ["Place", "children", "number_paths", "place_at", "places"]
 
@@ -64,7 +64,7 @@ class Place:
     def _bounds(self) -> str:
         if self.extra.get("span"):
             largest = next((rule.le for rule in (self.info.metadata if self.info else ()) if hasattr(rule, "le")), None)
-            return span_told(self.extra, largest, whole=self.annotation is int)
+            return span_info(self.extra, largest, whole=self.annotation is int)
         words = {"gt": "greater than", "ge": "not less than", "le": "not more than"}
         bounds = [
             f"{word} {getattr(rule, name):.15g}"
@@ -86,7 +86,7 @@ class Place:
 @cache
 def places() -> dict[str, Place]:
     """All places by path (``gear``, ``gear.stiffness``, ``link.modes.0.length``), in the order of the data sheet."""
-    return {place.path: place for place in _inside(Robot, "")}
+    return {place.path: place for place in _inside(PaperRobot, "")}
 
 
 def place_at(path: str) -> Place | None:

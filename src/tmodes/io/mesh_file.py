@@ -59,9 +59,9 @@ def _stl(content: bytes, which: str) -> Triangles:
         corners = np.frombuffer(content, _RECORD, count, _HEAD)["corners"].astype(float).reshape(-1, 3)
     elif content.lstrip()[:5].lower() == b"solid":
         _refuse_long_text(content, which)
-        told = [line.split()[1:4] for line in content.decode("latin-1").splitlines() if _is_corner(line)]
-        _bound(len(told) // 3, which)
-        corners = np.array(told, dtype=float).reshape(-1, 3)
+        info = [line.split()[1:4] for line in content.decode("latin-1").splitlines() if _is_corner(line)]
+        _bound(len(info) // 3, which)
+        corners = np.array(info, dtype=float).reshape(-1, 3)
     else:
         raise _fault(which, "a length that its number of triangles does not have", "use a whole copy of the file")
     if len(corners) % 3:
@@ -114,5 +114,5 @@ def _bound(count: int, which: str) -> None:
         raise _fault(which, f"{count} triangles", f"simplify it to at most {MOST_TRIANGLES}")
 
 
-def _fault(which: str, got: str, mend: str) -> InputError:
-    return InputError(which, got, "a mesh as STL or OBJ", mend)
+def _fault(which: str, got: str, hint: str) -> InputError:
+    return InputError(which, got, "a mesh as STL or OBJ", hint)

@@ -59,8 +59,8 @@ class Folders:
         """``package://name/path``: the folder ``name`` is a root, lies in one, or is the package around the file."""
         name, _, inner = rest.lstrip("/").partition("/")
         if ".." in (name, *_steps(inner)) and not self.trust:
-            got, mend = f"package://{rest}, which climbs with `..`", "name the file inside its package"
-            raise InputError(which, shown(got), "a path inside the package", mend, place)
+            got, hint = f"package://{rest}, which climbs with `..`", "name the file inside its package"
+            raise InputError(which, shown(got), "a path inside the package", hint, place)
         candidates = [*self.roots, *(root / name for root in self.roots), self.home / name]
         around = (self.home, *self.home.parents)
         candidates += [folder for folder in around if folder.name == name and _exists(folder / "package.xml")]
@@ -75,14 +75,14 @@ class Folders:
         resolved = self._resolved(path, which, place)
         if not self._is_inside(resolved) and not self.trust:
             got, expected = f"{shown(name)}, which leads outside", f"a path inside {shown_path(self.home)}"
-            mend = f"move the file there, or {ALLOW}"
-            raise InputError(which, got, expected, mend, place)
+            hint = f"move the file there, or {ALLOW}"
+            raise InputError(which, got, expected, hint, place)
         return resolved if _exists(resolved) else None
 
     def _within(self, path: Path, package: Path, which: str, place: str) -> None:
         if not self.trust and not path.resolve().is_relative_to(package.resolve()):
-            got, mend = f"{shown_path(path)}, a link that leads outside", "put the file itself there"
-            raise InputError(which, got, "a file inside its package", mend, place)
+            got, hint = f"{shown_path(path)}, a link that leads outside", "put the file itself there"
+            raise InputError(which, got, "a file inside its package", hint, place)
 
     def _is_inside(self, resolved: Path) -> bool:
         return any(resolved.is_relative_to(folder) for folder in (self.home, *self.roots))
@@ -91,8 +91,8 @@ class Folders:
         """An absolute path or an address: kept only where it is trusted and on this machine."""
         if self.trust:
             return path.resolve() if path and _exists(path) else None
-        mend = f"write a path relative to the robot's file, or {ALLOW}"
-        raise InputError(which, got, "a relative path or package://; nothing is ever fetched", mend, place)
+        hint = f"write a path relative to the robot's file, or {ALLOW}"
+        raise InputError(which, got, "a relative path or package://; nothing is ever fetched", hint, place)
 
     @staticmethod
     def _resolved(path: Path, which: str, place: str) -> Path:

@@ -69,8 +69,8 @@ def _compiled(path: str | os.PathLike[str], source: str, folders: Folders) -> An
     try:
         mujoco: Any = import_module("mujoco")  # its binary module has no types
     except ImportError:
-        mend = "install it with `pip install tmodes[peers]`, or write the arm as URDF"
-        raise InputError(source, "an MJCF without MuJoCo", "MuJoCo installed", mend) from None
+        hint = "install it with `pip install tmodes[peers]`, or write the arm as URDF"
+        raise InputError(source, "an MJCF without MuJoCo", "MuJoCo installed", hint) from None
     try:
         return mujoco.MjModel.from_xml_path(str(folders.home / os.path.basename(path)))  # noqa: PTH119 (bytes paths)
     except ValueError as error:
@@ -82,5 +82,5 @@ def _refuse_more(model: Any, source: str) -> None:
     more = {"equality constraints": model.neq, "tendons": model.ntendon, "mocap bodies": model.nmocap}
     for what, count in more.items():
         if count:
-            mend = "remove them, or model the mechanism as an open tree"
-            raise InputError("the model", UNTOLD.format(what), "bodies and joints alone", mend, source)
+            hint = "remove them, or model the mechanism as an open tree"
+            raise InputError("the model", UNTOLD.format(what), "bodies and joints alone", hint, source)

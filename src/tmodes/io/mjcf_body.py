@@ -96,8 +96,8 @@ class _Reader:
         name = model.joint(joint).name or f"joint_{joint + 1}"
         kind = int(model.jnt_type[joint])
         if kind in KINDS:
-            mend = "write it as hinges and slides, or fix the base to the world"
-            raise self._fault(name, KINDS[kind], "hinge or slide", mend)
+            hint = "write it as hinges and slides, or fix the base to the world"
+            raise self._fault(name, KINDS[kind], "hinge or slide", hint)
         data: dict[str, Any] = {"name": name, "type": "revolute" if kind == HINGE else "prismatic"}
         data |= {"axis": model.jnt_axis[joint].tolist()}
         limits = _limits(model, joint)
@@ -113,8 +113,8 @@ class _Reader:
     def _spring(self, joint: int, name: str, stiffness: float, armature: float) -> dict[str, Any]:
         if joint in self.driven or armature:
             got = "a spring beside an actuator" if joint in self.driven else "a spring beside an armature"
-            mend = "remove one of them, or write the arm as a sheet with an elastic gear"
-            raise self._fault(name, got, "a passive spring, or none", mend)
+            hint = "remove one of them, or write the arm as a sheet with an elastic gear"
+            raise self._fault(name, got, "a passive spring, or none", hint)
         rest = float(self.model.qpos_spring[self.model.jnt_qposadr[joint]])
         return {"state": "locked", "locked_at": rest, "gear": {"stiffness": stiffness, "damping": 0.0}}
 
@@ -145,9 +145,9 @@ class _Reader:
         self.positions[f"joints.{len(self.joints)}"] = self.lines.get(key, 1)
         self.joints.append(joint | {"from": "frame"})
 
-    def _fault(self, name: str, got: str, expected: str, mend: str) -> InputError:
+    def _fault(self, name: str, got: str, expected: str, hint: str) -> InputError:
         place = f"{self.source}:{self.lines.get(('joint', name), 1)}"
-        return InputError(f"joint {shown(name)}", got, expected, mend, place)
+        return InputError(f"joint {shown(name)}", got, expected, hint, place)
 
 
 def _limits(model: Any, joint: int) -> dict[str, float]:

@@ -32,8 +32,8 @@ def check_mjcf(root: Element, folders: Folders) -> list[Element]:
         element = waiting.pop()
         roots.append(element)
         if len(roots) > MOST_FILES:
-            mend = "look for a file that includes itself"
-            raise InputError("include", f"more than {MOST_FILES} files", f"at most {MOST_FILES}", mend, element.place)
+            hint = "look for a file that includes itself"
+            raise InputError("include", f"more than {MOST_FILES} files", f"at most {MOST_FILES}", hint, element.place)
         waiting.extend(_included(element, folders))
     bases = [folders.home, *(base for one in roots for base in _asset_folders(one, folders))]
     for one in roots:
@@ -65,8 +65,8 @@ def _asset_folders(root: Element, folders: Folders) -> Iterator[Path]:
 def _check(element: Element, folders: Folders, bases: list[Path]) -> None:
     which = f"<{element.tag[:60]}>"
     if element.tag in NOT_BODIES:
-        mend = "write the bodies and joints out"
-        raise InputError(which, f"the element {which}", "bodies, joints, geoms and assets", mend, element.place)
+        hint = "write the bodies and joints out"
+        raise InputError(which, f"the element {which}", "bodies, joints, geoms and assets", hint, element.place)
     for key in FILE_KEYS:
         if name := element.attributes.get(key, ""):
             for base in bases:
@@ -74,5 +74,5 @@ def _check(element: Element, folders: Folders, bases: list[Path]) -> None:
     most = MOST.get(element.tag)
     for key, text in element.attributes.items() if most else ():
         if (key in SIZES or element.tag == "size") and (finite_float(text.strip()) or 0.0) > (most or 0.0):
-            got, mend = f"{key} = {shown(text)}", "write a sensible size"
-            raise InputError(which, got, f"at most {most:g}", mend, element.place)
+            got, hint = f"{key} = {shown(text)}", "write a sensible size"
+            raise InputError(which, got, f"at most {most:g}", hint, element.place)

@@ -43,8 +43,8 @@ def parse_assignment(text: str) -> tuple[str, Any]:
     """
     path, equals, value = (part.strip() for part in text.partition("="))
     if not (path and equals and value) or len(value) > LONGEST_VALUE:
-        mend = "write it without spaces around =, as in gear.stiffness=900"
-        raise InputError("an assignment", shown(text), "path=value", mend)
+        hint = "write it without spaces around =, as in gear.stiffness=900"
+        raise InputError("an assignment", shown(text), "path=value", hint)
     if len(value) > 1 and value[0] == value[-1] and value[0] in "'\"":
         return path, value[1:-1]
     if NUMBERS.fullmatch(value):

@@ -7,7 +7,7 @@ from collections.abc import Iterator, Sequence
 
 from tmodes.io.fields import places
 from tmodes.paper.mode import FlexibleMode
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["implausible", "oddity"]
 
@@ -38,7 +38,7 @@ SAG = 1.0
 """Largest static bending angle under the weight of what a mode carries [rad]."""
 
 
-def implausible(robot: Robot) -> list[str]:
+def implausible(robot: PaperRobot) -> list[str]:
     """Sentences on numbers that look like a wrong unit, each with the likely factor; empty when all look right."""
     sentences = [*_ranges(robot), *_motor(robot), *_inertia(robot)]
     for index, (mode, mass) in enumerate(_carried(robot)):
@@ -65,7 +65,7 @@ def oddity(value: float, unit: str, plausible: Sequence[float] | None) -> str | 
     return f"= {value:g} {unit} is outside the usual {low:g} to {high:g}{guess}"
 
 
-def _ranges(robot: Robot) -> Iterator[str]:
+def _ranges(robot: PaperRobot) -> Iterator[str]:
     values = dict(robot.numbers())
     values |= {"reference.start": robot.reference.start, "reference.end": robot.reference.end}
     for path, value in values.items():
@@ -74,7 +74,7 @@ def _ranges(robot: Robot) -> Iterator[str]:
             yield f"{path} {odd}"
 
 
-def _motor(robot: Robot) -> Iterator[str]:
+def _motor(robot: PaperRobot) -> Iterator[str]:
     """In SI units both constants of a DC motor are the same number but for losses."""
     emf, torque = robot.motor.back_emf_constant, robot.motor.torque_constant
     if not 0.5 <= torque / emf <= 2.0:
@@ -86,7 +86,7 @@ def _motor(robot: Robot) -> Iterator[str]:
         )
 
 
-def _carried(robot: Robot) -> Iterator[tuple[FlexibleMode, float]]:
+def _carried(robot: PaperRobot) -> Iterator[tuple[FlexibleMode, float]]:
     """Each mode that bends, and the mass at its tip and beyond [kg]."""
     first, second = robot.link.modes
     beyond = second.tip_mass + robot.payload.mass
@@ -124,7 +124,7 @@ def _frequency(name: str, mode: FlexibleMode, mass: float) -> Iterator[str]:
         yield f"{name} bends at {frequency:.3g} Hz, {usual}; are its length, EI and masses in SI units?"
 
 
-def _inertia(robot: Robot) -> Iterator[str]:
+def _inertia(robot: PaperRobot) -> Iterator[str]:
     payload = robot.payload
     length = sum(mode.length for mode in robot.link.modes)
     if payload.inertia > payload.mass * length**2:

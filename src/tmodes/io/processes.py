@@ -22,8 +22,8 @@ def place() -> str:
 def state(pid: int) -> tuple[bool, str]:
     """Whether a process of this computer runs, and when it started; empty where the system does not tell."""
     with suppress(OSError, IndexError):
-        told = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
-        return told[0] not in "ZX", told[19]  # zombies and the dead do not run
+        info = Path(f"/proc/{pid}/stat").read_text().rpartition(")")[2].split()
+        return info[0] not in "ZX", info[19]  # zombies and the dead do not run
     if sys.platform == "win32":
         return _runs_on_windows(pid), ""
     try:

@@ -118,18 +118,18 @@ def _content(path: Path, max_bytes: int) -> memoryview:
 
 def _check_storable(dataset: Dataset) -> None:
     """Refuse what would need pickle, or would come back as something else."""
-    mend = "store numbers and text; anything else as JSON text in an attribute"
+    hint = "store numbers and text; anything else as JSON text in an attribute"
     for name, variable in dataset.variables.items():
         if variable.dtype.kind not in "fiuU" or variable.size == 0:
             got = f"{variable.dtype} of shape {variable.shape}"
-            raise file_error(f"variable {name}", got, "numbers or text, at least one", mend)
+            raise file_error(f"variable {name}", got, "numbers or text, at least one", hint)
     places: dict[str, dict[Any, Any]] = {"the result": dataset.attrs}
     places |= {f"variable {name}": variable.attrs for name, variable in dataset.variables.items()}
     for place, attributes in places.items():
         for name, value in attributes.items():
             if type(value) not in (str, int, float) or (type(value) is str and not _is_plain_text(value)):
                 got = f"{value!r:.60}"
-                raise file_error(f"attribute {name} of {place}", got, "text without NUL, an int or a float", mend)
+                raise file_error(f"attribute {name} of {place}", got, "text without NUL, an int or a float", hint)
 
 
 def _is_plain_text(text: str) -> bool:

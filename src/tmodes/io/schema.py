@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["editor_schema", "json_schema"]
 
@@ -27,7 +27,7 @@ SHORTHANDS = {
 
 def json_schema() -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of a robot's data sheet, with units, symbols and meanings."""
-    return editor_schema(Robot.model_json_schema())
+    return editor_schema(PaperRobot.model_json_schema())
 
 
 def editor_schema(raw: Mapping[str, Any]) -> dict[str, Any]:
@@ -54,14 +54,14 @@ def _with_units(node: Any, name: str = "") -> Any:
 
 
 def _quantity(node: dict[str, Any], name: str) -> dict[str, Any]:
-    told = {key: value for key, value in node.items() if key not in (*RULES, *OWN)}
+    info = {key: value for key, value in node.items() if key not in (*RULES, *OWN)}
     rules = {key: _numbers(node[key]) if key != "type" else node[key] for key in RULES if key in node}
     choices = rules.pop("anyOf", None) or [rules]
     if all(choice.get("type") in {"number", "integer", "null"} for choice in choices):
         choices = [*choices, WITH_UNIT]
     elif name in SHORTHANDS:
         choices = [*choices, SHORTHANDS[name], WITH_UNIT]
-    return {**told, "anyOf": choices}
+    return {**info, "anyOf": choices}
 
 
 def _numbers(node: Any) -> Any:

@@ -11,16 +11,16 @@ from typing import Any
 from pydantic import ValidationError
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.sheet_complaints import MOST_TOLD, SHEET, Complaint, arm_complaints
-from tmodes.io.sheet_fields import ArmPlace, Step, named, place_of, quantities
+from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_paths import entered, set_arm_paths, steps_of
+from tmodes.io.sheet_problems import MOST_TOLD, SHEET, Complaint, arm_problems
 from tmodes.io.sheet_units import at
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
 from tmodes.io.yaml_file import nearest_line
-from tmodes.sheet import ARM_FORMAT, Arm
+from tmodes.sheet import ARM_FORMAT, Robot
 
-__all__ = ["arm_data", "arm_from_data", "changed_arm", "real_arm"]
+__all__ = ["changed_arm", "real_arm", "sheet_data", "sheet_from_data"]
 
 MOST_ERRORS = 100
 MOST_VALUES = 200_000
@@ -32,7 +32,7 @@ FACTORED = ("gravity", "base", "joints", "links", "tip", "points", "couplings", 
 """The groups of which a number may be otherwise in the real arm."""
 
 
-def arm_from_data(data: Any, positions: Mapping[str, int] | None = None, source: str = "") -> Arm:
+def sheet_from_data(data: Any, positions: Mapping[str, int] | None = None, source: str = "") -> Robot:
     """The checked arm of plain data (maps, lists and scalars, as a YAML file holds them).
 
     ``positions`` gives the line of each dotted path and ``source`` the name of the file, for messages. Numbers may be
@@ -46,45 +46,43 @@ def arm_from_data(data: Any, positions: Mapping[str, int] | None = None, source:
     if len(wrong := dict(islice(_read_numbers(plain), MOST_TOLD))) == MOST_TOLD:
         raise _located([*wrong.items()], data, positions, source)
     try:
-        arm = Arm.model_validate(plain)
+        arm = Robot.model_validate(plain)
     except ValidationError as error:
-        told = [
-            (steps, _as_typed(one, steps, data)) for steps, one in arm_complaints(error, plain) if steps not in wrong
-        ]
-        raise _located([*wrong.items(), *told], data, positions, source) from None
+        info = [(steps, _as_typed(one, steps, data)) for steps, one in arm_problems(error, plain) if steps not in wrong]
+        raise _located([*wrong.items(), *info], data, positions, source) from None
     if wrong:
         raise _located(list(wrong.items()), data, positions, source)
-    if told := list(_wrong_real(arm)):
-        raise _located(told, data, positions, source)
+    if info := list(_wrong_real(arm)):
+        raise _located(info, data, positions, source)
     return arm
 
 
-def arm_data(arm: Arm) -> dict[str, Any]:
+def sheet_data(arm: Robot) -> dict[str, Any]:
     """The plain data of an arm: reading it gives the same arm."""
     return arm.model_dump(mode="json", by_alias=True, exclude_none=True)
 
 
-def changed_arm(arm: Arm, changes: Mapping[str, Any]) -> Arm:
+def changed_arm(arm: Robot, changes: Mapping[str, Any]) -> Robot:
     """The checked arm with changes by path; see :func:`tmodes.io.sheet_paths.set_arm_paths`."""
-    return arm_from_data(set_arm_paths(arm_data(arm), changes))
+    return sheet_from_data(set_arm_paths(sheet_data(arm), changes))
 
 
-def real_arm(arm: Arm) -> Arm:
+def real_arm(arm: Robot) -> Robot:
     """The arm as it really is: each number that ``real`` names times its factor.
 
     Raises :class:`tmodes.errors.InputErrors` for paths that name no number, and for numbers that no arm can have.
     """
     if not arm.real:
         return arm
-    data, wrong = arm_data(arm), []
+    data, wrong = sheet_data(arm), []
     for path, factor in arm.real.items():
         try:
             _scale(data, path, factor)
         except InputError as error:
-            wrong.append(InputError(f"real.{path}", error.got, error.expected, error.mend))
+            wrong.append(InputError(f"real.{path}", error.got, error.expected, error.hint))
     if wrong:
         raise InputErrors(wrong)
-    return arm_from_data({**data, "real": {}})
+    return sheet_from_data({**data, "real": {}})
 
 
 def _scale(data: dict[str, Any], path: str, factor: float) -> None:
@@ -110,31 +108,31 @@ def _scaled(value: Any, factor: float) -> Any:
     return known if math.isinf(known) else known * factor
 
 
-def _wrong_real(arm: Arm) -> Iterator[Complaint]:
+def _wrong_real(arm: Robot) -> Iterator[Complaint]:
     try:
         real_arm(arm)
     except InputErrors as errors:
         for error in errors.errors:
             path = error.which.removeprefix("real.")
             if path in arm.real:
-                yield ("real", path), InputError("", error.got, error.expected, error.mend)
+                yield ("real", path), InputError("", error.got, error.expected, error.hint)
             else:
                 got = f"factors that make {path} {error.got}"
-                yield ("real",), InputError("", got, error.expected, f"change the factor: {error.mend}")
+                yield ("real",), InputError("", got, error.expected, f"change the factor: {error.hint}")
 
 
 def _refuse_huge(data: Any, source: str) -> None:
     """Bounded before anything is copied."""
-    count, waiting, mend = 0, [(data, 0)], "check that this is a data sheet"
+    count, waiting, hint = 0, [(data, 0)], "check that this is a data sheet"
     while waiting:
         value, depth = waiting.pop()
         count += 1
         if count > MOST_VALUES:
             got = f"more than {MOST_VALUES} values"
-            raise InputErrors([InputError(SHEET, got, f"at most {MOST_VALUES}", mend, source)])
+            raise InputErrors([InputError(SHEET, got, f"at most {MOST_VALUES}", hint, source)])
         if depth > MOST_DEPTH:
             got = f"more than {MOST_DEPTH} levels"
-            raise InputErrors([InputError(SHEET, got, f"at most {MOST_DEPTH}", mend, source)])
+            raise InputErrors([InputError(SHEET, got, f"at most {MOST_DEPTH}", hint, source)])
         inner = value.values() if isinstance(value, dict) else value if isinstance(value, (list, tuple)) else ()
         waiting.extend((item, depth + 1) for item in inner)
 
@@ -144,9 +142,9 @@ def _other_format(data: Any) -> Iterator[Complaint]:
     if not isinstance(data, Mapping):
         yield (), InputError("", shown(data), "keys and values, such as `kind: arm`", "see a published arm")
     elif "format" in data:
-        version, mend = data["format"], f"write `format: {ARM_FORMAT}`"
+        version, hint = data["format"], f"write `format: {ARM_FORMAT}`"
         if type(version) is not int or version < ARM_FORMAT:
-            yield ("format",), InputError("", shown(version), f"the number {ARM_FORMAT}", mend)
+            yield ("format",), InputError("", shown(version), f"the number {ARM_FORMAT}", hint)
         elif version > ARM_FORMAT:
             got = f"{shown(version)}, newer than this program"
             yield ("format",), InputError("", got, f"at most {ARM_FORMAT}", "update tmodes")
@@ -158,14 +156,14 @@ def _read_numbers(data: Any) -> Iterator[Complaint]:
         try:
             container[key] = _read_number(container[key], place)
         except NotANumber as error:
-            yield steps, InputError("", error.got, place.expected, error.mend)
+            yield steps, InputError("", error.got, place.expected, error.hint)
 
 
-def _read_number(value: Any, place: ArmPlace) -> float:
+def _read_number(value: Any, place: ChainPlace) -> float:
     result = number(value, place.unit or "-")
     if math.isinf(result) and not (place.may_be_infinite and result > 0):
-        mend = "write a finite number" + ("; .inf makes it rigid" if place.may_be_infinite else "")
-        raise NotANumber(f"the infinite number {shown(result)}", mend)
+        hint = "write a finite number" + ("; .inf makes it rigid" if place.may_be_infinite else "")
+        raise NotANumber(f"the infinite number {shown(result)}", hint)
     return int(result) if result.is_integer() and int in place.members else result
 
 
@@ -177,15 +175,15 @@ def _as_typed(error: InputError, steps: tuple[Step, ...], data: Any) -> InputErr
     return error
 
 
-def _located(told: list[Complaint], data: Any, positions: Mapping[str, int], source: str) -> InputErrors:
+def _located(info: list[Complaint], data: Any, positions: Mapping[str, int], source: str) -> InputErrors:
     """The errors in the order of the file, each with its place, and with names in its path."""
-    lines = {id(error): nearest_line(".".join(map(str, steps)), positions) for steps, error in told}
-    for steps, error in told:
+    lines = {id(error): nearest_line(".".join(map(str, steps)), positions) for steps, error in info}
+    for steps, error in info:
         error.which = named(steps, data) or SHEET
         line = lines[id(error)]
         error.where = f"{source}:{line}" if source and line else source
-    errors = [error for _, error in sorted(told, key=lambda one: lines[id(one[1])])]
+    errors = [error for _, error in sorted(info, key=lambda one: lines[id(one[1])])]
     if len(errors) > MOST_ERRORS:
-        got, mend = f"more than {MOST_ERRORS} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
-        errors = [*errors[:MOST_ERRORS], InputError("the file", got, "a data sheet of this format", mend, source)]
+        got, hint = f"more than {MOST_ERRORS} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
+        errors = [*errors[:MOST_ERRORS], InputError("the file", got, "a data sheet of this format", hint, source)]
     return InputErrors(errors)

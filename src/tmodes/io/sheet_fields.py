@@ -15,15 +15,15 @@ from pydantic.fields import FieldInfo
 
 from tmodes.io.sheet_units import at, unit_at
 from tmodes.io.sheet_words import bounds, expected_kind, fields, first_line, is_group, kind_of, members_of, own_unit
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
-__all__ = ["ROOT", "ArmPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities"]
+__all__ = ["ROOT", "ChainPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities"]
 
 Step = str | int
 
 
 @dataclass(frozen=True)
-class ArmPlace:
+class ChainPlace:
     """One place of the data sheet: its type, its field (None for the sheet itself), and its unit there."""
 
     annotation: Any
@@ -81,11 +81,11 @@ class ArmPlace:
         return "a number, or a list of numbers" if Ellipsis in items else f"a list of {len(items)} numbers"
 
 
-ROOT = ArmPlace(Arm)
+ROOT = ChainPlace(Robot)
 """The place of the whole sheet."""
 
 
-def inside(place: ArmPlace, step: Step, value: Any, steps: Sequence[Step], data: Any) -> ArmPlace | None:
+def inside(place: ChainPlace, step: Step, value: Any, steps: Sequence[Step], data: Any) -> ChainPlace | None:
     """The place one step further in.
 
     ``value`` is what stands at ``place``; ``steps`` lead from the root to the new place in ``data``.
@@ -93,7 +93,7 @@ def inside(place: ArmPlace, step: Step, value: Any, steps: Sequence[Step], data:
     member = chosen(place.members, value)
     if is_group(member):
         info = fields(member).get(str(step))
-        return ArmPlace(info.annotation, info, unit_at(own_unit(info), steps, data)) if info else None
+        return ChainPlace(info.annotation, info, unit_at(own_unit(info), steps, data)) if info else None
     if get_origin(member) is tuple and isinstance(step, int):
         items = get_args(member)
         item = items[0] if Ellipsis in items else items[step] if 0 <= step < len(items) else None
@@ -103,14 +103,14 @@ def inside(place: ArmPlace, step: Step, value: Any, steps: Sequence[Step], data:
     return None
 
 
-def _item(place: ArmPlace, item: Any) -> ArmPlace:
+def _item(place: ChainPlace, item: Any) -> ChainPlace:
     """An item of a list or of names: a quantity as the whole is one, else a place of its own."""
-    return replace(place, annotation=item) if place.unit is not None else ArmPlace(item)
+    return replace(place, annotation=item) if place.unit is not None else ChainPlace(item)
 
 
-def place_of(steps: Sequence[Step], data: Any) -> ArmPlace | None:
+def place_of(steps: Sequence[Step], data: Any) -> ChainPlace | None:
     """The place that steps lead to in plain data; None when the sheet has no such place."""
-    place: ArmPlace | None = ROOT
+    place: ChainPlace | None = ROOT
     value = data
     for count, step in enumerate(steps, 1):
         place = inside(place, step, value, steps[:count], data)
@@ -141,14 +141,14 @@ def keys(member: Any) -> list[str]:
     return list(fields(member))
 
 
-def quantities(data: Any) -> Iterator[tuple[Any, Step, tuple[Step, ...], ArmPlace]]:
+def quantities(data: Any) -> Iterator[tuple[Any, Step, tuple[Step, ...], ChainPlace]]:
     """Every scalar of plain data that stands where a quantity belongs: its container, key, path and place."""
     yield from _quantities(ROOT, data, (), data)
 
 
 def _quantities(
-    place: ArmPlace, value: Any, steps: tuple[Step, ...], data: Any
-) -> Iterator[tuple[Any, Step, tuple[Step, ...], ArmPlace]]:
+    place: ChainPlace, value: Any, steps: tuple[Step, ...], data: Any
+) -> Iterator[tuple[Any, Step, tuple[Step, ...], ChainPlace]]:
     items = value.items() if isinstance(value, dict) else enumerate(value) if isinstance(value, list) else ()
     for key, item in list(items):
         here = (*steps, key)
@@ -161,7 +161,7 @@ def _quantities(
             yield from _quantities(inner, item, here, data)
 
 
-def _holds_more(place: ArmPlace, value: Any) -> bool:
+def _holds_more(place: ChainPlace, value: Any) -> bool:
     """True for a list or a group at a place where one belongs: its items are the quantities."""
     kind = get_origin(chosen(place.members, value))
     return kind in {tuple, dict} and isinstance(value, (list, dict))
@@ -169,9 +169,9 @@ def _holds_more(place: ArmPlace, value: Any) -> bool:
 
 def named(steps: Sequence[Step], data: Any) -> str:
     """The dotted path with the names of joints, links, points and bodies in place of their numbers."""
-    told, value = [], data
+    info, value = [], data
     for step in steps:
         value = at(value, step)
         name = value.get("name") if isinstance(value, Mapping) and isinstance(step, int) else None
-        told.append(name if isinstance(name, str) and name.isprintable() and 0 < len(name) <= 100 else str(step))
-    return ".".join(told)
+        info.append(name if isinstance(name, str) and name.isprintable() and 0 < len(name) <= 100 else str(step))
+    return ".".join(info)

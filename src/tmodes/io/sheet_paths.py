@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, get_args, get_origin
 
 from tmodes.errors import InputError
-from tmodes.io.sheet_fields import ROOT, ArmPlace, Step, chosen, inside, keys
+from tmodes.io.sheet_fields import ROOT, ChainPlace, Step, chosen, inside, keys
 from tmodes.io.sheet_units import at
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.links.material import LIBRARY
@@ -69,7 +69,7 @@ def steps_of(path: str, data: Any) -> list[Step]:
     if not isinstance(path, str) or not 0 < len(path) <= LONGEST:
         raise InputError(shown(path), "an unknown path", "the path of a value of the data sheet", "write one")
     steps: list[Step] = []
-    place: ArmPlace | None = ROOT
+    place: ChainPlace | None = ROOT
     value, words = data, path.split(".")
     while words:
         step, used = _step(value, words, place)
@@ -90,7 +90,7 @@ def _expanded(value: Any, steps: Sequence[Step]) -> Any:
     return value
 
 
-def _step(value: Any, words: list[str], place: ArmPlace | None) -> tuple[Step, int]:
+def _step(value: Any, words: list[str], place: ChainPlace | None) -> tuple[Step, int]:
     """The next step, and how many words it takes: a name may hold dots itself."""
     if isinstance(value, (list, tuple)):
         names = [item.get("name") if isinstance(item, Mapping) else None for item in value]
@@ -106,7 +106,7 @@ def _step(value: Any, words: list[str], place: ArmPlace | None) -> tuple[Step, i
     return words[0], 1
 
 
-def _unknown(path: str, where: str, value: Any, place: ArmPlace | None) -> InputError:
+def _unknown(path: str, where: str, value: Any, place: ChainPlace | None) -> InputError:
     if isinstance(value, (list, tuple)):
         known = [str(item.get("name") or k) if isinstance(item, Mapping) else str(k) for k, item in enumerate(value)]
         expected = f"one of {', '.join(known[:12])}" if known else "an empty list"
@@ -114,5 +114,5 @@ def _unknown(path: str, where: str, value: Any, place: ArmPlace | None) -> Input
         known = keys(chosen(place.members, value)) if place else []
         expected = f"one of {', '.join(known)}" if known else "no further key"
     close = nearest(where, known)
-    mend = f"did you mean `{close}`?" if close else "look the path up in the data sheet"
-    return InputError(path, f"the unknown name {shown(where)}", expected, mend)
+    hint = f"did you mean `{close}`?" if close else "look the path up in the data sheet"
+    return InputError(path, f"the unknown name {shown(where)}", expected, hint)

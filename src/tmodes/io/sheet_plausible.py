@@ -7,7 +7,7 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from tmodes.io.plausible import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, oddity
-from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import named, quantities
 from tmodes.io.sheet_plausible_motion import implausible_motion
 from tmodes.kinds.links.beam import BeamModel, BeamSheet
@@ -15,7 +15,7 @@ from tmodes.kinds.links.material import Material
 from tmodes.kinds.schema.frames import Origin
 
 if TYPE_CHECKING:
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
 __all__ = ["arm_notices", "implausible_arm"]
 
@@ -32,14 +32,14 @@ CLAMPED_FREE = 1.8751040687119611
 """First root of cos x cosh x = -1: a clamped bare beam has 2 pi f = (x/L)^2 sqrt(EI/w)."""
 
 
-def implausible_arm(arm: Arm) -> list[str]:
+def implausible_arm(arm: Robot) -> list[str]:
     """Sentences on numbers that look like a wrong unit, each with the likely factor; empty when all look right."""
     beams = [(link.name, link.beam) for link in arm.links if link.beam]
     found = (sentence for name, beam in beams for sentence in (*_beam(name, beam), *_model(name, beam)))
     return [*_ranges(arm), *found, *implausible_motion(arm)]
 
 
-def arm_notices(arm: Arm) -> list[str]:
+def arm_notices(arm: Robot) -> list[str]:
     """Sentences on what was put right in reading the arm: directions and quaternions not of length 1."""
     places: dict[str, Origin | None] = {"base": arm.base, "tip": arm.tip}
     places |= {f"points.{point.name}": point for point in arm.points}
@@ -48,13 +48,13 @@ def arm_notices(arm: Arm) -> list[str]:
         if link.beam:
             places[f"links.{link.name}.beam.root_mount"] = link.beam.root_mount
             places[f"links.{link.name}.beam.tip_mount"] = link.beam.tip_mount
-    told = {path: origin.notice() for path, origin in places.items() if origin}
-    told |= {f"joints.{joint.name}.axis": joint.notice() for joint in arm.joints}
-    return [f"{path}: {notice}" for path, notice in told.items() if notice]
+    info = {path: origin.notice() for path, origin in places.items() if origin}
+    info |= {f"joints.{joint.name}.axis": joint.notice() for joint in arm.joints}
+    return [f"{path}: {notice}" for path, notice in info.items() if notice]
 
 
-def _ranges(arm: Arm) -> Iterator[str]:
-    data = arm_data(arm)
+def _ranges(arm: Robot) -> Iterator[str]:
+    data = sheet_data(arm)
     for container, key, steps, place in quantities(data):
         value = float(container[key])
         odd = oddity(value, place.unit or "-", place.extra.get("plausible"))
@@ -73,13 +73,13 @@ def _model(name: str, beam: BeamSheet) -> Iterator[str]:
     if beam.model is BeamModel.STRAIN and functions and not any(dict(functions).values()):
         yield f"links.{name}.beam is rigid: its model `strain` has 0 functions in every direction"
     if beam.model is BeamModel.SEGMENTS and (beam.segments or 0) > MOST_SEGMENTS:
-        told = "more segments do not converge (docs/links.md); was the model `strain` meant?"
-        yield f"links.{name}.beam has {beam.segments} segments, more than {MOST_SEGMENTS}: {told}"
+        info = "more segments do not converge (docs/links.md); was the model `strain` meant?"
+        yield f"links.{name}.beam has {beam.segments} segments, more than {MOST_SEGMENTS}: {info}"
     low, high = POISSON
     for material in (beam.material, *(piece.material for piece in beam.pieces)):
         if isinstance(material, Material) and not low <= (ratio := material.young / (2 * material.shear) - 1) <= high:
-            told = f"young/(2 shear) - 1 = {ratio:.3g}, a Poisson ratio outside {low:g} to {high:g}"
-            yield f"links.{name}.beam.material has {told}; right for a laminate only: are both moduli in Pa?"
+            info = f"young/(2 shear) - 1 = {ratio:.3g}, a Poisson ratio outside {low:g} to {high:g}"
+            yield f"links.{name}.beam.material has {info}; right for a laminate only: are both moduli in Pa?"
 
 
 def _slenderness(name: str, beam: BeamSheet) -> Iterator[str]:
@@ -105,8 +105,8 @@ def _material(name: str, beam: BeamSheet) -> Iterator[str]:
         return
     heavy = "mass or density in g (factor 0.001), or E in MPa or GPa (factor 1e+06 or 1e+09)"
     light = "stiffness in N*mm^2 (factor 1e-06), or density in g/cm^3 (factor 1000)"
-    told = f"EI = {stiffness:g} N*m^2 and {root.mass:g} kg/m"
-    yield f"links.{name}.beam with {told} is of no known material; was its {heavy if ratio > high else light} meant?"
+    info = f"EI = {stiffness:g} N*m^2 and {root.mass:g} kg/m"
+    yield f"links.{name}.beam with {info} is of no known material; was its {heavy if ratio > high else light} meant?"
 
 
 def _frequency(name: str, beam: BeamSheet) -> Iterator[str]:
@@ -119,7 +119,7 @@ def _frequency(name: str, beam: BeamSheet) -> Iterator[str]:
     if not low <= frequency <= high:
         factors = {1e6: "length in mm (factor 0.001)", math.sqrt(1e9): "E in GPa (factor 1e+09)"}
         factors |= {1e3: "E in MPa (factor 1e+06)", 1e-3: "stiffness in N*mm^2 (factor 1e-06)"}
-        likely = next((told for factor, told in factors.items() if low <= factor * frequency <= high), None)
+        likely = next((info for factor, info in factors.items() if low <= factor * frequency <= high), None)
         guess = f"was its {likely} meant?" if likely else "are its length, stiffness and mass in SI units?"
         usual = f"outside the usual {low:g} to {high:g} Hz"
         yield f"links.{name}.beam, clamped, swings at {frequency:.3g} Hz, {usual}; {guess}"

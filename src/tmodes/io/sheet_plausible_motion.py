@@ -11,7 +11,7 @@ from tmodes.sheet.checks import coordinate_count
 from tmodes.sheet.parts import Command
 
 if TYPE_CHECKING:
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
 __all__ = ["implausible_motion"]
 
@@ -31,7 +31,7 @@ LEVELS = ("value", "start", "end", "amplitude", "offset", "values")
 """Keys of a signal that are values of it, of whatever type it is."""
 
 
-def implausible_motion(arm: Arm) -> Iterator[str]:
+def implausible_motion(arm: Robot) -> Iterator[str]:
     """Sentences on gravity, motions and limits that look like a wrong unit, and on an arm of very many coordinates."""
     pull = math.hypot(*arm.gravity)
     if pull > GRAVITY:
@@ -39,11 +39,11 @@ def implausible_motion(arm: Arm) -> Iterator[str]:
     yield from _limits(arm)
     yield from _signals(arm)
     if (count := coordinate_count(arm)) > MANY:
-        told = "each answer takes long; fewer functions or segments will do for most links"
-        yield f"the arm has {count} coordinates, more than {MANY}: {told}"
+        info = "each answer takes long; fewer functions or segments will do for most links"
+        yield f"the arm has {count} coordinates, more than {MANY}: {info}"
 
 
-def _limits(arm: Arm) -> Iterator[str]:
+def _limits(arm: Robot) -> Iterator[str]:
     for joint in arm.joints:
         if joint.type is JointType.PRISMATIC and joint.limits:
             for name in ("lower", "upper"):
@@ -52,7 +52,7 @@ def _limits(arm: Arm) -> Iterator[str]:
                     yield _far(f"joints.{joint.name}.limits.{name}", value)
 
 
-def _signals(arm: Arm) -> Iterator[str]:
+def _signals(arm: Robot) -> Iterator[str]:
     kinds = {joint.name: joint.type for joint in arm.joints}
     for index, drive in enumerate(arm.drives):
         if drive.command not in {Command.POSITION, Command.PRESCRIBED}:

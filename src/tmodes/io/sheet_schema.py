@@ -5,11 +5,11 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.io.schema import editor_schema
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 __all__ = ["arm_json_schema"]
 
 
 def arm_json_schema() -> dict[str, Any]:
     """JSON Schema (draft 2020-12) of an arm's data sheet, with units, symbols and meanings."""
-    return editor_schema(Arm.model_json_schema(by_alias=True))
+    return editor_schema(Robot.model_json_schema(by_alias=True))

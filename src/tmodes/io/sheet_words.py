@@ -10,7 +10,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from tmodes.kinds.schema.quantity import LARGEST, span_told
+from tmodes.kinds.schema.quantity import LARGEST, span_info
 
 __all__ = ["bounds", "expected_kind", "fields", "first_line", "is_group", "kind_of", "members_of", "own_unit"]
 
@@ -72,7 +72,7 @@ def bounds(info: FieldInfo | None, annotation: Any) -> str:
     extra = info.json_schema_extra if info else None
     if info and isinstance(extra, dict) and extra.get("span"):
         largest = next((rule.le for rule in info.metadata if hasattr(rule, "le")), None)
-        return span_told(extra, largest, whole=annotation is int)
+        return span_info(extra, largest, whole=annotation is int)
     words = {"gt": "greater than", "ge": "not less than", "le": "not more than"}
     found = [
         f"{word} {getattr(rule, name):.15g}"

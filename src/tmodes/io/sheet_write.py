@@ -5,21 +5,21 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import Step, place_of
 from tmodes.io.yaml_text import scalar_text, text
 
 if TYPE_CHECKING:
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
 __all__ = ["arm_to_yaml"]
 
 COLUMN = 48
 
 
-def arm_to_yaml(arm: Arm) -> str:
+def arm_to_yaml(arm: Robot) -> str:
     """The data sheet of an arm as YAML. Every number is written with all its digits; reading it gives ``arm``."""
-    data = arm_data(arm)
+    data = sheet_data(arm)
     return "\n".join([*_group(data, (), "", data), ""])
 
 

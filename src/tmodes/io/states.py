@@ -52,21 +52,21 @@ def parsed_json(content: bytes, source: str) -> Any:
     if content.count(b"[") + content.count(b"{") > MOST_BRACKETS:
         most = f"at most {MOST_BRACKETS} lists and objects"
         raise InputError("the file", "a flood of brackets", most, "check that this is the file you mean", source)
-    mend = "look there for a missing quote, bracket or comma"
+    hint = "look there for a missing quote, bracket or comma"
     try:
         return json.loads(content.decode("utf-8-sig"), object_pairs_hook=_object)
     except json.JSONDecodeError as error:
         where = f"{source}:{error.lineno}"
-        raise InputError("the file", f"broken JSON ({error.msg})", "JSON", mend, where) from None
+        raise InputError("the file", f"broken JSON ({error.msg})", "JSON", hint, where) from None
     except UnicodeDecodeError:
-        got, mend = "bytes that are not UTF-8", "save the file as UTF-8 text"
-        raise InputError("the file", got, "text in UTF-8", mend, source) from None
+        got, hint = "bytes that are not UTF-8", "save the file as UTF-8 text"
+        raise InputError("the file", got, "text in UTF-8", hint, source) from None
     except RecursionError:
-        got, mend = "lists or objects nested too deep", "remove brackets"
-        raise InputError("the file", got, "a list of flat records", mend, source) from None
+        got, hint = "lists or objects nested too deep", "remove brackets"
+        raise InputError("the file", got, "a list of flat records", hint, source) from None
     except ValueError:  # an integer of more digits than Python converts
-        got, mend = "a number of thousands of digits", "write sensible numbers"
-        raise InputError("the file", got, "numbers that a double can hold", mend, source) from None
+        got, hint = "a number of thousands of digits", "write sensible numbers"
+        raise InputError("the file", got, "numbers that a double can hold", hint, source) from None
 
 
 def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
@@ -84,8 +84,8 @@ def _records(data: Any, source: str) -> list[Any]:
         data = data["states"]
     if not isinstance(data, list) or not data:
         got = "an empty list" if data == [] else "one record" if isinstance(data, Mapping) else shown(data)
-        mend = 'write [{"phi": [...], "phid": [...], "u": 0.0}]'
-        raise InputError("the file", got, "a list of records", mend, source)
+        hint = 'write [{"phi": [...], "phid": [...], "u": 0.0}]'
+        raise InputError("the file", got, "a list of records", hint, source)
     if len(data) > MOST_RECORDS:
         raise InputError("the file", f"{len(data)} records", f"at most {MOST_RECORDS}", "split the file", source)
     return data
@@ -102,9 +102,9 @@ def check_keys(record: Mapping[str, Any], must: Names, may: Names, which: str, s
     for key in record:
         if key not in (*must, *may):
             close = nearest(key, (*must, *may))
-            mend = f"did you mean `{close}`?" if close else "remove it"
+            hint = f"did you mean `{close}`?" if close else "remove it"
             expected = f"one of {', '.join((*must, *may))}"
-            raise InputError(f"{which}: {shown(key)}", "an unknown key", expected, mend, source)
+            raise InputError(f"{which}: {shown(key)}", "an unknown key", expected, hint, source)
     for key in must:
         if key not in record:
             raise InputError(f"{which}: {key}", "nothing", f"the key `{key}`", f"add `{key}`", source)
@@ -116,16 +116,16 @@ class _Record:
     def __init__(self, data: Any, index: int, source: str) -> None:
         self.data, self.index, self.source = data, index, source
 
-    def error(self, field: str, got: str, expected: str, mend: str) -> InputError:
+    def error(self, field: str, got: str, expected: str, hint: str) -> InputError:
         """An error of ours about a field of this record."""
         which = f"record {self.index}"
-        return InputError(f"{which}: {field}" if field else which, got, expected, mend, self.source)
+        return InputError(f"{which}: {field}" if field else which, got, expected, hint, self.source)
 
     def read(self, coordinates: int) -> dict[str, Any]:
         """The numbers that are needed, as floats."""
         if not isinstance(self.data, Mapping):
-            expected, mend = "a record with the keys phi, phid, u", 'write {"phi": [...], "phid": [...], "u": 0.0}'
-            raise self.error("", shown(self.data), expected, mend)
+            expected, hint = "a record with the keys phi, phid, u", 'write {"phi": [...], "phid": [...], "u": 0.0}'
+            raise self.error("", shown(self.data), expected, hint)
         if isinstance(self.data, _Repeated) or self.data.keys() != NEEDED:
             check_keys(self.data, GIVEN, ANSWERS, f"record {self.index}", self.source)
             self._check_answers()

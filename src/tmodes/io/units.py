@@ -34,7 +34,7 @@ class NotANumber(ValueError):
     """What is wrong with a value where a number belongs, and how to mend it."""
 
     got: str
-    mend: str
+    hint: str
 
 
 def number(value: Any, unit: str) -> float:
@@ -45,7 +45,7 @@ def number(value: Any, unit: str) -> float:
     if isinstance(value, str):
         return _from_text(" ".join(value.split()), unit)
     if isinstance(value, bool) or not isinstance(value, Real):
-        raise NotANumber(shown(value), _mend_kind(value, unit))
+        raise NotANumber(shown(value), _hint_kind(value, unit))
     try:
         result = float(value)
     except OverflowError:
@@ -55,7 +55,7 @@ def number(value: Any, unit: str) -> float:
     return result
 
 
-def _mend_kind(value: Any, unit: str) -> str:
+def _hint_kind(value: Any, unit: str) -> str:
     if isinstance(value, bool):
         return "write a number; true and false are not numbers"
     if value is None:
@@ -68,14 +68,14 @@ def _from_text(text: str, unit: str) -> float:
         return float(text.replace(".", ""))
     match = QUANTITY.fullmatch(text) if len(text) <= LONGEST else None
     if match is None:
-        raise NotANumber(f"the text {shown(text)}", _mend_text(text, unit))
+        raise NotANumber(f"the text {shown(text)}", _hint_text(text, unit))
     value = finite_float(match[1])
     if value is None:
         raise NotANumber(f"{shown(match[1])}, which no double can hold", "write a number of sensible size")
     return value if match[2] is None else _converted(value, match[2], unit)
 
 
-def _mend_text(text: str, unit: str) -> str:
+def _hint_text(text: str, unit: str) -> str:
     if comma := COMMA.fullmatch(text):
         return f"write a decimal point instead of the comma: {comma[1]}.{comma[2]}{comma[3]}"
     example = "" if unit == "-" else f', or a number with its unit, such as "1.5 {unit}"'
@@ -105,8 +105,8 @@ def _factor(unit_text: str, unit: str) -> float:
 
 
 def _wrong_unit(unit_text: str, reason: str, unit: str) -> NotANumber:
-    mend = f"write the number{_in(unit)}, or with a unit that converts to it"
-    return NotANumber(f"the unit {shown(unit_text)}, which is {reason}", mend if unit != "-" else "leave the unit out")
+    hint = f"write the number{_in(unit)}, or with a unit that converts to it"
+    return NotANumber(f"the unit {shown(unit_text)}, which is {reason}", hint if unit != "-" else "leave the unit out")
 
 
 @cache

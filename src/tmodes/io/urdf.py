@@ -101,13 +101,13 @@ def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) 
 
 def _check_root(robot: Element) -> None:
     if robot.tag != "robot":
-        got, mend = f"<{robot.tag[:60]}>", "check that this is a URDF"
-        raise fault(robot, "the root element", got, "<robot>", mend)
+        got, hint = f"<{robot.tag[:60]}>", "check that this is a URDF"
+        raise fault(robot, "the root element", got, "<robot>", hint)
     check_attributes(robot, {"name", "version"}, "robot")
     check_children(robot, TOP, "robot")
     if prefixed := next((child for child in robot.children if child.tag.startswith("xacro:")), None):
-        mend = "save the file with the ending .xacro"
-        raise fault(prefixed, "robot", f"<{prefixed.tag[:60]}> in a plain URDF", "<link> and <joint>", mend)
+        hint = "save the file with the ending .xacro"
+        raise fault(prefixed, "robot", f"<{prefixed.tag[:60]}> in a plain URDF", "<link> and <joint>", hint)
 
 
 def _read(element: Element, reading: _Reading) -> None:
@@ -130,8 +130,8 @@ def _read(element: Element, reading: _Reading) -> None:
 
 def _refuse_second(name: str, kind: str, element: Element, first: Element | None) -> None:
     if first is not None:
-        got, mend = f"a second {kind} of this name (first in line {first.line})", "give each its own name"
-        raise fault(element, f"{kind} {name}", got, f"one {kind} of each name", mend)
+        got, hint = f"a second {kind} of this name (first in line {first.line})", "give each its own name"
+        raise fault(element, f"{kind} {name}", got, f"one {kind} of each name", hint)
 
 
 def _tried(reading: _Reading, read: Any, *what: Any) -> Any:

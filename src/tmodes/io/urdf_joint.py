@@ -82,14 +82,14 @@ def follows(joint: UrdfJoint) -> Follows | None:
 def _other_kind(element: Element, which: str, kind: str) -> InputError:
     known = ", ".join(KINDS)
     if kind == "floating":
-        mend = "fix the base to the world: make the joint fixed, or remove it with its parent"
-        return fault(element, f"{which}: type", "a floating joint (a free-flying base)", f"one of {known}", mend)
+        hint = "fix the base to the world: make the joint fixed, or remove it with its parent"
+        return fault(element, f"{which}: type", "a floating joint (a free-flying base)", f"one of {known}", hint)
     if kind == "planar":
-        mend = "write it as two prismatic joints and a revolute one"
-        return fault(element, f"{which}: type", "a planar joint", f"one of {known}", mend)
+        hint = "write it as two prismatic joints and a revolute one"
+        return fault(element, f"{which}: type", "a planar joint", f"one of {known}", hint)
     close = nearest(kind, KINDS)
-    mend = f"did you mean {close}?" if close else "choose one of them"
-    return fault(element, f"{which}: type", shown(kind), f"one of {known}", mend)
+    hint = f"did you mean {close}?" if close else "choose one of them"
+    return fault(element, f"{which}: type", shown(kind), f"one of {known}", hint)
 
 
 def _end(element: Element, tag: str, which: str) -> str:
@@ -134,8 +134,8 @@ def _range(element: Element, which: str) -> dict[str, float]:
         return {}
     lower, upper = (_limit(element, name, which) for name in ("lower", "upper"))
     if lower > upper:
-        got, mend = f"lower {lower:g} above upper {upper:g}", "exchange them, or correct a sign"
-        raise fault(element, f"{which}: limit", got, "lower not above upper", mend)
+        got, hint = f"lower {lower:g} above upper {upper:g}", "exchange them, or correct a sign"
+        raise fault(element, f"{which}: limit", got, "lower not above upper", hint)
     return {name: value for name, value in (("lower", lower), ("upper", upper)) if abs(value) <= BOUNDLESS}
 
 
@@ -156,6 +156,6 @@ def _friction(element: Element, which: str) -> dict[str, float]:
     friction = {"viscous": "damping", "coulomb": "friction"}
     values = {key: number_at(dynamics, name, f"{which}: {name}", 0.0) for key, name in friction.items()}
     if values["coulomb"] < 0.0:
-        mend = "correct the sign: a negative one would drive the joint"
-        raise fault(dynamics, f"{which}: friction", f"{values['coulomb']:g}", "a number not less than 0", mend)
+        hint = "correct the sign: a negative one would drive the joint"
+        raise fault(dynamics, f"{which}: friction", f"{values['coulomb']:g}", "a number not less than 0", hint)
     return values if any(values.values()) else {}

@@ -61,20 +61,20 @@ def _refuse_stray(link: Element, which: str) -> None:
     """A mass beside the inertial would be lost without a word."""
     for tag in ("mass", "inertia"):
         if stray := link.first(tag):
-            mend = f"put <{tag}> inside <inertial>"
-            raise fault(stray, which, f"<{tag}> outside of <inertial>", "mass and inertia inside <inertial>", mend)
+            hint = f"put <{tag}> inside <inertial>"
+            raise fault(stray, which, f"<{tag}> outside of <inertial>", "mass and inertia inside <inertial>", hint)
 
 
 def _mass(inertial: Element, which: str) -> float:
     element = only(inertial, "mass", which)
     if element is None:
-        mend = 'add <mass value="..."/> in kg'
-        raise fault(inertial, f"{which}: mass", "<inertial> without <mass>", "a mass [kg]", mend)
+        hint = 'add <mass value="..."/> in kg'
+        raise fault(inertial, f"{which}: mass", "<inertial> without <mass>", "a mass [kg]", hint)
     check_attributes(element, {"value"}, f"{which}: mass")
     mass = number_at(element, "value", f"{which}: mass")
     if mass < 0.0:
-        mend = "correct the sign, or remove <inertial> from a link that is only a frame"
-        raise fault(element, f"{which}: mass", f"{mass:g}", "a mass greater than 0 [kg]", mend)
+        hint = "correct the sign, or remove <inertial> from a link that is only a frame"
+        raise fault(element, f"{which}: mass", f"{mass:g}", "a mass greater than 0 [kg]", hint)
     return mass
 
 
@@ -82,16 +82,16 @@ def _inertia(inertial: Element, mass: float, which: str) -> dict[str, float]:
     """The six components; empty for a point mass, all of whose moments are nothing."""
     element = only(inertial, "inertia", which)
     if element is None:
-        mend = "add the six moments, all zero for a point mass"
-        raise fault(inertial, f"{which}: inertia", "<inertial> without <inertia>", "<inertia ixx=... izz=...>", mend)
+        hint = "add the six moments, all zero for a point mass"
+        raise fault(inertial, f"{which}: inertia", "<inertial> without <inertia>", "<inertia ixx=... izz=...>", hint)
     check_attributes(element, {f"i{pair}" for pair in COMPONENTS}, f"{which}: inertia")
     values = {pair: number_at(element, f"i{pair}", f"{which}: inertia i{pair}") for pair in COMPONENTS}
     if max(map(abs, values.values())) < NOTHING:
         return {}
     if mass == 0.0:
-        mend = "give the mass, or remove <inertial> from a link that is only a frame"
+        hint = "give the mass, or remove <inertial> from a link that is only a frame"
         got, expected = "0 beside moments of inertia", "a mass greater than 0 [kg]"
-        raise fault(inertial.first("mass") or inertial, f"{which}: mass", got, expected, mend)
+        raise fault(inertial.first("mass") or inertial, f"{which}: mass", got, expected, hint)
     if broken := _broken_rule(values):
         raise _unphysical(element, which, *broken)
     return values
@@ -106,5 +106,5 @@ def _broken_rule(values: dict[str, float]) -> tuple[str, str] | None:
 
 
 def _unphysical(element: Element, which: str, rule: str, words: str) -> InputError:
-    mend = "check the unit, the signs and that it is about the center of mass; a plate's own is Ixx + Iyy = Izz"
-    return fault(element, f"{which}: inertia", words, f"moments of a rigid body: {rule}", mend)
+    hint = "check the unit, the signs and that it is about the center of mass; a plate's own is Ixx + Iyy = Izz"
+    return fault(element, f"{which}: inertia", words, f"moments of a rigid body: {rule}", hint)

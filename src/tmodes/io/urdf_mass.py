@@ -36,8 +36,8 @@ def massless(
         if whole[joint.child] == 0.0:
             yield _weightless(joint, stated if stated is not None else links[joint.child])
         elif stated is not None and rigid[joint.child] == 0.0:
-            mend = "give its mass, or remove its <inertial> if it is only a frame between two joints"
-            yield fault(stated, f"link {joint.child}: mass", "0 on a moving link", "a mass greater than 0 [kg]", mend)
+            hint = "give its mass, or remove its <inertial> if it is only a frame between two joints"
+            yield fault(stated, f"link {joint.child}: mass", "0 on a moving link", "a mass greater than 0 [kg]", hint)
 
 
 def _weightless(joint: UrdfJoint, element: Element) -> InputError:

@@ -18,27 +18,27 @@ def hold_followers(joints: tuple[UrdfJoint, ...], data: list[dict[str, Any]]) ->
     The leader stands at zero, or at its limit next to zero. Raises :class:`tmodes.errors.InputError` for a leader
     that does not exist, does not move, or follows another itself.
     """
-    told = {joint.name: said for joint in joints if (said := follows(joint))}
+    info = {joint.name: said for joint in joints if (said := follows(joint))}
     moving = {joint.name: sheet for joint, sheet in zip(joints, data, strict=True) if joint.kind in MOVING}
     for joint in joints:
-        if joint.name in told:
-            _check_leader(joint, told[joint.name].leader, moving, told)
-    for name, said in told.items():
+        if joint.name in info:
+            _check_leader(joint, info[joint.name].leader, moving, info)
+    for name, said in info.items():
         leader = moving[said.leader]
         leader |= {"state": "locked", "locked_at": _next_to_zero(leader)}
         moving[name] |= {"state": "locked", "locked_at": said.factor * leader["locked_at"] + said.offset}
-    return _notice(told)
+    return _notice(info)
 
 
-def _check_leader(joint: UrdfJoint, leader: str, moving: dict[str, Any], told: dict[str, Follows]) -> None:
+def _check_leader(joint: UrdfJoint, leader: str, moving: dict[str, Any], info: dict[str, Follows]) -> None:
     which = f"joint {joint.name}: mimic"
     if leader not in moving:
         close = nearest(leader, moving)
-        mend = f"did you mean {shown(close)}?" if close else "name a joint that moves, or remove <mimic>"
-        raise fault(joint.element, which, f"the unknown joint {shown(leader)}", "a joint that moves", mend)
-    if leader in told:
-        got, mend = f"{shown(leader)}, which mimics {shown(told[leader].leader)} itself", "name that joint instead"
-        raise fault(joint.element, which, got, "a joint that moves by itself", mend)
+        hint = f"did you mean {shown(close)}?" if close else "name a joint that moves, or remove <mimic>"
+        raise fault(joint.element, which, f"the unknown joint {shown(leader)}", "a joint that moves", hint)
+    if leader in info:
+        got, hint = f"{shown(leader)}, which mimics {shown(info[leader].leader)} itself", "name that joint instead"
+        raise fault(joint.element, which, got, "a joint that moves by itself", hint)
 
 
 def _next_to_zero(joint: dict[str, Any]) -> float:
@@ -46,9 +46,9 @@ def _next_to_zero(joint: dict[str, Any]) -> float:
     return min(max(0.0, limits.get("lower", 0.0)), limits.get("upper", float("inf")))
 
 
-def _notice(told: dict[str, Follows]) -> str:
-    if not told:
+def _notice(info: dict[str, Follows]) -> str:
+    if not info:
         return ""
-    pairs = ", ".join(f"{name} (follows {said.leader})" for name, said in told.items())
+    pairs = ", ".join(f"{name} (follows {said.leader})" for name, said in info.items())
     few = pairs if len(pairs) <= 1500 else pairs[:1500] + " ..."
     return f"Joints coupled by mimic are held with those they follow, which is no part of the file: {few}."

@@ -49,8 +49,8 @@ def sheet_of(
         notices.append(f"The file's link {BASE}, which is not its root, is called {name_of(BASE, tree)} here.")
     weighing = [joint["child"] for joint in joints if joint["child"] in bodies]
     data: dict[str, Any] = {"format": 1, "kind": "arm", "name": _title(robot)}
-    if told := " ".join(filter(None, notices)):
-        data["assumed"] = told
+    if info := " ".join(filter(None, notices)):
+        data["assumed"] = info
     data |= {"joints": joints, "links": [{"name": name, "bodies": [bodies[name]]} for name in weighing]}
     positions = dict.fromkeys(("", "name", "joints", "links"), robot.line)
     positions |= {f"joints.{index}": line for index, line in enumerate(lines)}

@@ -42,12 +42,12 @@ def tree_of(robot: Element, links: dict[str, Element], joints: list[UrdfJoint]) 
     carried = {joint.child for joint in joints}
     roots = [name for name in links if name not in carried]
     if not roots:
-        mend = "remove the joint that closes the cycle"
-        raise fault(robot, "the tree of links", f"a cycle: each of {_names(links)} is carried", "one root link", mend)
+        hint = "remove the joint that closes the cycle"
+        raise fault(robot, "the tree of links", f"a cycle: each of {_names(links)} is carried", "one root link", hint)
     if len(roots) > 1:
         got = f"links that hang together with no joint: {_names(roots)}"
-        mend = f"add the joints that carry them, or remove all of them but {shown(roots[0])}"
-        raise fault(links[roots[1]], "the tree of links", got, "one root link that all others hang on", mend)
+        hint = f"add the joints that carry them, or remove all of them but {shown(roots[0])}"
+        raise fault(links[roots[1]], "the tree of links", got, "one root link that all others hang on", hint)
     tree = Tree(roots[0], tuple(_depth_first(roots[0], joints)))
     reached = set(tree.joints)
     if missing := [joint for joint in joints if joint not in reached]:
@@ -59,11 +59,11 @@ def _check_ends(joint: UrdfJoint, links: dict[str, Element]) -> None:
     for end, name in (("parent", joint.parent), ("child", joint.child)):
         if name not in links:
             close = nearest(name, links)
-            mend = f"did you mean {shown(close)}?" if close else f"add <link name={shown(name)}>"
-            raise fault(joint.element, f"joint {joint.name}: {end}", f"the unknown link {shown(name)}", "a link", mend)
+            hint = f"did you mean {shown(close)}?" if close else f"add <link name={shown(name)}>"
+            raise fault(joint.element, f"joint {joint.name}: {end}", f"the unknown link {shown(name)}", "a link", hint)
     if joint.parent == joint.child:
-        got, mend = f"{shown(joint.child)} on itself", "name two different links"
-        raise fault(joint.element, f"joint {joint.name}", got, "a joint between two links", mend)
+        got, hint = f"{shown(joint.child)} on itself", "name two different links"
+        raise fault(joint.element, f"joint {joint.name}", got, "a joint between two links", hint)
 
 
 def _check_one_parent(joints: list[UrdfJoint]) -> None:
@@ -71,8 +71,8 @@ def _check_one_parent(joints: list[UrdfJoint]) -> None:
     for joint in joints:
         if first := carrier.get(joint.child):
             got = f"two parents, {shown(first.parent)} by joint {first.name} and {shown(joint.parent)} by {joint.name}"
-            mend = "remove one of the two joints: closed loops are not modelled"
-            raise fault(joint.element, f"link {joint.child}", got, "one joint that carries it", mend)
+            hint = "remove one of the two joints: closed loops are not modelled"
+            raise fault(joint.element, f"link {joint.child}", got, "one joint that carries it", hint)
         carrier[joint.child] = joint
 
 
@@ -90,8 +90,8 @@ def _depth_first(root: str, joints: list[UrdfJoint]) -> Iterator[UrdfJoint]:
 def _cycle(joints: list[UrdfJoint]) -> InputError:
     """Every link has one parent, and these are not reached from the root: at least one cycle is among them."""
     got = f"a cycle beside the root, among {_names([joint.child for joint in joints])}"
-    mend = "remove the joint that closes the cycle, and carry one of the links from the root's side"
-    return fault(joints[0].element, "the tree of links", got, "links that all hang on the root", mend)
+    hint = "remove the joint that closes the cycle, and carry one of the links from the root's side"
+    return fault(joints[0].element, "the tree of links", got, "links that all hang on the root", hint)
 
 
 def _names(names: dict[str, Element] | list[str]) -> str:

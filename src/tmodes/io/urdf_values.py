@@ -18,9 +18,9 @@ LONGEST_NAME = 100
 MOST_MAGNITUDE = 1e12
 
 
-def fault(element: Element, which: str, got: str, expected: str, mend: str) -> InputError:
+def fault(element: Element, which: str, got: str, expected: str, hint: str) -> InputError:
     """An error of ours at an element's place."""
-    return InputError(which, got, expected, mend, element.place)
+    return InputError(which, got, expected, hint, element.place)
 
 
 def text_at(element: Element, name: str, which: str) -> str:
@@ -50,8 +50,8 @@ def triple_at(element: Element, name: str, which: str) -> list[float]:
     """Three finite numbers of an attribute, zeros where it is missing."""
     words = element.attributes.get(name, "0 0 0").split()
     if len(words) != 3:
-        mend = "write three numbers with spaces between them, with a point for decimals"
-        raise fault(element, which, f"{len(words)} words", f'{name}="x y z"', mend)
+        hint = "write three numbers with spaces between them, with a point for decimals"
+        raise fault(element, which, f"{len(words)} words", f'{name}="x y z"', hint)
     return [_finite(element, word, which) for word in words]
 
 
@@ -61,8 +61,8 @@ def origin_at(element: Element, which: str) -> dict[str, list[float]]:
     if origin is None:
         return {"position": [0.0, 0.0, 0.0], "rpy": [0.0, 0.0, 0.0]}
     if unknown := [name for name in origin.attributes if name not in {"xyz", "rpy"}]:
-        mend = "write the position as xyz and the angles as rpy"
-        raise fault(origin, f"{which}: origin", f"the attribute {shown(unknown[0])}", "xyz and rpy", mend)
+        hint = "write the position as xyz and the angles as rpy"
+        raise fault(origin, f"{which}: origin", f"the attribute {shown(unknown[0])}", "xyz and rpy", hint)
     triples = {"position": "xyz", "rpy": "rpy"}
     return {key: triple_at(origin, name, f"{which}: origin {name}") for key, name in triples.items()}
 
@@ -91,8 +91,8 @@ def check_children(element: Element, known: Collection[str], which: str, *, clos
         meant = _misspelt(child.tag, known)
         if meant or (closed and child.tag not in known):
             expected = f"<{meant}>" if meant else f"one of {', '.join(f'<{name}>' for name in sorted(known))}"
-            mend = f"did you mean <{meant}>?" if meant else "remove it, or put it where it belongs"
-            raise fault(child, which, f"the unknown element <{child.tag[:60]}>", expected, mend)
+            hint = f"did you mean <{meant}>?" if meant else "remove it, or put it where it belongs"
+            raise fault(child, which, f"the unknown element <{child.tag[:60]}>", expected, hint)
 
 
 def _misspelt(name: str, known: Iterable[str]) -> str | None:

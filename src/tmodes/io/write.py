@@ -9,14 +9,14 @@ from pydantic import BaseModel
 
 from tmodes.io.fields import place_at
 from tmodes.io.yaml_text import scalar_text
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["robot_to_yaml"]
 
 COLUMN = 40
 
 
-def robot_to_yaml(robot: Robot) -> str:
+def robot_to_yaml(robot: PaperRobot) -> str:
     """The data sheet of a robot as YAML. Every number is written with all its digits; reading it gives ``robot``."""
     return "\n".join([*_group(robot, "", ""), ""])
 

@@ -148,8 +148,8 @@ class _Expansion:
         name = self._text(element, _needed(element, "name"), scope)
         if name not in scope.blocks:
             close = nearest(name, scope.blocks)
-            mend = f"did you mean {shown(close)}?" if close else "declare it in the macro's params as *name"
-            raise xacro_fault(element, f"the unknown block {shown(name)}", "a block", mend)
+            hint = f"did you mean {shown(close)}?" if close else "declare it in the macro's params as *name"
+            raise xacro_fault(element, f"the unknown block {shown(name)}", "a block", hint)
         return [made for child in scope.blocks[name] for made in self.expand(child, scope, depth)]
 
     def _condition(self, element: Element, scope: _Scope, depth: int) -> list[Element]:
@@ -162,9 +162,9 @@ class _Expansion:
         name = element.tag.removeprefix(PREFIX)
         if name not in self.macros:
             close = nearest(name, [*self.macros, *self.commands])
-            mend = f"did you mean <{PREFIX}{close}>?" if close else "define the macro above, or write it out"
+            hint = f"did you mean <{PREFIX}{close}>?" if close else "define the macro above, or write it out"
             expected = "a macro, or property, arg, macro, include, if, unless, insert_block"
-            raise xacro_fault(element, f"<{element.tag[:60]}>", expected, mend)
+            raise xacro_fault(element, f"<{element.tag[:60]}>", expected, hint)
         macro, inner = self.macros[name], scope.inner()
         given = {key: typed(text, element, scope.values, self.arguments) for key, text in element.attributes.items()}
         defaults = macro.fill(element, given, scope.values)

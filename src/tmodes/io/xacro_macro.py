@@ -17,9 +17,9 @@ PARAMETER = re.compile(r"""(\*{0,2})([A-Za-z_]\w*)(?::?=(\^\|?)?('[^']*'|"[^"]*"
 MOST_PARAMETERS = 100
 
 
-def xacro_fault(element: Element, got: str, expected: str, mend: str) -> InputError:
+def xacro_fault(element: Element, got: str, expected: str, hint: str) -> InputError:
     """The error of an element of a xacro, with its place."""
-    return InputError(f"<{element.tag[:60]}>", got, expected, mend, element.place)
+    return InputError(f"<{element.tag[:60]}>", got, expected, hint, element.place)
 
 
 @dataclass(frozen=True)
@@ -45,14 +45,14 @@ class Macro:
         for name in given:
             if name not in names:
                 close = nearest(name, names)
-                mend = f"did you mean {shown(close)}?" if close else "remove it, or add it to the macro's params"
+                hint = f"did you mean {shown(close)}?" if close else "remove it, or add it to the macro's params"
                 got, expected = f"the unknown parameter {shown(name)}", f"of {', '.join(names) or 'none'}"
-                raise xacro_fault(call, got, expected, mend)
+                raise xacro_fault(call, got, expected, hint)
         left_out = [parameter for name, parameter in names.items() if name not in given]
         left_out = [parameter for parameter in left_out if not (parameter.outer and parameter.name in around)]
         if missing := [parameter.name for parameter in left_out if parameter.default is None]:
-            mend = f'write {missing[0]}="..."'
-            raise xacro_fault(call, f"no value for {', '.join(missing)}", "every parameter without a default", mend)
+            hint = f'write {missing[0]}="..."'
+            raise xacro_fault(call, f"no value for {', '.join(missing)}", "every parameter without a default", hint)
         return {parameter.name: parameter.default for parameter in left_out if parameter.default is not None}
 
     def blocks(self, call: Element, children: list[Element]) -> dict[str, list[Element]]:
@@ -74,8 +74,8 @@ def macro_of(element: Element) -> Macro:
     while position < len(text):
         match = PARAMETER.match(text, position)
         if match is None or len(parameters) >= MOST_PARAMETERS or match.end() == position:
-            mend = "write them as: name other:=1.0 *block"
-            raise xacro_fault(element, f"the parameters {shown(text[position:])}", "names with spaces between", mend)
+            hint = "write them as: name other:=1.0 *block"
+            raise xacro_fault(element, f"the parameters {shown(text[position:])}", "names with spaces between", hint)
         parameters.append(_parameter(match))
         position = match.end()
     return Macro(element, tuple(parameters))

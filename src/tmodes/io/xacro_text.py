@@ -63,8 +63,8 @@ def _part(part: str, element: Element, known: Mapping[str, Value], arguments: Ma
         try:
             return evaluate(part[2:-1], known)
         except FormulaError as error:
-            mend = "write numbers, properties, + - * / ** and functions such as sin, sqrt, radians"
-            raise _fault(element, str(error), mend) from None
+            hint = "write numbers, properties, + - * / ** and functions such as sin, sqrt, radians"
+            raise _fault(element, str(error), hint) from None
     command, _, name = part[2:-1].strip().partition(" ")
     name = name.strip()
     if command == "find" and name:
@@ -73,8 +73,8 @@ def _part(part: str, element: Element, known: Mapping[str, Value], arguments: Ma
         raise _fault(element, f"the command {shown(part)}", "write the value, or use $(arg name) or $(find package)")
     if name not in arguments:
         close = nearest(name, arguments)
-        mend = f"did you mean {shown(close)}?" if close else "give the xacro:arg a default"
-        raise _fault(element, f"the argument {shown(name)}, which has no value", mend)
+        hint = f"did you mean {shown(close)}?" if close else "give the xacro:arg a default"
+        raise _fault(element, f"the argument {shown(name)}, which has no value", hint)
     return arguments[name]
 
 
@@ -82,6 +82,6 @@ def _written(value: Value) -> str:
     return ("true" if value else "false") if isinstance(value, bool) else str(value)
 
 
-def _fault(element: Element, got: str, mend: str) -> InputError:
+def _fault(element: Element, got: str, hint: str) -> InputError:
     expected = "text with ${formula} or $(arg name)"
-    return InputError(f"<{element.tag[:60]}>", got, expected, mend, element.place)
+    return InputError(f"<{element.tag[:60]}>", got, expected, hint, element.place)

@@ -92,20 +92,20 @@ class _Builder:
         self.parser.EndElementHandler = self._end
         self.parser.StartDoctypeDeclHandler = self._document_type
 
-    def error(self, got: str, expected: str, mend: str) -> InputError:
-        return InputError("the file", got, expected, mend, f"{self.source}:{self.parser.CurrentLineNumber}")
+    def error(self, got: str, expected: str, hint: str) -> InputError:
+        return InputError("the file", got, expected, hint, f"{self.source}:{self.parser.CurrentLineNumber}")
 
     def broken(self, error: expat.ExpatError) -> InputError:
         """What the parser found wrong; for a file that ends too early also which element is still open."""
         problem = expat.ErrorString(error.code) or "something else"
         inside = f" inside <{self.open[-1].tag}> of line {self.open[-1].line}" if self.open else ""
-        mend = "look there for a missing quote, > or closing tag; a file that was cut off must be fetched again"
+        hint = "look there for a missing quote, > or closing tag; a file that was cut off must be fetched again"
         got = f"broken XML ({problem}{inside})"
-        return InputError("the file", got, "well-formed XML", mend, f"{self.source}:{error.lineno}")
+        return InputError("the file", got, "well-formed XML", hint, f"{self.source}:{error.lineno}")
 
     def _document_type(self, *_: object) -> None:
-        mend = "remove the <!DOCTYPE ...> and write the values out"
-        raise self.error("a document type (<!DOCTYPE), which can hold entities", "plain elements", mend)
+        hint = "remove the <!DOCTYPE ...> and write the values out"
+        raise self.error("a document type (<!DOCTYPE), which can hold entities", "plain elements", hint)
 
     def _start(self, tag: str, attributes: dict[str, str]) -> None:
         self.count += 1

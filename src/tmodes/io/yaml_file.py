@@ -74,8 +74,8 @@ def _decoded(content: bytes, source: str) -> str:
     except UnicodeDecodeError as error:
         line = content.count(b"\n", 0, error.start) + 1
         got = f"the byte 0x{content[error.start]:02x}, which is not UTF-8"
-        mend = "save the file as UTF-8 text"
-        raise InputError("the file", got, "text in UTF-8", mend, f"{source}:{line}") from None
+        hint = "save the file as UTF-8 text"
+        raise InputError("the file", got, "text in UTF-8", hint, f"{source}:{line}") from None
 
 
 def _refuse_long_lines(text: str, source: str) -> None:
@@ -92,7 +92,7 @@ def _events(text: str, source: str) -> Iterator[Any]:
     from ruamel.yaml.error import MarkedYAMLError
     from ruamel.yaml.reader import ReaderError
 
-    mend = "look there for a missing quote, bracket or colon, a tab, or wrong indentation"
+    hint = "look there for a missing quote, bracket or colon, a tab, or wrong indentation"
     try:
         yield from YAML(typ="safe", pure=True).parse(text)
     except ReaderError as error:
@@ -103,11 +103,11 @@ def _events(text: str, source: str) -> Iterator[Any]:
         mark = error.problem_mark or error.context_mark
         place = f"{source}:{mark.line + 1}" if mark else source
         problem = " ".join(str(error.problem or error.context or "something else").split())
-        raise InputError("the file", f"broken YAML ({problem})", "YAML 1.2", mend, place) from None
+        raise InputError("the file", f"broken YAML ({problem})", "YAML 1.2", hint, place) from None
     except InputError:
         raise
     except Exception as error:  # the parser lets raw IndexError, AssertionError... through on some junk
-        raise InputError("the file", f"junk ({type(error).__name__})", "YAML 1.2", mend, source) from None
+        raise InputError("the file", f"junk ({type(error).__name__})", "YAML 1.2", hint, source) from None
 
 
 class _Builder:
@@ -118,11 +118,11 @@ class _Builder:
         self.positions: Positions = {"": 1}
         self.count = 0
 
-    def too_many(self, line: int, most: int, mend: str) -> InputError:
-        return self.error(line, "the file", f"more than {most} items", f"at most {most}", mend)
+    def too_many(self, line: int, most: int, hint: str) -> InputError:
+        return self.error(line, "the file", f"more than {most} items", f"at most {most}", hint)
 
-    def error(self, line: int, which: str, got: str, expected: str, mend: str) -> InputError:
-        return InputError(which, got, expected, mend, f"{self.source}:{line}")
+    def error(self, line: int, which: str, got: str, expected: str, hint: str) -> InputError:
+        return InputError(which, got, expected, hint, f"{self.source}:{line}")
 
     def document(self, events: Iterator[Any]) -> Any:
         """The data of the one document of a file."""
@@ -139,8 +139,8 @@ class _Builder:
         data = self._node(next(events), events, "", 0)
         for event in events:
             if type(event).__name__ == "DocumentStartEvent":
-                got, mend = "a second document (`---`)", "keep one robot in a file"
-                raise self.error(_line(event), "the file", got, "one document", mend)
+                got, hint = "a second document (`---`)", "keep one robot in a file"
+                raise self.error(_line(event), "the file", got, "one document", hint)
         return data
 
     def _counted(self, events: Iterator[Any]) -> Iterator[Any]:
@@ -151,8 +151,8 @@ class _Builder:
 
     def _check_directives(self, event: Any) -> None:
         if event.tags or event.version not in (None, (1, 2)):
-            got, mend = "a %YAML or %TAG directive", "remove the line that starts with %"
-            raise self.error(_line(event), "the file", got, "YAML 1.2 without directives", mend)
+            got, hint = "a %YAML or %TAG directive", "remove the line that starts with %"
+            raise self.error(_line(event), "the file", got, "YAML 1.2 without directives", hint)
 
     def _node(self, event: Any, events: Iterator[Any], path: str, depth: int) -> Any:
         self._check_plain(event, path, depth)
@@ -167,11 +167,11 @@ class _Builder:
     def _check_plain(self, event: Any, path: str, depth: int) -> None:
         which, line = path or "the file", _line(event)
         if type(event).__name__ == "AliasEvent" or event.anchor is not None:
-            mend = "write the value out, or put text with & or * in quotes"
-            raise self.error(line, which, "an anchor (&) or an alias (*)", "a plain value", mend)
+            hint = "write the value out, or put text with & or * in quotes"
+            raise self.error(line, which, "an anchor (&) or an alias (*)", "a plain value", hint)
         if getattr(event, "tag", None) is not None:
-            mend = "remove it, or put text with ! in quotes"
-            raise self.error(line, which, f"the tag {shown(str(event.tag))}", "a plain value", mend)
+            hint = "remove it, or put text with ! in quotes"
+            raise self.error(line, which, f"the tag {shown(str(event.tag))}", "a plain value", hint)
         if depth > MOST_DEPTH:
             raise self.error(line, which, f"more than {MOST_DEPTH} levels", "a shallow file", "remove brackets")
         if type(event).__name__ == "ScalarEvent" and len(event.value) > LONGEST_SCALAR:
@@ -195,13 +195,13 @@ class _Builder:
                 break
             self._check_plain(event, path, depth)
             if type(event).__name__ != "ScalarEvent":
-                got, mend = "a list or group as a key", "write `name: value`"
-                raise self.error(_line(event), path or "the file", got, "a word as a key", mend)
+                got, hint = "a list or group as a key", "write `name: value`"
+                raise self.error(_line(event), path or "the file", got, "a word as a key", hint)
             here = _join(path, event.value)
             if event.value in pairs:
                 first = self.positions[here]
-                mend = "keep one of the two lines"
-                raise self.error(_line(event), here, f"a second time (first in line {first})", "each key once", mend)
+                hint = "keep one of the two lines"
+                raise self.error(_line(event), here, f"a second time (first in line {first})", "each key once", hint)
             self.positions[here] = _line(event)
             pairs[event.value] = self._node(next(events), events, here, depth + 1)
         return pairs

@@ -13,13 +13,13 @@ from tmodes.live.bundle_motion import arm_bundle, why_not_arm
 from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.template import sheet_template
-from tmodes.paper.sheet import NominalRealPair
+from tmodes.paper.sheet import PaperPair
 from tmodes.plot.paper.facts import steady_part
-from tmodes.sheet import ArmPair
+from tmodes.sheet import RobotPair
 
 if TYPE_CHECKING:
-    from tmodes.result import ArmResult
-    from tmodes.result.record import Result
+    from tmodes.result import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["FRAMES_PER_SECOND", "live_bundle", "why_not_live"]
 
@@ -33,7 +33,7 @@ _MOST_FRAMES = 3000
 _MOST_STATIONS = 21
 
 
-def why_not_live(result: Result | ArmResult) -> str:
+def why_not_live(result: PaperResult | Result) -> str:
     """Why a page cannot make this run again, in words; empty where it can."""
     if result.status != "finished":
         return f"the run did not reach its end: {result.message}"
@@ -47,12 +47,12 @@ def why_not_live(result: Result | ArmResult) -> str:
     return why_not_arm(_sheet(result)) if result.kind == "arm" else ""
 
 
-def live_bundle(result: Result | ArmResult) -> dict[str, Any] | None:
+def live_bundle(result: PaperResult | Result) -> dict[str, Any] | None:
     """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` says why."""
     if why_not_live(result):
         return None
     pair, method = _sheet(result).pair(), _method(result)
-    if isinstance(pair, NominalRealPair):
+    if isinstance(pair, PaperPair):
         return {
             **_common(result, pair, live_map(pair)),
             **_of_robot(pair, method),
@@ -66,28 +66,28 @@ def live_bundle(result: Result | ArmResult) -> dict[str, Any] | None:
     return {**_common(result, pair, live_map(pair, stations)), **own, "stations": np.array(stations)}
 
 
-def _with_surfaces(result: Result | ArmResult) -> list[str]:
+def _with_surfaces(result: PaperResult | Result) -> list[str]:
     """The links whose surfaces the result keeps, in their order."""
-    return list(dict.fromkeys(told["link"] for told in json.loads(result.data.attrs.get("meshes", "[]"))))
+    return list(dict.fromkeys(info["link"] for info in json.loads(result.data.attrs.get("meshes", "[]"))))
 
 
 def _sheet(result: Any) -> Any:
     return result.arm if result.kind == "arm" else result.robot
 
 
-def _method(result: Result | ArmResult) -> Method:
+def _method(result: PaperResult | Result) -> Method:
     """The one that the run took; of several, one after the other, the last one."""
     return Method(result.statistics["real"]["method"])
 
 
-def _common(result: Result | ArmResult, pair: NominalRealPair | ArmPair, live: LiveMap) -> dict[str, Any]:
+def _common(result: PaperResult | Result, pair: PaperPair | RobotPair, live: LiveMap) -> dict[str, Any]:
     settings = pair.real.integration
     times = np.asarray(result.data["time"].values, dtype=float)
     return {
         "kind": result.kind,
-        "sliders": [slider.told() for slider in live.sliders],
+        "sliders": [slider.info() for slider in live.sliders],
         "leftOut": [{"path": path, "reason": reason} for path, reason in live.left_out.items()],
-        "map": live.told(),
+        "map": live.info(),
         "settings": _settings(settings, _method(result)) | {"note": _note(result)},
         "times": times,
         "frames": _frames(times, settings.output_step),
@@ -111,7 +111,7 @@ def _settings(given: Integration, method: Method) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _note(result: Result | ArmResult) -> str:
+def _note(result: PaperResult | Result) -> str:
     """What is different from the native run."""
     parts = result.statistics["real"].get("parts")
     if not parts:
@@ -120,7 +120,7 @@ def _note(result: Result | ArmResult) -> str:
     return f"the run took {taken}; here all of it is by {_method(result).value}"
 
 
-def _of_robot(pair: NominalRealPair, method: Method) -> dict[str, Any]:
+def _of_robot(pair: PaperPair, method: Method) -> dict[str, Any]:
     from tmodes.equations.lagrange.coordinates import deformation_basis, free_deformations
     from tmodes.live.modes_paper import robot_modes
     from tmodes.live.wasm_paper import robot_module

@@ -13,22 +13,22 @@ from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.chain.chain import Chain, JointKind, RigidLink, Segment
 from tmodes.live.loads import joint_limits, load_places, packed_loads, yield_strengths
 from tmodes.live.numbers import follow_of
-from tmodes.live.surface import surface_told
+from tmodes.live.surface import surface_info
 from tmodes.live.vibrations import arm_vibrations
-from tmodes.live.wasm_motion import ArmFunctions, arm_module
-from tmodes.model.model import ArmModel
+from tmodes.live.wasm_motion import ModelFunctions, arm_module
+from tmodes.model.model import Model
 from tmodes.result.lines import POINT_LIKE, without_elasticity
-from tmodes.sheet import Arm, ArmPair
+from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
-from tmodes.simulation.start import ArmRegime, arm_regime
+from tmodes.simulation.start import RunSetup, run_setup
 
 __all__ = ["arm_bundle", "why_not_arm"]
 
 Array = NDArray[np.float64]
 
 
-def why_not_arm(arm: Arm) -> str:
+def why_not_arm(arm: Robot) -> str:
     """Why a page cannot make runs of an arm, in words; empty where it can."""
     if arm.base_motion is not None:
         return "its base moves"
@@ -38,19 +38,19 @@ def why_not_arm(arm: Arm) -> str:
 
 
 def arm_bundle(
-    pair: ArmPair, stations: tuple[float, ...], method: str, *, compared: bool, surfaces: Sequence[str] = ()
+    pair: RobotPair, stations: tuple[float, ...], method: str, *, compared: bool, surfaces: Sequence[str] = ()
 ) -> dict[str, Any]:
     """All of it. Arrays are in SI units, coordinates in their order.
 
     ``compared``: whether there is a reference run; ``surfaces``: links that have one, shown though they be a point.
     """
-    functions = ArmFunctions(pair, stations)
+    functions = ModelFunctions(pair, stations)
     module = arm_module(functions, [method], slopes=False)
-    runs = {"real": arm_regime(pair.real)}
+    runs = {"real": run_setup(pair.real)}
     if compared:
-        runs = {"reference": arm_regime(pair.nominal, follow_of(pair.nominal, "reference"))} | runs
+        runs = {"reference": run_setup(pair.nominal, follow_of(pair.nominal, "reference"))} | runs
     real = runs["real"]
-    model = ArmModel(real.planned.chain)
+    model = Model(real.planned.chain)
     return {
         "module": np.frombuffer(module.wasm, dtype=np.uint8),
         "layout": module.layout,
@@ -65,21 +65,21 @@ def arm_bundle(
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
         "carried": _carried(pair, real, stations),
-        "surface": pair.real.contact and surface_told(pair.real.contact.shape),
+        "surface": pair.real.contact and surface_info(pair.real.contact.shape),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
         **arm_vibrations(pair.real, real.planned.plan, model),
     }
 
 
-def _run(regime: ArmRegime) -> dict[str, Any]:
+def _run(regime: RunSetup) -> dict[str, Any]:
     """Where its state holds what, how it starts, what its sheet says of that, and drives that follow exactly."""
     layout, names = regime.model.layout, regime.model.coordinates
-    told = regime.arm.initial
+    info = regime.arm.initial
     return {
         "state": {name: [part.start, part.stop] for name, part in layout._asdict().items()},
         "start": regime.start,
-        "told": [names.index(name) for name in told.coordinates],
+        "info": [names.index(name) for name in info.coordinates],
         "exact": [
             [driver.coordinate, driver.plan.signal] for driver in regime.model.loop.drivers if driver.plan.servo is None
         ],
@@ -89,11 +89,11 @@ def _run(regime: ArmRegime) -> dict[str, Any]:
 
 def _affine(function: Any, size: int) -> dict[str, Array]:
     """Matrix and constant of an affine function of coordinates."""
-    told = function(np.concatenate([np.zeros((1, size)), np.eye(size)]))
-    return {"matrix": np.ascontiguousarray((told[1:] - told[0]).T), "constant": told[0].copy()}
+    info = function(np.concatenate([np.zeros((1, size)), np.eye(size)]))
+    return {"matrix": np.ascontiguousarray((info[1:] - info[0]).T), "constant": info[0].copy()}
 
 
-def _carried(pair: ArmPair, real: ArmRegime, stations: tuple[float, ...]) -> dict[str, Any]:
+def _carried(pair: RobotPair, real: RunSetup, stations: tuple[float, ...]) -> dict[str, Any]:
     """How loads along the links are found; which of their places are shown; what they are compared with."""
     plan, parts = real.planned.plan, real.model.loop.parts
     kept = pair.real.integration.line_points
@@ -107,7 +107,7 @@ def _carried(pair: ArmPair, real: ArmRegime, stations: tuple[float, ...]) -> dic
 
 
 def _links(
-    model: ArmModel, functions: ArmFunctions, stations: tuple[float, ...], surfaces: Sequence[str]
+    model: Model, functions: ModelFunctions, stations: tuple[float, ...], surfaces: Sequence[str]
 ) -> list[dict[str, Any]]:
     """Links that are drawn: at which of the picture's points each begins, and of a rigid one where its far end is.
 

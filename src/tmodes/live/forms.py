@@ -98,14 +98,14 @@ class Form:
     def _share(self, k: int, p: int, values: Mapping[int, float]) -> float:
         return _share(self.ranges[k], p, values.get(k, self.ranges[k].start))
 
-    def told(self) -> dict[str, Any]:
+    def info(self) -> dict[str, Any]:
         """As plain data with arrays: what ``web/src/live/map.ts`` evaluates."""
         kinds: dict[Powers, int] = {}
         ratios = [(entry, kinds.setdefault(powers, len(kinds))) for entry, powers in self.products.items()]
         terms = [
             (entry, coefficient, kinds.setdefault(powers, len(kinds)))
-            for entry, told in self.sums.items()
-            for coefficient, powers in told
+            for entry, info in self.sums.items()
+            for coefficient, powers in info
         ]
         return {
             "base": self.base,
@@ -189,8 +189,8 @@ class _Fit:
         for exponent in _EXPONENTS:
             if not len(entries) or (exponent < 0 and one.start * one.far <= 0):
                 continue
-            told = self.base[entries] + (far - self.base)[entries] * _share(one, exponent, one.between)
-            fits = np.abs(told - between[entries]) <= _FITS * size[entries]
+            info = self.base[entries] + (far - self.base)[entries] * _share(one, exponent, one.between)
+            fits = np.abs(info - between[entries]) <= _FITS * size[entries]
             for entry in entries[fits].tolist():
                 self.depends.setdefault(entry, []).append((k, exponent))
             entries = entries[~fits]
@@ -201,7 +201,7 @@ class _Fit:
 
     def form(self) -> Form:
         """The form of all numbers."""
-        every = self.far(frozenset(k for told in self.depends.values() if len(told) > 1 for k, _ in told))
+        every = self.far(frozenset(k for info in self.depends.values() if len(info) > 1 for k, _ in info))
         form = Form(self.base, self.ranges)
         for entry, powers in self.depends.items():
             if self._is_product(entry, powers, every):

@@ -14,13 +14,13 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.line.strain import PLANAR_TERMS, TERMS
 from tmodes.analysis.line.tables import Interval, line_tables, pieces_at
-from tmodes.analysis.line.walk import told_places
+from tmodes.analysis.line.walk import info_places
 from tmodes.analysis.model_validity import yield_strength
 from tmodes.chain.chain import Beam, Chain, JointKind, Node
 from tmodes.equations.loop.plan import LoadPlan, LoopPlan
 from tmodes.equations.recursion.parts import NodePart, Parts, packed_bodies
 from tmodes.kinds.joints.joint import Limits
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 __all__ = ["PackedLoads", "evenly", "joint_limits", "load_places", "packed_loads", "yield_strengths"]
 
@@ -105,8 +105,8 @@ def _bodies(into: PackedLoads, node: Node, s: float | None = None) -> int:
 def _point(into: PackedLoads, parts: Parts, index: int) -> dict[str, Any]:
     point = parts.points[index]
     station = parts.station(point)
-    told = {"node": point.node, "station": -1 if station is None else station, "point": index}
-    return told | {"offset": into.put(point.offset.position)}
+    info = {"node": point.node, "station": -1 if station is None else station, "point": index}
+    return info | {"offset": into.put(point.offset.position)}
 
 
 def _load(into: PackedLoads, load: LoadPlan, place: int) -> dict[str, Any]:
@@ -117,8 +117,8 @@ def _beam(into: PackedLoads, part: NodePart, beam: Beam, places: Array) -> dict[
     """Structure of a bending link; tables of its steps from section to section, and of the mass outboard of places."""
     assert part.link is not None  # noqa: S101
     stations = tuple(s for s, _ in part.link.stations)
-    tables = line_tables(beam, stations, told_places(places, stations))
-    shape, told, g = tables.own.shape, slice(1, 1 + len(places)), len(tables.own.points)
+    tables = line_tables(beam, stations, info_places(places, stations))
+    shape, info, g = tables.own.shape, slice(1, 1 + len(places)), len(tables.own.points)
     before = np.searchsorted(places, stations, side="right") - 1
     sections = [kind for kind, _ in shape.breaks]
     edges = {name: [k + 1 for k, kind in enumerate(sections) if kind == name] for name in ("point", "station")}
@@ -130,11 +130,11 @@ def _beam(into: PackedLoads, part: NodePart, beam: Beam, places: Array) -> dict[
             {"edge": edge, "last": int(last), "body": _bodies(into, part.node, s)}
             for s, edge, last in zip(stations, edges["station"], before, strict=True)
         ],
-        "march": _steps(into, tables.march), "reach": _steps(into, tables.reach, told),
-        "before": tables.before[told].tolist(), "toPoints": into.put(tables.to_points),
-        "toPlaces": into.put(tables.to_places[told]), "toEnds": into.put(tables.to_places[told.stop :]),
-        "stretch": into.put(tables.stretch), "outboard": into.put(tables.outboard[told]),
-        "levers": into.put(tables.levers[told][:, *np.triu_indices(g)]), "turning": into.put(tables.turning[told]),
+        "march": _steps(into, tables.march), "reach": _steps(into, tables.reach, info),
+        "before": tables.before[info].tolist(), "toPoints": into.put(tables.to_points),
+        "toPlaces": into.put(tables.to_places[info]), "toEnds": into.put(tables.to_places[info.stop :]),
+        "stretch": into.put(tables.stretch), "outboard": into.put(tables.outboard[info]),
+        "levers": into.put(tables.levers[info][:, *np.triu_indices(g)]), "turning": into.put(tables.turning[info]),
         "length": into.put(beam.length), "stress": _stress(into, beam, places),
     }  # fmt: skip
 
@@ -155,13 +155,13 @@ def _stress(into: PackedLoads, beam: Beam, places: Array) -> int:
     return into.put([beam.young, beam.shear, *beam.outer], np.where(np.isfinite(stiffness), stiffness, 0.0))
 
 
-def yield_strengths(arm: Arm, chain: Chain) -> dict[str, float]:
+def yield_strengths(arm: Robot, chain: Chain) -> dict[str, float]:
     """Yield strength [Pa] of each bending link of which it is known."""
     found = {node.name: yield_strength(arm, node.name) for node in chain.nodes if isinstance(node.link, Beam)}
     return {name: strength for name, strength in found.items() if strength is not None}
 
 
-def joint_limits(arm: Arm, plan: LoopPlan, parts: Parts) -> list[dict[str, Any]]:
+def joint_limits(arm: Robot, plan: LoopPlan, parts: Parts) -> list[dict[str, Any]]:
     """Limits of the joints, of which :func:`tmodes.report.facts_motion.arm_facts` tells the largest share.
 
     Where in coordinates and drives (-1: none) each joint is, with its units; what is not limited is None.

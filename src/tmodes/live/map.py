@@ -18,8 +18,8 @@ from tmodes.live.numbers import Blocks, arm_numbers, follow_of, has_reference, r
 from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.sheet import NominalRealPair, Robot
-from tmodes.sheet import Arm, ArmPair
+from tmodes.paper.sheet import PaperPair, PaperRobot
+from tmodes.sheet import Robot, RobotPair
 
 __all__ = ["LiveMap", "live_map"]
 
@@ -75,14 +75,14 @@ class LiveMap:
                 found |= slider.changes(self.knobs[slider.knob], value)
         return found
 
-    def told(self) -> dict[str, Any]:
+    def info(self) -> dict[str, Any]:
         """As plain data with arrays: what ``web/src/live/map.ts`` reads."""
         return {
             "knobs": [
                 {"start": knob.start, "together": knob.together, "factor": knob.factor} for knob in self.knobs
             ],
             "sliders": [{"knob": slider.knob, "real": slider.real} for slider in self.sliders],
-            "runs": {name: form.told() | {"places": self.places[name]} for name, form in self.forms.items()},
+            "runs": {name: form.info() | {"places": self.places[name]} for name, form in self.forms.items()},
         }  # fmt: skip
 
 
@@ -95,7 +95,7 @@ def _really(knob: Knob, known: float, factor: float | None) -> float:
     return known * (factor / knob.factor) if knob.factor else known
 
 
-def live_map(pair: NominalRealPair | ArmPair, stations: tuple[float, ...] = ()) -> LiveMap:
+def live_map(pair: PaperPair | RobotPair, stations: tuple[float, ...] = ()) -> LiveMap:
     """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points.
 
     ``stations``: places along each link of an arm of which its picture is made.
@@ -119,10 +119,10 @@ def live_map(pair: NominalRealPair | ArmPair, stations: tuple[float, ...] = ()) 
         return LiveMap(tuple(kept), tuple(knobs[k] for k in used), forms, runs.places, left_out)
 
 
-def _offered(pair: NominalRealPair | ArmPair, knobs: Sequence[Knob]) -> tuple[list[Slider], dict[str, str]]:
+def _offered(pair: PaperPair | RobotPair, knobs: Sequence[Knob]) -> tuple[list[Slider], dict[str, str]]:
     """Sliders to begin with, and what has none: with a first factor a run would get a reference that is not here."""
     sliders = sliders_of(pair.nominal, knobs)
-    if isinstance(pair, NominalRealPair) or has_reference(pair.nominal) or not any(one.real for one in sliders):
+    if isinstance(pair, PaperPair) or has_reference(pair.nominal) or not any(one.real for one in sliders):
         return sliders, {}
     return sliders_of(pair.nominal, knobs, factors=False), {"real": _NOT_COMPARED}
 
@@ -143,7 +143,7 @@ class _Runs:
 
     def __init__(
         self,
-        pair: NominalRealPair | ArmPair,
+        pair: PaperPair | RobotPair,
         knobs: Sequence[Knob],
         sliders: Sequence[Slider],
         used: list[int],
@@ -154,7 +154,7 @@ class _Runs:
         self.factors = {used.index(slider.knob): slider for slider in sliders if slider.real}
         self.stations = stations
         self.really = {number.path: number.value for number in sheet_numbers(pair.real)}
-        self.until = 0.0 if isinstance(pair, NominalRealPair) else whole_moves(pair.nominal, _LONGEST_MOVE)
+        self.until = 0.0 if isinstance(pair, PaperPair) else whole_moves(pair.nominal, _LONGEST_MOVE)
 
     def fitted(self, name: str) -> Form:
         """The form of a run's numbers."""
@@ -197,8 +197,8 @@ class _Runs:
                 found |= {path: self.really[path] * value for path, _ in knob.targets}
         return found
 
-    def _blocks(self, name: str, sheet: Robot | Arm) -> Blocks:
-        if isinstance(sheet, Robot):
+    def _blocks(self, name: str, sheet: PaperRobot | Robot) -> Blocks:
+        if isinstance(sheet, PaperRobot):
             return robot_numbers(sheet, Drive.PRESCRIBED if name == "reference" else Drive.CONTROLLED)
         follow = follow_of(self.pair.nominal, name)  # pyright: ignore[reportArgumentType]
         return arm_numbers(sheet, follow, self.until, self.stations if name == "real" else ())

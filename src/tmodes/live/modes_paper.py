@@ -13,19 +13,19 @@ from tmodes.equations.lagrange.coordinates import basis, deformations, free_colu
 from tmodes.live.module import Functions
 from tmodes.paper.mechanism import Drive, Mechanism
 from tmodes.paper.modes import ELEMENTS, MotorState
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["add_modes", "robot_modes"]
 
 _CASES = (MotorState.CONTROLLED, MotorState.LOCKED, MotorState.FREE)
 
 
-def free_mechanism(robot: Robot) -> Mechanism:
+def free_mechanism(robot: PaperRobot) -> Mechanism:
     """The robot whose modes are told: out of contact, its motor driven by nothing that the equations know."""
     return robot.split(Drive.VOLTAGE, contact=False)[0]
 
 
-def add_modes(made: Functions, robot: Robot, parameters: int) -> None:
+def add_modes(made: Functions, robot: PaperRobot, parameters: int) -> None:
     """Samples of a module: ``modes.rest`` (inputs as ``rest`` has them) and ``modes.linear`` (M, D, K, row by row)."""
     mechanism = free_mechanism(robot)
     exports = {label: f"{label} {mechanism.arm_key}" for label in ("modes.rest", "modes.linear")}
@@ -42,7 +42,7 @@ def add_modes(made: Functions, robot: Robot, parameters: int) -> None:
         made.program(label, exports[label], inputs, outputs, parameters)
 
 
-def robot_modes(robot: Robot) -> dict[str, Any]:
+def robot_modes(robot: PaperRobot) -> dict[str, Any]:
     """``RobotModes`` of ``web/src/live/bundle.ts``: cases of the motor, and the springs that are not rigid."""
     rigid = free_mechanism(robot).rigid
     cases = [

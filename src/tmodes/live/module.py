@@ -36,15 +36,15 @@ class Functions:
     def loop(self, name: str, parts: Sequence[Part], *, size: int, row: int, parameters: int) -> None:
         """A time loop, whose function is the first part's: numbers of its state, of a row of signals, of parameters."""
         self.parts += parts
-        told = {"export": parts[0].symbols[0], "size": size, "row": row, "parameters": parameters}
-        self.loops[name] = told | {"method": name.rpartition(".")[2]}
+        info = {"export": parts[0].symbols[0], "size": size, "row": row, "parameters": parameters}
+        self.loops[name] = info | {"method": name.rpartition(".")[2]}
 
     def program(
         self, name: str, export: str, inputs: Mapping[str, int], outputs: Mapping[str, int], parameters: int
     ) -> None:
         """A function over samples of a part already there, each input and the output an array of its own."""
-        told: dict[str, Any] = {"export": export, "kind": "program", "inputs": dict(inputs), "outputs": dict(outputs)}
-        self.samples[name] = told | {"parameters": parameters, "workspace": 0}
+        info: dict[str, Any] = {"export": export, "kind": "program", "inputs": dict(inputs), "outputs": dict(outputs)}
+        self.samples[name] = info | {"parameters": parameters, "workspace": 0}
 
     def schedule(self, name: str, parts: Sequence[Part], schedule: Any, *, stride: int = 1) -> None:
         """A schedule over samples, whose function is the first part's; ``stride`` 2: with derivatives."""
@@ -56,7 +56,7 @@ class Functions:
             "outputs": outputs, "parameters": schedule.parameters, "workspace": stride * schedule.workspace,
         }  # fmt: skip
 
-    def module(self, name: str, **told: Any) -> LiveModule:
+    def module(self, name: str, **info: Any) -> LiveModule:
         """The compiled module; ``told``: what else its layout holds."""
         parts = each_once(self.parts)
         layout = {
@@ -65,4 +65,4 @@ class Functions:
             "limits": {"bound": BOUND, "most_events": MOST_EVENTS, "event_time": EVENT_TIME},
             "simd": any(part.simd for part in parts), "loops": self.loops, "samples": self.samples,
         }  # fmt: skip
-        return LiveModule(wasm_module(name, parts), layout | told)
+        return LiveModule(wasm_module(name, parts), layout | info)

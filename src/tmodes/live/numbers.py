@@ -14,11 +14,11 @@ from tmodes.live.loads import load_places, packed_loads
 from tmodes.live.surface import surface_numbers
 from tmodes.live.vibrations import vibration_numbers
 from tmodes.live.wasm_motion import stationed
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command
 from tmodes.simulation.plan import Follow, planned
 
@@ -29,7 +29,7 @@ Array = NDArray[np.float64]
 Blocks = dict[str, Array]
 
 
-def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
+def robot_numbers(robot: PaperRobot, drive: Drive) -> Blocks:
     """``parameters``; ``knots`` (k + 1,) and ``coefficients`` (k, degree + 1) of the wanted angle; ``start`` [rad].
 
     ``end`` [s]: of the move; ``goal`` [rad]: where it ends.
@@ -45,21 +45,21 @@ def robot_numbers(robot: Robot, drive: Drive) -> Blocks:
     }
 
 
-def follow_of(nominal: Arm, run: str) -> Follow:
-    """How drives follow their signals; the reference's as :func:`tmodes.simulation.simulate.simulate_arm`."""
+def follow_of(nominal: Robot, run: str) -> Follow:
+    """How drives follow their signals; the reference's as :func:`tmodes.simulation.simulate.simulate_motion`."""
     return Follow.WANTED if run == "reference" and _commanded(nominal) else Follow.SHEET
 
 
-def has_reference(nominal: Arm) -> bool:
-    """Whether a run has a reference run, jumps aside, as :func:`tmodes.simulation.simulate.simulate_arm` decides it."""
+def has_reference(nominal: Robot) -> bool:
+    """Whether a run has a reference run, jumps aside, as in :mod:`tmodes.simulation.simulate`."""
     return _commanded(nominal) or bool(nominal.real)
 
 
-def _commanded(nominal: Arm) -> bool:
+def _commanded(nominal: Robot) -> bool:
     return any(drive.command is Command.POSITION for drive in nominal.drives)
 
 
-def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
+def arm_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
@@ -69,7 +69,7 @@ def arm_numbers(arm: Arm, follow: Follow, until: float, stations: tuple[float, .
     """
     plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
     loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()
-    model = ArmModel(chain)
+    model = Model(chain)
     found = {
         "parameters": loop.parts.numbers.vector,
         "rest": ClosedLoop(rest.plan).parts.numbers.vector,
@@ -99,7 +99,7 @@ def _rotors(loop: ClosedLoop) -> Array:
     return rotors
 
 
-def whole_moves(arm: Arm, reach: float) -> float:
+def whole_moves(arm: Robot, reach: float) -> float:
     """Time [s] at which every move is at its end, though its duration be ``reach`` times as long."""
     moves = [drive.signal for drive in arm.drives] + [load.signal for load in arm.loads if load.signal]
     ends = [move.delay + reach * move.duration for move in moves if isinstance(move, (Quintic, Trapezoid))]

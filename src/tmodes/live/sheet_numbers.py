@@ -9,14 +9,14 @@ from typing import Any
 
 from tmodes.errors import InputError
 from tmodes.io.fields import places
-from tmodes.io.sheet_check import arm_data
-from tmodes.io.sheet_fields import ArmPlace, Step, named, place_of, quantities
+from tmodes.io.sheet_check import sheet_data
+from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_paths import steps_of
 from tmodes.io.sheet_units import at
 from tmodes.kinds.links.material import LIBRARY
 from tmodes.kinds.schema.quantity import LARGEST
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 
 __all__ = ["SheetNumber", "real_entry", "sheet_numbers"]
 
@@ -39,22 +39,22 @@ class SheetNumber:
     most: float
 
 
-def sheet_numbers(sheet: Robot | Arm) -> Iterator[SheetNumber]:
+def sheet_numbers(sheet: PaperRobot | Robot) -> Iterator[SheetNumber]:
     """All finite numbers of a sheet, in its order."""
-    yield from _of_arm(sheet) if isinstance(sheet, Arm) else _of_robot(sheet)
+    yield from _of_arm(sheet) if isinstance(sheet, Robot) else _of_robot(sheet)
 
 
-def real_entry(sheet: Robot | Arm, path: str) -> tuple[str | None, float]:
+def real_entry(sheet: PaperRobot | Robot, path: str) -> tuple[str | None, float]:
     """Path in ``real`` at which the factor on a number stands, or would stand, and the factor.
 
     The path is None where several factors act on it, or one that acts on others as well.
     """
-    if isinstance(sheet, Robot):
+    if isinstance(sheet, PaperRobot):
         return path, sheet.real.get(path, 1.0)
-    data = arm_data(sheet)
+    data = sheet_data(sheet)
     steps = steps_of(path, data)
-    told = [(other, steps_of(other, data)) for other in sheet.real]
-    acting = [(other, own) for other, own in told if steps[: len(own)] == own]
+    info = [(other, steps_of(other, data)) for other in sheet.real]
+    acting = [(other, own) for other, own in info if steps[: len(own)] == own]
     if not acting:
         return path, 1.0
     (first, own), *others = acting
@@ -62,7 +62,7 @@ def real_entry(sheet: Robot | Arm, path: str) -> tuple[str | None, float]:
     return None if shared else first, math.prod(sheet.real[other] for other, _ in acting)
 
 
-def _of_robot(robot: Robot) -> Iterator[SheetNumber]:
+def _of_robot(robot: PaperRobot) -> Iterator[SheetNumber]:
     for path, place in places().items():
         value = _at(robot, path.split("."))
         if place.unit is None or not _finite(value):
@@ -87,8 +87,8 @@ def _at(value: Any, steps: Sequence[str]) -> Any:
     return value
 
 
-def _of_arm(arm: Arm) -> Iterator[SheetNumber]:
-    data = arm_data(arm)
+def _of_arm(arm: Robot) -> Iterator[SheetNumber]:
+    data = sheet_data(arm)
     for link in data.get("links", ()):
         beam = link.get("beam") or {}
         if isinstance(beam.get("material"), str):
@@ -99,7 +99,7 @@ def _of_arm(arm: Arm) -> Iterator[SheetNumber]:
             yield _number(data, steps, place, float(value))
 
 
-def _number(data: Any, steps: tuple[Step, ...], place: ArmPlace, value: float) -> SheetNumber:
+def _number(data: Any, steps: tuple[Step, ...], place: ChainPlace, value: float) -> SheetNumber:
     kind = ".".join("*" if isinstance(step, int) else step for step in steps)
     own = ".".join(map(str, steps))
     path = named(steps, data)

@@ -10,8 +10,8 @@ from typing import Any, NamedTuple
 
 from tmodes.live.sheet_numbers import SheetNumber, real_entry, sheet_numbers
 from tmodes.live.surface import steepest, stretched_length
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 
 __all__ = ["MOST", "Knob", "Slider", "knobs_of", "sliders_of"]
 
@@ -69,7 +69,7 @@ class Slider:
             return {f"real.{path}": value for path in knob.reals}
         return knob.changes(value)
 
-    def told(self) -> dict[str, Any]:
+    def info(self) -> dict[str, Any]:
         """As ``Slider`` of ``web/src/contract.ts``."""
         return {
             "path": self.path, "label": self.label, "symbol": self.symbol, "unit": self.unit, "group": self.group,
@@ -120,7 +120,7 @@ _ALONE = 2
 """Numbers of a kind that have a slider each; more of them move together."""
 
 
-def knobs_of(sheet: Robot | Arm) -> list[Knob]:
+def knobs_of(sheet: PaperRobot | Robot) -> list[Knob]:
     """All that a page could change, the most useful first; a zero, where structure may hang on it, stays as it is."""
     numbers = list(sheet_numbers(sheet))
     found: list[Knob] = []
@@ -134,19 +134,19 @@ def knobs_of(sheet: Robot | Arm) -> list[Knob]:
     return found
 
 
-def _useful(sheet: Robot | Arm, number: SheetNumber, rule: _Rule) -> bool:
+def _useful(sheet: PaperRobot | Robot, number: SheetNumber, rule: _Rule) -> bool:
     """A load of an arm is on the link with its tip; a plane moves along its normal; a slider is finite."""
     if not math.isfinite(number.value):
         return False
-    if isinstance(sheet, Arm) and number.kind == "contact.shape.position.*":
+    if isinstance(sheet, Robot) and number.kind == "contact.shape.position.*":
         return int(number.path[-1]) == steepest(sheet)
-    if isinstance(sheet, Arm) and number.kind == "links.*.bodies.*.mass":
+    if isinstance(sheet, Robot) and number.kind == "links.*.bodies.*.mass":
         tip = sheet.tip.link if sheet.tip else sheet.links[-1].name if sheet.links else ""
         return number.owner == tip and number.value > 0
     return number.value > 0 or (rule.room > 0 and number.least < 0)
 
 
-def _knobs(sheet: Robot | Arm, group: Sequence[SheetNumber], rule: _Rule) -> Iterator[Knob]:
+def _knobs(sheet: PaperRobot | Robot, group: Sequence[SheetNumber], rule: _Rule) -> Iterator[Knob]:
     if len(group) <= _ALONE:
         for number in group:
             low, high = _reach(sheet, number, rule)
@@ -157,7 +157,7 @@ def _knobs(sheet: Robot | Arm, group: Sequence[SheetNumber], rule: _Rule) -> Ite
     yield _knob(sheet, group, (1.0, least, most), _log(least, rule))
 
 
-def _knob(sheet: Robot | Arm, group: Sequence[SheetNumber], span: tuple[float, float, float], log: bool) -> Knob:
+def _knob(sheet: PaperRobot | Robot, group: Sequence[SheetNumber], span: tuple[float, float, float], log: bool) -> Knob:
     entries = [real_entry(sheet, number.path) for number in group]
     reals, factors = [path for path, _ in entries if path], {factor for _, factor in entries}
     common = factors.pop() if len(factors) == 1 else None
@@ -165,8 +165,8 @@ def _knob(sheet: Robot | Arm, group: Sequence[SheetNumber], span: tuple[float, f
     return Knob(group[0].kind, targets, *span, log, tuple(reals) if len(reals) == len(group) else (), common)
 
 
-def _reach(sheet: Robot | Arm, number: SheetNumber, rule: _Rule) -> tuple[float, float]:
-    if rule.span and isinstance(sheet, Arm):
+def _reach(sheet: PaperRobot | Robot, number: SheetNumber, rule: _Rule) -> tuple[float, float]:
+    if rule.span and isinstance(sheet, Robot):
         away = rule.span * stretched_length(sheet)
         least = number.value - away if number.least < 0 else max(number.value - away, number.value / rule.reach)
         return least, number.value + away
@@ -193,15 +193,17 @@ def _label(number: SheetNumber, knob: Knob) -> str:
     return f"{words}, {owner}" if owner else words
 
 
-def sliders_of(sheet: Robot | Arm, knobs: Sequence[Knob], most: int = MOST, *, factors: bool = True) -> list[Slider]:
+def sliders_of(
+    sheet: PaperRobot | Robot, knobs: Sequence[Knob], most: int = MOST, *, factors: bool = True
+) -> list[Slider]:
     """The sliders of these knobs, each as known and, where it makes sense, as the factor of the real robot.
 
     Without ``factors`` all are as known.
     """
-    told = {number.path: number for number in sheet_numbers(sheet)}
+    info = {number.path: number for number in sheet_numbers(sheet)}
     found: list[Slider] = []
     for index, knob in enumerate(knobs):
-        number = told[knob.targets[0][0]]
+        number = info[knob.targets[0][0]]
         rule = next(rule for rule in _RULES if re.fullmatch(rule.kind, knob.kind))
         label = rule.words.format("xyz"[int(number.path[-1])] if "{" in rule.words else "") or _label(number, knob)
         path, unit = (knob.kind, "-") if knob.together else (number.path, number.unit)

@@ -7,13 +7,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.sheet.contact import Ball, Plane, Wall
 
-__all__ = ["steepest", "stretched_length", "surface_numbers", "surface_told"]
+__all__ = ["steepest", "stretched_length", "surface_info", "surface_numbers"]
 
 
-def surface_told(shape: Plane | Ball | Wall) -> dict[str, Any]:
+def surface_info(shape: Plane | Ball | Wall) -> dict[str, Any]:
     """As ``SceneContact.surface`` of ``web/src/contract.ts``; a wall is a plane."""
     match shape:
         case Plane():
@@ -32,17 +32,17 @@ def surface_numbers(shape: Plane | Ball | Wall) -> NDArray[np.float64]:
         case Ball():
             place, radius = shape.center, shape.radius
         case Wall():
-            place, radius = surface_told(shape)["position"], 0.0
+            place, radius = surface_info(shape)["position"], 0.0
     return np.array([*place, radius], dtype=float)
 
 
-def steepest(arm: Arm) -> int:
+def steepest(arm: Robot) -> int:
     """The axis of the world along which the normal of the plane that it touches is longest; -1: it touches none."""
     shape = arm.contact.shape if arm.contact else None
     return int(np.argmax(np.abs(shape.normal))) if isinstance(shape, Plane) else -1
 
 
-def stretched_length(arm: Arm) -> float:
+def stretched_length(arm: Robot) -> float:
     """Length of all links and of what is between them [m]."""
     nodes = arm.chain().nodes
     between = sum(float(np.linalg.norm(node.joint.placement.position)) for node in nodes)

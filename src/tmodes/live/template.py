@@ -9,15 +9,15 @@ from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.io.write import robot_to_yaml
 from tmodes.io.yaml_text import scalar_text
 from tmodes.live.map import LiveMap
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 
 __all__ = ["sheet_template"]
 
 _NUMBER = re.compile(r"(?<![\w.+-])[-+]?(?:\d+\.\d*(?:e[-+]?\d+)?)(?![\w.])")
 
 
-def sheet_template(sheet: Robot | Arm, live: LiveMap) -> list[Any]:
+def sheet_template(sheet: PaperRobot | Robot, live: LiveMap) -> list[Any]:
     """Text, and lines with open places: ``{"parts": [text, {"slider", "base"}, text, ...], "optional"}``.
 
     A place says which slider fills it, and of numbers that move in proportion by which ``base`` it is multiplied (None:
@@ -26,7 +26,7 @@ def sheet_template(sheet: Robot | Arm, live: LiveMap) -> list[Any]:
     """
     marks, places, optional = _marked(sheet, live)
     changed = sheet.with_(marks)
-    text = arm_to_yaml(changed) if isinstance(changed, Arm) else robot_to_yaml(changed)
+    text = arm_to_yaml(changed) if isinstance(changed, Robot) else robot_to_yaml(changed)
     found: list[Any] = []
     bare = not sheet.real
     for line in text.splitlines(keepends=True):
@@ -52,7 +52,7 @@ def _parts(line: str, numbers: list[re.Match[str]], places: dict[str, Any]) -> l
     return [*parts, line[end:]]
 
 
-def _marked(sheet: Robot | Arm, live: LiveMap) -> tuple[dict[str, float], dict[str, Any], dict[str, int]]:
+def _marked(sheet: PaperRobot | Robot, live: LiveMap) -> tuple[dict[str, float], dict[str, Any], dict[str, int]]:
     """Numbers that stand nowhere else in the sheet, by path; what each stands for; and whose lines may be left out."""
     marks: dict[str, float] = {}
     places: dict[str, Any] = {}

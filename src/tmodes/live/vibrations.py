@@ -16,8 +16,8 @@ from tmodes.analysis.statics.rest import arm_rest
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.equations.recursion.drive_law import FRICTION
 from tmodes.errors import SimulationError
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 from tmodes.sheet.contact import Ball, ContactLaw, ContactSheet, Plane, Wall
 
 __all__ = ["arm_vibrations", "vibration_numbers"]
@@ -29,7 +29,7 @@ _DRY = (3, 4, FRICTION + 3, FRICTION + 4)
 """Where a drive's numbers tell dry friction of its motor and of its joint."""
 
 
-def vibration_numbers(arm: Arm, plan: LoopPlan, model: ArmModel) -> dict[str, Array]:
+def vibration_numbers(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Array]:
     """Numbers that hang on a sheet's: ``servos`` (k, 2) stiffness, damping, ``loads`` (n, 6), ``touch`` (4,) or (0,).
 
     ``model``: the chain without drives. ``touch``: mass, damping, stiffness, preload of the surface.
@@ -43,7 +43,7 @@ def vibration_numbers(arm: Arm, plan: LoopPlan, model: ArmModel) -> dict[str, Ar
     }
 
 
-def arm_vibrations(arm: Arm, plan: LoopPlan, model: ArmModel) -> dict[str, Any]:
+def arm_vibrations(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Any]:
     """What ``ArmBundle`` of ``web/src/live/bundle.ts`` holds of them; ``model`` as the run has it."""
     point = [] if plan.touch is None else [plan.touch.point]
     modes, why = _modes(arm, model)
@@ -59,7 +59,7 @@ def arm_vibrations(arm: Arm, plan: LoopPlan, model: ArmModel) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _modes(arm: Arm, model: ArmModel) -> tuple[dict[str, Any] | None, str]:
+def _modes(arm: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
     """``ArmModes``, or why there are none."""
     if model.nq > MOST_WHOLE:
         return None, f"of {model.nq} coordinates modes are found natively alone"
@@ -83,7 +83,7 @@ def _modes(arm: Arm, model: ArmModel) -> tuple[dict[str, Any] | None, str]:
             {"coordinate": names.index(name), "element": f"{name.removesuffix('.motor')}.controller"} for name in servos
         ],
         "springs": springs,
-        "dry": _dry(ArmModel(arm.model_copy(update={"drives": ()}).chain())),
+        "dry": _dry(Model(arm.model_copy(update={"drives": ()}).chain())),
     }, ""  # fmt: skip
 
 
@@ -95,7 +95,7 @@ def _cases(rest: Equilibrium, servos: dict[str, Any]) -> list[dict[str, Any]]:
     ]
 
 
-def _dry(model: ArmModel) -> list[int]:
+def _dry(model: Model) -> list[int]:
     slots = [part.drive_numbers for part in model.parts.nodes if part.drive_numbers]
     return [slot.start + k for slot in slots for k in _DRY]
 
@@ -103,10 +103,10 @@ def _dry(model: ArmModel) -> list[int]:
 def _surface(sheet: ContactSheet, point: int) -> dict[str, Any]:
     """``Surface`` of the page: a plane by its normal towards the free, or a ball by its center."""
     shape: Plane | Ball | Wall = sheet.shape
-    told = {"point": point, "radius": 0.0, "inside": False, "bilateral": sheet.law is ContactLaw.BILATERAL}
+    info = {"point": point, "radius": 0.0, "inside": False, "bilateral": sheet.law is ContactLaw.BILATERAL}
     if isinstance(shape, Ball):
-        return told | {"axis": [*shape.center], "distance": 0.0, "radius": shape.radius, "inside": shape.inside}
+        return info | {"axis": [*shape.center], "distance": 0.0, "radius": shape.radius, "inside": shape.inside}
     if isinstance(shape, Wall):
-        return told | {"axis": [-np.cos(shape.heading), -np.sin(shape.heading), 0.0], "distance": shape.distance}
+        return info | {"axis": [-np.cos(shape.heading), -np.sin(shape.heading), 0.0], "distance": shape.distance}
     normal = np.array(shape.normal) / np.linalg.norm(shape.normal)
-    return told | {"axis": normal.tolist(), "distance": -float(normal @ np.array(shape.position))}
+    return info | {"axis": normal.tolist(), "distance": -float(normal @ np.array(shape.position))}

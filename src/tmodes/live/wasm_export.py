@@ -18,16 +18,16 @@ from tmodes.integrate.settings import Integration
 from tmodes.io.atomic import file_error
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.live.module import LiveModule
-from tmodes.live.wasm_motion import ArmFunctions, arm_module
+from tmodes.live.wasm_motion import ModelFunctions, arm_module
 from tmodes.live.wasm_paper import robot_module
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.paper.modes import closed_loop_spectrum
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 from tmodes.simulation import simulate as arm_simulation
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.start import arm_regime
+from tmodes.simulation.start import run_setup
 
 __all__ = ["Exported", "exported"]
 
@@ -45,16 +45,16 @@ class Exported:
     description: Mapping[str, Any]
 
 
-def exported(sheet: Robot | Arm, name: str, program: Path = _PROGRAM) -> Exported:
+def exported(sheet: PaperRobot | Robot, name: str, program: Path = _PROGRAM) -> Exported:
     """The files of a robot or an arm whose names begin with ``name``.
 
     ``program``: the built engine. Raises :class:`tmodes.errors.ResultFileError` where that is not there.
     """
     if not program.exists():
-        mend = "in a checkout of the sources: python tools/web.py (needs Node); or install the wheel, which has it"
-        raise file_error(program, "no file", "the engine of the pages, built", mend)
-    module, told = _of_arm(sheet) if isinstance(sheet, Arm) else _of_robot(sheet)
-    description = {"name": sheet.name, "layout": module.layout} | told
+        hint = "in a checkout of the sources: python tools/web.py (needs Node); or install the wheel, which has it"
+        raise file_error(program, "no file", "the engine of the pages, built", hint)
+    module, info = _of_arm(sheet) if isinstance(sheet, Robot) else _of_robot(sheet)
+    description = {"name": sheet.name, "layout": module.layout} | info
     data = json.dumps(description, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
     code = program.read_text(encoding="utf-8").rstrip() + f"\n\nexport const description = {data};\n"
     opening = (
@@ -66,29 +66,29 @@ def exported(sheet: Robot | Arm, name: str, program: Path = _PROGRAM) -> Exporte
     }, description)  # fmt: skip
 
 
-def _of_robot(robot: Robot) -> tuple[LiveModule, dict[str, Any]]:
+def _of_robot(robot: PaperRobot) -> tuple[LiveModule, dict[str, Any]]:
     pair, runs, highest = robot.pair(), {}, 0.0
     for name, which, drive in (("reference", pair.nominal, Drive.PRESCRIBED), ("real", pair.real, Drive.CONTROLLED)):
         mechanism, parameters = which.split(drive)
-        state = Model(mechanism).rest(which.reference.start, parameters)
+        state = PaperModel(mechanism).rest(which.reference.start, parameters)
         runs[name] = _run(parameters.vector, which.wanted(drive), state, which.integration)
         highest = max(highest, closed_loop_spectrum(which, drive=drive).highest)
-    told = _settings(pair.real.integration, highest)
-    return robot_module(pair, [told["method"]]), told | {"runs": runs}
+    info = _settings(pair.real.integration, highest)
+    return robot_module(pair, [info["method"]]), info | {"runs": runs}
 
 
-def _of_arm(arm: Arm) -> tuple[LiveModule, dict[str, Any]]:
-    pair, functions = arm.pair(), ArmFunctions(arm.pair(), _STATIONS)
+def _of_arm(arm: Robot) -> tuple[LiveModule, dict[str, Any]]:
+    pair, functions = arm.pair(), ModelFunctions(arm.pair(), _STATIONS)
     follows = {"reference": (pair.nominal, Follow.WANTED), "real": (pair.real, Follow.SHEET)}
     runs = {}
-    regime = arm_regime(pair.real)
+    regime = run_setup(pair.real)
     for name in ("reference", "real"):
         if name in functions.loops:
             which, follow = follows[name]
-            moved = arm_regime(which, follow)
+            moved = run_setup(which, follow)
             runs[name] = _run(moved.model.numbers.vector, moved.planned.schedule, moved.start, which.integration)
-    told = _settings(pair.real.integration, arm_simulation.closed_loop_spectrum(regime).highest)
-    return arm_module(functions, [told["method"]], slopes=False), told | {"runs": runs}
+    info = _settings(pair.real.integration, arm_simulation.closed_loop_spectrum(regime).highest)
+    return arm_module(functions, [info["method"]], slopes=False), info | {"runs": runs}
 
 
 def _settings(given: Integration, highest: float) -> dict[str, Any]:
@@ -111,7 +111,7 @@ def _run(parameters: Any, schedule: Schedule, state: Any, settings: Integration)
 
 def _page(title: str, name: str, code: str, wasm: bytes) -> str:
     """The example: all in one file, so that it opens from disk, where a page may fetch nothing."""
-    told = {"TITLE": html.escape(title), "FILE": html.escape(name), "CODE": code.replace("</", "<\\/"),
+    info = {"TITLE": html.escape(title), "FILE": html.escape(name), "CODE": code.replace("</", "<\\/"),
             "WASM": base64.b64encode(wasm).decode()}  # fmt: skip
     page = (_BESIDE / "example.html").read_text(encoding="utf-8")
-    return re.sub(f"%({'|'.join(told)})%", lambda found: told[found[1]], page)
+    return re.sub(f"%({'|'.join(info)})%", lambda found: info[found[1]], page)

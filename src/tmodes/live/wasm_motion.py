@@ -17,25 +17,25 @@ from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.recursion.parts import Parts
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.live.module import Functions, LiveModule
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
-from tmodes.sheet import ArmPair
+from tmodes.sheet import RobotPair
 from tmodes.sheet.parts import Command
 from tmodes.simulation.plan import Follow, Planned, planned
 
-__all__ = ["ArmFunctions", "arm_module", "needed_for", "stationed"]
+__all__ = ["ModelFunctions", "arm_module", "needed_for", "stationed"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class ArmFunctions:
+class ModelFunctions:
     """What an arm's module is made of: the plans of its regimes, and the passes over its chain.
 
     ``stations``: places along each link, 0 its root and 1 its tip, of which the picture is made.
     """
 
-    pair: ArmPair
+    pair: RobotPair
     stations: tuple[float, ...]
 
     @cached_property
@@ -56,7 +56,7 @@ class ArmFunctions:
     def passes(self) -> dict[str, ArmPasses]:
         """The recursion's passes: over the real ``chain``, and over the one with a point at each station (``pose``)."""
         chain = self.pair.real.model_copy(update={"drives": ()}).chain()
-        return {"chain": ArmModel(chain).passes, "pose": ArmPasses(Parts(stationed(chain, self.stations)))}
+        return {"chain": Model(chain).passes, "pose": ArmPasses(Parts(stationed(chain, self.stations)))}
 
     def numbers(self) -> dict[str, Array]:
         """All that a changed sheet changes, but for the signals of the runs.
@@ -68,7 +68,7 @@ class ArmFunctions:
         return loops | {name: passes.parameters for name, passes in self.passes.items()} | {"rest_row": row}
 
 
-def arm_module(arm: ArmFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
+def arm_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
     """All functions of an arm; ``slopes``: ``rest.rate`` tells its derivatives too, half as much code again.
 
     Loops: ``reference.METHOD`` (where there is a reference run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
@@ -103,7 +103,7 @@ def arm_module(arm: ArmFunctions, methods: Sequence[str], *, slopes: bool = True
         made.schedule(label, schedule_samples(label, schedule), schedule)
     springs = needed_for(passes["elastic"], ("forces",))
     made.schedule("elastic.slopes", schedule_samples("elastic.slopes", springs, "derivative"), springs, stride=2)
-    return made.module("arm", kind="arm", **_told(arm))
+    return made.module("arm", kind="arm", **_info(arm))
 
 
 def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:
@@ -116,7 +116,7 @@ def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:
     return schedule_loop(symbol, rate, 2 * count, method, pairs=count)
 
 
-def _told(arm: ArmFunctions) -> Mapping[str, Any]:
+def _info(arm: ModelFunctions) -> Mapping[str, Any]:
     """What else an engine must know: coordinates, where a state holds what, which coordinates stand at rest."""
     loop, rest = arm.loops["real"], arm.loops["rest"]
     places = {name: [part.start, part.stop] for name, part in loop.layout._asdict().items()}

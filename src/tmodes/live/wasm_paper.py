@@ -14,7 +14,7 @@ from tmodes.live.module import Functions, LiveModule
 from tmodes.paper.mechanism import Drive, Mechanism
 from tmodes.paper.model_loops import rate_of
 from tmodes.paper.model_schedules import implicit_schedule, rate_schedule
-from tmodes.paper.sheet import NominalRealPair
+from tmodes.paper.sheet import PaperPair
 
 __all__ = ["robot_module"]
 
@@ -23,11 +23,11 @@ _ROOT = {"residual": 5, "slope": 25}
 """Residual of a static equation, and its derivative by the deformations, column by column."""
 
 
-def robot_module(pair: NominalRealPair, methods: Sequence[str]) -> LiveModule:
+def robot_module(pair: PaperPair, methods: Sequence[str]) -> LiveModule:
     """All functions of ``reference`` (the known robot, its motor as wanted) and ``real`` (the real one, controlled).
 
     Loops: ``reference.METHOD``, ``real.METHOD``. Samples, of both by the same names before the dot: ``observe`` and
-    ``rate`` as of :class:`tmodes.paper.model.Model`, ``rest`` and ``quasistatic`` (residual and its derivative by the
+    ``rate`` as of the model, ``rest`` and ``quasistatic`` (residual and its derivative by the
     deformations), ``linear`` (M, D, K about ``phi``, row by row), ``line1``, ``line2`` (inputs: a station s and the
     motion, 21 numbers), ``places`` (both lines at a station s); and those of :func:`tmodes.live.modes_paper.add_modes`.
     """
@@ -42,8 +42,8 @@ def robot_module(pair: NominalRealPair, methods: Sequence[str]) -> LiveModule:
         _resting(made, name, mechanism, count)
     _, parameters = regimes["real"]
     add_modes(made, pair.real, len(parameters))
-    told = {"kind": "robot", "coordinates": [*COORDINATES], "parameters": [*parameters.names]}
-    return made.module("robot", **told)
+    info = {"kind": "robot", "coordinates": [*COORDINATES], "parameters": [*parameters.names]}
+    return made.module("robot", **info)
 
 
 def _loop(symbol: str, mechanism: Mechanism, method: str) -> Any:
@@ -91,6 +91,6 @@ def _resting(made: Functions, name: str, mechanism: Mechanism, parameters: int) 
 
     counts = {name: 1 if label == "linear" else 2 for label, name in exports.items()}
     made.parts.append(sample_part(mechanism.arm_key, make, counts))
-    told = (_ROOT, _ROOT, {"linear": 108}, LINE, LINE, {"line": 6})
-    for (label, sizes), outputs in zip(inputs.items(), told, strict=True):
+    info = (_ROOT, _ROOT, {"linear": 108}, LINE, LINE, {"line": 6})
+    for (label, sizes), outputs in zip(inputs.items(), info, strict=True):
         made.program(f"{name}.{label}", exports[label], sizes, outputs, parameters)

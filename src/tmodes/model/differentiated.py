@@ -23,7 +23,7 @@ from tmodes.model.derivatives import Columns, Differentiated, differentiated
 from tmodes.model.evaluator import Blocks, Rows
 from tmodes.model.passes import ArmPasses
 
-__all__ = ["DifferentiatedArm"]
+__all__ = ["DifferentiatedModel"]
 
 Array = NDArray[np.float64]
 
@@ -34,8 +34,8 @@ _INPUTS = ("q", "v", "effort", "given", "wrenches", "base", "parameters")
 
 
 @dataclass(frozen=True, eq=False)
-class DifferentiatedArm:
-    """An arm's schedules with their derivatives. Arrays as :class:`tmodes.model.model.ArmModel` has them."""
+class DifferentiatedModel:
+    """An arm's schedules with their derivatives. Arrays as :class:`tmodes.model.model.Model` has them."""
 
     chain: Chain
 
@@ -118,7 +118,7 @@ class DifferentiatedArm:
             return self._solved(state | {"a": a}, loaded=loaded)
         table = self._kept(("table", loaded), lambda: self._table(forward, columns))
         right, failed = table.solved(inputs)
-        return self._told(right, failed, columns)
+        return self._info(right, failed, columns)
 
     def _table(self, forward: Columns, inertia: Columns) -> AccelerationTable:
         passes, elastic = self.passes, self._columns("elastic", ("q", "v"))
@@ -154,8 +154,8 @@ class DifferentiatedArm:
         known = [name for name in _INPUTS if loaded or name != "wrenches"]
         for name in names:
             if name not in known:
-                mend = "give `wrenches` as well, be they zero" if name == "wrenches" else "correct the name"
-                raise InputError("directions", f"`{name}`", f"names among {', '.join(known)}", mend)
+                hint = "give `wrenches` as well, be they zero" if name == "wrenches" else "correct the name"
+                raise InputError("directions", f"`{name}`", f"names among {', '.join(known)}", hint)
         return set(names)
 
     @cached_property
@@ -213,9 +213,9 @@ class DifferentiatedArm:
         rows[parts.held], rows[:, parts.held] = 0.0, 0.0
         rows[parts.held, parts.held] = 1.0
         failed = eliminate(rows)
-        return self._told(np.negative(rows[:, padded(size) :]), failed, self._columns("inertia", _ALL, loaded=loaded))
+        return self._info(np.negative(rows[:, padded(size) :]), failed, self._columns("inertia", _ALL, loaded=loaded))
 
-    def _told(self, right: Array, failed: int, columns: Columns) -> AccelerationDerivatives:
+    def _info(self, right: Array, failed: int, columns: Columns) -> AccelerationDerivatives:
         """Solutions by name; ``failed``: the number, from 1, of the coordinate in which there is none."""
         parts, first = self.passes.parts, padded(len(right))
         if failed:

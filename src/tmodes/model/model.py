@@ -4,27 +4,24 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes import upward
 from tmodes.equations.recursion.parts import Parts
-from tmodes.model.differentiated import DifferentiatedArm
+from tmodes.model.differentiated import DifferentiatedModel
 from tmodes.model.evaluator import Rows
 from tmodes.model.point_motion import PointMotion
 
-if TYPE_CHECKING:
-    from tmodes.analysis.statics.equilibrium import Equilibrium
-    from tmodes.analysis.statics.loads import Load
-
-__all__ = ["ArmModel", "PointMotion"]
+__all__ = ["Model", "PointMotion"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class ArmModel(DifferentiatedArm):
+class Model(DifferentiatedModel):
     """The native code of one chain's structure, with its numbers.
 
     Arrays: q and v (n, nq) or (nq,), in the order of ``coordinates``: motors, joints, links. SI units, radians.
@@ -174,9 +171,9 @@ class ArmModel(DifferentiatedArm):
         """Linear momentum [kg*m/s] and angular momentum about the world's origin [kg*m^2/s], world axes, (n, 3)."""
         rows = Rows(q, v, self.nq)
         still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
-        told = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)["base_force"]
+        info = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)["base_force"]
         placed = self.chain.base
-        linear, about_base = told[:, 3:] @ placed.rotation.T, told[:, :3] @ placed.rotation.T
+        linear, about_base = info[:, 3:] @ placed.rotation.T, info[:, :3] @ placed.rotation.T
         angular = about_base + np.cross(placed.position, linear)
         return (linear[0], angular[0]) if rows.single else (linear, angular)
 
@@ -186,8 +183,8 @@ class ArmModel(DifferentiatedArm):
         """Motion of the named points; the acceleration is that of the coordinates ``a`` without gravity."""
         rows = Rows(q, v, self.nq)
         base = self.passes.at_rest(gravity=0.0) if base is None else base
-        told = self.passes.inertia(rows, a, base, None)["points"]
-        motion = PointMotion.of(told)
+        info = self.passes.inertia(rows, a, base, None)["points"]
+        motion = PointMotion.of(info)
         return PointMotion(*(part[0] for part in motion)) if rows.single else motion
 
     def pose(self, q: ArrayLike) -> tuple[Array, Array]:
@@ -230,8 +227,6 @@ class ArmModel(DifferentiatedArm):
         state["a"] = state["v"]
         return self._inverse(state, ("q",), loaded=wrenches is not None)[0]
 
-    def static(self, loads: Sequence[Load] = (), **options: Any) -> Equilibrium:
+    def static(self, loads: Sequence[Any] = (), **options: Any) -> Any:
         """Equilibrium under loads: see :func:`tmodes.analysis.statics.equilibrium.equilibrium`."""
-        from tmodes.analysis.statics.equilibrium import equilibrium
-
-        return equilibrium(self, loads, **options)
+        return upward("Model.static")(self, loads, **options)

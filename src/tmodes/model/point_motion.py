@@ -26,9 +26,9 @@ class PointMotion(NamedTuple):
     angular_acceleration: Array
 
     @classmethod
-    def of(cls, told: Array) -> PointMotion:
+    def of(cls, info: Array) -> PointMotion:
         """From rows of the output ``points`` of the inertia pass."""
-        rows = told.reshape(len(told), -1, _POINT)
+        rows = info.reshape(len(info), -1, _POINT)
         rotation = rows[..., :9].reshape(*rows.shape[:2], 3, 3)
         parts = (rows[..., k : k + 3] for k in (12, 15, 18, 21))
         return cls(rows[..., 9:12], rotation, *parts)

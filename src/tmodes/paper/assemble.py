@@ -24,9 +24,9 @@ from tmodes.analysis.validity import (
 from tmodes.equations.lagrange.coordinates import deformations
 from tmodes.equations.lagrange.layout import COORDINATES, DEFORMATIONS, ENERGIES, LINE, WORKS
 from tmodes.paper.mechanism import Parameters
-from tmodes.paper.regime import Regime
-from tmodes.paper.sheet import NominalRealPair
-from tmodes.result.record import RESULT_FORMAT, Result
+from tmodes.paper.regime import PaperRun
+from tmodes.paper.sheet import PaperPair
+from tmodes.result.record import RESULT_FORMAT, PaperResult
 from tmodes.simulation.trajectory import STOPPED
 
 __all__ = ["assemble", "series_of"]
@@ -58,12 +58,12 @@ Observed = dict[str, NDArray[np.float64]]
 
 
 def assemble(
-    pair: NominalRealPair,
-    reference: Regime,
-    real: Regime,
-    told: dict[str, Any],
+    pair: PaperPair,
+    reference: PaperRun,
+    real: PaperRun,
+    info: dict[str, Any],
     verdict: StepVerdict,
-) -> Result:
+) -> PaperResult:
     """Gather all that a result shows; the time axis is the real robot's, as far as both regimes came.
 
     ``told``: what analyses found (frequencies, settling, warnings), plain data that is kept as JSON.
@@ -89,20 +89,20 @@ def assemble(
     if settings.energy_stop and (bad := first_energy_error(data, settings.energy_tolerance)) is not None:
         status, message = "stopped", f"the energy balance was lost at t = {float(data['time'][bad]):.4g} s"
         data = data.isel(time=slice(0, max(bad, 1)))
-    doubts = [*jam_warnings(real.trajectory.times, seen["contact_fold"]), *held_warnings(real.trajectory.times, found)]
-    told = told | {"warnings": [*told["warnings"], *_warnings(pair, data, verdict), *doubts]}
+    notices = [*jam_warnings(real.trajectory.times, seen["contact_fold"]), *held_warnings(real.trajectory.times, found)]
+    info = info | {"warnings": [*info["warnings"], *_warnings(pair, data, verdict), *notices]}
     data.attrs = _provenance(pair, real, reference, verdict) | {"status": status, "message": message}
-    data.attrs |= {name: json.dumps(value) for name, value in told.items()}
-    return Result(data)
+    data.attrs |= {name: json.dumps(value) for name, value in info.items()}
+    return PaperResult(data)
 
 
-def series_of(real: Regime, reference: Regime, count: int) -> Variables:
+def series_of(real: PaperRun, reference: PaperRun, count: int) -> Variables:
     """The series of the first ``count`` samples of a run and its reference."""
     seen, held, _ = _held(real, count)
     return _tracking(real, reference, seen, held) | _line(real, seen, count)
 
 
-def _held(real: Regime, count: int) -> tuple[Observed, NDArray[np.float64], NDArray[np.bool_]]:
+def _held(real: PaperRun, count: int) -> tuple[Observed, NDArray[np.float64], NDArray[np.bool_]]:
     """What is observed; the deformations that its loads would hold statically; and where these were found."""
     seen, states = real.observed(count), real.trajectory.states[:count]
     return seen, *real.model.quasistatic(_gross(states, seen), _angles(states), real.parameters)
@@ -112,7 +112,7 @@ def _angles(states: NDArray[np.float64]) -> NDArray[np.float64]:
     return np.stack(deformations(states[:, :6].T), axis=1)
 
 
-def _tracking(real: Regime, reference: Regime, seen: Observed, held: NDArray[np.float64]) -> Variables:
+def _tracking(real: PaperRun, reference: PaperRun, seen: Observed, held: NDArray[np.float64]) -> Variables:
     """Everything but the line: motion, tracking, forces, deformations, energies.
 
     ``seen`` of the real robot; ``held`` are the deformations that its loads would hold statically.
@@ -159,12 +159,12 @@ def _gross(states: NDArray[np.float64], seen: Observed) -> NDArray[np.float64]:
     return np.column_stack([*motor, seen["contact_force"]])
 
 
-def _stations(real: Regime) -> NDArray[np.float64]:
+def _stations(real: PaperRun) -> NDArray[np.float64]:
     """Points s of each mode at which the elastic line is kept."""
     return np.linspace(0.0, 1.0, real.robot.integration.line_points)
 
 
-def _line(real: Regime, seen: Observed, count: int) -> Variables:
+def _line(real: PaperRun, seen: Observed, count: int) -> Variables:
     """The elastic line of both modes at the stations."""
     motion = np.column_stack([real.trajectory.states[:count, :12], seen["acceleration"], seen["contact_force"]])
     line = real.model.line(motion, _stations(real), real.parameters)
@@ -178,7 +178,7 @@ def _line(real: Regime, seen: Observed, count: int) -> Variables:
     return series
 
 
-def _ending(reference: Regime, real: Regime, verdict: StepVerdict) -> tuple[str, str]:
+def _ending(reference: PaperRun, real: PaperRun, verdict: StepVerdict) -> tuple[str, str]:
     """Status and sentence of the whole run; a run at an unstable step is never called finished."""
     for name, regime in (("reference", reference), ("real robot", real)):
         if regime.trajectory.status == STOPPED and verdict.stable:
@@ -191,15 +191,15 @@ def _ending(reference: Regime, real: Regime, verdict: StepVerdict) -> tuple[str,
     return "finished", real.trajectory.message
 
 
-def _warnings(pair: NominalRealPair, data: Any, verdict: StepVerdict) -> list[str]:
+def _warnings(pair: PaperPair, data: Any, verdict: StepVerdict) -> list[str]:
     from tmodes.io.plausible import implausible
 
-    told = [verdict.sentence] if verdict.sentence else []
-    return [*told, *implausible(pair.nominal), *start_warnings(data, pair.real), *deflection_warnings(data),
+    info = [verdict.sentence] if verdict.sentence else []
+    return [*info, *implausible(pair.nominal), *start_warnings(data, pair.real), *deflection_warnings(data),
             *energy_warnings(data, pair.real.integration.energy_tolerance)]  # fmt: skip
 
 
-def _provenance(pair: NominalRealPair, real: Regime, reference: Regime, verdict: StepVerdict) -> dict[str, Any]:
+def _provenance(pair: PaperPair, real: PaperRun, reference: PaperRun, verdict: StepVerdict) -> dict[str, Any]:
     packages = ("tmodes", "numpy", "casadi", "llvmlite", "xarray")
     counts = {name: regime.trajectory.statistics for name, regime in (("reference", reference), ("real", real))}
     dt_omega = step_times_eigenvalue(verdict, counts["real"])

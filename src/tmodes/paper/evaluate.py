@@ -10,8 +10,8 @@ import numpy as np
 from tmodes.equations.lagrange.layout import EVALUATED
 from tmodes.errors import SimulationError
 from tmodes.paper.mechanism import Drive, Reading
-from tmodes.paper.model import Model
-from tmodes.paper.sheet import Robot
+from tmodes.paper.model import PaperModel
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["NEAREST", "evaluate_states"]
 
@@ -19,7 +19,7 @@ NEAREST = 1e-9
 """Distance of the tip from the base point [m] below which its direction is rounding."""
 
 
-def evaluate_states(robot: Robot, records: Sequence[dict[str, Any]]) -> Iterator[dict[str, Any]]:
+def evaluate_states(robot: PaperRobot, records: Sequence[dict[str, Any]]) -> Iterator[dict[str, Any]]:
     """Each record (phi (6,), phid (6,), u [V]) with the terms of :data:`tmodes.equations.lagrange.layout.EVALUATED`.
 
     The terms are computed at once, the records made as they are asked for: many are never whole in memory.
@@ -29,7 +29,7 @@ def evaluate_states(robot: Robot, records: Sequence[dict[str, Any]]) -> Iterator
     """
     mechanism, parameters = robot.split(Drive.VOLTAGE)
     phi, phid, voltage = ([record[key] for record in records] for key in ("phi", "phid", "u"))
-    terms = Model(mechanism).evaluate(phi, phid, voltage, parameters)
+    terms = PaperModel(mechanism).evaluate(phi, phid, voltage, parameters)
     if mechanism.contact:
         _check_distance(terms["tip"], mechanism.reading)
     names = [name for name in EVALUATED if mechanism.contact or name != "F_tip_on_environment"]

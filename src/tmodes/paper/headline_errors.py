@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.figure_errors import Figure, at_worst, disturbed_rows, even_samples, figure_errors, rows_each
 from tmodes.paper.assemble import series_of
-from tmodes.paper.regime import Regime
-from tmodes.result.record import Result
+from tmodes.paper.regime import PaperRun
+from tmodes.result.record import PaperResult
 
 __all__ = ["with_headline_errors"]
 
 
-def with_headline_errors(result: Result, reference: Regime, real: Regime) -> Result:
+def with_headline_errors(result: PaperResult, reference: PaperRun, real: PaperRun) -> PaperResult:
     """The result with the error of each headline figure, where both of its runs tell theirs.
 
     Kept as JSON: ``how`` the runs tell, and ``figures``, the error of each by its path in the summary; ``tip_m`` is
@@ -30,12 +30,12 @@ def with_headline_errors(result: Result, reference: Regime, real: Regime) -> Res
     samples = sorted({k for figure in figures for k in figure.samples})
     disturbed = [_disturbed(regime, samples, rows, turn) for turn, regime in ((0, real), (5, reference))]
     variables = series_of(disturbed[0], disturbed[1], len(samples) * rows)
-    told = {"how": estimates[0].how, "figures": figure_errors(figures, samples, rows, variables)}
-    result.data.attrs["errors"] = json.dumps(told)
+    info = {"how": estimates[0].how, "figures": figure_errors(figures, samples, rows, variables)}
+    result.data.attrs["errors"] = json.dumps(info)
     return result
 
 
-def _figures(result: Result, rows: int) -> list[Figure]:
+def _figures(result: PaperResult, rows: int) -> list[Figure]:
     data = result.data
     values = {str(name): variable.values for name, variable in data.data_vars.items()}
     count = data.sizes["time"]
@@ -63,7 +63,7 @@ def _contact(values: dict[str, NDArray[np.float64]], count: int, rows: int) -> l
     ]
 
 
-def _disturbed(regime: Regime, samples: list[int], rows: int, turn: int) -> Regime:
+def _disturbed(regime: PaperRun, samples: list[int], rows: int, turn: int) -> PaperRun:
     run = regime.trajectory
     states, each = disturbed_rows(run.states, run.error, samples, rows, turn), np.repeat(np.array(samples), rows)
     return replace(regime, rows=regime.rows[each], trajectory=replace(run, times=run.times[each], states=states))

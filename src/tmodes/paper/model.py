@@ -16,12 +16,12 @@ from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration
 from tmodes.io.fields import number_paths
 from tmodes.paper.mechanism import Drive, Mechanism, Parameters
-from tmodes.paper.model_loops import ModelLoops, rate_of
+from tmodes.paper.model_loops import PaperLoops, rate_of
 from tmodes.paper.sampling import rows, sampled, split, total
 from tmodes.simulation.batch.result import BatchRun
 from tmodes.simulation.batch.simulate import How, Schedules, simulate_lanes
 
-__all__ = ["Model"]
+__all__ = ["PaperModel"]
 
 Array = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ _NEWTON_STEPS = 30
 
 
 @dataclass(frozen=True)
-class Model:
+class PaperModel:
     """The native code of one mechanism, for every set of parameters; each group is made at its first use.
 
     Arrays are C-ordered doubles; n is a number of samples.
@@ -172,7 +172,7 @@ class Model:
     @cached_property
     def loops(self) -> Any:
         """The native time loops, by the names of :class:`tmodes.integrate.settings.Method`."""
-        return ModelLoops(self.mechanism)
+        return PaperLoops(self.mechanism)
 
     @property
     def lane_loops(self) -> Any:

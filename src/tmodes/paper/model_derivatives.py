@@ -24,7 +24,7 @@ Array = NDArray[np.float64]
 def rest_change(mechanism: Mechanism, parameters: Parameters, theta: float, state: Array) -> tuple[Array, Array]:
     """How the rest at a motor angle moves: derivatives of its coordinates by the angle, (6,), and by the parameters.
 
-    ``state``: that of :meth:`tmodes.paper.model.Model.rest`; by the parameters (6, parameters). From the residual r
+    ``state``: that of ``PaperModel.rest``; by the parameters (6, parameters). From the residual r
     of the equations of rest: their root moves by -(dr/dx)^-1 dr/dp.
     """
     free = free_deformations(mechanism.rigid)

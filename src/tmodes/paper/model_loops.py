@@ -12,7 +12,7 @@ from tmodes.equations.lagrange.layout import COORDINATES
 from tmodes.paper.mechanism import Mechanism
 from tmodes.paper.model_schedules import implicit_schedule, rate_schedule
 
-__all__ = ["ModelLoops", "rate_of"]
+__all__ = ["PaperLoops", "rate_of"]
 
 _PAIRS = len(COORDINATES)
 
@@ -25,7 +25,7 @@ def rate_of(mechanism: Mechanism) -> Any:
 
 
 @dataclass(frozen=True)
-class ModelLoops:
+class PaperLoops:
     """The loops of one structure: explicit ones around its rate as it stands, others around its schedules."""
 
     mechanism: Mechanism

@@ -22,7 +22,7 @@ _INSTANT = ("time", "state", "row")
 def rate_schedule(mechanism: Mechanism) -> Schedule:
     """(time, state, row) -> ``rate``, the derivative of the state; what follows from the parameters alone comes first.
 
-    Parameters and inputs are those of :meth:`tmodes.paper.model.Model.rate`.
+    Parameters and inputs are those of :meth:`tmodes.paper.model.PaperModel.rate`.
     """
     from tmodes.equations.lagrange.closed_loop import closed_loop, rate_function
 
@@ -42,7 +42,7 @@ def implicit_schedule(mechanism: Mechanism) -> Schedule:
 
 @cache
 def observe_schedule(mechanism: Mechanism, names: tuple[str, ...]) -> Schedule:
-    """(time, state, row) -> outputs of :meth:`tmodes.paper.model.Model.observe`, with its parameters and inputs."""
+    """(time, state, row) -> outputs of ``PaperModel.observe``, with its parameters and inputs."""
     from tmodes.equations.lagrange.closed_loop import closed_loop, observe_function
 
     function = observe_function(closed_loop(mechanism), names)
@@ -58,8 +58,8 @@ def _parted(key: str, function: Any, names: tuple[str, ...], outputs: dict[str, 
     schedule, ends = Schedule(function.nnz_in(len(names))), np.cumsum([0, *outputs.values()]).tolist()
 
     def build(*blocks: Any) -> list[list[Any]]:
-        (told,) = rest.call([*blocks])
-        return [[told[start:end]] for start, end in pairwise(ends)]
+        (info,) = rest.call([*blocks])
+        return [[info[start:end]] for start, end in pairwise(ends)]
 
     first = Kernel(f"held {key}", (schedule.parameters,), sizes[-1:], lambda p: [[value] for value in held.call([p])])
     second = Kernel(f"rest {key}", sizes, tuple(outputs.values()), build)

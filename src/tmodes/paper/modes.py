@@ -13,8 +13,8 @@ from numpy.typing import NDArray
 from tmodes.equations.lagrange.coordinates import basis, deformations, free_columns
 from tmodes.equations.lagrange.layout import COORDINATES
 from tmodes.paper.mechanism import Drive, Mechanism, Parameters
-from tmodes.paper.model import Model
-from tmodes.paper.sheet import Robot
+from tmodes.paper.model import PaperModel
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = [
     "ELEMENTS",
@@ -70,7 +70,9 @@ class VibrationMode:
     stable: bool = True
 
 
-def all_modes(robot: Robot, *, contact: bool = False, theta: float | None = None) -> dict[str, list[dict[str, Any]]]:
+def all_modes(
+    robot: PaperRobot, *, contact: bool = False, theta: float | None = None
+) -> dict[str, list[dict[str, Any]]]:
     """Modes for each state of the motor, about the robot's sagged rest, as plain data."""
     return {
         state.value: [asdict(mode) for mode in vibration_modes(robot, state, contact=contact, theta=theta)]
@@ -79,21 +81,21 @@ def all_modes(robot: Robot, *, contact: bool = False, theta: float | None = None
 
 
 def vibration_modes(
-    robot: Robot, state: MotorState, *, contact: bool = False, theta: float | None = None
+    robot: PaperRobot, state: MotorState, *, contact: bool = False, theta: float | None = None
 ) -> list[VibrationMode]:
     """Modes by rising frequency; ``theta`` [rad] is the motor's angle, the start of the reference if not given."""
     return [mode for mode, _ in shaped_modes(robot, state, contact=contact, theta=theta)[1]]
 
 
 def shaped_modes(
-    robot: Robot, state: MotorState, *, contact: bool = False, theta: float | None = None
+    robot: PaperRobot, state: MotorState, *, contact: bool = False, theta: float | None = None
 ) -> tuple[NDArray[np.float64], list[tuple[VibrationMode, NDArray[np.complex128]]]]:
     """The rest phi (6,) [rad], and about it the modes of :func:`vibration_modes`, each with its motion (6,).
 
     The motion is complex, as the damped arm moves: where its parts do not swing in phase, the angles tell it.
     """
     mechanism, parameters = robot.split(Drive.VOLTAGE, contact=contact)
-    phi = Model(mechanism).rest(robot.reference.start if theta is None else theta, parameters)[:6]
+    phi = PaperModel(mechanism).rest(robot.reference.start if theta is None else theta, parameters)[:6]
     mass, damping, stiffness = _matrices(robot, mechanism, parameters, phi, state)
     if not len(mass):
         return phi, []
@@ -169,10 +171,10 @@ class Spectrum:
         return self.eigenvalues[np.abs(self.eigenvalues.imag) > _STILL * np.abs(self.eigenvalues)]
 
 
-def closed_loop_spectrum(robot: Robot, *, drive: Drive) -> Spectrum:
+def closed_loop_spectrum(robot: PaperRobot, *, drive: Drive) -> Spectrum:
     """Eigenvalues about rest at the start, the motor controlled or following its reference exactly (``drive``)."""
     mechanism, parameters = robot.split(drive)
-    phi = Model(mechanism).rest(robot.reference.start, parameters)[:6]
+    phi = PaperModel(mechanism).rest(robot.reference.start, parameters)[:6]
     state = MotorState.LOCKED if drive is Drive.PRESCRIBED else MotorState.CONTROLLED
     matrices = _matrices(robot, mechanism, parameters, phi, state)
     if not len(matrices[0]):
@@ -183,10 +185,10 @@ def closed_loop_spectrum(robot: Robot, *, drive: Drive) -> Spectrum:
 
 
 def _matrices(
-    robot: Robot, mechanism: Mechanism, parameters: Parameters, phi: NDArray[np.float64], state: MotorState
+    robot: PaperRobot, mechanism: Mechanism, parameters: Parameters, phi: NDArray[np.float64], state: MotorState
 ) -> Matrices:
     """M, D, K in the free directions; the controller's gains act on the motor as a spring and a damper."""
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
     model.check_mass_matrix(phi, parameters)
     mass, damping, stiffness = model.linearised(phi, parameters)
     motor = robot.motor
@@ -214,7 +216,7 @@ def damped_motions(
     return eigenvalues.astype(complex), vectors[:size].astype(complex)
 
 
-def _mode(robot: Robot, undamped: float, eigenvalue: complex, shape: NDArray[Any]) -> VibrationMode:
+def _mode(robot: PaperRobot, undamped: float, eigenvalue: complex, shape: NDArray[Any]) -> VibrationMode:
     element, share = _home(robot, shape)
     size = abs(eigenvalue)
     rings = eigenvalue.imag > _STILL * size
@@ -223,7 +225,7 @@ def _mode(robot: Robot, undamped: float, eigenvalue: complex, shape: NDArray[Any
     return VibrationMode(float(undamped), damped, ratio, element, share, bool(eigenvalue.real <= GROWING * size))
 
 
-def _home(robot: Robot, shape: NDArray[Any]) -> tuple[str, float]:
+def _home(robot: PaperRobot, shape: NDArray[Any]) -> tuple[str, float]:
     """The element that stores most of the mode's elastic energy, and its share."""
     first, second = (mode.tip_stiffness * mode.length**2 for mode in robot.link.modes)
     stiffness = {"th11q": first, "th12d": second, "th11m": first, "th12e": second, "xi": robot.gear.stiffness}

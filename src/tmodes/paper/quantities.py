@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from tmodes.equations.lagrange.coordinates import deformations
 from tmodes.equations.lagrange.layout import COORDINATES, DEFORMATIONS, ENERGIES
 from tmodes.paper.mechanism import Drive, Parameters
-from tmodes.paper.model import Model
-from tmodes.paper.sheet import Robot
+from tmodes.paper.model import PaperModel
+from tmodes.paper.sheet import PaperRobot
 from tmodes.simulation.stops import Instants, Quantity, Stops, resolved
 
 __all__ = ["robot_quantities", "robot_stops"]
@@ -19,17 +19,17 @@ __all__ = ["robot_quantities", "robot_stops"]
 _AXES = ("x", "y", "z")
 
 
-def robot_stops(robot: Robot, more: Sequence[str] = (), drive: Drive = Drive.CONTROLLED) -> Stops:
+def robot_stops(robot: PaperRobot, more: Sequence[str] = (), drive: Drive = Drive.CONTROLLED) -> Stops:
     """The stop conditions of a robot's sheet, and ``more`` of them; nothing is compiled for it.
 
     Raises :class:`tmodes.errors.InputError` as :func:`tmodes.simulation.stops.resolved`.
     """
     mechanism, parameters = robot.split(drive)
-    known = robot_quantities(Model(mechanism), parameters)
+    known = robot_quantities(PaperModel(mechanism), parameters)
     return Stops((*resolved(robot.integration.stop, known), *resolved(more, known, "stop")))
 
 
-def robot_quantities(model: Model, parameters: Parameters) -> dict[str, Quantity]:
+def robot_quantities(model: PaperModel, parameters: Parameters) -> dict[str, Quantity]:
     """The quantities by name: coordinates, elastic angles, tip, gear, motor, contact and energies."""
 
     def state(column: int) -> Quantity:
@@ -38,8 +38,8 @@ def robot_quantities(model: Model, parameters: Parameters) -> dict[str, Quantity
 
     def seen(name: str, unit: str, column: int | None = None) -> Quantity:
         def of(at: Instants) -> NDArray[np.float64]:
-            told = model.observe(at.times, at.states, at.rows, parameters)[name]
-            return told if column is None else told[:, column]
+            info = model.observe(at.times, at.states, at.rows, parameters)[name]
+            return info if column is None else info[:, column]
 
         return Quantity(unit, of)
 
@@ -47,8 +47,8 @@ def robot_quantities(model: Model, parameters: Parameters) -> dict[str, Quantity
         return Quantity("rad", lambda at: deformations(at.states[:, :6].T)[column])
 
     def speed(at: Instants) -> NDArray[np.float64]:
-        told = model.observe(at.times, at.states, at.rows, parameters)["tip_velocity"]
-        return np.linalg.norm(told, axis=1)
+        info = model.observe(at.times, at.states, at.rows, parameters)["tip_velocity"]
+        return np.linalg.norm(info, axis=1)
 
     def energy(at: Instants) -> NDArray[np.float64]:
         return model.observe(at.times, at.states, at.rows, parameters)["energy"].sum(axis=1)

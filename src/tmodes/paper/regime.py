@@ -10,21 +10,21 @@ from numpy.typing import NDArray
 
 from tmodes.integrate.settings import Integration
 from tmodes.paper.mechanism import Drive, Parameters
-from tmodes.paper.model import Model
-from tmodes.paper.sheet import Robot
+from tmodes.paper.model import PaperModel
+from tmodes.paper.sheet import PaperRobot
 from tmodes.simulation.error_estimate import with_error
 from tmodes.simulation.stops import Stops
 from tmodes.simulation.trajectory import Journal, Trajectory, integrate
 
-__all__ = ["Regime", "run_regime"]
+__all__ = ["PaperRun", "run_paper"]
 
 
 @dataclass(frozen=True)
-class Regime:
+class PaperRun:
     """One robot in motion: its model, its numbers, and the trajectory that it took."""
 
-    robot: Robot
-    model: Model
+    robot: PaperRobot
+    model: PaperModel
     parameters: Parameters
     rows: NDArray[np.float64]
     trajectory: Trajectory
@@ -35,15 +35,15 @@ class Regime:
         return self.model.observe(run.times[:count], run.states[:count], self.rows[:count], self.parameters)
 
 
-def run_regime(
-    robot: Robot,
+def run_paper(
+    robot: PaperRobot,
     drive: Drive,
     progress: Callable[[float], None] = lambda share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
     until: float | None = None,
     stops: Stops | None = None,
     otherwise: Integration | None = None,
-) -> Regime:
+) -> PaperRun:
     """Run one robot from rest in its own equilibrium, its motor controlled or following theta_o exactly.
 
     ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
@@ -53,7 +53,7 @@ def run_regime(
     condition holds at the start.
     """
     mechanism, parameters = robot.split(drive)
-    model, schedule, settings = Model(mechanism), robot.wanted(drive), robot.integration
+    model, schedule, settings = PaperModel(mechanism), robot.wanted(drive), robot.integration
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
     motion = (model, parameters, schedule, start)
@@ -66,4 +66,4 @@ def run_regime(
         trajectory = integrate(*motion, settings, progress, journal, otherwise, stops)
         later = otherwise and otherwise.finer()
         trajectory = with_error(trajectory, settings, lambda changed: integrate(*motion, changed, otherwise=later))
-    return Regime(robot, model, parameters, rows.rows_at(trajectory.times), trajectory)
+    return PaperRun(robot, model, parameters, rows.rows_at(trajectory.times), trajectory)

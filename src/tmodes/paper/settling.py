@@ -11,7 +11,7 @@ from tmodes.integrate.settings import FIXED_STEP, Method
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.modes import closed_loop_spectrum
-from tmodes.paper.regime import Regime
+from tmodes.paper.regime import PaperRun
 from tmodes.simulation.trajectory import integrate
 
 __all__ = ["BAND", "settling"]
@@ -24,7 +24,7 @@ _DECAYS = 4.0
 _SAMPLES = 6000
 
 
-def settling(reference: Regime, real: Regime) -> dict[str, Any]:
+def settling(reference: PaperRun, real: PaperRun) -> dict[str, Any]:
     """Time from the end of the move [s] after which the deviation stays below ``BAND`` of its largest value.
 
     Both regimes rest their motors' wanted angle where the move ended and are run on, beyond the end of the result, for
@@ -32,33 +32,33 @@ def settling(reference: Regime, real: Regime) -> dict[str, Any]:
     """
     time, deviation = _deviation(reference, real)
     end = real.robot.reference.duration
-    told: dict[str, Any] = {"time_s": None, "band": BAND, "limit_m": BAND * float(deviation.max()), "reason": ""}
+    info: dict[str, Any] = {"time_s": None, "band": BAND, "limit_m": BAND * float(deviation.max()), "reason": ""}
     if time[-1] < end * (1 - 1e-9):
-        told["reason"] = f"the run ends before the move does, at {end:g} s: simulate longer"
-        return told
+        info["reason"] = f"the run ends before the move does, at {end:g} s: simulate longer"
+        return info
     horizon = min(_HORIZON, _DECAYS / _slowest_decay(reference, real))
     carried = [_carried_on(regime, horizon) for regime in (reference, real)]
     later, afterwards = _deviation(*carried)
     time, deviation = np.append(time, time[-1] + later[1:]), np.append(deviation, afterwards[1:])
-    limit = told["limit_m"] = BAND * float(deviation.max())
+    limit = info["limit_m"] = BAND * float(deviation.max())
     if lost := next((regime for regime in carried if regime.trajectory.status != "finished"), None):
-        told["reason"] = f"continued beyond its end, the run did not come far: {lost.trajectory.message}"
-        return told
+        info["reason"] = f"continued beyond its end, the run did not come far: {lost.trajectory.message}"
+        return info
     outside = time[(deviation > limit) & (time > end)]
     if outside.size and outside[-1] > time[-1] - 0.05 * horizon:
-        told["reason"] = f"the deviation is still {deviation[-1]:.3g} m {horizon:.3g} s after the end of the run"
+        info["reason"] = f"the deviation is still {deviation[-1]:.3g} m {horizon:.3g} s after the end of the run"
     else:
-        told["time_s"] = float(outside[-1] - end) if outside.size else 0.0
-    return told
+        info["time_s"] = float(outside[-1] - end) if outside.size else 0.0
+    return info
 
 
-def _slowest_decay(*regimes: Regime) -> float:
+def _slowest_decay(*regimes: PaperRun) -> float:
     """Smallest decay rate [1/s] of the vibrations about rest."""
     spectra = (closed_loop_spectrum(one.robot, drive=one.model.mechanism.drive) for one in regimes)
     return max(min((-value.real for spectrum in spectra for value in spectrum.ringing), default=1.0), 1e-9)
 
 
-def _carried_on(regime: Regime, duration: float) -> Regime:
+def _carried_on(regime: PaperRun, duration: float) -> PaperRun:
     """The regime from where it ended, its wanted motor angle at rest."""
     robot, last = regime.robot, regime.trajectory
     degree = regime.model.mechanism.reference_degree
@@ -75,10 +75,10 @@ def _carried_on(regime: Regime, duration: float) -> Regime:
     if trajectory.status == "interrupted":
         raise KeyboardInterrupt
     rows = schedule.rows_at(trajectory.times)
-    return Regime(robot, regime.model, regime.parameters, rows, trajectory)
+    return PaperRun(robot, regime.model, regime.parameters, rows, trajectory)
 
 
-def _deviation(reference: Regime, real: Regime) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
+def _deviation(reference: PaperRun, real: PaperRun) -> tuple[NDArray[np.float64], NDArray[np.float64]]:
     """Times [s] and distance of the two tips [m]."""
     count = min(len(reference.trajectory.times), len(real.trajectory.times))
     tips = [regime.observed(count)["tip"] for regime in (reference, real)]

@@ -16,7 +16,7 @@ from pydantic import BaseModel, Field, model_validator
 
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.schema.quantity import DataSheet, Misfit, not_negative, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, not_negative, refuse
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.kinds.signals.trapezoid import TrapezoidalMove
 from tmodes.paper.environment import DynamicEnvironment
@@ -30,7 +30,7 @@ from tmodes.paper.payload import Payload
 if TYPE_CHECKING:
     from tmodes.notebook import Shown
 
-__all__ = ["FACTOR", "FORMAT", "PLANT", "NominalRealPair", "Robot"]
+__all__ = ["FACTOR", "FORMAT", "PLANT", "PaperPair", "PaperRobot"]
 
 FORMAT = 1
 """Version of the data sheet's format."""
@@ -45,7 +45,7 @@ FACTOR = not_negative("-", "-", "factor of the real robot on the known value", a
 """An entry of ``real``: zero takes a damping or a payload away."""
 
 
-class Robot(DataSheet):
+class PaperRobot(DataSheet):
     """A robot's data sheet: motor, elastic gear, flexible link, payload, environment, control and wanted motion."""
 
     format: Literal[1] = Field(description="version of this format [-]")
@@ -71,12 +71,12 @@ class Robot(DataSheet):
     integration: Integration = Field(default_factory=Integration)
 
     @model_validator(mode="after")
-    def _plain_text(self) -> Robot:
+    def _plain_text(self) -> PaperRobot:
         """Texts go to terminals and pages: letters that steer those are refused."""
         texts = {name: getattr(self, name) for name in ("name", "title", "citation")}
         refuse(
             [
-                Misfit(name, ascii(text[:60]), "text without control characters", "write it in plain letters")
+                Issue(name, ascii(text[:60]), "text without control characters", "write it in plain letters")
                 for name, text in texts.items()
                 if any(unicodedata.category(letter) in _STEERING and letter != "\n" for letter in text)
             ]
@@ -84,7 +84,7 @@ class Robot(DataSheet):
         return self
 
     @classmethod
-    def from_data(cls, data: Mapping[str, Any]) -> Robot:
+    def from_data(cls, data: Mapping[str, Any]) -> PaperRobot:
         """A checked robot from plain data (as a YAML file holds it); numbers may be text with a unit.
 
         Raises :class:`tmodes.errors.InputErrors` with everything that is wrong, where building a ``Robot`` directly
@@ -94,7 +94,7 @@ class Robot(DataSheet):
 
         return robot_from_data(data)
 
-    def with_(self, changes: Mapping[str, Any]) -> Robot:
+    def with_(self, changes: Mapping[str, Any]) -> PaperRobot:
         """A new, checked robot with numbers changed by path: ``robot.with_({"gear.stiffness": 900.0})``.
 
         Raises :class:`tmodes.errors.InputErrors` that name the path when a value is wrong.
@@ -143,7 +143,7 @@ class Robot(DataSheet):
         motion = self.reference.schedule()
         return self.reference.noise.on(motion, self.integration.duration) if drive is Drive.CONTROLLED else motion
 
-    def pair(self) -> NominalRealPair:
+    def pair(self) -> PaperPair:
         """The robot as it is known and as it really is.
 
         Raises :class:`tmodes.errors.InputError` for an entry of ``real`` that names no number, and
@@ -154,18 +154,18 @@ class Robot(DataSheet):
         if unknown:
             raise InputError("real", f"{unknown[0]!r}", "the path of a number of the robot", f"one of {list(numbers)}")
         changes = {path: numbers[path] * factor for path, factor in self.real.items()}
-        return NominalRealPair(nominal=self, real=self.with_({**changes, "real": {}}) if changes else self)
+        return PaperPair(nominal=self, real=self.with_({**changes, "real": {}}) if changes else self)
 
 
 @dataclass(frozen=True)
-class NominalRealPair:
+class PaperPair:
     """The robot twice: with the characteristics as known (superscript o in the paper), and as they really are.
 
     The reference motion is planned with ``nominal``; what happens is simulated with ``real``.
     """
 
-    nominal: Robot
-    real: Robot
+    nominal: PaperRobot
+    real: PaperRobot
 
     def __post_init__(self) -> None:
         for name in ("reading", "contact", "reference", "integration"):

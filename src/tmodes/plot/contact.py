@@ -11,13 +11,13 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["arm_contact"]
 
 
 @house_style()
-def arm_contact(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def arm_contact(result: Result, ax: AxesLike = None) -> list[Axes]:
     """Force into the surface [N], real and reference; its components [N]; how deep the point is in the surface [m].
 
     ``ax``: three axes, or None.

@@ -11,7 +11,7 @@ from tmodes.plot.style import COMPONENTS, INK, QUIET, house_style
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["arm_energies"]
 
@@ -23,7 +23,7 @@ LOOKS = (
 
 
 @house_style()
-def arm_energies(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def arm_energies(result: Result, ax: AxesLike = None) -> list[Axes]:
     """Energy by kind [J], work since the start by kind [J], and the size of the balance's residual [J], log scale.
 
     Kinds that are zero throughout are left out. ``ax``: three axes, or None.

@@ -21,7 +21,7 @@ from tmodes.plot.tip import tip_motion, tip_path
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["ARM_FIGURES", "all_arm_figures", "arm_drawings", "arm_left_out"]
 
@@ -112,16 +112,16 @@ ARM_FIGURES: dict[str, FigureEntry] = {
 """Every figure of an arm, in the order of the report."""
 
 
-def all_arm_figures(result: ArmResult) -> dict[str, Callable[..., list[Axes]]]:
+def all_arm_figures(result: Result) -> dict[str, Callable[..., list[Axes]]]:
     """The figures that this result can fill: name -> callable that draws it."""
     return filled(ARM_FIGURES, result)
 
 
-def arm_left_out(result: ArmResult) -> dict[str, str]:
+def arm_left_out(result: Result) -> dict[str, str]:
     """The figures that this result cannot fill: name -> why."""
     return {name: reason for name, reason in unfilled(ARM_FIGURES, result).items() if name != "tip_motion"}
 
 
-def arm_drawings(result: ArmResult) -> dict[str, Drawing]:
+def arm_drawings(result: Result) -> dict[str, Drawing]:
     """The figures of :func:`all_arm_figures` as drawings."""
     return as_drawings(all_arm_figures(result))

@@ -14,7 +14,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["joint_efforts", "joint_tracking", "no_drives"]
 
@@ -28,7 +28,7 @@ def no_drives(data: Any) -> str:
 
 
 @house_style()
-def joint_tracking(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def joint_tracking(result: Result, ax: AxesLike = None) -> list[Axes]:
     """Left, each joint with its motor and what is wanted of it [rad, m]; right, how far they are from that.
 
     Of a joint that is not told where to be, its rate is on the right. Of more than eight joints, those that move most.
@@ -88,7 +88,7 @@ def _error(panel: Axes, data: Any, name: str) -> None:
 
 
 @house_style()
-def joint_efforts(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def joint_efforts(result: Result, ax: AxesLike = None) -> list[Axes]:
     """Effort of each motor and torque of its gear [N m, N]; beside them the voltage [V], where there is any.
 
     Of more than eight joints, those with the largest efforts. ``ax``: one axes for each, or two with voltages.

@@ -15,7 +15,7 @@ from tmodes.plot.units import Unit, readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["link_loads"]
 
@@ -26,7 +26,7 @@ Array = NDArray[Any]
 
 
 @house_style()
-def link_loads(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def link_loads(result: Result, ax: AxesLike = None) -> list[Axes]:
     """Left, moments [N m] along each link when its bending moment is largest; right, stress [Pa], or shear force [N].
 
     The band is the range over the run. Of more than six links, those with the largest moments. ``ax``: two axes for

@@ -15,7 +15,7 @@ from tmodes.plot.tip import PLANES, views
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["arm_shape"]
 
@@ -33,7 +33,7 @@ Array = NDArray[Any]
 
 
 @house_style()
-def arm_shape(result: ArmResult, ax: AxesLike = None, *, exaggerate: float | None = None) -> list[Axes]:
+def arm_shape(result: Result, ax: AxesLike = None, *, exaggerate: float | None = None) -> list[Axes]:
     """The links at several instants [m]: left to scale, right with their deflection ``exaggerate`` times as large.
 
     The deflection is that from the arm without elasticity and with the same motor angles (thin, dashed). None chooses a
@@ -57,11 +57,11 @@ def arm_shape(result: ArmResult, ax: AxesLike = None, *, exaggerate: float | Non
         panel.set_aspect("equal", adjustable="datalim")
         panel.locator_params(nbins=5)
     shared_legend(axes[0])
-    letter(axes, (f"{PLANES[pair].capitalize()}, {_told(size)}" for pair, size in shown))
+    letter(axes, (f"{PLANES[pair].capitalize()}, {_info(size)}" for pair, size in shown))
     return axes
 
 
-def _told(factor: float) -> str:
+def _info(factor: float) -> str:
     return "to scale" if factor == 1 else f"deflection × {factor:g}"
 
 

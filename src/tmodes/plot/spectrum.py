@@ -19,7 +19,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["no_ringing", "ringing"]
 
@@ -48,7 +48,7 @@ def no_ringing(data: Any) -> str:
 
 
 @house_style()
-def ringing(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def ringing(result: Result, ax: AxesLike = None) -> list[Axes]:
     """Amplitudes of the tip [m] (less its reference, where there is one) and of elastic coordinates [rad], log scale.
 
     Of the time after the move, where the run goes on long enough, else of the whole run. The arm's own frequencies (of

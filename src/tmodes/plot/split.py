@@ -14,7 +14,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["gear_deflections", "link_coordinates", "link_tips", "no_bending", "no_gears"]
 
@@ -40,7 +40,7 @@ def _names(data: Any, *, gears: bool) -> list[str]:
 
 
 @house_style()
-def gear_deflections(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def gear_deflections(result: Result, ax: AxesLike = None) -> list[Axes]:
     """Gear output less input [rad]: the whole with its stationary part (left), its oscillatory part (right).
 
     Of more than eight gears, those that give most. ``ax``: two axes for each, or None.
@@ -49,7 +49,7 @@ def gear_deflections(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
 
 
 @house_style()
-def link_coordinates(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def link_coordinates(result: Result, ax: AxesLike = None) -> list[Axes]:
     """The six largest coordinates of the links [rad, m], split as :func:`gear_deflections`. ``ax``: two for each."""
     names = _names(result.data, gears=False)
     return _split(result.data, _most(result.data, names, _MOST_COORDINATES), ax)
@@ -94,7 +94,7 @@ def _oscillatory(panel: Axes, data: Any, name: str) -> None:
 
 
 @house_style()
-def link_tips(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def link_tips(result: Result, ax: AxesLike = None) -> list[Axes]:
     """Deflection of the end of each link that bends from its root's tangent [m], along y and z of its root.
 
     Of more than eight links, those that bend most. ``ax``: one axes for each link, or None.

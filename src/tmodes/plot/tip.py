@@ -13,7 +13,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["PLANES", "tip_motion", "tip_path", "views"]
 
@@ -35,7 +35,7 @@ def views(points: Any) -> list[tuple[str, str]]:
 
 
 @house_style()
-def tip_motion(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def tip_motion(result: Result, ax: AxesLike = None) -> list[Axes]:
     """Tip x, y, z [m] over time, of a run without a reference. ``ax``: three axes, or None."""
     axes = panels(ax, [["x", "y", "z"]], 2.3)
     time = result.data["time"].values
@@ -50,7 +50,7 @@ def tip_motion(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
 
 
 @house_style()
-def tip_path(result: ArmResult, ax: AxesLike = None) -> list[Axes]:
+def tip_path(result: Result, ax: AxesLike = None) -> list[Axes]:
     """The path of the tip [m] and of its reference, to scale, from one or two sides. ``ax``: so many axes, or None."""
     data = result.data
     tip = data["tip"].transpose("time", "axis").values

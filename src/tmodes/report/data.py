@@ -18,10 +18,10 @@ from tmodes.report.facts_paper import robot_facts
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.scene import line_of, scene_of
 from tmodes.report.thin import scene_frames
-from tmodes.result import ArmResult
+from tmodes.result import Result
 
 if TYPE_CHECKING:
-    from tmodes.result.record import Result, RunRecord
+    from tmodes.result.record import PaperResult, RunRecord
 
 __all__ = ["facts_of", "live_page", "page_data", "robot_name", "sheet_of"]
 
@@ -42,14 +42,14 @@ def page_data(
     """
     names = names or [robot_name(result) for result in results]
     charts = charts_of(results)
-    known = cast("Sequence[Result | ArmResult]", results)
+    known = cast("Sequence[Result | Result]", results)
     runs = [_run(*one, light=light) for one in zip(known, names, charts, strict=True)]
     subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
-    told = {"title": ", ".join(names), "subtitle": subtitle, "live": live, "notLive": not_live}
-    return {"format": 1, "runs": runs, **told}
+    info = {"title": ", ".join(names), "subtitle": subtitle, "live": live, "notLive": not_live}
+    return {"format": 1, "runs": runs, **info}
 
 
-def live_page(result: Result | ArmResult, *, live: bool = True) -> dict[str, Any]:
+def live_page(result: PaperResult | Result, *, live: bool = True) -> dict[str, Any]:
     """The data of a page about one result, with its equations where they are wanted and the page can run them again."""
     if not live:
         return page_data([result], not_live="it was asked to hold no equations (--no-live)")
@@ -72,7 +72,7 @@ def _title(result: RunRecord) -> str:
     return str(json.loads(result.data.attrs["robot"]).get("title") or "")
 
 
-def _run(result: Result | ArmResult, name: str, charts: list[dict[str, Any]], *, light: bool) -> dict[str, Any]:
+def _run(result: PaperResult | Result, name: str, charts: list[dict[str, Any]], *, light: bool) -> dict[str, Any]:
     data = result.data
     times = np.asarray(data["time"].values, dtype=float)
     frames = scene_frames(times, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
@@ -92,19 +92,19 @@ def _run(result: Result | ArmResult, name: str, charts: list[dict[str, Any]], *,
     }
 
 
-def facts_of(result: Result | ArmResult) -> list[Fact]:
+def facts_of(result: PaperResult | Result) -> list[Fact]:
     """The numbers that matter, most important first."""
-    if isinstance(result, ArmResult):
+    if isinstance(result, Result):
         return list(arm_facts(result, result.summary()))
     return list(robot_facts(result.data, result.summary()))
 
 
-def sheet_of(result: Result | ArmResult) -> str:
+def sheet_of(result: PaperResult | Result) -> str:
     """The data sheet of this very run as YAML; empty where it is no longer one that this version knows."""
     from tmodes.io.sheet_write import arm_to_yaml
     from tmodes.io.write import robot_to_yaml
 
     try:
-        return arm_to_yaml(result.arm) if isinstance(result, ArmResult) else robot_to_yaml(result.robot)
+        return arm_to_yaml(result.arm) if isinstance(result, Result) else robot_to_yaml(result.robot)
     except TmodesError:
         return ""

@@ -113,8 +113,8 @@ def _curve(line: Line, unit: Unit, kept: NDArray[np.intp], *, coarse: bool) -> d
 def _source(line: Line, unit: Unit) -> dict[str, Any] | None:
     if line.place is None:
         return None
-    told = {"variable": line.place[0], "index": line.place[1], "factor": unit.factor * line.factor}
-    return told if line.less is None else told | {"less": {"variable": line.less[0], "index": line.less[1]}}
+    info = {"variable": line.place[0], "index": line.place[1], "factor": unit.factor * line.factor}
+    return info if line.less is None else info | {"less": {"variable": line.less[0], "index": line.less[1]}}
 
 
 def _single(values: Array) -> NDArray[Any]:

@@ -14,15 +14,15 @@ from tmodes.report.facts import Fact, energy_facts, frequency_facts, tracking_fa
 from tmodes.report.quantity import written
 
 if TYPE_CHECKING:
-    from tmodes.result import ArmResult
-    from tmodes.sheet import Arm
+    from tmodes.result import Result
+    from tmodes.sheet import Robot
 
 __all__ = ["arm_facts"]
 
 _ROUNDING = 1e-15
 
 
-def arm_facts(result: ArmResult, summary: dict[str, Any]) -> Iterator[Fact]:
+def arm_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
     """From a result and its summary; what there is not is left out."""
     data, arm = result.data, result.arm
     yield from tracking_facts(summary, data, json.loads(data.attrs["move_end"]))
@@ -45,7 +45,7 @@ def _worst(links: dict[str, Any], quantity: str, key: str, unit: str, title: str
         yield Fact(own or f"{quantity}.max", title, one[key], unit, f"{name}{place}, at {one['time_s']:.3g} s")
 
 
-def _stress(arm: Arm, links: dict[str, Any]) -> Iterator[Fact]:
+def _stress(arm: Robot, links: dict[str, Any]) -> Iterator[Fact]:
     """The largest stress, and the largest share of a material's yield strength."""
     yield from _worst(links, "stress", "max_Pa", "Pa", "Largest stress (von Mises)")
     stressed = {name: link["stress"]["max_Pa"] for name, link in links.items() if link["stress"]}
@@ -72,7 +72,7 @@ def _gear(deformations: dict[str, dict[str, Any]]) -> Iterator[Fact]:
         yield Fact("gear.max", "Largest deflection of a gear", one["max"], one["unit"], note)
 
 
-def _limits(arm: Arm, data: Any) -> Iterator[Fact]:
+def _limits(arm: Robot, data: Any) -> Iterator[Fact]:
     """The largest share of a limit of a joint: of its speed, its effort, its range (from its middle)."""
     shares = [one for joint in arm.joints if joint.limits for one in _shares(joint.name, joint.limits, data)]
     if shares:

@@ -27,22 +27,22 @@ def robot_facts(data: Any, summary: dict[str, Any]) -> Iterator[Fact]:
     yield from energy_facts(summary["energy"])
 
 
-def _moment(told: dict[str, Any]) -> Fact:
-    place = "at the root" if told["s"] == 0 else f"at {100 * told['s']:.3g}\u00a0% of its length"
-    where = f"mode {str(told['mode'])[-1]}, {place}, {told['plane']} plane, at {told['time_s']:.3g}\u00a0s"
-    return Fact("moment.max", "Largest bending moment", abs(told["value_Nm"]), "N m", where)
+def _moment(info: dict[str, Any]) -> Fact:
+    place = "at the root" if info["s"] == 0 else f"at {100 * info['s']:.3g}\u00a0% of its length"
+    where = f"mode {str(info['mode'])[-1]}, {place}, {info['plane']} plane, at {info['time_s']:.3g}\u00a0s"
+    return Fact("moment.max", "Largest bending moment", abs(info["value_Nm"]), "N m", where)
 
 
-def _angle(told: dict[str, dict[str, float | None]]) -> Fact:
-    sizes = {name: values["max_rad"] or 0.0 for name, values in told.items()}
+def _angle(info: dict[str, dict[str, float | None]]) -> Fact:
+    sizes = {name: values["max_rad"] or 0.0 for name, values in info.items()}
     name = max(sizes, key=lambda name: sizes[name])
     return Fact("deformation.max", "Largest elastic angle", sizes[name], "rad", PLACES.get(name, (name,))[0])
 
 
-def _contact(told: dict[str, float] | None) -> Iterator[Fact]:
-    if told is not None:
-        note = f"from {told['min_N']:.4g} to {told['max_N']:.4g} N"
-        yield Fact("contact.mean", "Radial contact force, mean", told["mean_N"], "N", note)
+def _contact(info: dict[str, float] | None) -> Iterator[Fact]:
+    if info is not None:
+        note = f"from {info['min_N']:.4g} to {info['max_N']:.4g} N"
+        yield Fact("contact.mean", "Radial contact force, mean", info["mean_N"], "N", note)
 
 
 def _voltage(data: Any) -> Fact:

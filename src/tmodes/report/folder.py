@@ -15,7 +15,7 @@ from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock, check_writable, remove_orphans
 from tmodes.io.checkpoint import run_identity
 from tmodes.io.journal import RunJournal
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 from tmodes.simulation.trajectory import sample_times
 
 if TYPE_CHECKING:
@@ -138,7 +138,7 @@ class RunFolder:
         return len(sample_times(settings)) * settings.bytes_per_sample
 
     def _load(self) -> Any:
-        return Result.load(self.result_file)
+        return PaperResult.load(self.result_file)
 
     def _computed(self, progress: Progress) -> Any:
         from tmodes.paper.simulate import simulate

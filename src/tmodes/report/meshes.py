@@ -17,7 +17,7 @@ from tmodes.report.mesh_thin import thinned
 from tmodes.robots.load import urdf_of
 
 if TYPE_CHECKING:
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["Kept", "few_shapes", "kept_meshes", "read_shapes", "seen_shapes", "with_few_shapes", "with_shapes"]
 
@@ -66,7 +66,7 @@ def few_shapes(shapes: Sequence[LinkShape]) -> list[LinkShape]:
     return [shape for shape in few if len(shape.surface.faces)]
 
 
-def with_shapes(result: ArmResult, shapes: Sequence[LinkShape]) -> ArmResult:
+def with_shapes(result: Result, shapes: Sequence[LinkShape]) -> Result:
     """The result with the surfaces of its links, simplified as by :func:`few_shapes`.
 
     Variables ``mesh_vertices`` (mesh_vertex, axis) [m], in the frame of their link, and ``mesh_faces`` (mesh_face,
@@ -75,7 +75,7 @@ def with_shapes(result: ArmResult, shapes: Sequence[LinkShape]) -> ArmResult:
     return with_few_shapes(result, few_shapes(shapes))
 
 
-def with_few_shapes(result: ArmResult, few: Sequence[LinkShape]) -> ArmResult:
+def with_few_shapes(result: Result, few: Sequence[LinkShape]) -> Result:
     """The result with surfaces that :func:`few_shapes` simplified before; see :func:`with_shapes`."""
     if not few:
         return result
@@ -86,7 +86,7 @@ def with_few_shapes(result: ArmResult, few: Sequence[LinkShape]) -> ArmResult:
         mesh_faces=(("mesh_face", "corner"), _joined([surface.faces for surface in surfaces], np.int32),
                     {"units": "1", "long_name": "vertices of each triangle, counted within its surface"}),
     )  # fmt: skip
-    data.attrs["meshes"] = json.dumps([_told(shape) for shape in few])
+    data.attrs["meshes"] = json.dumps([_info(shape) for shape in few])
     return type(result)(data, result.timing)
 
 
@@ -100,13 +100,13 @@ def kept_meshes(data: Any) -> list[Kept]:
 
 def _kept(data: Any) -> list[Kept]:
     found, vertex, face = [], 0, 0
-    for told in json.loads(data.attrs.get("meshes", "[]")):
-        if min(told["vertices"], told["faces"]) < 0:
+    for info in json.loads(data.attrs.get("meshes", "[]")):
+        if min(info["vertices"], info["faces"]) < 0:
             raise ValueError("a surface of less than nothing")
-        vertices = data["mesh_vertices"].transpose("mesh_vertex", "axis").values[vertex : vertex + told["vertices"]]
-        faces = data["mesh_faces"].transpose("mesh_face", "corner").values[face : face + told["faces"]]
-        found.append(Kept(told["link"], told["colour"], vertices, faces))
-        vertex, face = vertex + told["vertices"], face + told["faces"]
+        vertices = data["mesh_vertices"].transpose("mesh_vertex", "axis").values[vertex : vertex + info["vertices"]]
+        faces = data["mesh_faces"].transpose("mesh_face", "corner").values[face : face + info["faces"]]
+        found.append(Kept(info["link"], info["colour"], vertices, faces))
+        vertex, face = vertex + info["vertices"], face + info["faces"]
     return found
 
 
@@ -114,6 +114,6 @@ def _joined(parts: list[Any], kind: Any) -> NDArray[Any]:
     return np.concatenate(parts).astype(kind)
 
 
-def _told(shape: LinkShape) -> dict[str, Any]:
+def _info(shape: LinkShape) -> dict[str, Any]:
     vertices, faces = shape.surface
     return {"link": shape.link, "colour": shape.colour, "vertices": len(vertices), "faces": len(faces)}

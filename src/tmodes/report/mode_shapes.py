@@ -14,8 +14,8 @@ from tmodes.paper.modes import MotorState, VibrationMode, shaped_modes
 from tmodes.report.scene_chain import drawn_links, lines_at, real_arm_of
 from tmodes.report.scene_meshes import carriers
 from tmodes.report.scene_paper import line_at, real_robot
-from tmodes.result import ArmResult
-from tmodes.result.record import Result
+from tmodes.result import Result
+from tmodes.result.record import PaperResult
 
 __all__ = ["modes_of"]
 
@@ -36,27 +36,27 @@ _STEP = 1e-5
 """Change of the largest coordinate [rad] by which a line's motion is found: central differences, good to 1e-9."""
 
 
-def modes_of(result: Result | ArmResult) -> list[dict[str, Any]]:
+def modes_of(result: PaperResult | Result) -> list[dict[str, Any]]:
     """The lowest modes of the real robot about its rest, of each state of its motors; none where it has no rest.
 
     Frequencies [Hz] and damping are those of ``result.frequencies``; motions without vibration are left out.
     Displacements (L, S, 3) are complex, the largest of size 1.
     """
     try:
-        return _of_arm(result) if isinstance(result, ArmResult) else _of_robot(result)
+        return _of_arm(result) if isinstance(result, Result) else _of_robot(result)
     except SimulationError:
         return []
 
 
-def _of_robot(result: Result) -> list[dict[str, Any]]:
+def _of_robot(result: PaperResult) -> list[dict[str, Any]]:
     robot, stations, found = real_robot(result), np.linspace(0, 1, _STATIONS), []
     for state in _CASES:
         phi, modes = shaped_modes(robot, state)
-        found += list(_told(str(state), modes, phi, lambda q: line_at(robot, q, stations)))
+        found += list(_info(str(state), modes, phi, lambda q: line_at(robot, q, stations)))
     return found
 
 
-def _of_arm(result: ArmResult) -> list[dict[str, Any]]:
+def _of_arm(result: Result) -> list[dict[str, Any]]:
     from tmodes.analysis.modes.modes import arm_modes
     from tmodes.analysis.modes.of_sheet import servos_of
     from tmodes.analysis.statics.rest import arm_rest
@@ -68,11 +68,11 @@ def _of_arm(result: ArmResult) -> list[dict[str, Any]]:
     servos, stations, found = servos_of(arm, rest.model), np.linspace(0, 1, _STATIONS), []
     for state in _CASES[0 if servos else 1 :]:
         modes = [(mode, mode.motion) for mode in arm_modes(rest, state, servos) if mode.motion is not None]
-        found += list(_told(str(state), modes, rest.q, lambda q: lines_at(rest.model, names, q, stations)[0]))
+        found += list(_info(str(state), modes, rest.q, lambda q: lines_at(rest.model, names, q, stations)[0]))
     return found
 
 
-def _told(case: str, modes: Iterable[Shaped], rest: Array, lines: Lines) -> Iterator[dict[str, Any]]:
+def _info(case: str, modes: Iterable[Shaped], rest: Array, lines: Lines) -> Iterator[dict[str, Any]]:
     """The lowest of ``modes`` that vibrate, as the page takes them."""
     vibrating = [(mode, motion) for mode, motion in modes if mode.frequency_Hz > 0]
     for mode, motion in vibrating[:_MOST]:

@@ -45,17 +45,17 @@ def frequency_tables(frequencies: dict[str, list[dict[str, Any]]], *, beside: bo
     return tag("div", *tables, class_="columns wide" if beside else None)
 
 
-def deformation_table(told: dict[str, dict[str, float | None]]) -> Markup:
+def deformation_table(info: dict[str, dict[str, float | None]]) -> Markup:
     """Largest size of each elastic angle, of its reference, and how far one is from the other."""
-    rows = [_deformation(name, values) for name, values in sorted(told.items(), key=lambda item: _order(item[0]))]
+    rows = [_deformation(name, values) for name, values in sorted(info.items(), key=lambda item: _order(item[0]))]
     head = ("Angle", "Symbol", "Largest, real", "Largest, reference", "rms deviation / rms reference")
     return table("Elastic angles over the run", head, rows, numeric=(2, 3, 4))
 
 
-def _deformation(name: str, told: dict[str, float | None]) -> list[str]:
+def _deformation(name: str, info: dict[str, float | None]) -> list[str]:
     place, letter, index = PLACES.get(name, (name, "", ""))
-    ratio = told["rms_deviation_over_rms_reference"]
-    sizes = [written(told[key] or 0.0, "rad") for key in ("max_rad", "max_reference_rad")]
+    ratio = info["rms_deviation_over_rms_reference"]
+    sizes = [written(info[key] or 0.0, "rad") for key in ("max_rad", "max_reference_rad")]
     symbol = tag("span", letter, tag("sub", index) if index else None)
     return [place, symbol, *sizes, "–" if ratio is None else f"{100 * ratio:.3g} %"]
 
@@ -64,10 +64,10 @@ def _order(name: str) -> int:
     return list(PLACES).index(name) if name in PLACES else len(PLACES)
 
 
-def error_table(told: dict[str, Any] | None) -> Markup:
+def error_table(info: dict[str, Any] | None) -> Markup:
     """The estimated error of the integration in each headline figure; None where it is not known."""
-    if told is None:
+    if info is None:
         return tag("p", "The error of the integration was not estimated.", class_="note")
-    bound = "At most about" if "sum" in told["how"] else "Error"
-    rows = [[name.replace(".", ", ").replace("_", " "), power_of_ten(value)] for name, value in told["figures"].items()]
-    return table(f"Error of the integration, by a {told['how']}", ("Figure", f"{bound} [SI]"), rows, numeric=(1,))
+    bound = "At most about" if "sum" in info["how"] else "Error"
+    rows = [[name.replace(".", ", ").replace("_", " "), power_of_ten(value)] for name, value in info["figures"].items()]
+    return table(f"Error of the integration, by a {info['how']}", ("Figure", f"{bound} [SI]"), rows, numeric=(1,))

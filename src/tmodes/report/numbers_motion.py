@@ -15,19 +15,19 @@ _ROUNDING = 1e-12
 """A position [rad, m] that is as good as zero."""
 
 
-def joints_table(told: dict[str, dict[str, Any]]) -> Markup | None:
+def joints_table(info: dict[str, dict[str, Any]]) -> Markup | None:
     """Range, rate and effort of each driven joint."""
-    if not told:
+    if not info:
         return None
     head = ("Joint", "Least", "Largest", "Unit", "Fastest", "Largest effort", "Largest gear torque")
     rows = []
-    for name, one in list(told.items())[:_MOST_ROWS]:
+    for name, one in list(info.items())[:_MOST_ROWS]:
         force = "N" if one["unit"] == "m" else "N m"
         gear = one["largest_gear_torque"]
         rate = written(one["fastest"], f"{one['unit']}/s")
         rows.append([name, _place(one["least"]), _place(one["largest"]), one["unit"], rate,
                      written(one["largest_effort"], force), written(gear, force) if gear else "–"])  # fmt: skip
-    return table(_caption("Driven joints over the run", told), head, rows, numeric=(1, 2, 4, 5, 6))
+    return table(_caption("Driven joints over the run", info), head, rows, numeric=(1, 2, 4, 5, 6))
 
 
 def _place(value: float) -> str:
@@ -35,33 +35,33 @@ def _place(value: float) -> str:
     return f"{value if abs(value) > _ROUNDING else 0.0:.4g}"
 
 
-def links_table(told: dict[str, dict[str, Any]]) -> Markup | None:
+def links_table(info: dict[str, dict[str, Any]]) -> Markup | None:
     """Largest deflection, bending moment and stress of each link that bends."""
-    if not told:
+    if not info:
         return None
     head = ("Link", "Deflection of its end", "Bending moment", "where", "Stress", "where")
     rows = []
-    for name, link in list(told.items())[:_MOST_ROWS]:
+    for name, link in list(info.items())[:_MOST_ROWS]:
         moment, stress = link["bending_moment"], link["stress"]
         where = ["–" if one is None else f"s = {one['s']:.2g}, {one['time_s']:.3g} s" for one in (moment, stress)]
         rows.append([name, written(link["deflection"]["max_m"], "m"), written(moment["max_Nm"], "N m"), where[0],
                      "not known" if stress is None else written(stress["max_Pa"], "Pa"), where[1]])  # fmt: skip
-    return table(_caption("Largest values over the run", told), head, rows, numeric=(1, 2, 4))
+    return table(_caption("Largest values over the run", info), head, rows, numeric=(1, 2, 4))
 
 
-def deformations_table(told: dict[str, dict[str, Any]]) -> Markup | None:
+def deformations_table(info: dict[str, dict[str, Any]]) -> Markup | None:
     """Largest size of each elastic coordinate, of its parts and of the reference."""
-    if not told:
+    if not info:
         return None
     head = ("Coordinate", "Largest", "at", "Stationary", "Oscillatory", "Reference")
     keys = ("max_stationary", "max_oscillatory", "max_reference")
     rows = []
-    for name, one in list(told.items())[:_MOST_ROWS]:
+    for name, one in list(info.items())[:_MOST_ROWS]:
         unit = "-" if one["unit"] == "1" else one["unit"]
         parts = [written(one[key], unit) if key in one else "–" for key in keys]
         rows.append([name, written(one["max"], unit), f"{one['time_of_max_s']:.3g}\u00a0s", *parts])
-    return table(_caption("Elastic coordinates over the run", told), head, rows, numeric=(1, 2, 3, 4, 5))
+    return table(_caption("Elastic coordinates over the run", info), head, rows, numeric=(1, 2, 3, 4, 5))
 
 
-def _caption(words: str, told: dict[str, Any]) -> str:
-    return words if len(told) <= _MOST_ROWS else f"{words}, the first {_MOST_ROWS} of {len(told)}"
+def _caption(words: str, info: dict[str, Any]) -> str:
+    return words if len(info) <= _MOST_ROWS else f"{words}, the first {_MOST_ROWS} of {len(info)}"

@@ -42,7 +42,7 @@ class Sum:
 
 @dataclass
 class _Arrays:
-    told: list[dict[str, Any]] = field(default_factory=list)
+    info: list[dict[str, Any]] = field(default_factory=list)
     parts: list[bytes] = field(default_factory=list)
     size: int = 0
     known: dict[tuple[Any, ...], dict[str, int]] = field(default_factory=dict)
@@ -53,8 +53,8 @@ class _Arrays:
         content = values.astype(values.dtype.newbyteorder("<"), copy=False).tobytes()
         own = (_KINDS[values.dtype.name], values.shape, content, *more.values())
         if own not in self.known:
-            self.known[own] = {"$array": len(self.told)}
-            self.told.append({"dtype": own[0], "shape": values.shape, "offset": self.size, **more})
+            self.known[own] = {"$array": len(self.info)}
+            self.info.append({"dtype": own[0], "shape": values.shape, "offset": self.size, **more})
             self.parts.append(content + bytes(-len(content) % 8))
             self.size += len(self.parts[-1])
         return self.known[own]
@@ -66,7 +66,7 @@ def pack(page: Mapping[str, Any]) -> bytes:
     Raises ValueError for a number outside of arrays that is not finite, and KeyError for an array of another type.
     """
     arrays = _Arrays()
-    head = json.dumps({"page": _plain(page, arrays), "arrays": arrays.told}, allow_nan=False, separators=(",", ":"))
+    head = json.dumps({"page": _plain(page, arrays), "arrays": arrays.info}, allow_nan=False, separators=(",", ":"))
     text = head.encode()
     start = b"TMPK" + struct.pack("<I", len(text)) + text
     return b"".join([start, bytes(-len(start) % 8), *arrays.parts])

@@ -18,12 +18,12 @@ from tmodes.report.viewer import application, policy
 
 if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["page"]
 
 
-def page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -> str:
+def page(result: PaperResult, figures: Mapping[str, Drawing], *, live: bool = True) -> str:
     """The whole page as one HTML document; ``figures`` by name, in the order of the page.
 
     ``live``: whether it holds the robot's equations, to be simulated anew in the page.
@@ -45,17 +45,17 @@ def page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -
     )
 
 
-def _header(result: Result, sheet: Mapping[str, Any], name: str) -> Markup:
+def _header(result: PaperResult, sheet: Mapping[str, Any], name: str) -> Markup:
     space = "in contact with the environment" if "contact_force" in result.data else "in free space"
     span = f"{float(result.data['time'][-1]):g} s simulated"
-    told = f"Reading “{result.data.attrs['reading']}”, {space}, {span}"
+    info = f"Reading “{result.data.attrs['reading']}”, {space}, {span}"
     return tag(
-        "header", tag("h1", name), tag("p", str(sheet.get("title", "")), class_="lead"), tag("p", told), class_="top"
+        "header", tag("h1", name), tag("p", str(sheet.get("title", "")), class_="lead"), tag("p", info), class_="top"
     )
 
 
-def _numbers(result: Result) -> Markup:
-    told = result.summary()
+def _numbers(result: PaperResult) -> Markup:
+    info = result.summary()
     note = "Frequencies in free space, about the rest under gravity: under control as in this run, with the motor "
     note += "held still, and with the motor free to turn."
     return section(
@@ -65,13 +65,13 @@ def _numbers(result: Result) -> Markup:
         tag("p", note, class_="note"),
         frequency_tables(result.frequencies),
         tag("h3", "Elastic angles"),
-        deformation_table(told["deformations"]),
+        deformation_table(info["deformations"]),
         tag("h3", "Error of the integration"),
-        error_table(told["error"]),
+        error_table(info["error"]),
     )
 
 
-def _provenance(result: Result, sheet: Mapping[str, Any]) -> Markup:
+def _provenance(result: PaperResult, sheet: Mapping[str, Any]) -> Markup:
     attributes = result.data.attrs
     versions = json.loads(attributes["versions"])
     equations = {key: attributes[key] for key in ("reading", "mechanism")}

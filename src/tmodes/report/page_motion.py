@@ -18,8 +18,8 @@ from tmodes.report.viewer import application, policy
 
 if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
-    from tmodes.result import ArmResult
-    from tmodes.sheet import Arm
+    from tmodes.result import Result
+    from tmodes.sheet import Robot
 
 __all__ = ["arm_page"]
 
@@ -30,7 +30,7 @@ _LONG_SHEET = 120
 """Lines of a data sheet beyond which it is folded."""
 
 
-def arm_page(result: ArmResult, figures: Mapping[str, Drawing], *, live: bool = True) -> str:
+def arm_page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -> str:
     """The whole page as one HTML document; ``figures`` by name, in the order of the page.
 
     ``live``: whether it holds the robot's equations, to be simulated anew in the page.
@@ -51,37 +51,37 @@ def arm_page(result: ArmResult, figures: Mapping[str, Drawing], *, live: bool = 
     )
 
 
-def _header(result: ArmResult, arm: Arm) -> Markup:
+def _header(result: Result, arm: Robot) -> Markup:
     data = result.data
     space = "in contact with a surface" if "contact_force" in data else "in free space"
     bending = len(data["bending_link"]) if "bending_link" in data.dims else 0
     driven = len(data["drive"]) if "drive" in data.dims else 0
     counts = ", ".join(_count(*one) for one in ((driven, "driven joint"), (bending, "bending link")))
-    told = (
+    info = (
         f"{counts}, {_count(len(data['coordinate']), 'coordinate')}; {space}, {float(data['time'][-1]):g} s simulated"
     )
-    return tag("header", tag("h1", arm.name), tag("p", arm.title, class_="lead"), tag("p", told), class_="top")
+    return tag("header", tag("h1", arm.name), tag("p", arm.title, class_="lead"), tag("p", info), class_="top")
 
 
 def _count(number: int, thing: str) -> str:
     return f"{number or 'no'} {thing}{'' if number == 1 else 's'}"
 
 
-def _numbers(result: ArmResult) -> Markup:
-    told = result.summary()
+def _numbers(result: Result) -> Markup:
+    info = result.summary()
     where = "about the rest under weight and loads"
     note = f"The lowest frequencies {where}: under control as in this run, with the motors held, and free to turn."
     return section(
         "numbers",
         tag("div", fact_list(facts_of(result)), class_="unprogrammed"),
-        *_titled("Joints", joints_table(told["joints"])),
-        *_titled("Links that bend", links_table(told["links"])),
-        *_titled("Elastic coordinates", deformations_table(told["deformations"])),
+        *_titled("Joints", joints_table(info["joints"])),
+        *_titled("Links that bend", links_table(info["links"])),
+        *_titled("Elastic coordinates", deformations_table(info["deformations"])),
         tag("h3", "Frequencies"),
         tag("p", note, class_="note"),
         frequency_tables(_lowest(result.frequencies), beside=False),
         tag("h3", "Error of the integration"),
-        error_table(told["error"]),
+        error_table(info["error"]),
     )
 
 
@@ -95,7 +95,7 @@ def _lowest(frequencies: dict[str, list[dict[str, Any]]]) -> dict[str, list[dict
     }
 
 
-def _sheet(arm: Arm) -> tuple[Markup | None, ...]:
+def _sheet(arm: Robot) -> tuple[Markup | None, ...]:
     """The data sheet as it can be run again, and how the real arm differs."""
     from tmodes.io.sheet_write import arm_to_yaml
 
@@ -112,7 +112,7 @@ def _sheet(arm: Arm) -> tuple[Markup | None, ...]:
     )
 
 
-def _provenance(result: ArmResult, arm: Arm) -> Markup:
+def _provenance(result: Result, arm: Robot) -> Markup:
     attributes = result.data.attrs
     method = {"method": attributes["method"]}
     return section(

@@ -113,9 +113,9 @@ def _left_out(table: Mapping[str, FigureEntry], reasons: Mapping[str, str]) -> M
     return tag("div", tag("p", "Left out:"), tag("ul", *lines), class_="left-out")
 
 
-def rows_of(told: Mapping[str, Any], group: str = "") -> Iterator[list[str]]:
+def rows_of(info: Mapping[str, Any], group: str = "") -> Iterator[list[str]]:
     """Names and values; a group within the group has its name before the names in it."""
-    for key, value in told.items():
+    for key, value in info.items():
         name = f"{group}{key}".replace("_", " ")
         if isinstance(value, Mapping):
             yield from rows_of(value, f"{name}: ")

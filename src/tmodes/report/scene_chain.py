@@ -10,16 +10,16 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
 from tmodes.chain.chain import JointKind, RigidLink
-from tmodes.live.surface import surface_told
-from tmodes.model.model import ArmModel
+from tmodes.live.surface import surface_info
+from tmodes.model.model import Model
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
 from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
 from tmodes.report.scene_sections import section_of
 from tmodes.result.lines import without_elasticity
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 if TYPE_CHECKING:
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["arm_line_panel", "arm_scene", "drawn_links", "lines_at", "real_arm_of"]
 
@@ -34,17 +34,17 @@ _QUANTITIES = (
 )
 
 
-def real_arm_of(result: ArmResult) -> Arm:
+def real_arm_of(result: Result) -> Robot:
     """The arm that really ran, from its stored data sheet."""
-    from tmodes.io.sheet_check import arm_from_data
+    from tmodes.io.sheet_check import sheet_from_data
 
-    return arm_from_data(json.loads(result.data.attrs["robot_real"]))
+    return sheet_from_data(json.loads(result.data.attrs["robot_real"]))
 
 
-def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
+def arm_scene(result: Result, frames: NDArray[np.intp]) -> dict[str, Any]:
     """The scene at the samples ``frames``."""
     data, arm = result.data, real_arm_of(result)
-    model, drawn = ArmModel(arm.chain()), drawn_links(data)
+    model, drawn = Model(arm.chain()), drawn_links(data)
     names = [*drawn, *carriers(data, model.chain, drawn)]
     data = data.isel(time=frames, s=stations_shown(data.sizes["s"], len(frames), len(names)))
     stand, stations = _base(model, data), data["s"].values
@@ -77,7 +77,7 @@ def arm_scene(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any]:
     }
 
 
-def arm_line_panel(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any] | None:
+def arm_line_panel(result: Result, frames: NDArray[np.intp]) -> dict[str, Any] | None:
     """The elastic line of each link that bends at the samples ``frames``; None where none bends."""
     if "bending_link" not in result.data.dims:
         return None
@@ -94,7 +94,7 @@ def arm_line_panel(result: ArmResult, frames: NDArray[np.intp]) -> dict[str, Any
 
 
 def lines_at(
-    model: ArmModel, names: list[str], q: Array, stations: Array, base: Array | None = None
+    model: Model, names: list[str], q: Array, stations: Array, base: Array | None = None
 ) -> tuple[Array, Array]:
     """Places (n, L, S, 3) [m] and axes (n, L, S, 3, 3) along the named links at coordinates ``q`` (n, nq)."""
     lines = elastic_line(model, q, stations=[*map(float, stations)], base=base)
@@ -126,7 +126,7 @@ def _coordinates(data: Any, name: str) -> Array:
     return data[name].transpose("time", "coordinate").values
 
 
-def _base(model: ArmModel, data: Any) -> Array:
+def _base(model: Model, data: Any) -> Array:
     """Rows (n, 24) of a base that stands where the base was: told by the tip, whose place and axes are kept."""
     q = _coordinates(data, "q")
     still, turned = model.pose(q)
@@ -140,14 +140,14 @@ def _base(model: ArmModel, data: Any) -> Array:
     return rows
 
 
-def _link(arm: Arm, model: ArmModel, name: str, stations: Array) -> dict[str, Any]:
+def _link(arm: Robot, model: Model, name: str, stations: Array) -> dict[str, Any]:
     node = next(node for node in model.chain.nodes if node.name == name)
     bends = not isinstance(node.link, RigidLink)
     length = getattr(node.link, "length", 0.0)
     return {"name": name, "bends": bends, "length": length, "section": section_of(arm, name, stations)}
 
 
-def _joints(model: ArmModel, names: list[str]) -> Any:
+def _joints(model: Model, names: list[str]) -> Any:
     """The joints that move, each at the root of a link that is drawn, its axis in the axes of that root."""
     for node in model.chain.nodes:
         if node.name in names and node.joint.kind is not JointKind.FIXED:
@@ -187,9 +187,9 @@ def _colours(data: Any, names: list[str], line: Array, rigid: Array) -> list[dic
     return [*found, colour("displacement", "Displacement by all elasticity", "m", away)]
 
 
-def _contact(data: Any, arm: Arm) -> dict[str, Any] | None:
+def _contact(data: Any, arm: Robot) -> dict[str, Any] | None:
     if "contact_force" not in data or arm.contact is None:
         return None
     place = data["position"].sel(point=arm.contact.point).transpose("time", "axis").values
     force = data["contact_force"].transpose("time", "axis").values
-    return {"force": force, "at": place, "surface": surface_told(arm.contact.shape)}
+    return {"force": force, "at": place, "surface": surface_info(arm.contact.shape)}

@@ -38,11 +38,11 @@ def meshes_in(data: Any, chain: Chain, shown: list[str]) -> list[dict[str, Any]]
     found = []
     for mesh in kept_meshes(data):
         if mesh.link in shown and mesh.link in rigid:
-            found.append(_told(mesh, shown.index(mesh.link), mesh.vertices))
+            found.append(_info(mesh, shown.index(mesh.link), mesh.vertices))
         elif mesh.link == BASE:
-            found.append(_told(mesh, -1, mesh.vertices @ chain.base.rotation.T + chain.base.position))
+            found.append(_info(mesh, -1, mesh.vertices @ chain.base.rotation.T + chain.base.position))
     return found
 
 
-def _told(mesh: Kept, link: int, vertices: NDArray[Any]) -> dict[str, Any]:
+def _info(mesh: Kept, link: int, vertices: NDArray[Any]) -> dict[str, Any]:
     return {"link": link, "colour": mesh.colour, "vertices": vertices.astype(np.float32), "faces": mesh.faces}

@@ -10,13 +10,13 @@ from numpy.typing import NDArray
 
 from tmodes.equations.lagrange.coordinates import basis, deformations
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions
 from tmodes.report.scene_sections import solid_bar
 
 if TYPE_CHECKING:
-    from tmodes.paper.sheet import Robot
-    from tmodes.result.record import Result
+    from tmodes.paper.sheet import PaperRobot
+    from tmodes.result.record import PaperResult
 
 __all__ = ["line_at", "real_robot", "robot_line_panel", "robot_scene"]
 
@@ -30,14 +30,14 @@ _QUANTITIES = (
 )
 
 
-def real_robot(result: Result) -> Robot:
+def real_robot(result: PaperResult) -> PaperRobot:
     """The robot that really ran, from its stored data sheet."""
     from tmodes.io.check import robot_from_data
 
     return robot_from_data(json.loads(result.data.attrs["robot_real"]))
 
 
-def robot_scene(result: Result, frames: NDArray[np.intp]) -> dict[str, Any]:
+def robot_scene(result: PaperResult, frames: NDArray[np.intp]) -> dict[str, Any]:
     """The scene at the samples ``frames``."""
     data = result.data.isel(time=frames)
     robot, stations = real_robot(result), data["s"].values
@@ -65,7 +65,7 @@ def robot_scene(result: Result, frames: NDArray[np.intp]) -> dict[str, Any]:
     }
 
 
-def robot_line_panel(result: Result, frames: NDArray[np.intp]) -> dict[str, Any]:
+def robot_line_panel(result: PaperResult, frames: NDArray[np.intp]) -> dict[str, Any]:
     """The elastic line of both modes at the samples ``frames``."""
     data = result.data.isel(time=frames)
     lengths = np.array([mode.length for mode in real_robot(result).link.modes])
@@ -78,12 +78,12 @@ def robot_line_panel(result: Result, frames: NDArray[np.intp]) -> dict[str, Any]
     return {"links": ["Mode 1", "Mode 2"], "places": lengths[:, None] * data["s"].values, "quantities": quantities}
 
 
-def line_at(robot: Robot, phi: Array, stations: Array) -> Array:
+def line_at(robot: PaperRobot, phi: Array, stations: Array) -> Array:
     """The elastic line (n, 2, S, 3) [m] at coordinates ``phi`` (n, 6) [rad]."""
     mechanism, parameters = robot.split(Drive.CONTROLLED)
     motion = np.zeros((len(phi), 21))
     motion[:, :6] = phi
-    return Model(mechanism).line(motion, stations, parameters)["line"]
+    return PaperModel(mechanism).line(motion, stations, parameters)["line"]
 
 
 def _roots(q: Array) -> Array:
@@ -97,16 +97,16 @@ def _roots(q: Array) -> Array:
     return np.stack([np.stack(row, axis=-1) for row in rows], axis=-2)
 
 
-def _link(robot: Robot, mode: int, stations: int) -> dict[str, Any]:
-    told = robot.link.modes[mode]
+def _link(robot: PaperRobot, mode: int, stations: int) -> dict[str, Any]:
+    info = robot.link.modes[mode]
     bends = f"mode{mode + 1}" not in robot.rigid_elements()
-    section = solid_bar(told.bending_stiffness, told.bending_stiffness, told.mass_per_length, stations)
+    section = solid_bar(info.bending_stiffness, info.bending_stiffness, info.mass_per_length, stations)
     return {
-        "name": f"Mode {mode + 1}", "parent": mode - 1, "bends": bends, "length": told.length, "section": section
+        "name": f"Mode {mode + 1}", "parent": mode - 1, "bends": bends, "length": info.length, "section": section
     }  # fmt: skip
 
 
-def _joint(robot: Robot) -> dict[str, Any]:
+def _joint(robot: PaperRobot) -> dict[str, Any]:
     elastic = "gear" not in robot.rigid_elements()
     return {"name": "Motor and gear", "link": 0, "kind": "revolute", "axis": [0.0, 0.0, 1.0], "elastic": elastic}
 
@@ -122,7 +122,7 @@ def _colours(data: Any, line: Array, rigid: Array) -> list[dict[str, Any]]:
     ]
 
 
-def _contact(data: Any, robot: Robot) -> dict[str, Any] | None:
+def _contact(data: Any, robot: PaperRobot) -> dict[str, Any] | None:
     """The environment of the paper is a sphere about the base, on whose inside the tip is."""
     if "contact_force" not in data:
         return None

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tmodes.kinds.links.beam import BeamSheet
 from tmodes.kinds.links.section import Round, Tube
 from tmodes.kinds.links.section_numbers import SectionNumbers
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 __all__ = ["section_of", "solid_bar"]
 
@@ -34,7 +34,7 @@ def solid_bar(about_y: float, about_z: float, mass: float, stations: int) -> dic
     return _section("box", np.tile(half, (stations, 1)), guessed=True)
 
 
-def section_of(arm: Arm, node: str, stations: Array) -> dict[str, Any] | None:
+def section_of(arm: Robot, node: str, stations: Array) -> dict[str, Any] | None:
     """The section of the link that a node of the chain is of, at ``stations`` (S,) of the node; None if unknown."""
     name, _, number = node.rpartition(".")
     beams = {link.name: link.beam for link in arm.links}

@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any, get_args
 
 from pydantic import BaseModel
 
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.plot.units import pretty
 from tmodes.report.markup import Markup, tag
 from tmodes.report.tables import grouped_table
@@ -28,7 +28,7 @@ Row = tuple[str, str, str, str, str, str]
 def data_sheet(sheet: Mapping[str, Any], real: Mapping[str, float]) -> Markup:
     """The whole data sheet; ``sheet`` as it was stored, ``real`` the numbers of the real robot by path."""
     groups: dict[str, list[Row]] = {}
-    for path, value, field in _leaves(sheet, Robot):
+    for path, value, field in _leaves(sheet, PaperRobot):
         if path.split(".")[0] not in APART:
             group = path.rpartition(".")[0] or "robot"
             groups.setdefault(group, []).append(_row(path, value, field, real))
@@ -55,14 +55,14 @@ def _leaves(value: Any, model: Any, path: str = "", field: FieldInfo | None = No
 
 def _row(path: str, value: Any, field: FieldInfo | None, real: Mapping[str, float]) -> Row:
     extra = field.json_schema_extra if field else None
-    told = extra if isinstance(extra, dict) else {}
+    info = extra if isinstance(extra, dict) else {}
     key = path.rpartition(".")[2]
-    unit = str(told.get("unit", ""))
+    unit = str(info.get("unit", ""))
     meaning = (field.description or "") if field else ""
     meaning = meaning.removesuffix(f" [{unit}]") or key.replace("_", " ")
     other = real.get(path)
     differs = isinstance(value, (int, float)) and other is not None and other != value
-    symbol = str(told.get("symbol", ""))
+    symbol = str(info.get("symbol", ""))
     return (
         meaning,
         tag("code", key),

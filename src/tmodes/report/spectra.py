@@ -108,6 +108,6 @@ def _even(part: Any) -> Any:
 def own_frequencies(data: Any) -> list[tuple[float, str]]:
     """The robot's own frequencies [Hz] that ring, under control where that is known, with the element they live in."""
     modes = json.loads(data.attrs["frequencies"])
-    told = modes.get("controlled") or modes.get("locked") or []
-    ringing = [(mode["damped_frequency_Hz"], mode) for mode in told if mode["damping_ratio"] < NO_PEAK]
+    info = modes.get("controlled") or modes.get("locked") or []
+    ringing = [(mode["damped_frequency_Hz"], mode) for mode in info if mode["damping_ratio"] < NO_PEAK]
     return sorted((float(f), str(mode["element"])) for f, mode in ringing if f)

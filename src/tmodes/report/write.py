@@ -12,13 +12,13 @@ from tmodes.report.page import page
 
 if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["write_report"]
 
 
 def write_report(
-    result: Result, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
+    result: PaperResult, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
 ) -> Path:
     """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
 

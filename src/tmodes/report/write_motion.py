@@ -12,13 +12,13 @@ from tmodes.report.page_motion import arm_page
 
 if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
-    from tmodes.result import ArmResult
+    from tmodes.result import Result
 
 __all__ = ["write_arm_report"]
 
 
 def write_arm_report(
-    result: ArmResult, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
+    result: Result, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
 ) -> Path:
     """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
 

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.figure_errors import Figure, at_worst, disturbed_rows, even_samples, figure_errors, rows_each
 from tmodes.result.lines import load_series
 from tmodes.result.series import Variables, motion_series
-from tmodes.simulation.motion_run import ArmRun, gathered
-from tmodes.simulation.start import ArmRegime
+from tmodes.simulation.motion_run import RunData, gathered
+from tmodes.simulation.start import RunSetup
 from tmodes.simulation.trajectory import Trajectory
 
 __all__ = ["arm_figure_errors"]
@@ -23,7 +23,7 @@ _MOST = 40
 """Deformations whose error is told, the largest ones."""
 
 
-def arm_figure_errors(run: ArmRun, stations: Array, variables: Variables, names: dict[str, Any]) -> dict[str, Any]:
+def arm_figure_errors(run: RunData, stations: Array, variables: Variables, names: dict[str, Any]) -> dict[str, Any]:
     """``how`` the run tells its error, and ``figures``: the error of each headline figure by its path in the summary.
 
     ``tip_m`` is that of the tip's position [m], the largest of some samples over the run. The error of the reference
@@ -42,14 +42,14 @@ def arm_figure_errors(run: ArmRun, stations: Array, variables: Variables, names:
     return {"how": estimates[0].how, "figures": figure_errors(figures, samples, rows, found)}
 
 
-def _disturbed(run: ArmRun, samples: list[int], rows: int, turn: int) -> ArmRun:
+def _disturbed(run: RunData, samples: list[int], rows: int, turn: int) -> RunData:
     states = disturbed_rows(run.states, run.error, samples, rows, turn)
     times = run.times[np.repeat(samples, rows)]
-    return gathered(cast("ArmRegime", run.regime), Trajectory(times, states, run.status, run.message))
+    return gathered(cast("RunSetup", run.regime), Trajectory(times, states, run.status, run.message))
 
 
 def _figures(variables: Variables, names: dict[str, Any], rows: int) -> list[Figure]:
-    values = {name: told[1] for name, told in variables.items()}
+    values = {name: info[1] for name, info in variables.items()}
     count = len(values["tip"])
     figures = [Figure("tip_m", even_samples(count, rows), lambda found: found["tip"][1])]
     if "deviation" in values:
@@ -68,8 +68,8 @@ def _deformations(values: dict[str, Array], names: dict[str, Any]) -> list[Figur
     if "deformation" not in values:
         return []
     largest = np.argsort(-np.abs(values["deformation"]).max(axis=0), kind="stable")[:_MOST]
-    told = names["deformation_kind"]
-    return [at_worst(f"deformations.{told[k]}.max", "deformation", values["deformation"], int(k)) for k in largest]
+    info = names["deformation_kind"]
+    return [at_worst(f"deformations.{info[k]}.max", "deformation", values["deformation"], int(k)) for k in largest]
 
 
 def _joints(values: dict[str, Array], names: dict[str, Any]) -> list[Figure]:

@@ -8,9 +8,9 @@ from numpy.typing import NDArray
 from tmodes.analysis.line.line import LinkLine, LinkLines, elastic_line
 from tmodes.analysis.model_validity import run_warnings
 from tmodes.analysis.quasistatic import deflections, elastic_names, split_motion
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.result.series import Variables
-from tmodes.simulation.motion_run import ArmRun
+from tmodes.simulation.motion_run import RunData
 
 __all__ = ["POINT_LIKE", "line_series", "load_series", "run_wrenches", "straight_shape", "without_elasticity"]
 
@@ -20,7 +20,7 @@ POINT_LIKE = 1e-9
 """A link shorter than this [m] is not drawn."""
 
 
-def line_series(run: ArmRun, stations: Array, count: int) -> tuple[Variables, dict[str, list[str]], list[str]]:
+def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, dict[str, list[str]], list[str]]:
     """Lines of the first ``count`` samples, the names of links along their dimensions, and sentences of warning."""
     part = slice(count)
     motion = (run.model, run.q[part], run.v[part], run.a[part])
@@ -34,18 +34,18 @@ def line_series(run: ArmRun, stations: Array, count: int) -> tuple[Variables, di
     split = split_motion(*motion, wrenches=wrenches, base=base)
     found = _shapes(shown, straight) | _loads(bending) | _stresses(stressed)
     found |= _split(split.stationary, split.oscillatory)
-    doubts = run_warnings(run.arm, run.model, run.times[part], run.q[part], lines)
+    notices = run_warnings(run.arm, run.model, run.times[part], run.q[part], lines)
     loose = np.flatnonzero(~split.held)
     if len(loose):
-        doubts.append(
+        notices.append(
             f"T_st is that of the linear arm at {len(loose)} of {count} samples, first at t = "
             f"{run.times[loose[0]]:.4g} s: the arm could not hold its loads there without moving"
         )
     plain = {dim: [line.name for line in group] for dim, group in names.items()}
-    return {name: told for name, told in found.items() if told[1].size}, plain, doubts
+    return {name: info for name, info in found.items() if info[1].size}, plain, notices
 
 
-def load_series(run: ArmRun, stations: Array, count: int) -> Variables:
+def load_series(run: RunData, stations: Array, count: int) -> Variables:
     """Deflections, moments and stresses alone, of the first ``count`` samples."""
     part = slice(count)
     motion = (run.model, run.q[part], run.v[part], run.a[part])
@@ -54,7 +54,7 @@ def load_series(run: ArmRun, stations: Array, count: int) -> Variables:
     return _loads(bending) | _stresses([line for line in bending if line.stress is not None])
 
 
-def run_wrenches(run: ArmRun) -> Array:
+def run_wrenches(run: RunData) -> Array:
     """Force and moment by the surroundings on each named point at each sample, world axes, (n, points, 6)."""
     plan = run.planned
     wrenches = np.zeros((len(run.times), len(run.model.parts.points), 6))
@@ -69,12 +69,12 @@ def run_wrenches(run: ArmRun) -> Array:
     return wrenches
 
 
-def straight_shape(run: ArmRun) -> Array:
+def straight_shape(run: RunData) -> Array:
     """Coordinates (n, nq) of a run's arm without any elasticity, its motors where they are."""
     return without_elasticity(run.model, run.q)
 
 
-def without_elasticity(model: ArmModel, q: Array) -> Array:
+def without_elasticity(model: Model, q: Array) -> Array:
     """Coordinates (n, nq) of the arm at ``q`` without any elasticity, its motors where they are."""
     straight, names = q.copy(), model.coordinates
     bent = deflections(model, q)
@@ -113,18 +113,18 @@ def _loads(bending: list[LinkLine]) -> Variables:
 
 
 def _stresses(stressed: list[LinkLine]) -> Variables:
-    told = [line.stress for line in stressed if line.stress is not None]
+    info = [line.stress for line in stressed if line.stress is not None]
     dims = ("time", "stressed_link", "s")
     return {
         "stress": (
             dims,
-            _stack([stress.mises_stress for stress in told]),
+            _stack([stress.mises_stress for stress in info]),
             "Pa",
             "largest von Mises stress",
         ),
         "strain": (
             dims,
-            _stack([stress.strain for stress in told]),
+            _stack([stress.strain for stress in info]),
             "1",
             "largest strain of the outer fibre",
         ),
@@ -142,5 +142,5 @@ def _split(stationary: Array, oscillatory: Array) -> Variables:
 
 def _stack(parts: list[Array | None]) -> Array:
     """(n, links, ...) of one array for each link."""
-    told = [part for part in parts if part is not None]
-    return np.stack(told, axis=1) if told else np.zeros(0)
+    info = [part for part in parts if part is not None]
+    return np.stack(info, axis=1) if info else np.zeros(0)

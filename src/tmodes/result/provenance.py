@@ -11,11 +11,11 @@ import numpy as np
 
 from tmodes.errors import SimulationError
 from tmodes.result.record import RESULT_FORMAT, STATUSES
-from tmodes.sheet import Arm
-from tmodes.simulation.motion_run import ArmRun
+from tmodes.sheet import Robot
+from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.plan import Planned
 
-__all__ = ["ending", "move_end", "provenance", "told_of"]
+__all__ = ["ending", "info_of", "move_end", "provenance"]
 
 _MODE = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "element", "share", "stable")
 
@@ -23,7 +23,7 @@ _STILL = 1e-9
 """Change of a signal within a piece, over its largest value, that is rounding."""
 
 
-def ending(run: ArmRun) -> tuple[str, str]:
+def ending(run: RunData) -> tuple[str, str]:
     """Status and sentence of the whole run: its own, or that of the reference where that ended early."""
     planned_run = run.reference
     if planned_run is not None and planned_run.status != "finished":
@@ -31,7 +31,7 @@ def ending(run: ArmRun) -> tuple[str, str]:
     return run.status, run.message if run.status in STATUSES[:2] else f"real arm: {run.message}"
 
 
-def told_of(run: ArmRun, known: Arm) -> dict[str, Any]:
+def info_of(run: RunData, known: Robot) -> dict[str, Any]:
     """Frequencies and warnings, plain data that is kept as JSON."""
     from tmodes.io.sheet_plausible import arm_notices, implausible_arm
 
@@ -44,7 +44,7 @@ def told_of(run: ArmRun, known: Arm) -> dict[str, Any]:
     return {"frequencies": frequencies, "warnings": warnings}
 
 
-def _frequencies(arm: Arm) -> dict[str, list[dict[str, Any]]]:
+def _frequencies(arm: Robot) -> dict[str, list[dict[str, Any]]]:
     """Natural frequencies about the rest, in contact where the arm is; shapes and small shares are left out."""
     from tmodes.analysis.modes.of_sheet import sheet_modes
 
@@ -68,9 +68,9 @@ def move_end(planned: Planned) -> float | None:
     return end if end < knots[-1] * (1 - 1e-9) else None
 
 
-def provenance(run: ArmRun, known: Arm) -> dict[str, Any]:
+def provenance(run: RunData, known: Robot) -> dict[str, Any]:
     """Where the numbers come from: sheets, versions, what the integration took."""
-    from tmodes.io.sheet_check import arm_data
+    from tmodes.io.sheet_check import sheet_data
 
     packages = ("tmodes", "numpy", "llvmlite", "xarray")
     counts = {"real": run.statistics} | ({"reference": run.reference.statistics} if run.reference else {})
@@ -78,8 +78,8 @@ def provenance(run: ArmRun, known: Arm) -> dict[str, Any]:
         "tmodes_format": RESULT_FORMAT,
         "kind": "arm",
         "title": known.title or known.name,
-        "robot": json.dumps(arm_data(known)),
-        "robot_real": json.dumps(arm_data(run.arm)),
+        "robot": json.dumps(sheet_data(known)),
+        "robot_real": json.dumps(sheet_data(run.arm)),
         "method": str(run.arm.integration.method),
         "versions": json.dumps({name: version(name) for name in packages} | {"python": platform.python_version()}),
         "statistics": json.dumps(counts),

@@ -12,16 +12,16 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
+from tmodes import upward
 from tmodes.io.atomic import file_error
 from tmodes.io.words import shown
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-    from tmodes.notebook import Shown
-    from tmodes.paper.sheet import Robot
+    from tmodes.paper.sheet import PaperRobot
 
-__all__ = ["RESULT_FORMAT", "STATUSES", "Result", "RunRecord", "kind_of", "read_record"]
+__all__ = ["RESULT_FORMAT", "STATUSES", "PaperResult", "RunRecord", "kind_of", "read_record"]
 
 RESULT_FORMAT = 1
 """Version of the names and meanings in a result (of the file's bytes: ``io.resultfile.FORMAT_VERSION``)."""
@@ -128,11 +128,9 @@ class RunRecord:
             raise file_error(f"{path}, status", got, expected, "run the robot again")
         return cls(data)
 
-    def show(self, height: int = 760) -> Shown:
+    def show(self, height: int = 760) -> Any:
         """The viewer of this run for a notebook: the robot in 3D, linked charts, numbers; ``height`` in pixels."""
-        from tmodes.notebook import show
-
-        return show(self, height=height)
+        return upward("Result.show")(self, height=height)
 
     def _repr_html_(self) -> str:
         return self.data._repr_html_()
@@ -153,12 +151,12 @@ class RunRecord:
 
         for name, variable in self.data.variables.items():
             if variable.dtype.kind == "f" and not np.isfinite(variable.values).all():
-                mend = "keep only what is before it: result.data.isel(time=slice(None, n))"
-                raise file_error(f"variable {name}", "a number that is not finite", "finite numbers", mend)
+                hint = "keep only what is before it: result.data.isel(time=slice(None, n))"
+                raise file_error(f"variable {name}", "a number that is not finite", "finite numbers", hint)
 
 
 @dataclass(frozen=True, eq=False)
-class Result(RunRecord):
+class PaperResult(RunRecord):
     """What a run of the 2010 paper's robot gave: ``result.data["tip"].sel(axis="z")``."""
 
     kind: ClassVar[str] = "robot"
@@ -166,7 +164,7 @@ class Result(RunRecord):
     series: ClassVar[tuple[str, ...]] = (*_SERIES, "deviation", "deformation", "bending_moment", "line")
 
     @property
-    def robot(self) -> Robot:
+    def robot(self) -> PaperRobot:
         """The robot that ran, rebuilt from its data sheet and checked again."""
         from tmodes.io.check import robot_from_data
 
@@ -197,6 +195,6 @@ def read_record(path: str | os.PathLike[str]) -> Dataset:
     data = read_sealed(path)
     version = data.attrs.get("tmodes_format")
     if version != RESULT_FORMAT:
-        mend = "read it with the tmodes that wrote it, or run the robot again"
-        raise file_error(f"{path}, tmodes_format", repr(version), str(RESULT_FORMAT), mend)
+        hint = "read it with the tmodes that wrote it, or run the robot again"
+        raise file_error(f"{path}, tmodes_format", repr(version), str(RESULT_FORMAT), hint)
     return data

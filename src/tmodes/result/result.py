@@ -20,34 +20,34 @@ import numpy as np
 from tmodes.analysis.quasistatic import elastic_names
 from tmodes.result.errors import arm_figure_errors
 from tmodes.result.lines import line_series
-from tmodes.result.provenance import ending, move_end, provenance, told_of
-from tmodes.result.record import Result, RunRecord, kind_of, read_record
+from tmodes.result.provenance import ending, info_of, move_end, provenance
+from tmodes.result.record import PaperResult, RunRecord, kind_of, read_record
 from tmodes.result.series import coordinates_of, motion_series
-from tmodes.simulation.motion_run import ArmRun
+from tmodes.simulation.motion_run import RunData
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
-__all__ = ["ArmResult", "assemble_arm", "load_result"]
+__all__ = ["Result", "assemble_result", "load_result"]
 
 Progress = Callable[[str, float], None]
 
 
 @dataclass(frozen=True, eq=False)
-class ArmResult(RunRecord):
+class Result(RunRecord):
     """What a run of an arm gave: ``result.data["tip"].sel(axis="z")``, ``result.data["q"].sel(coordinate="elbow")``."""
 
     kind: ClassVar[str] = "arm"
     series: ClassVar[tuple[str, ...]] = (*RunRecord.series, "a", "position")
 
     @property
-    def arm(self) -> Arm:
+    def arm(self) -> Robot:
         """The arm that ran, as it is known, rebuilt from its data sheet and checked again."""
-        from tmodes.io.sheet_check import arm_from_data
+        from tmodes.io.sheet_check import sheet_from_data
 
-        return arm_from_data(self._json("robot"))
+        return sheet_from_data(self._json("robot"))
 
     @property
     def move_end(self) -> float | None:
@@ -55,25 +55,27 @@ class ArmResult(RunRecord):
         return self._json("move_end")
 
     def summary(self, band: float = 0.05) -> dict[str, Any]:
-        """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_arm`.
+        """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_result`.
 
         Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
         """
-        from tmodes.result.summary import summarise_arm
+        from tmodes.result.summary import summarise_result
 
-        return summarise_arm(self.data, band)
+        return summarise_result(self.data, band)
 
 
-def load_result(path: str | os.PathLike[str]) -> Result | ArmResult:
+def load_result(path: str | os.PathLike[str]) -> PaperResult | Result:
     """Read a result of either kind back, whole and checked.
 
     Raises :class:`tmodes.errors.ResultFileError` as :meth:`tmodes.result.record.RunRecord.load`.
     """
     data = read_record(path)
-    return (ArmResult if kind_of(data) == "arm" else Result).of(data, path)
+    return (Result if kind_of(data) == "arm" else PaperResult).of(data, path)
 
 
-def assemble_arm(run: ArmRun, known: Arm | None = None, *, progress: Progress = lambda stage, share: None) -> ArmResult:
+def assemble_result(
+    run: RunData, known: Robot | None = None, *, progress: Progress = lambda stage, share: None
+) -> Result:
     """Gather all that a result shows.
 
     ``known``: the arm as it is known, by whose sheet the run was planned; None: the one of the run. The time axis is
@@ -86,7 +88,7 @@ def assemble_arm(run: ArmRun, known: Arm | None = None, *, progress: Progress = 
     count = len(run.times) if run.reference is None else min(len(run.times), len(run.reference.times))
     stations = np.linspace(0.0, 1.0, run.arm.integration.line_points)
     progress("gathering", 0.0)
-    lines, names, doubts = line_series(run, stations, count)
+    lines, names, notices = line_series(run, stations, count)
     progress("gathering", 0.6)
     variables = motion_series(run, count) | lines
     data = xr.Dataset(
@@ -96,10 +98,10 @@ def assemble_arm(run: ArmRun, known: Arm | None = None, *, progress: Progress = 
         },
         coords=coordinates_of(run, count, names, stations),
     )
-    told = told_of(run, known)
+    info = info_of(run, known)
     labels = names | {"deformation_kind": list(elastic_names(run.model)), "drive": list(run.drives)}
-    told["errors"] = arm_figure_errors(run, stations, variables, labels)
-    told["warnings"] = [*run.warnings, *told["warnings"], *doubts]
+    info["errors"] = arm_figure_errors(run, stations, variables, labels)
+    info["warnings"] = [*run.warnings, *info["warnings"], *notices]
     status, message = ending(run)
     data, status, message = _stopped_by_energy(run, data, status, message)
     data.attrs = provenance(run, known) | {
@@ -107,13 +109,13 @@ def assemble_arm(run: ArmRun, known: Arm | None = None, *, progress: Progress = 
         "message": message,
         "move_end": json.dumps(move_end(run.planned)),
     }
-    data.attrs |= {name: json.dumps(value) for name, value in told.items()}
+    data.attrs |= {name: json.dumps(value) for name, value in info.items()}
     progress("gathering", 1.0)
     timing = {"real": run.seconds} | ({"reference": run.reference.seconds} if run.reference else {})
-    return ArmResult(data, timing)
+    return Result(data, timing)
 
 
-def _stopped_by_energy(run: ArmRun, data: Dataset, status: str, message: str) -> tuple[Dataset, str, str]:
+def _stopped_by_energy(run: RunData, data: Dataset, status: str, message: str) -> tuple[Dataset, str, str]:
     """What is left of a run whose sheet asks to end it where its energy balance is lost."""
     from tmodes.analysis.validity import first_energy_error
 

@@ -9,7 +9,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.chain.chain import JointKind
-from tmodes.simulation.motion_run import ArmRun
+from tmodes.simulation.motion_run import RunData
 
 __all__ = ["Variables", "coordinate_units", "coordinates_of", "motion_series"]
 
@@ -23,9 +23,9 @@ _MIXED = "rad, m along prismatic joints, 1 of stretch"
 AXES = ("x", "y", "z")
 
 
-def coordinates_of(run: ArmRun, count: int, names: dict[str, list[str]], stations: Array) -> dict[str, Any]:
+def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], stations: Array) -> dict[str, Any]:
     """The labels along each dimension; ``names`` are those of the links' dimensions."""
-    told = {"units": "1", "long_name": "place along the link, 0 root, 1 tip"}
+    info = {"units": "1", "long_name": "place along the link, 0 root, 1 tip"}
     labels = {
         "coordinate": list(run.coordinates),
         "deformation_kind": list(elastic_names(run.model)),
@@ -40,7 +40,7 @@ def coordinates_of(run: ArmRun, count: int, names: dict[str, list[str]], station
     }
     return {
         "time": ("time", run.times[:count], {"units": "s", "long_name": "time"}),
-        "s": ("s", stations, told),
+        "s": ("s", stations, info),
         **_parents(run, names["link"]),
         "coordinate_unit": ("coordinate", coordinate_units(run), {"long_name": "unit of each coordinate"}),
         **{
@@ -49,7 +49,7 @@ def coordinates_of(run: ArmRun, count: int, names: dict[str, list[str]], station
     }  # fmt: skip
 
 
-def _parents(run: ArmRun, links: list[str]) -> dict[str, Any]:
+def _parents(run: RunData, links: list[str]) -> dict[str, Any]:
     """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base."""
     nodes = {node.name: node for node in run.chain.nodes}
     found = []
@@ -61,7 +61,7 @@ def _parents(run: ArmRun, links: list[str]) -> dict[str, Any]:
     return {"link_parent": ("link", found, {"long_name": "link on which each link stands"})} if links else {}
 
 
-def coordinate_units(run: ArmRun) -> list[str]:
+def coordinate_units(run: RunData) -> list[str]:
     """The unit of each coordinate: rad, m along prismatic joints, 1 of stretch."""
     sliding = {node.joint.name for node in run.chain.nodes if node.joint.kind is JointKind.PRISMATIC}
     joints = len(run.model.motors) + len(run.model.joints)
@@ -73,18 +73,18 @@ def coordinate_units(run: ArmRun) -> list[str]:
     ]
 
 
-def motion_series(run: ArmRun, count: int) -> Variables:
+def motion_series(run: RunData, count: int) -> Variables:
     """Motion, drives, points, contact and energies of the first ``count`` samples, and those of the reference."""
     return {
-        name: told
+        name: info
         for part in (_motion(run, count), _drives(run, count), _points(run, count), _contact(run, count),
                      _energies(run, count), _reference(run, count))
-        for name, told in part.items()
-        if told[1].size
+        for name, info in part.items()
+        if info[1].size
     }  # fmt: skip
 
 
-def _motion(run: ArmRun, count: int) -> Variables:
+def _motion(run: RunData, count: int) -> Variables:
     dims, part = ("time", "coordinate"), slice(count)
     return {
         "q": (dims, run.q[part], _MIXED, "coordinates"),
@@ -95,7 +95,7 @@ def _motion(run: ArmRun, count: int) -> Variables:
     }  # fmt: skip
 
 
-def _drives(run: ArmRun, count: int) -> Variables:
+def _drives(run: RunData, count: int) -> Variables:
     dims, part = ("time", "drive"), slice(count)
     electric = any(node.joint.motor and node.joint.motor.resistance is not None for node in run.chain.nodes)
     found: Variables = {
@@ -111,7 +111,7 @@ def _drives(run: ArmRun, count: int) -> Variables:
     return found
 
 
-def _points(run: ArmRun, count: int) -> Variables:
+def _points(run: RunData, count: int) -> Variables:
     dims, part, points = ("time", "point", "axis"), slice(count), run.points
     return {
         "position": (dims, points.position[part], "m", "position of the named points"),
@@ -124,7 +124,7 @@ def _points(run: ArmRun, count: int) -> Variables:
     }  # fmt: skip
 
 
-def _contact(run: ArmRun, count: int) -> Variables:
+def _contact(run: RunData, count: int) -> Variables:
     if run.contact_force is None or run.contact_normal is None or run.penetration is None:
         return {}
     part = slice(count)
@@ -135,7 +135,7 @@ def _contact(run: ArmRun, count: int) -> Variables:
     }
 
 
-def _energies(run: ArmRun, count: int) -> Variables:
+def _energies(run: RunData, count: int) -> Variables:
     energy, work = (np.column_stack([*kinds.values()])[:count] for kinds in (run.energies, run.works))
     work_text = "work since the start: of motor, loads and base comes in, the others go out"
     balance = run.energy_balance[:count]
@@ -146,7 +146,7 @@ def _energies(run: ArmRun, count: int) -> Variables:
     }
 
 
-def _reference(run: ArmRun, count: int) -> Variables:
+def _reference(run: RunData, count: int) -> Variables:
     planned = run.reference
     if planned is None:
         return {}

@@ -10,18 +10,18 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.summary import (
     first_frequencies,
+    info_deviation,
+    info_energy,
+    info_errors,
+    info_settling,
     mean_over_time,
-    told_deviation,
-    told_energy,
-    told_errors,
-    told_settling,
 )
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = ["summarise_arm"]
+__all__ = ["summarise_result"]
 
 Array = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ MOST_ENTRIES = 40
 """Deformations that are told, the largest ones."""
 
 
-def summarise_arm(data: Dataset, band: float = 0.05) -> dict[str, Any]:
+def summarise_result(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     """A plain dictionary of floats and words, ready for JSON; units are in the keys or beside. What is missing is None.
 
     ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1.
@@ -41,33 +41,33 @@ def summarise_arm(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     return {
         "status": data.attrs["status"],
         "first_frequency_Hz": first_frequencies(data),
-        "deviation": told_deviation(data, time) if "deviation" in data else None,
+        "deviation": info_deviation(data, time) if "deviation" in data else None,
         "settling": _settling(data, time, band),
         "joints": _joints(data, time),
         "deformations": _deformations(data, time),
         "links": _links(data, time),
         "contact_force": _contact(data, time),
-        "energy": told_energy(data),
-        "error": told_errors(data),
+        "energy": info_energy(data),
+        "error": info_errors(data),
     }
 
 
 def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any] | None:
     if "deviation" not in data:
         return None
-    return told_settling(data["deviation"].values, time, json.loads(data.attrs["move_end"]), band)
+    return info_settling(data["deviation"].values, time, json.loads(data.attrs["move_end"]), band)
 
 
 def _joints(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
     """Per driven joint: its unit, range, fastest rate, largest effort and when, largest torque of its gear."""
     if "drive" not in data.dims:
         return {}
-    told = {}
+    info = {}
     for name in map(str, data["drive"].values):
         q, v = (data[key].sel(coordinate=name).values for key in ("q", "v"))
         effort = data["effort"].sel(drive=name).values
         worst = int(np.argmax(np.abs(effort)))
-        told[name] = {
+        info[name] = {
             "unit": str(data["coordinate_unit"].sel(coordinate=name).values),
             "least": float(q.min()),
             "largest": float(q.max()),
@@ -76,7 +76,7 @@ def _joints(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
             "time_of_largest_effort_s": float(time[worst]),
             "largest_gear_torque": float(np.abs(data["gear_torque"].sel(drive=name).values).max()),
         }
-    return told
+    return info
 
 
 def _deformations(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
@@ -113,19 +113,19 @@ def _links(data: Dataset, time: Array) -> dict[str, dict[str, Any]]:
     if "deflection" not in data:
         return {}
     stressed = list(map(str, data["stressed_link"].values)) if "stressed_link" in data.dims else []
-    told = {}
+    info = {}
     for name in map(str, data["bending_link"].values):
         tip = np.linalg.norm(data["deflection"].sel(bending_link=name).isel(s=-1).values, axis=-1)
         bending = data["moment"].sel(bending_link=name, moment_kind=["y", "z"]).transpose("time", "s", "moment_kind")
-        told[name] = {
+        info[name] = {
             "deflection": _worst(tip[:, None], time, np.ones(1), "max_m"),
             "bending_moment": _worst(np.linalg.norm(bending.values, axis=-1), time, data["s"].values, "max_Nm"),
             "stress": None,
         }
         if name in stressed:
             values = data["stress"].sel(stressed_link=name).transpose("time", "s").values
-            told[name]["stress"] = _worst(values, time, data["s"].values, "max_Pa")
-    return told
+            info[name]["stress"] = _worst(values, time, data["s"].values, "max_Pa")
+    return info
 
 
 def _worst(values: Array, time: Array, s: Array, key: str) -> dict[str, float]:

@@ -11,7 +11,7 @@ from typing import TYPE_CHECKING, Any
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
-    from tmodes.paper.sheet import Robot
+    from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["kept_lines", "load_robot", "names", "text", "unknown"]
 
@@ -29,10 +29,10 @@ def text(name: str) -> str:
     return (resources.files(__name__) / f"{name}.yaml").read_text(encoding="utf-8")
 
 
-def load_robot(name_or_path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None) -> Robot:
+def load_robot(name_or_path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None) -> PaperRobot:
     """A checked robot from the name of a published one, or from a file (a name wins; write ``./name`` for a file).
 
-    ``changes`` are values by dotted path, as in :meth:`tmodes.paper.sheet.Robot.with_`. Raises
+    ``changes`` are values by dotted path, as in :meth:`tmodes.paper.sheet.PaperRobot.with_`. Raises
     :class:`tmodes.errors.InputError` when there is no such robot or the file is no YAML, and
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
     """
@@ -68,5 +68,5 @@ def unknown(name: str, known: Sequence[str]) -> InputError:
     from tmodes.io.words import nearest, shown
 
     close = nearest(Path(name).stem, known)
-    mend = f"did you mean `{close}`?" if close else "check the path and its spelling"
-    return InputError("robot", shown(name), f"one of {', '.join(known)}, or the path of a file that exists", mend)
+    hint = f"did you mean `{close}`?" if close else "check the path and its spelling"
+    return InputError("robot", shown(name), f"one of {', '.join(known)}, or the path of a file that exists", hint)

@@ -16,8 +16,8 @@ from tmodes.robots.packages import MODELS, installed_models
 
 if TYPE_CHECKING:
     from tmodes.io.urdf import UrdfRobot
-    from tmodes.paper.sheet import Robot
-    from tmodes.sheet import Arm
+    from tmodes.paper.sheet import PaperRobot
+    from tmodes.sheet import Robot
 
 __all__ = ["load_sheet", "sheet_names", "sheet_text", "urdf_of"]
 
@@ -51,11 +51,11 @@ def load_sheet(
     *,
     roots: Roots = (),
     trust_paths: bool = False,
-) -> Robot | Arm:
+) -> PaperRobot | Robot:
     """A checked data sheet from the name of a published one, or from a file (a name wins; write ``./name`` for a file).
 
-    A sheet without a kind becomes the 2010 paper's :class:`tmodes.paper.sheet.Robot`; one with ``kind: arm``, a
-    Denavit-Hartenberg table, URDF, xacro, MJCF and an elasticity file beside a URDF an :class:`tmodes.sheet.Arm`.
+    A sheet without a kind becomes the 2010 paper's :class:`tmodes.paper.sheet.PaperRobot`; one with ``kind: arm``, a
+    Denavit-Hartenberg table, URDF, xacro, MJCF and an elasticity file beside a URDF an :class:`tmodes.sheet.Robot`.
     ``changes`` are values by dotted path; ``roots`` and ``trust_paths`` say where the files that a file names may lie.
     Raises :class:`tmodes.errors.InputError` when there is no such sheet or it cannot be read, and
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
@@ -124,7 +124,9 @@ def _whole(path: Path, data: dict[str, Any], positions: dict[str, int], roots: R
     return arm_of_yaml(path, data, positions, (*roots, *installed_models()), trust_paths)
 
 
-def _checked(data: dict[str, Any], positions: dict[str, int], source: str, changes: Mapping[str, Any]) -> Robot | Arm:
+def _checked(
+    data: dict[str, Any], positions: dict[str, int], source: str, changes: Mapping[str, Any]
+) -> PaperRobot | Robot:
     if "kind" not in data:
         from tmodes.io.check import robot_from_data
         from tmodes.io.paths import set_paths
@@ -135,11 +137,11 @@ def _checked(data: dict[str, Any], positions: dict[str, int], source: str, chang
 
         where = f"{source}:{positions.get('kind', 1)}"
         raise InputError("kind", shown(data["kind"]), "arm", "write `kind: arm`", where)
-    from tmodes.io.sheet_check import arm_from_data
+    from tmodes.io.sheet_check import sheet_from_data
     from tmodes.io.sheet_paths import changed_places
 
     changed, places = changed_places(data, changes)
-    return arm_from_data(changed, kept_lines(positions, places), source)
+    return sheet_from_data(changed, kept_lines(positions, places), source)
 
 
 def _published() -> dict[str, Traversable]:

@@ -2,12 +2,12 @@
 
 from __future__ import annotations
 
-from tmodes.paper.sheet import Robot
-from tmodes.sensitivity.changes_motion import ArmChanges
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sensitivity.changes_motion import RunChanges
 from tmodes.sensitivity.changes_paper import RobotChanges
 from tmodes.sensitivity.differences import Change
 from tmodes.sensitivity.lowering import Lowered
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 __all__ = ["Change", "Changes"]
 
@@ -15,8 +15,8 @@ __all__ = ["Change", "Changes"]
 class Changes:
     """Derivatives of a run's numbers by quantities of its sheet, those of the robot as known."""
 
-    def __init__(self, sheet: Arm | Robot, here: Lowered) -> None:
-        self._of = RobotChanges(sheet, here) if isinstance(sheet, Robot) else ArmChanges(sheet, here)
+    def __init__(self, sheet: Robot | PaperRobot, here: Lowered) -> None:
+        self._of = RobotChanges(sheet, here) if isinstance(sheet, PaperRobot) else RunChanges(sheet, here)
 
     def along(self, path: str) -> Change:
         """By one quantity.

@@ -9,37 +9,37 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.statics.held import free_coordinates
 from tmodes.errors import InputError
-from tmodes.io.sheet_check import arm_data
+from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_units import at
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.sensitivity.differences import Change, far_difference, near_difference, number_at, replaced
 from tmodes.sensitivity.lowering import Lowered, replanned, rows_of, structure
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.simulation.plan import starts_at_rest
-from tmodes.simulation.start import arm_regime, first_state
+from tmodes.simulation.start import first_state, run_setup
 
-__all__ = ["ArmChanges"]
+__all__ = ["RunChanges"]
 
 Array = NDArray[np.float64]
 
 
-class ArmChanges:
+class RunChanges:
     """Differences of the plan, exact to about 1e-9 of a number that depends smoothly on the quantity.
 
     Those of the state at rest follow from the equations of rest, K q' = -f', where nothing but the arm's own numbers
     changes; elsewhere they are differences of equilibria.
     """
 
-    def __init__(self, sheet: Arm, here: Lowered) -> None:
-        self.sheet, self.here, self.data = sheet, here, arm_data(sheet)
+    def __init__(self, sheet: Robot, here: Lowered) -> None:
+        self.sheet, self.here, self.data = sheet, here, sheet_data(sheet)
         self.rows = rows_of(here.schedule, here.settings.duration)
-        self._rest: tuple[ArmModel, NDArray[np.intp], Array] | None = None
+        self._rest: tuple[Model, NDArray[np.intp], Array] | None = None
 
     def along(self, path: str) -> Change:
         """By one quantity; see :class:`tmodes.sensitivity.changes.Changes`."""
         *groups, last = steps_of(path, self.data)
-        known = at(entered(arm_data(self.sheet), groups, path), last)
+        known = at(entered(sheet_data(self.sheet), groups, path), last)
         value = number_at(path, known, zero="signal" in groups)
 
         rests = starts_at_rest(self.sheet)
@@ -60,12 +60,12 @@ class ArmChanges:
     def _rest_of(self, path: str, value: float, change: Change) -> Array:
         """Derivative of the state at rest; ``change`` holds that of the signals at the start."""
         if change.start.any() or not self._arm_alone(change):
-            return far_difference(lambda by: arm_regime(self._changed(path, value + by)).start, value)
+            return far_difference(lambda by: run_setup(self._changed(path, value + by)).start, value)
         start = np.zeros_like(self.here.start)
         start[: len(self.here.model.coordinates)] = self._rest_along(change.parameters)
         return start
 
-    def _changed(self, path: str, value: float) -> Arm:
+    def _changed(self, path: str, value: float) -> Robot:
         """The arm as it really is with another number, which is only checked where it does not simply replace one."""
         arm = replaced(self.sheet, steps_of(path, self.data), value)
         return (arm or self.sheet.with_({path: value})).pair().real
@@ -74,12 +74,12 @@ class ArmChanges:
         regime = self.here.regime
         assert regime is not None  # noqa: S101
         if structure(loop) != structure(regime.model.loop) or rows.shape != self.rows.shape:
-            what, mend = "a change of the structure", "name a quantity whose small changes only change numbers"
+            what, hint = "a change of the structure", "name a quantity whose small changes only change numbers"
         elif not np.array_equal(rows[:, 0], self.rows[:, 0]):
-            what, mend = "a change of the times at which signals jump", "name a quantity that leaves them as they are"
+            what, hint = "a change of the times at which signals jump", "name a quantity that leaves them as they are"
         else:
             return
-        raise InputError(path, what, "a change of numbers alone, along which a run can be differentiated", mend)
+        raise InputError(path, what, "a change of numbers alone, along which a run can be differentiated", hint)
 
     def _arm_alone(self, change: Change) -> bool:
         """Whether nothing acts on the arm at rest but its weight, which does not change, nor where its base stands."""
@@ -89,12 +89,12 @@ class ArmChanges:
         moved = change.parameters[base.start : base.start + base.size].any()
         return not (sheet.loads or sheet.contact or sheet.initial.coordinates or sheet.initial.rates or moved)
 
-    def _at_rest(self) -> tuple[ArmModel, NDArray[np.intp], Array]:
+    def _at_rest(self) -> tuple[Model, NDArray[np.intp], Array]:
         """The arm, its coordinates that are free at rest, and its stiffness there."""
         if self._rest is None:
             regime = self.here.regime
             assert regime is not None  # noqa: S101
-            model = ArmModel(regime.planned.chain)
+            model = Model(regime.planned.chain)
             held = {model.coordinates[driver.coordinate]: 0.0 for driver in regime.model.loop.drivers}
             free = free_coordinates(model, held, ())
             self._rest = model, free, model.stiffness(regime.start[: model.nq])

@@ -10,9 +10,9 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.paper.mechanism import Drive, Parameters
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.paper.model_derivatives import rest_change
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.sensitivity.differences import Change, near_difference, number_at
 from tmodes.sensitivity.lowering import Lowered, rows_of
 
@@ -24,10 +24,10 @@ Array = NDArray[np.float64]
 class RobotChanges:
     """Numbers are the parameters themselves; a reference changes the rows of its pieces and where the motor starts."""
 
-    def __init__(self, sheet: Robot, here: Lowered) -> None:
+    def __init__(self, sheet: PaperRobot, here: Lowered) -> None:
         self.sheet, self.here = sheet, here
         assert isinstance(here.parameters, Parameters)  # noqa: S101
-        assert isinstance(here.model, Model)  # noqa: S101
+        assert isinstance(here.model, PaperModel)  # noqa: S101
         self.parameters, self.mechanism = here.parameters, here.model.mechanism
         self.rows = rows_of(here.schedule, here.settings.duration)
 

@@ -35,8 +35,8 @@ def tracking_error(quantity: str, reference: ArrayLike | Callable[[Array], Array
     function of the times (n,) [s]. The rule's error is that of the samples' distance squared; its derivative is exact.
     """
 
-    def measure(times: Array, told: Mapping[str, Array]) -> tuple[float, Mapping[str, ArrayLike]]:
-        is_ = told[quantity]
+    def measure(times: Array, info: Mapping[str, Array]) -> tuple[float, Mapping[str, ArrayLike]]:
+        is_ = info[quantity]
         wanted = np.asarray(reference(times) if callable(reference) else reference, dtype=float)
         if wanted.shape not in (is_.shape, is_.shape[1:]):
             expected = f"{is_.shape}, one at each sample, or {is_.shape[1:]}, one for all"

@@ -17,13 +17,13 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.differences import Change
 from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.lowering import Lowered, lowered
 from tmodes.sensitivity.quantities import Quantities
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.simulation.recording import MOST_BYTES, Recording
 from tmodes.simulation.replay import Replay
 
@@ -62,7 +62,7 @@ class Sensitivities:
     times: Array
     states: Array
     by: dict[str, Array]
-    told: dict[str, Array]
+    info: dict[str, Array]
     of: dict[str, dict[str, Array]]
     cost: Cost
 
@@ -86,7 +86,7 @@ class Gradient:
 
 
 def forward_sensitivities(
-    sheet: Arm | Robot,
+    sheet: Robot | PaperRobot,
     paths: Sequence[str] = (),
     *,
     quantities: Sequence[str] = (),
@@ -123,13 +123,13 @@ def forward_sensitivities(
     seen = Quantities(here, done, quantities)
     slopes = {path: seen.along(found[path], change.parameters, change.rows) for path, change in changes.items()}
     of = {name: {path: slope[name] for path, slope in slopes.items()} for name in quantities}
-    told = seen.told()
+    info = seen.info()
     watch.lap("measure")
-    return Sensitivities(done.times, done.samples, found, told, of, watch.cost(done))
+    return Sensitivities(done.times, done.samples, found, info, of, watch.cost(done))
 
 
 def adjoint_gradient(
-    sheet: Arm | Robot, functional: Functional, paths: Sequence[str] = (), *, most_bytes: float = MOST_BYTES
+    sheet: Robot | PaperRobot, functional: Functional, paths: Sequence[str] = (), *, most_bytes: float = MOST_BYTES
 ) -> Gradient:
     """Derivatives of one number measured on the samples of a run, by any number of quantities of the sheet.
 
@@ -141,7 +141,7 @@ def adjoint_gradient(
     watch, here, replay = _begun(sheet, most_bytes)
     done = replay.recording
     seen = Quantities(here, done, functional.quantities)
-    value, weights = functional.measure(done.times, seen.told())
+    value, weights = functional.measure(done.times, seen.info())
     measured = seen.back(weights)
     watch.lap("measure")
     carried = replay.back(measured.states)
@@ -150,8 +150,8 @@ def adjoint_gradient(
     by, changes = {}, Changes(sheet, here)
     for path in paths:
         change = changes.along(path)
-        told = parameters @ change.parameters + carried.start @ change.start
-        by[path] = float(told + (rows * change.rows).sum())
+        info = parameters @ change.parameters + carried.start @ change.start
+        by[path] = float(info + (rows * change.rows).sum())
     watch.lap("sheet")
     return Gradient(float(value), by, carried.start, parameters, rows, watch.cost(done))
 
@@ -165,7 +165,7 @@ def _direction(name: str, way: ArrayLike, size: int) -> Array:
     return found
 
 
-def _begun(sheet: Arm | Robot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:
+def _begun(sheet: Robot | PaperRobot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:
     """The run, with its steps."""
     watch = _Watch()
     here = lowered(sheet)

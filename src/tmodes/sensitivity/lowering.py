@@ -14,18 +14,18 @@ from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive, Mechanism
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.paper.model_schedules import implicit_schedule, rate_schedule
 from tmodes.paper.modes import closed_loop_spectrum as robot_spectrum
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 from tmodes.sheet.contact import ContactLaw, ContactSheet
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 from tmodes.simulation.recording import MOST_BYTES, record
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.simulate import closed_loop_spectrum
-from tmodes.simulation.start import ArmRegime, arm_regime
+from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.trajectory import Moving, Numbers
 
 __all__ = ["Lowered", "lowered", "replanned", "rows_of", "structure"]
@@ -47,7 +47,7 @@ class Lowered:
     schedule: Schedule
     start: Array
     settings: Integration
-    regime: ArmRegime | None = None
+    regime: RunSetup | None = None
     contact: ContactSheet | None = None
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
@@ -66,15 +66,15 @@ class Lowered:
         return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))
 
 
-def lowered(sheet: Arm | Robot) -> Lowered:
+def lowered(sheet: Robot | PaperRobot) -> Lowered:
     """The run of an arm, or of the 2010 robot under control, as it really is.
 
     Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
     """
-    if isinstance(sheet, Robot):
+    if isinstance(sheet, PaperRobot):
         return _of_robot(sheet.pair().real)
     real = sheet.pair().real
-    regime = arm_regime(real)
+    regime = run_setup(real)
     settings = chosen_settings(sheet.integration, lambda: closed_loop_spectrum(regime))
     model = regime.model
     rates = model.loop.euler_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
@@ -86,16 +86,16 @@ def _jumps(contact: ContactSheet) -> bool:
     return contact.law is ContactLaw.UNILATERAL and (contact.damping > 0 or contact.preload > 0)
 
 
-def _of_robot(robot: Robot) -> Lowered:
+def _of_robot(robot: PaperRobot) -> Lowered:
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model = Model(mechanism)
+    model = PaperModel(mechanism)
     start, schedule = model.rest(robot.reference.start, parameters), robot.wanted(Drive.CONTROLLED)
     settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
     rates = implicit_schedule if settings.method is Method.EXTRAPOLATION else rate_schedule
     return Lowered(model, rates(mechanism), parameters, schedule, start, settings)
 
 
-def replanned(sheet: Arm) -> tuple[Planned, LoopModel]:
+def replanned(sheet: Robot) -> tuple[Planned, LoopModel]:
     """An arm's plan and its numbers, without a state at the start."""
     plan = planned(sheet)
     return plan, LoopModel(plan.plan)

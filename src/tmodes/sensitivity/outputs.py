@@ -13,12 +13,12 @@ from tmodes.errors import InputError
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.model.derivatives import Blocks, differentiated
 from tmodes.model.passes import ArmPasses
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.paper.model_schedules import observe_schedule
 from tmodes.sensitivity.lowering import Lowered
 from tmodes.simulation.loop import LoopModel
 
-__all__ = ["ArmSeen", "RobotSeen"]
+__all__ = ["RobotSeen", "RunOutputs"]
 
 Array = NDArray[np.float64]
 
@@ -37,11 +37,11 @@ class RobotSeen:
 
     def __init__(self, here: Lowered, instants: Blocks, names: tuple[str, ...]) -> None:
         _refuse_unknown(names, (*OBSERVED,))
-        assert isinstance(here.model, Model)  # noqa: S101
+        assert isinstance(here.model, PaperModel)  # noqa: S101
         self.parameters, self._instants, self._names = here.parameters.vector, instants, names
         self._of = differentiated(observe_schedule(here.model.mechanism, names)) if names else None
 
-    def told(self) -> Blocks:
+    def info(self) -> Blocks:
         """Values (n, numbers) by names."""
         return self._of.values(self.parameters, self._instants) if self._of else {}
 
@@ -55,7 +55,7 @@ class RobotSeen:
         return self._of.along(self.parameters, self._instants, slopes, change=change) if self._of else {}
 
 
-class ArmSeen:
+class RunOutputs:
     """What is observed of an arm, and from that the motion of its points."""
 
     def __init__(self, here: Lowered, instants: Blocks, names: tuple[str, ...]) -> None:
@@ -79,7 +79,7 @@ class ArmSeen:
     def _moved(self) -> Blocks:
         return {name: self._seen[name] for name in _MOVED} | {"a": np.zeros_like(self._seen["q"])}
 
-    def told(self) -> Blocks:
+    def info(self) -> Blocks:
         """Values (n, numbers) by names."""
         plain = {name: self._seen[name] for name in self._plain}
         return plain | (self._parted(self._points.values(self.parameters, self._moved)) if self._points else {})
@@ -93,8 +93,8 @@ class ArmSeen:
             found = self._points.back(self.parameters, self._moved, self._joined(weights), (*_MOVED, "parameters"))
             own = found.pop("parameters")
             mine |= {name: value + mine.get(name, 0.0) for name, value in found.items()}
-        told = self._of.back(self.parameters, self._instants, mine, _FROM)
-        return told | {"parameters": told["parameters"] + own}
+        info = self._of.back(self.parameters, self._instants, mine, _FROM)
+        return info | {"parameters": info["parameters"] + own}
 
     def along(self, slopes: Blocks, change: Array) -> Blocks:
         """Slopes of the values along those of state and row, and a change of the parameters."""
@@ -105,9 +105,9 @@ class ArmSeen:
         ways = {name: moved[name] for name in _MOVED}
         return plain | self._parted(self._points.along(self.parameters, self._moved, ways, change=change))
 
-    def _parted(self, told: Blocks) -> Blocks:
+    def _parted(self, info: Blocks) -> Blocks:
         """Positions and velocities from what is told of all points."""
-        points = told["points"].reshape(len(told["points"]), -1, _POINT)
+        points = info["points"].reshape(len(info["points"]), -1, _POINT)
         return {name: points[:, k, _TOLD[kind]] for name, (k, kind) in self._places.items()}
 
     def _joined(self, weights: Blocks) -> Blocks:

@@ -9,9 +9,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.model.derivatives import Blocks
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.sensitivity.lowering import Lowered
-from tmodes.sensitivity.outputs import ArmSeen, RobotSeen
+from tmodes.sensitivity.outputs import RobotSeen, RunOutputs
 from tmodes.simulation.recording import Recording
 
 __all__ = ["Quantities", "Weights"]
@@ -42,13 +42,13 @@ class Quantities:
         self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
         time = done.times[:, None]
         instants = {"time": time, "state": done.samples, "row": done.rows[self._pieces], "step": np.zeros_like(time)}
-        seen = RobotSeen if isinstance(here.model, Model) else ArmSeen
+        seen = RobotSeen if isinstance(here.model, PaperModel) else RunOutputs
         self._seen = seen(here, instants, tuple(name for name in self.names if name != "state"))
 
-    def told(self) -> Blocks:
+    def info(self) -> Blocks:
         """Their values at the samples."""
-        told = self._seen.told()
-        return {name: self.done.samples if name == "state" else told[name] for name in self.names}
+        info = self._seen.info()
+        return {name: self.done.samples if name == "state" else info[name] for name in self.names}
 
     def back(self, weights: Mapping[str, ArrayLike]) -> Weights:
         """Derivatives of the sum of ``weights`` times the quantities, each in its shape."""

@@ -8,7 +8,7 @@ from typing import Annotated, Literal, Self
 from pydantic import Field, model_validator
 
 from tmodes.kinds.schema.frames import Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import DataSheet, Misfit, any_sign, dissipation, not_negative, positive, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, dissipation, not_negative, positive, refuse
 
 __all__ = ["Ball", "ContactLaw", "ContactSheet", "Plane", "Shape", "Wall"]
 
@@ -30,7 +30,7 @@ class Plane(DataSheet):
     @model_validator(mode="after")
     def _has_a_normal(self) -> Self:
         if not any(self.normal):
-            refuse([Misfit("normal", "a normal of zeros", "a direction", "write [0, 0, 1] for a floor")])
+            refuse([Issue("normal", "a normal of zeros", "a direction", "write [0, 0, 1] for a floor")])
         return self
 
 
@@ -72,6 +72,6 @@ class ContactSheet(DataSheet):
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
         if self.friction and self.friction_velocity is None:
-            mend = "add `friction_velocity: 0.001`"
-            refuse([Misfit("friction_velocity", "nothing", "a speed, because there is friction", mend)])
+            hint = "add `friction_velocity: 0.001`"
+            refuse([Issue("friction_velocity", "nothing", "a speed, because there is friction", hint)])
         return self

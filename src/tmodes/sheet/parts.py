@@ -10,7 +10,7 @@ from pydantic import Field, model_validator
 from tmodes.kinds.links.beam import BeamSheet
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Misfit, not_negative, quantity, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, quantity, refuse
 from tmodes.kinds.signals.signals import Signal
 
 __all__ = [
@@ -45,10 +45,10 @@ class LinkSheet(DataSheet):
     @model_validator(mode="after")
     def _stations_are_on_a_beam(self) -> Self:
         if self.beam is None:
-            mend = "remove `at` and give the center in the link's frame"
+            hint = "remove `at` and give the center in the link's frame"
             refuse(
                 [
-                    Misfit(f"bodies.{index}.at", f"{body.at:g}", "no station: the link has no beam", mend)
+                    Issue(f"bodies.{index}.at", f"{body.at:g}", "no station: the link has no beam", hint)
                     for index, body in enumerate(self.bodies)
                     if body.at is not None
                 ]
@@ -115,11 +115,11 @@ class DriveSheet(DataSheet):
     @model_validator(mode="after")
     def _is_controlled(self) -> Self:
         if self.command is Command.POSITION and self.controller is None:
-            mend = "add `controller: {type: pd, ...}`, or take the command `prescribed`"
-            refuse([Misfit("controller", "nothing", "a controller for the command `position`", mend)])
+            hint = "add `controller: {type: pd, ...}`, or take the command `prescribed`"
+            refuse([Issue("controller", "nothing", "a controller for the command `position`", hint)])
         if self.command is not Command.POSITION and self.controller is not None:
             got = f"a controller beside the command `{self.command}`"
-            refuse([Misfit("controller", got, "no controller", "remove it, or take the command `position`")])
+            refuse([Issue("controller", got, "no controller", "remove it, or take the command `position`")])
         return self
 
 

@@ -10,22 +10,19 @@ from __future__ import annotations
 import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, Literal, Self
+from typing import Annotated, Any, Literal, Self
 
 from pydantic import Field, field_validator, model_validator
 
-from tmodes.chain.chain import Chain
-from tmodes.integrate.settings import ArmIntegration
+from tmodes import upward
+from tmodes.integrate.settings import RobotIntegration
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Misfit, not_negative, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, refuse
 from tmodes.sheet.contact import ContactSheet
 from tmodes.sheet.parts import BaseMotion, DriveSheet, Initial, LinkSheet, LoadSheet, PointSheet, TipSheet
 
-if TYPE_CHECKING:
-    from tmodes.notebook import Shown
-
-__all__ = ["ARM_FORMAT", "MOST_JOINTS", "Arm", "ArmPair"]
+__all__ = ["ARM_FORMAT", "MOST_JOINTS", "Robot", "RobotPair"]
 
 ARM_FORMAT = 1
 """Version of the data sheet's format."""
@@ -41,7 +38,7 @@ _STEERING = ("Cc", "Cf", "Cs", "Co")
 """Unicode categories of letters that are not shown but steer what is: control, direction, surrogates, private."""
 
 
-class Arm(DataSheet):
+class Robot(DataSheet):
     """A general arm: joints and links in a tree, what drives and loads it, and how it really is."""
 
     format: Literal[1] = Field(description="version of this format [-]")
@@ -81,7 +78,7 @@ class Arm(DataSheet):
         description="the real arm where it differs: path of a number -> factor on it [-]",
         json_schema_extra={"unit": "-", "symbol": "-", "smallest": 0.0, "plausible": None},
     )
-    integration: ArmIntegration = Field(default_factory=ArmIntegration)
+    integration: RobotIntegration = Field(default_factory=RobotIntegration)
 
     @field_validator("gravity", mode="before")
     @classmethod
@@ -89,83 +86,73 @@ class Arm(DataSheet):
         if not isinstance(value, (int, float)) or isinstance(value, bool):
             return value
         if value < 0:
-            mend = "write the magnitude, or a list [x, y, z] for another direction"
-            refuse([Misfit("", f"{value:g}", "a magnitude along -z, not negative, or a list", mend)])
+            hint = "write the magnitude, or a list [x, y, z] for another direction"
+            refuse([Issue("", f"{value:g}", "a magnitude along -z, not negative, or a list", hint)])
         return (0.0, 0.0, -float(value) if value else 0.0)
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        from tmodes.sheet.checks import arm_misfits
+        from tmodes.sheet.checks import arm_issues
 
-        refuse(list(self._text_misfits()))
-        refuse(arm_misfits(self))
+        refuse(list(self._text_issues()))
+        refuse(arm_issues(self))
         return self
 
-    def _text_misfits(self) -> list[Misfit]:
+    def _text_issues(self) -> list[Issue]:
         """Texts go to terminals and pages: letters that steer those are refused."""
         texts = {name: getattr(self, name) for name in ("name", "title", "citation", "assumed")}
         for group in ("joints", "links", "points"):
             texts |= {f"{group}.{index}.name": item.name for index, item in enumerate(getattr(self, group))}
         texts |= {f"joints.{index}.child": joint.child for index, joint in enumerate(self.joints)}
         return [
-            Misfit(path, ascii(text[:60]), "text without control characters", "write it in plain letters")
+            Issue(path, ascii(text[:60]), "text without control characters", "write it in plain letters")
             for path, text in texts.items()
             if any(unicodedata.category(letter) in _STEERING and letter != "\n" for letter in text)
         ]
 
     @classmethod
-    def from_data(cls, data: Mapping[str, Any]) -> Arm:
+    def from_data(cls, data: Mapping[str, Any]) -> Robot:
         """A checked arm from plain data (as a YAML file holds it); numbers may be text with a unit.
 
         Raises :class:`tmodes.errors.InputErrors` with everything that is wrong, where building an ``Arm`` directly
         raises pydantic's own error.
         """
-        from tmodes.io.sheet_check import arm_from_data
+        return upward("Robot.from_data")(data)
 
-        return arm_from_data(data)
-
-    def with_(self, changes: Mapping[str, Any]) -> Arm:
+    def with_(self, changes: Mapping[str, Any]) -> Robot:
         """A new, checked arm with values changed by path: ``arm.with_({"joints.shoulder.gear.stiffness": 900.0})``.
 
         Items of lists go by their name or their index. Raises :class:`tmodes.errors.InputErrors` that name the path.
         """
-        from tmodes.io.sheet_check import changed_arm
+        return upward("Robot.with_")(self, changes)
 
-        return changed_arm(self, changes)
-
-    def show(self, height: int = 760) -> Shown:
+    def show(self, height: int = 760) -> Any:
         """The viewer of this arm at rest with its modes, for a notebook; ``height`` in pixels.
 
         Raises :class:`tmodes.errors.SimulationError` where it has no rest.
         """
-        from tmodes.notebook import show
-
-        return show(self, height=height)
+        return upward("Robot.show")(self, height=height)
 
     def link(self, name: str) -> LinkSheet:
         """The link with this name; one that the sheet does not describe is rigid and has no mass."""
         return next((link for link in self.links if link.name == name), LinkSheet(name=name))
 
-    def chain(self) -> Chain:
+    def chain(self) -> Any:
         """The arm in the terms of the recursion: placements, joints, links and points, SI, joint side."""
-        from tmodes.chain.lowering import lowered
+        return upward("Robot.chain")(self)
 
-        return lowered(self)
-
-    def pair(self) -> ArmPair:
+    def pair(self) -> RobotPair:
         """The arm as it is known and as it really is.
 
         Raises :class:`tmodes.errors.InputErrors` for an entry of ``real`` that names no number, and for a factor that
         makes a number no arm can have.
         """
-        from tmodes.io.sheet_check import real_arm
-
-        return ArmPair(nominal=self, real=real_arm(self))
+        return RobotPair(nominal=self, real=upward("Robot.pair")(self))
 
 
 @dataclass(frozen=True)
-class ArmPair:
+class RobotPair:
     """The arm twice: with the numbers as known, by which motions are planned, and as they really are."""
 
-    nominal: Arm
-    real: Arm
+    nominal: Robot
+    real: Robot

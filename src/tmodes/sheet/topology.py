@@ -6,9 +6,9 @@ from collections import Counter
 from collections.abc import Iterator, Sequence
 
 from tmodes.kinds.joints.joint import JointSheet, JointType
-from tmodes.kinds.schema.quantity import Misfit
+from tmodes.kinds.schema.quantity import Issue
 
-__all__ = ["BASE", "last_link", "parents", "rooted_order", "tree_misfits"]
+__all__ = ["BASE", "last_link", "parents", "rooted_order", "tree_issues"]
 
 BASE = "base"
 """Name of the link that stands still: the ground."""
@@ -46,10 +46,10 @@ def last_link(joints: Sequence[JointSheet]) -> str:
     return next(joint.child for joint in reversed(joints) if moving.get(joint.child) == most)
 
 
-def tree_misfits(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator[Misfit]:
+def tree_issues(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator[Issue]:
     """All that keeps joints and the names of the described ``links`` from being one tree; names are told."""
     if not joints:
-        yield Misfit("joints", "an empty robot", "at least one joint", "add a joint and the link that it carries")
+        yield Issue("joints", "an empty robot", "at least one joint", "add a joint and the link that it carries")
         return
     yield from _twice("joints", [joint.name for joint in joints])
     yield from _twice("links", list(links))
@@ -59,66 +59,64 @@ def tree_misfits(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator
     yield from _loose_links(joints, links)
 
 
-def _twice(group: str, names: Sequence[str]) -> Iterator[Misfit]:
+def _twice(group: str, names: Sequence[str]) -> Iterator[Issue]:
     for index, name in enumerate(names):
         if name in names[:index]:
             got = f"the name `{name}` a second time"
-            yield Misfit(f"{group}.{index}.name", got, f"each name of the {group} once", "rename one of them")
+            yield Issue(f"{group}.{index}.name", got, f"each name of the {group} once", "rename one of them")
 
 
-def _two_parents(joints: Sequence[JointSheet]) -> Iterator[Misfit]:
+def _two_parents(joints: Sequence[JointSheet]) -> Iterator[Issue]:
     carried = Counter(joint.child for joint in joints)
     for index, joint in enumerate(joints):
         if joint.child == BASE:
-            yield Misfit(
-                f"joints.{index}.child", "`base`, the ground", "a link that moves", "exchange parent and child"
-            )
+            yield Issue(f"joints.{index}.child", "`base`, the ground", "a link that moves", "exchange parent and child")
         holders = [other.name for other in joints if other.child == joint.child]
         if carried[joint.child] > 1 and joint.name != holders[0]:
             got = f"`{joint.child}`, which has {len(holders)} parents: the joints {_list(holders)}"
-            yield Misfit(f"joints.{index}.child", got, "a link that no other joint carries", "remove one of the joints")
+            yield Issue(f"joints.{index}.child", got, "a link that no other joint carries", "remove one of the joints")
 
 
-def _strange_parents(joints: Sequence[JointSheet]) -> Iterator[Misfit]:
+def _strange_parents(joints: Sequence[JointSheet]) -> Iterator[Issue]:
     known = [BASE, *(joint.child for joint in joints)]
     for index, parent in enumerate(parents(joints)):
         if parent not in known:
             got = f"`{parent}`, which no joint carries"
-            yield Misfit(f"joints.{index}.parent", got, f"one of {_list(known)}", "check the spelling of the link")
+            yield Issue(f"joints.{index}.parent", got, f"one of {_list(known)}", "check the spelling of the link")
 
 
-def _cycles(joints: Sequence[JointSheet]) -> Iterator[Misfit]:
+def _cycles(joints: Sequence[JointSheet]) -> Iterator[Issue]:
     """Joints that the base does not lead to although each has a known parent: they hang on each other."""
     reached = set(rooted_order(joints))
     names = parents(joints)
     holder = {joint.child: index for index, joint in enumerate(joints)}
-    told: set[int] = set()
+    info: set[int] = set()
     for start in range(len(joints)):
         path: list[int] = []
         index: int | None = start
-        while index is not None and index not in reached and index not in told and index not in path:
+        while index is not None and index not in reached and index not in info and index not in path:
             path.append(index)
             index = holder.get(names[index])
-        told.update(path)
+        info.update(path)
         if index in path:
             links = [joints[k].child for k in reversed(path[path.index(index) :])]
             got = f"a cycle of the links {_list([*links, links[0]], ' -> ')}"
-            yield Misfit(
+            yield Issue(
                 f"joints.{index}.parent", got, "joints that lead back to `base`", "hang one of them on another link"
             )
 
 
-def _loose_links(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator[Misfit]:
+def _loose_links(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator[Issue]:
     carried = {joint.child for joint in joints}
     loose = [(index, name) for index, name in enumerate(links) if name not in carried]
     for index, name in loose:
         if name == BASE:
-            got, mend = "`base`, the ground", "remove it: what stands still has no dynamics"
-            yield Misfit(f"links.{index}.name", got, "a link that a joint carries", mend)
+            got, hint = "`base`, the ground", "remove it: what stands still has no dynamics"
+            yield Issue(f"links.{index}.name", got, "a link that a joint carries", hint)
         else:
             got = f"`{name}`, a disconnected link: no joint carries it"
-            mend = "add its joint, or check the spelling"
-            yield Misfit(f"links.{index}.name", got, f"one of {_list(sorted(carried))}", mend)
+            hint = "add its joint, or check the spelling"
+            yield Issue(f"links.{index}.name", got, f"one of {_list(sorted(carried))}", hint)
 
 
 def _list(names: Sequence[str], between: str = ", ") -> str:

@@ -20,7 +20,7 @@ from tmodes.integrate.settings import Integration, Method
 from tmodes.simulation.callback_stops import SetIn
 from tmodes.simulation.endings import used_up
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.start import ArmRegime
+from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import STOPPED, Instants, Stops
 from tmodes.simulation.trajectory import BOUND, Trajectory, sample_times
 
@@ -32,7 +32,7 @@ Controller = Callable[[float, Array, Array], ArrayLike]
 """(time [s], q (nq,), v (nq,)) -> effort (m,) [N*m, N] of each drive that follows no signal, in their order."""
 
 
-def driven_by(regime: ArmRegime) -> ArmRegime:
+def driven_by(regime: RunSetup) -> RunSetup:
     """The regime with the efforts of its servos taken from the rows."""
     plan = regime.planned.plan
     drives = tuple(
@@ -43,7 +43,7 @@ def driven_by(regime: ArmRegime) -> ArmRegime:
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
     start[: 2 * len(model.coordinates)] = regime.start[: 2 * len(model.coordinates)]
-    return ArmRegime(regime.arm, replace(regime.planned, plan=own), model, start)
+    return RunSetup(regime.arm, replace(regime.planned, plan=own), model, start)
 
 
 @dataclass
@@ -83,7 +83,7 @@ class _Guarded:
 class _Run:
     """A run in Python: what is done so far."""
 
-    regime: ArmRegime
+    regime: RunSetup
     guarded: _Guarded
     settings: Integration
     places: list[int]
@@ -132,7 +132,7 @@ class _Run:
 
 
 def run_with_controller(
-    regime: ArmRegime,
+    regime: RunSetup,
     controller: Controller,
     progress: Callable[[float], None] = lambda share: None,
     stops: Stops | None = None,

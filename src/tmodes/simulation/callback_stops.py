@@ -43,13 +43,13 @@ class SetIn:
         root: Any = ends[0] if beyond(ends[0]) > 0 else brentq(beyond, *ends, xtol=close)
         time = float(root)
         state = known[time] if time in known else moved(time)
-        return time, state, self._told(time, state)
+        return time, state, self._info(time, state)
 
     def _instant(self, time: float, state: Array) -> Instants:
         return Instants(np.array([time]), state[None, :], self.row(time, state)[None, :])
 
-    def _told(self, time: float, state: Array) -> str:
+    def _info(self, time: float, state: Array) -> str:
         there = self._instant(time, state)
         stop = self.stops.stops[int(self.stops.beyond(there)[0].argmax())]
         value = float(stop.values(there)[0])
-        return stop.told(time, value, value)
+        return stop.info(time, value, value)

@@ -22,27 +22,27 @@ class Lost(NamedTuple):
     names: Sequence[str]
     bound: float
 
-    def told(self, status: Status) -> tuple[str, str]:
+    def info(self, status: Status) -> tuple[str, str]:
         """Status and sentence of a loop that ended by DIVERGED, STEP_TOO_SMALL or NOT_CONVERGED."""
         size = np.where(np.isfinite(self.accelerations), np.abs(self.accelerations), np.inf)
         k = int(np.argmax(size))
         value = f"its acceleration is {self.accelerations[k]:.3g} rad/s^2"
-        kind, why, mend = self._kind(status)
+        kind, why, hint = self._kind(status)
         if kind != "diverged" and not size[k] < self.bound:  # what is lost makes steps small and iterations fail
-            kind, mend = "diverged", "look for what drives it away, no number among the signals, or a vanishing mass"
+            kind, hint = "diverged", "look for what drives it away, no number among the signals, or a vanishing mass"
         words = kind.replace("_", " ")
-        return kind, f"{words} at t = {self.time:.6g} s in coordinate {self.names[k]}: {value}{why}; {mend}".rstrip(
+        return kind, f"{words} at t = {self.time:.6g} s in coordinate {self.names[k]}: {value}{why}; {hint}".rstrip(
             "; "
         )
 
     def _kind(self, status: Status) -> tuple[str, str, str]:
         """Status, cause and mend by the loop's own word."""
         if status is Status.NOT_CONVERGED:
-            mend = "shorten integration.step, or loosen integration.relative_tolerance"
-            return "not_converged", f" and the iterations of a step of {self.step:.3g} s do not converge", mend
+            hint = "shorten integration.step, or loosen integration.relative_tolerance"
+            return "not_converged", f" and the iterations of a step of {self.step:.3g} s do not converge", hint
         if status is Status.STEP_TOO_SMALL:
-            mend = "raise integration.relative_tolerance where rounding alone is larger"
-            return "step_too_small", f" and no step is small enough (last {self.step:.3g} s)", mend
+            hint = "raise integration.relative_tolerance where rounding alone is larger"
+            return "step_too_small", f" and no step is small enough (last {self.step:.3g} s)", hint
         return "diverged", f"; its next step leaves {self.bound:g} rad or rad/s", ""
 
 
@@ -56,5 +56,5 @@ def chattered(time: float, most: int, within: float) -> tuple[str, str]:
 
 def used_up(time: float, duration: float, name: str, value: str) -> str:
     """Why a run stopped whose steps or seconds of computing are used up."""
-    mend = "raise it, shorten integration.duration, loosen the tolerance, or look for what makes the motion stiff"
-    return f"stopped at t = {time:.6g} s of {duration:g} s: integration.{name} = {value} is used up; {mend}"
+    hint = "raise it, shorten integration.duration, loosen the tolerance, or look for what makes the motion stiff"
+    return f"stopped at t = {time:.6g} s of {duration:g} s: integration.{name} = {value} is used up; {hint}"

@@ -69,8 +69,8 @@ class MethodChange:
         """Where the motion turned out stiff [s] (0: it did not), and what was done."""
         name, limit = self.first.method.value, "the limit of stability"
         if self.otherwise is None or self.parts == 1:
-            told = f"; the motion is stiff from t = {stiff_time:.6g} s on: its steps stood at {limit} of {name} there"
-            return told if stiff_time > 0 else ""
+            info = f"; the motion is stiff from t = {stiff_time:.6g} s on: its steps stood at {limit} of {name} there"
+            return info if stiff_time > 0 else ""
         other, begin = self.otherwise.method.value, f"from t = {self.kept[0, 0]:.6g} s on"
         if self.parts == 2:
             return f"; {begin} by {other}: its steps stood at {limit} of {name} there"
@@ -79,7 +79,7 @@ class MethodChange:
             f"from t = {self.kept[1, 0]:.6g} s on by {name} again: the other one took no fewer passes for the same time"
         )
 
-    def told(self, cell: Callable[[str], float]) -> dict[str, dict[str, Any]]:
+    def info(self, cell: Callable[[str], float]) -> dict[str, dict[str, Any]]:
         """Method, begin and counts of each part."""
         counts = np.array([*self.kept[: self.parts - 1, 2:5], [cell(name) for name in COUNTED]])
         begins = [0.0, *self.kept[: self.parts - 1, 0].tolist()]

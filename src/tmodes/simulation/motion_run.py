@@ -12,16 +12,16 @@ from tmodes.analysis.energy import largest_flow
 from tmodes.chain.chain import Chain
 from tmodes.equations.loop.plan import BROUGHT_IN, WORKS
 from tmodes.model.evaluator import Rows
-from tmodes.model.model import ArmModel, PointMotion
+from tmodes.model.model import Model, PointMotion
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned
-from tmodes.simulation.start import ArmRegime
+from tmodes.simulation.start import RunSetup
 from tmodes.simulation.trajectory import ErrorEstimate, Trajectory
 
 if TYPE_CHECKING:
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
-__all__ = ["ArmRun", "bytes_per_sample", "energies_of", "gathered"]
+__all__ = ["RunData", "bytes_per_sample", "energies_of", "gathered"]
 
 Array = NDArray[np.float64]
 
@@ -29,7 +29,7 @@ _CHUNK = 20_000
 
 
 @dataclass(frozen=True, eq=False)
-class ArmRun:
+class RunData:
     """A motion of an arm at n samples, SI units.
 
     ``planned``: what moves it, and its signals. ``times`` (n,); ``q``, ``v``, ``a`` (n, nq) in the order of
@@ -45,10 +45,10 @@ class ArmRun:
     ``error``; None where that is not known. ``seconds`` of computing for each simulated second.
     """
 
-    arm: Arm
+    arm: Robot
     planned: Planned
     chain: Chain
-    model: ArmModel
+    model: Model
     drives: tuple[str, ...]
     times: Array
     q: Array
@@ -70,9 +70,9 @@ class ArmRun:
     message: str
     warnings: tuple[str, ...] = ()
     statistics: dict[str, Any] = field(default_factory=dict)
-    reference: ArmRun | None = None
+    reference: RunData | None = None
     states: Array = field(default_factory=lambda: np.zeros((0, 0)))
-    regime: ArmRegime | None = None
+    regime: RunSetup | None = None
     error: ErrorEstimate | None = None
     seconds: float = 0.0
 
@@ -101,13 +101,13 @@ def bytes_per_sample(model: LoopModel) -> int:
     return 8 * (2 * model.layout.size + 9 * n + 12 * drives + 60 * points + 80 + model.plan.row_size)
 
 
-def gathered(regime: ArmRegime, trajectory: Trajectory, rows: Array | None = None) -> ArmRun:
+def gathered(regime: RunSetup, trajectory: Trajectory, rows: Array | None = None) -> RunData:
     """All that a run shows, of the samples of its trajectory; ``rows`` (n, row) where they are not the schedule's."""
     plan, loop = regime.planned, regime.model
     times, states = trajectory.times, trajectory.states
     rows = plan.schedule.rows_at(times) if rows is None else rows
     seen = _observed(loop, times, states, rows)
-    model = ArmModel(plan.chain)
+    model = Model(plan.chain)
     q, v, a = seen["q"], seen["v"], seen["a"]
     drives = seen["drives"]
     gravity = np.asarray(plan.chain.gravity, dtype=float)
@@ -116,7 +116,7 @@ def gathered(regime: ArmRegime, trajectory: Trajectory, rows: Array | None = Non
     moving[:, 3:6] += base[:, 9:18].reshape(-1, 3, 3).transpose(0, 2, 1) @ gravity
     contact = seen["contact"] if plan.plan.touch else None
     works = states[:, loop.layout.works]
-    return ArmRun(
+    return RunData(
         arm=regime.arm, planned=plan, chain=plan.chain, model=model,
         drives=tuple(drive.joint for drive in plan.plan.drives), times=times, q=q, v=v, a=a,
         effort=drives[:, :, 0], voltage=drives[:, :, 1], current=drives[:, :, 2], wanted=drives[:, :, 3],
@@ -139,7 +139,7 @@ def _observed(loop: LoopModel, times: Array, states: Array, rows: Array) -> dict
     return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
 
 
-def energies_of(regime: ArmRegime, model: ArmModel, q: Array, v: Array, base: Array) -> dict[str, Array]:
+def energies_of(regime: RunSetup, model: Model, q: Array, v: Array, base: Array) -> dict[str, Array]:
     """Energies by kind [J]; the motion of the base and rotors that follow their signals have theirs too."""
     energies = model.energies(q, v)
     if regime.planned.plan.base:
@@ -151,7 +151,7 @@ def energies_of(regime: ArmRegime, model: ArmModel, q: Array, v: Array, base: Ar
     return energies
 
 
-def _moved(model: ArmModel, q: Array, v: Array, base: Array) -> dict[str, Array]:
+def _moved(model: Model, q: Array, v: Array, base: Array) -> dict[str, Array]:
     """Kinetic energy and that of gravity on a base that moves: half of the rates times their momenta."""
     turned = base[:, 9:18].reshape(-1, 3, 3)
     velocity = np.einsum("nji,nj->ni", turned, base[:, 21:24])

@@ -175,25 +175,25 @@ class NativeRun:
             return chattered(self.cell("t"), MOST_EVENTS, EVENT_TIME)
         names = self.model.coordinates
         accelerations = self._rates_now()[len(names) : 2 * len(names)]
-        return Lost(self.cell("t"), self.cell("h"), accelerations, names, BOUND).told(self.status)
+        return Lost(self.cell("t"), self.cell("h"), accelerations, names, BOUND).info(self.status)
 
     def statistics(self) -> dict[str, Any]:
         """What the run took, and how; the smallest step is that of all which no knot cut short [s]."""
         steps, t = self.cell("steps"), self.cell("t")
-        told: dict[str, Any] = {name: int(self.cell(name)) for name in COUNTED}
-        told |= {"method": self.settings.method.value, "mean_step_s": t / steps if steps else None}
-        told["smallest_step_s"] = self.change.smallest(self.cell) or told["mean_step_s"]
+        info: dict[str, Any] = {name: int(self.cell(name)) for name in COUNTED}
+        info |= {"method": self.settings.method.value, "mean_step_s": t / steps if steps else None}
+        info["smallest_step_s"] = self.change.smallest(self.cell) or info["mean_step_s"]
         if self.settings.method in FIXED_STEP:
-            told["step"] = self.cell("h")
+            info["step"] = self.cell("h")
         if self.cell("passes"):
-            told["passes"] = int(self.cell("passes"))
+            info["passes"] = int(self.cell("passes"))
         if self.cell("events"):
-            told["contact_changes"] = int(self.cell("events"))
+            info["contact_changes"] = int(self.cell("events"))
         if self.cell("stiff_time") > 0:
-            told["stiff_from_s"] = self.cell("stiff_time")
+            info["stiff_from_s"] = self.cell("stiff_time")
         if self.change.parts > 1:
-            told["parts"] = self.change.told(self.cell)
-        return told
+            info["parts"] = self.change.info(self.cell)
+        return info
 
     def _rates_now(self) -> Array:
         segment = min(int(self.cell("segment")), len(self.rows) - 1)

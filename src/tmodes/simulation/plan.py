@@ -20,7 +20,7 @@ from tmodes.sheet.contact import Ball, ContactLaw, Plane
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 
 if TYPE_CHECKING:
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
 __all__ = ["Follow", "Planned", "initial_value", "planned"]
 
@@ -54,18 +54,18 @@ class _Signals:
 
     until: float
     schedules: list[Schedule]
-    told: list[Any] = field(default_factory=list)
+    info: list[Any] = field(default_factory=list)
 
     def add(self, signal: Any, path: str) -> int:
-        self.told.append(signal)
+        self.info.append(signal)
         try:
             self.schedules.append(signal.schedule(self.until))
         except InputError as error:
-            raise InputError(f"{path}.{error.which}", error.got, error.expected, error.mend, error.where) from error
+            raise InputError(f"{path}.{error.which}", error.got, error.expected, error.hint, error.where) from error
         return len(self.schedules) - 1
 
 
-def planned(arm: Arm, follow: Follow = Follow.SHEET) -> Planned:
+def planned(arm: Robot, follow: Follow = Follow.SHEET) -> Planned:
     """The plan of an arm's run over ``integration.duration``.
 
     Raises :class:`tmodes.errors.InputError` for a signal without a value, and for a contact that cannot be.
@@ -93,19 +93,19 @@ def planned(arm: Arm, follow: Follow = Follow.SHEET) -> Planned:
     merged = merge(signals.schedules) if signals.schedules else _nothing(signals.until)
     rows = merged.coefficients.reshape(len(merged.coefficients), -1)
     plan = LoopPlan(chain, tuple(drives), len(signals.schedules), merged.degree, loads, touch, base)
-    return Planned(chain, plan, Schedule(merged.knots, rows), merged, tuple(undriven), tuple(signals.told))
+    return Planned(chain, plan, Schedule(merged.knots, rows), merged, tuple(undriven), tuple(signals.info))
 
 
 def _nothing(until: float) -> MergedSchedule:
     return MergedSchedule(np.array([0.0, until]), np.zeros((1, 0, 1)))
 
 
-def initial_value(arm: Arm, joint: str) -> float:
+def initial_value(arm: Robot, joint: str) -> float:
     """Where a joint's motor is at time 0: as `initial` says, else its first wanted position, else 0."""
-    told = arm.initial.coordinates
+    info = arm.initial.coordinates
     for name in (f"{joint}.motor", joint):
-        if name in told:
-            return told[name]
+        if name in info:
+            return info[name]
     sheet = next((drive for drive in arm.drives if drive.joint == joint), None)
     if sheet and sheet.command in (Command.POSITION, Command.PRESCRIBED):
         return float(sheet.signal.schedule(arm.integration.duration).at(0.0))
@@ -113,7 +113,7 @@ def initial_value(arm: Arm, joint: str) -> float:
 
 
 def _drive(
-    arm: Arm, joint: Joint, index: int, sheet: DriveSheet | None, signals: _Signals, follow: Follow
+    arm: Robot, joint: Joint, index: int, sheet: DriveSheet | None, signals: _Signals, follow: Follow
 ) -> DrivePlan:
     winding, numbers = _winding(joint.motor)
     command = sheet.command if sheet else Command.PRESCRIBED
@@ -145,14 +145,14 @@ def _winding(motor: Motor | None) -> tuple[Winding, tuple[float, ...]]:
     return kind, (motor.resistance, motor.back_emf, motor.torque_constant, motor.inductance)
 
 
-def _loads(arm: Arm, names: list[str], signals: _Signals) -> Iterator[LoadPlan]:
+def _loads(arm: Robot, names: list[str], signals: _Signals) -> Iterator[LoadPlan]:
     for index, load in enumerate(arm.loads):
         signal = signals.add(load.signal, f"loads.{index}.signal") if load.signal else -1
         wrench = (*map(float, load.force), *map(float, load.moment))
         yield LoadPlan(names.index(load.point), load.frame is LoadFrame.SECTION, wrench, signal)
 
 
-def _base(arm: Arm, signals: _Signals) -> Iterator[int]:
+def _base(arm: Robot, signals: _Signals) -> Iterator[int]:
     if arm.base_motion is None:
         return
     still = Constant(type="constant", value=0.0)
@@ -160,19 +160,19 @@ def _base(arm: Arm, signals: _Signals) -> Iterator[int]:
         yield signals.add(getattr(arm.base_motion, name) or still, f"base_motion.{name}")
 
 
-def _touch(arm: Arm, chain: Chain, names: list[str]) -> TouchPlan | None:
+def _touch(arm: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
     sheet = arm.contact
     if sheet is None:
         return None
     point = names.index(sheet.point)
-    told = chain.points[point]
+    info = chain.points[point]
     unilateral = sheet.law is ContactLaw.UNILATERAL
     if sheet.mass > 0:
-        mend = "remove `mass`, or take the law `bilateral`"
+        hint = "remove `mass`, or take the law `bilateral`"
         if unilateral:
-            raise InputError("contact.mass", f"{sheet.mass:g} kg", "no mass of a surface that only pushes", mend)
-        if told.s < 1 and isinstance(chain.nodes[told.node].link, Beam):
-            raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", mend)
+            raise InputError("contact.mass", f"{sheet.mass:g} kg", "no mass of a surface that only pushes", hint)
+        if info.s < 1 and isinstance(chain.nodes[info.node].link, Beam):
+            raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", hint)
     surface, first, reach = _surface(sheet.shape)
     law = (sheet.mass, sheet.damping, sheet.stiffness, sheet.preload, sheet.friction, sheet.friction_velocity or 1.0)
     numbers = (*first, reach, *law, *map(float, chain.gravity))
@@ -191,6 +191,6 @@ def _surface(shape: Any) -> tuple[Surface, tuple[float, ...], float]:
     return Surface.PLANE, (float(np.cos(shape.heading)), float(np.sin(shape.heading)), 0.0), shape.distance
 
 
-def starts_at_rest(arm: Arm) -> bool:
+def starts_at_rest(arm: Robot) -> bool:
     """Whether a run begins in static equilibrium."""
     return arm.initial.state is InitialState.REST

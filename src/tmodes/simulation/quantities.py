@@ -10,12 +10,12 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import JointKind
 from tmodes.equations.lagrange.layout import ENERGIES
-from tmodes.model.model import ArmModel, PointMotion
-from tmodes.sheet import Arm
+from tmodes.model.model import Model, PointMotion
+from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.motion_run import energies_of
 from tmodes.simulation.plan import planned
-from tmodes.simulation.start import ArmRegime
+from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import Instants, Quantity, Stop, Stops, resolved
 
 __all__ = ["arm_quantities", "arm_stops", "refuse_wrong_stops"]
@@ -26,7 +26,7 @@ _AXES = ("x", "y", "z")
 _DRIVEN = ("effort", "voltage", "current")
 
 
-def arm_stops(regime: ArmRegime, more: tuple[str, ...] = ()) -> Stops:
+def arm_stops(regime: RunSetup, more: tuple[str, ...] = ()) -> Stops:
     """The stop conditions of an arm's sheet, ``more`` of them, and its limits where they end a run.
 
     Raises :class:`tmodes.errors.InputError` as :func:`tmodes.simulation.stops.resolved`.
@@ -39,17 +39,17 @@ def arm_stops(regime: ArmRegime, more: tuple[str, ...] = ()) -> Stops:
     return Stops((*resolved(settings.stop, known), *resolved(more, known, "stop"), *limits))
 
 
-def refuse_wrong_stops(arm: Arm) -> None:
+def refuse_wrong_stops(arm: Robot) -> None:
     """Refuse what :func:`arm_stops` refuses, without a state to start from; nothing is compiled for it.
 
     Raises :class:`tmodes.errors.InputError`.
     """
     if arm.integration.stop:
         plan = planned(arm)
-        arm_stops(ArmRegime(arm, plan, LoopModel(plan.plan), np.zeros(0)))
+        arm_stops(RunSetup(arm, plan, LoopModel(plan.plan), np.zeros(0)))
 
 
-def arm_quantities(regime: ArmRegime) -> dict[str, Quantity]:
+def arm_quantities(regime: RunSetup) -> dict[str, Quantity]:
     """The quantities by name: coordinates, drives, named points, contact and energies."""
     seen = _Seen(regime)
     return {**_coordinates(regime), **_drives(regime, seen), **_points(seen), **_others(regime, seen)}
@@ -58,9 +58,9 @@ def arm_quantities(regime: ArmRegime) -> dict[str, Quantity]:
 class _Seen:
     """What an arm shows at instants; kept for those asked for last, because several conditions look at the same."""
 
-    def __init__(self, regime: ArmRegime) -> None:
+    def __init__(self, regime: RunSetup) -> None:
         self.regime, self.loop = regime, regime.model
-        self.model = ArmModel(regime.planned.chain)
+        self.model = Model(regime.planned.chain)
         self._last: dict[str, tuple[Instants, object]] = {}
 
     def _once(self, name: str, at: Instants, make: Callable[[Instants], object]) -> object:
@@ -93,7 +93,7 @@ class _Seen:
         return found
 
 
-def _coordinates(regime: ArmRegime) -> dict[str, Quantity]:
+def _coordinates(regime: RunSetup) -> dict[str, Quantity]:
     layout, units = regime.model.layout, _units(regime)
     found = {}
     for k, (name, unit) in enumerate(zip(regime.model.coordinates, units, strict=True)):
@@ -107,7 +107,7 @@ def _column(at: Instants, column: int) -> Array:
     return at.states[:, column]
 
 
-def _units(regime: ArmRegime) -> list[str]:
+def _units(regime: RunSetup) -> list[str]:
     """Unit of each coordinate: of a sliding joint m, of a link's stretch none, of all others rad."""
     nodes = regime.planned.chain.nodes
     units = dict.fromkeys(regime.model.coordinates, "rad")
@@ -118,7 +118,7 @@ def _units(regime: ArmRegime) -> list[str]:
     return [units[name] for name in regime.model.coordinates]
 
 
-def _drives(regime: ArmRegime, seen: _Seen) -> dict[str, Quantity]:
+def _drives(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
     found = {}
     kinds = {node.joint.name: node.joint.kind for node in regime.planned.chain.nodes}
     for k, drive in enumerate(regime.planned.plan.drives):
@@ -147,7 +147,7 @@ def _points(seen: _Seen) -> dict[str, Quantity]:
     return found
 
 
-def _others(regime: ArmRegime, seen: _Seen) -> dict[str, Quantity]:
+def _others(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
     found = {f"energy.{name}": Quantity("J", lambda at, name=name: seen.energies(at)[name]) for name in ENERGIES}
     found["energy.total"] = Quantity("J", lambda at: np.sum([*seen.energies(at).values()], axis=0))
     if regime.planned.plan.touch:
@@ -156,7 +156,7 @@ def _others(regime: ArmRegime, seen: _Seen) -> dict[str, Quantity]:
     return found
 
 
-def _limits(regime: ArmRegime, known: dict[str, Quantity]) -> Iterator[Stop]:
+def _limits(regime: RunSetup, known: dict[str, Quantity]) -> Iterator[Stop]:
     """The limits of joints. One is passed where it is by more than the tolerance: a joint may rest at its limit."""
     settings = regime.arm.integration
     for joint in regime.arm.joints:

@@ -82,8 +82,8 @@ def record(
     pieces = schedule.until(settings.duration)
     rows = np.ascontiguousarray(np.column_stack([pieces.knots[:-1], pieces.coefficients]))
     sampled = _sampled(method, steps, h, run.times)
-    kept, told = (steps.segments, every, steps.states, rows), (run.times, run.samples, *sampled)
-    return Recording(method, t, h, *kept, *told, int(run.cell("events")))
+    kept, info = (steps.segments, every, steps.states, rows), (run.times, run.samples, *sampled)
+    return Recording(method, t, h, *kept, *info, int(run.cell("events")))
 
 
 def _steps(run: NativeRun, settings: Integration, most_bytes: float) -> tuple[Steps, int]:

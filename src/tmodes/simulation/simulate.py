@@ -16,18 +16,18 @@ from tmodes.errors import InputError
 from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.integrate.settings import Integration, refuse_too_large
 from tmodes.paper.modes import Spectrum
-from tmodes.sheet import Arm, ArmPair
+from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
 from tmodes.simulation.callback import Controller, driven_by, run_with_controller
-from tmodes.simulation.motion_run import ArmRun, bytes_per_sample, gathered
+from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.quantities import arm_stops
-from tmodes.simulation.start import ArmRegime, arm_regime, run_arm_regime
+from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.stops import Instants
 from tmodes.simulation.trajectory import STOPPED, Journal
 from tmodes.simulation.warnings import jumps, run_warnings, start_warnings
 
-__all__ = ["closed_loop_spectrum", "simulate_arm"]
+__all__ = ["closed_loop_spectrum", "simulate_motion"]
 
 Progress = Callable[[str, float], None]
 
@@ -41,17 +41,17 @@ _MOST_WHOLE = 500
 """Size of a state up to which all its eigenvalues are found; of a larger one only the largest."""
 
 
-def simulate_arm(
-    arm: Arm | ArmPair,
+def simulate_motion(
+    arm: Robot | RobotPair,
     *,
     progress: Progress = lambda stage, share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
     controller: Controller | None = None,
     stop: Sequence[str] = (),
-) -> ArmRun:
+) -> RunData:
     """Plan with the known arm, run the real one, and gather what a run shows.
 
-    Give an :class:`Arm` (its ``real`` factors make the real one) or a pair of your own. ``journals`` gives where the
+    Give an :class:`Robot` (its ``real`` factors make the real one) or a pair of your own. ``journals`` gives where the
     stages ``reference`` and ``real`` keep their progress. ``controller``: a Python function that tells the efforts of
     the real arm (:data:`tmodes.simulation.callback.Controller`); slow, with an explicit method, and kept in no journal.
     ``stop``: conditions beside those of ``integration.stop``; the real arm's run ends where the first of all sets in.
@@ -60,14 +60,14 @@ def simulate_arm(
     ``message``. Raises :class:`tmodes.errors.InputError` for what cannot be run or is too large, and
     :class:`tmodes.errors.SimulationError` where it cannot start.
     """
-    pair = arm if isinstance(arm, ArmPair) else arm.pair()
-    real = arm_regime(pair.real)
+    pair = arm if isinstance(arm, RobotPair) else arm.pair()
+    real = run_setup(pair.real)
     stops = arm_stops(real, tuple(stop))
     samples = real.arm.integration.duration / real.arm.integration.output_step
     refuse_too_large(real.arm.integration, samples, 2 * bytes_per_sample(real.model), "or a shorter duration")
     if not real.model.coordinates:
-        expected, mend = "a joint that moves or a link that bends", "unlock a joint, or give a beam functions"
-        raise InputError("joints", "an arm in which nothing moves or bends", expected, mend)
+        expected, hint = "a joint that moves or a link that bends", "unlock a joint, or give a beam functions"
+        raise InputError("joints", "an arm in which nothing moves or bends", expected, hint)
     spectrum = closed_loop_spectrum(real)
     given = real.arm.integration
     real, pair, why = _with_method(real, pair, spectrum)
@@ -81,7 +81,7 @@ def simulate_arm(
     real = replace(real, otherwise=later)
     rows = None
     if controller is None:
-        trajectory = run_arm_regime(real, lambda share: progress("real arm", share), journals("real"), until, stops)
+        trajectory = run_trajectory(real, lambda share: progress("real arm", share), journals("real"), until, stops)
     else:
         real = driven_by(real)
         own = arm_stops(real, tuple(stop))  # states of a run without the sheet's control are shorter
@@ -99,25 +99,25 @@ def simulate_arm(
 
 
 def _reference(
-    pair: ArmPair,
+    pair: RobotPair,
     later: Integration | None,
     progress: Progress,
     journals: Callable[[str], Journal | None],
     warnings: list[str],
-) -> tuple[ArmRun | None, float | None]:
+) -> tuple[RunData | None, float | None]:
     """The reference run, and the time [s] at which the real one must end to be compared with it (None: its own end)."""
     if any(drive.command is Command.POSITION for drive in pair.nominal.drives):
-        nominal = arm_regime(pair.nominal, Follow.WANTED)
+        nominal = run_setup(pair.nominal, Follow.WANTED)
         jumping = jumps(nominal)
         if jumping:
             warnings.append(f"no reference run: {jumping}, which no motor can follow exactly")
             return None, None
     elif pair.nominal.real:
-        nominal = arm_regime(pair.nominal)
+        nominal = run_setup(pair.nominal)
     else:
         return None, None
     nominal = replace(nominal, otherwise=later)
-    done = run_arm_regime(nominal, lambda share: progress("reference", share), journals("reference"))
+    done = run_trajectory(nominal, lambda share: progress("reference", share), journals("reference"))
     run = gathered(nominal, done)
     run = replace(run, warnings=tuple(run_warnings(run)))
     if done.status == "finished":
@@ -126,14 +126,14 @@ def _reference(
     return run, 0.0 if done.status == "interrupted" else float(done.times[-1])
 
 
-def _until(reference: ArmRun, end: float) -> ArmRun:
+def _until(reference: RunData, end: float) -> RunData:
     """The reference run to an earlier end [s], so that it has a sample there."""
     assert reference.regime is not None  # noqa: S101
-    run = gathered(reference.regime, run_arm_regime(reference.regime, until=end))
+    run = gathered(reference.regime, run_trajectory(reference.regime, until=end))
     return replace(run, warnings=tuple(run_warnings(run)))
 
 
-def closed_loop_spectrum(regime: ArmRegime) -> Spectrum:
+def closed_loop_spectrum(regime: RunSetup) -> Spectrum:
     """Eigenvalues of the arm under its drives at its start, exact derivatives, and the coordinate where each lives."""
     model = regime.model
     matrix = model.jacobian(0.0, regime.start, regime.first_row)
@@ -156,15 +156,15 @@ def closed_loop_spectrum(regime: ArmRegime) -> Spectrum:
     return Spectrum(values.astype(complex), tuple(homes[int(k)] for k in largest))
 
 
-def _with_method(regime: ArmRegime, pair: ArmPair, spectrum: Spectrum) -> tuple[ArmRegime, ArmPair, str]:
+def _with_method(regime: RunSetup, pair: RobotPair, spectrum: Spectrum) -> tuple[RunSetup, RobotPair, str]:
     """The same with an integrator chosen, and why it was."""
     settings = regime.arm.integration
     method, why = chosen_method(settings, spectrum.highest)
 
-    def by(arm: Arm) -> Arm:
+    def by(arm: Robot) -> Robot:
         return arm.model_copy(update={"integration": arm.integration.chosen(method)})
 
-    return replace(regime, arm=by(regime.arm)), ArmPair(by(pair.nominal), by(pair.real)), why
+    return replace(regime, arm=by(regime.arm)), RobotPair(by(pair.nominal), by(pair.real)), why
 
 
 def _cause(verdict: StepVerdict, warnings: list[str]) -> str:

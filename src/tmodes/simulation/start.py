@@ -10,7 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, SimulationError
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.simulation.error_estimate import with_error
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, Planned, initial_value, planned, starts_at_rest
@@ -19,21 +19,21 @@ from tmodes.simulation.trajectory import Journal, Trajectory, integrate
 
 if TYPE_CHECKING:
     from tmodes.integrate.settings import Integration
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
-__all__ = ["ArmRegime", "arm_regime", "first_state", "run_arm_regime"]
+__all__ = ["RunSetup", "first_state", "run_setup", "run_trajectory"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class ArmRegime:
+class RunSetup:
     """An arm and all that moves it: its plan, its model in the run, and the state (size,) from which it starts.
 
     ``otherwise``: the settings to go on with where the motion turns out stiff; None: those of the arm to the end.
     """
 
-    arm: Arm
+    arm: Robot
     planned: Planned
     model: LoopModel
     start: Array
@@ -45,7 +45,7 @@ class ArmRegime:
         return self.planned.schedule.rows_at(np.zeros(1))[0]
 
 
-def arm_regime(arm: Arm, follow: Follow = Follow.SHEET) -> ArmRegime:
+def run_setup(arm: Robot, follow: Follow = Follow.SHEET) -> RunSetup:
     """An arm ready to run.
 
     Raises :class:`tmodes.errors.InputError` for what cannot be run, and :class:`tmodes.errors.SimulationError` where
@@ -61,10 +61,10 @@ def arm_regime(arm: Arm, follow: Follow = Follow.SHEET) -> ArmRegime:
             f"no acceleration at the start: got {rate[model.layout.v][bad[0]]} in coordinate "
             f"{model.coordinates[bad[0]]}; expected a number. Mend: give what it moves a mass and an inertia"
         )
-    return ArmRegime(arm, plan, model, start)
+    return RunSetup(arm, plan, model, start)
 
 
-def first_state(arm: Arm, plan: Planned, model: LoopModel) -> Array:
+def first_state(arm: Robot, plan: Planned, model: LoopModel) -> Array:
     """The state at time 0: at rest under the first commands, or undeformed; given coordinates and rates on top."""
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)
@@ -74,13 +74,13 @@ def first_state(arm: Arm, plan: Planned, model: LoopModel) -> Array:
     state[layout.q] = _rest(arm, plan, held) if starts_at_rest(arm) else _undeformed(names, held)
     motors = {name.removesuffix(".motor"): name for name in names if name.endswith(".motor")}
     for group, block in (("coordinates", layout.q), ("rates", layout.v)):
-        told: Mapping[str, float] = getattr(arm.initial, group)
-        for name, value in told.items():
+        info: Mapping[str, float] = getattr(arm.initial, group)
+        for name, value in info.items():
             if name not in names:
                 known = ", ".join(names[:8]) + ("..." if len(names) > 8 else "")
                 raise InputError(f"initial.{group}.{name}", "an unknown coordinate", f"one of {known}", "correct it")
             state[block][names.index(name)] = value
-            if group == "rates" and name in motors and motors[name] not in told:
+            if group == "rates" and name in motors and motors[name] not in info:
                 state[block][names.index(motors[name])] = value
     for driver in model.loop.drivers:
         if driver.plan.servo is None:
@@ -89,10 +89,10 @@ def first_state(arm: Arm, plan: Planned, model: LoopModel) -> Array:
     return state
 
 
-def _rest(arm: Arm, plan: Planned, held: Mapping[str, float]) -> Array:
+def _rest(arm: Robot, plan: Planned, held: Mapping[str, float]) -> Array:
     from tmodes.analysis.statics.rest import arm_rest
 
-    return arm_rest(arm, model=ArmModel(plan.chain), held=held).q
+    return arm_rest(arm, model=Model(plan.chain), held=held).q
 
 
 def _undeformed(names: tuple[str, ...], held: Mapping[str, float]) -> Array:
@@ -100,8 +100,8 @@ def _undeformed(names: tuple[str, ...], held: Mapping[str, float]) -> Array:
     return np.array([held.get(name, held.get(f"{name}.motor", 0.0)) for name in names])
 
 
-def run_arm_regime(
-    regime: ArmRegime,
+def run_trajectory(
+    regime: RunSetup,
     progress: Callable[[float], None] = lambda share: None,
     journal: Journal | None = None,
     until: float | None = None,

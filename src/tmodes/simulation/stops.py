@@ -68,10 +68,10 @@ class Stop:
         """A value with its unit."""
         return f"{value:.9g} {self.quantity.unit}".removesuffix(" -")
 
-    def told(self, time: float, before: float, value: float) -> str:
+    def info(self, time: float, before: float, value: float) -> str:
         """Sentence of a run that it ended at a time [s]: its value just before and there, where they differ."""
-        told, was = self.shown(value), self.shown(before)
-        side = f"reaches {told}" if told == was else f"jumps from {was} to {told}"
+        info, was = self.shown(value), self.shown(before)
+        side = f"reaches {info}" if info == was else f"jumps from {was} to {info}"
         return f"ended at t = {time:.9g} s: stop condition `{self.text}`, {self.name} {side}"
 
 
@@ -109,18 +109,18 @@ def resolved(texts: Iterable[str], known: Mapping[str, Quantity], which: str = "
 
 
 def _resolved(text: str, known: Mapping[str, Quantity], which: str) -> Stop:
-    told = Condition.parsed(text, which)
-    quantity = known.get(told.name)
+    info = Condition.parsed(text, which)
+    quantity = known.get(info.name)
     if quantity is None:
-        raise _unknown(told.name, known, which)
+        raise _unknown(info.name, known, which)
     try:
-        limit = number(told.value, quantity.unit)
+        limit = number(info.value, quantity.unit)
     except NotANumber as error:
         unit = f"a number in {quantity.unit}" if quantity.unit != "-" else "a number without a unit"
-        raise InputError(which, error.got, f"{unit}, that of {told.name}", error.mend) from None
+        raise InputError(which, error.got, f"{unit}, that of {info.name}", error.hint) from None
     if not np.isfinite(limit):
         raise InputError(which, "an infinite value", "a finite one, which can be passed", "leave the condition out")
-    return Stop(text, told.quantity, quantity, limit, told.above, told.size)
+    return Stop(text, info.quantity, quantity, limit, info.above, info.size)
 
 
 def _unknown(name: str, known: Mapping[str, Quantity], which: str) -> InputError:
@@ -128,5 +128,5 @@ def _unknown(name: str, known: Mapping[str, Quantity], which: str) -> InputError
     close = nearest(name, known) or next((other for other in known if other.rpartition(".")[2] == last), None)
     names = sorted(known, key=lambda other: (not other.startswith(name.partition(".")[0]), other))
     more = ", ..." if len(names) > _SHOWN else ""
-    mend = f"did you mean `{close}`?" if close else "write one of these names"
-    return InputError(which, f"the unknown name {name!r}", f"one of {', '.join(names[:_SHOWN])}{more}", mend)
+    hint = f"did you mean `{close}`?" if close else "write one of these names"
+    return InputError(which, f"the unknown name {name!r}", f"one of {', '.join(names[:_SHOWN])}{more}", hint)

@@ -9,8 +9,8 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.validity import energy_sentence
 from tmodes.sheet.contact import ContactLaw, ContactSheet
-from tmodes.simulation.motion_run import ArmRun
-from tmodes.simulation.start import ArmRegime
+from tmodes.simulation.motion_run import RunData
+from tmodes.simulation.start import RunSetup
 
 __all__ = ["jumps", "run_warnings", "start_warnings"]
 
@@ -27,18 +27,18 @@ _OFF = 1e-3
 """Distance [m] from a surface that holds a point, from which on it is told."""
 
 
-def start_warnings(regime: ArmRegime) -> list[str]:
+def start_warnings(regime: RunSetup) -> list[str]:
     """What is odd before anything moves."""
-    told = [f"joint {name} has no drive: it is held where it starts" for name in regime.planned.undriven]
+    info = [f"joint {name} has no drive: it is held where it starts" for name in regime.planned.undriven]
     jumping = jumps(regime)
     if jumping:
-        told.append(f"{jumping}: its impulse on the arm is left out")
+        info.append(f"{jumping}: its impulse on the arm is left out")
     if regime.arm.contact:
-        told += _touching(regime, regime.arm.contact)
-    return told
+        info += _touching(regime, regime.arm.contact)
+    return info
 
 
-def _touching(regime: ArmRegime, sheet: ContactSheet) -> Iterator[str]:
+def _touching(regime: RunSetup, sheet: ContactSheet) -> Iterator[str]:
     seen = regime.model.observe(np.zeros(1), regime.start, regime.first_row)["contact"][0]
     if sheet.mass > 0 and sheet.friction > 0:
         yield "friction of the contact is taken from its spring, damper and preload, without the surface's inertia"
@@ -49,7 +49,7 @@ def _touching(regime: ArmRegime, sheet: ContactSheet) -> Iterator[str]:
         yield f"the point starts {depth:.3g} m off the surface that holds it: a force of {normal:.3g} N at once"
 
 
-def jumps(regime: ArmRegime) -> str:
+def jumps(regime: RunSetup) -> str:
     """The first jump of a position or its rate that a rigid drive or the base would have to make; empty without any.
 
     What counts is measured by the largest position, or rate, within the pieces: at its ends a move may be at rest.
@@ -87,14 +87,14 @@ def _values(powers: Array, times: Array) -> Array:
 _WAYS = ("x", "y", "z", "roll", "pitch", "yaw")
 
 
-def run_warnings(run: ArmRun) -> list[str]:
+def run_warnings(run: RunData) -> list[str]:
     """Limits passed, and energy that does not add up, with the first time and the worst value."""
-    tolerance, mend = run.arm.integration.energy_tolerance, "lower integration.relative_tolerance or integration.step"
-    energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, mend)
+    tolerance, hint = run.arm.integration.energy_tolerance, "lower integration.relative_tolerance or integration.step"
+    energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, hint)
     return [*([energy] if energy else []), *_limits(run)]
 
 
-def _limits(run: ArmRun) -> Iterator[str]:
+def _limits(run: RunData) -> Iterator[str]:
     for joint in run.arm.joints:
         limits = joint.limits
         if limits is None or joint.name not in run.coordinates:

@@ -76,10 +76,10 @@ class WatchedRun:
     def _seen(self, first: _Points) -> _Points:
         """What the loop wrote, after the point where it began. At a jump of the input both sides have a point."""
         count, width = int(self.run.seen[0]), len(SEEN) + len(self.run.state)
-        told = self.run.seen[1 : 1 + count * width].reshape(count, width)
-        times = np.concatenate([first.times, told[:, 0]])
-        segments = np.concatenate([first.segments, told[:, 1].astype(np.int64)])
-        states = np.concatenate([first.states, told[:, len(SEEN) :]])
+        info = self.run.seen[1 : 1 + count * width].reshape(count, width)
+        times = np.concatenate([first.times, info[:, 0]])
+        segments = np.concatenate([first.segments, info[:, 1].astype(np.int64)])
+        states = np.concatenate([first.states, info[:, len(SEEN) :]])
         jumps = np.flatnonzero(np.diff(segments))
         order = np.sort(np.concatenate([np.arange(len(times)), jumps]))
         later = np.insert(segments, jumps + 1, segments[jumps + 1])
@@ -159,11 +159,11 @@ class WatchedRun:
         run, after = self.run, _kept(self.run)
         _put(run, start)
         states = np.zeros((len(times), len(run.state)))
-        told = run.arguments(1) | {
+        info = run.arguments(1) | {
             "times": times, "out": states, "errors_out": np.zeros_like(states), "samples": len(times)
         }  # fmt: skip
         run.memory[CELLS.index("sample")] = 0.0
-        run.loop(*(value if isinstance(value, int) else value.ctypes.data for value in told.values()))
+        run.loop(*(value if isinstance(value, int) else value.ctypes.data for value in info.values()))
         _put(run, after)
         return _Points(times, np.full(len(times), segment), states)
 
@@ -189,8 +189,8 @@ class WatchedRun:
         if run.status is not Status.STOPPED_BY_CONDITION:
             return run.end()
         stop = self.stops.stops[int(self.ended[0])]
-        told = stop.told(run.cell("t"), *self.ended[1:]) + run.change.words(run.cell("stiff_time"))
-        return run.trajectory(STOPPED, told)
+        info = stop.info(run.cell("t"), *self.ended[1:]) + run.change.words(run.cell("stiff_time"))
+        return run.trajectory(STOPPED, info)
 
     def record(self) -> dict[str, Array]:
         """All that the run needs to go on."""

@@ -38,8 +38,8 @@ def plain_name(name: str, endings: tuple[str, ...]) -> str:
     Raises :class:`tmodes.errors.InputError` for paths, hidden files and other endings.
     """
     if not NAME.fullmatch(name) or RESERVED.match(name) or name.endswith((" ", ".")):
-        mend = "use letters, digits, spaces and . _ + - ( ) ' alone, without a folder"
-        raise InputError("file name", shown(name), "the plain name of a file", mend)
+        hint = "use letters, digits, spaces and . _ + - ( ) ' alone, without a folder"
+        raise InputError("file name", shown(name), "the plain name of a file", hint)
     if Path(name).suffix.lower() not in endings:
         raise InputError("file name", shown(name), f"a name that ends with {' or '.join(endings)}", "add the ending")
     return name
@@ -68,8 +68,8 @@ class WorkingFolder:
         """The path of a file of the folder; raises :class:`tmodes.errors.InputError` for anything else."""
         path = self.path / plain_name(name, ROBOT_ENDINGS)
         if not _is_plain_file(path):
-            mend = "choose one of the list; links are not followed"
-            raise InputError("file name", shown(name), "a file of the working folder", mend)
+            hint = "choose one of the list; links are not followed"
+            raise InputError("file name", shown(name), "a file of the working folder", hint)
         return path
 
     def save(self, name: str, text: str, *, overwrite: bool) -> Path:
@@ -87,8 +87,8 @@ class WorkingFolder:
                 temporary.write_text(text, encoding="utf-8", newline="\n")
         except ResultFileError as error:
             if isinstance(error.__cause__, FileExistsError):
-                got, expected, mend = "a study that exists", "a new name", "replace it, or choose another name"
-                raise NameTaken(f"{name}: got {got}; expected {expected}. Mend: {mend}") from None
+                got, expected, hint = "a study that exists", "a new name", "replace it, or choose another name"
+                raise NameTaken(f"{name}: got {got}; expected {expected}. Mend: {hint}") from None
             raise ResultFileError(str(error).replace(shown_path(path), name)) from None
         return path
 

@@ -8,7 +8,7 @@ from collections.abc import Mapping
 from typing import Any
 from urllib.parse import parse_qs
 
-from tmodes.studio.messages import told_error
+from tmodes.studio.messages import info_error
 
 __all__ = ["MOST_BODY", "Guard"]
 
@@ -54,10 +54,10 @@ class Guard:
             return
         if self._token_in_address(scope):
             answer.more = [(b"set-cookie", self._new_cookie())]
-        told = headers.get("content-length", "")
-        body = None if told.isdecimal() and int(told[:15]) > MOST_BODY else await _whole_body(receive)
+        info = headers.get("content-length", "")
+        body = None if info.isdecimal() and int(info[:15]) > MOST_BODY else await _whole_body(receive)
         if body is None:
-            too_large = told_error(
+            too_large = info_error(
                 "body", "too much was sent", f"more than {MOST_BODY:,} bytes", f"at most {MOST_BODY:,} bytes"
             )
             await answer.error(413, too_large)
@@ -67,15 +67,15 @@ class Guard:
     def _refusal(self, scope: Mapping[str, Any], headers: Mapping[str, str]) -> tuple[int, Message] | None:
         host = headers.get("host", "").lower()
         if host not in self._hosts:
-            return 421, told_error("host", "a name that is not this studio's", host[:80], " or ".join(self._hosts))
+            return 421, info_error("host", "a name that is not this studio's", host[:80], " or ".join(self._hosts))
         origin = headers.get("origin")
         if origin is not None and origin.lower() != f"http://{host}":
-            return 403, told_error("origin", "a request of another page", origin[:80], f"http://{host}")
+            return 403, info_error("origin", "a request of another page", origin[:80], f"http://{host}")
         if headers.get("sec-fetch-site", "same-origin") not in ("same-origin", "none") and scope["method"] != "GET":
-            return 403, told_error("sec-fetch-site", "a request of another page")
+            return 403, info_error("sec-fetch-site", "a request of another page")
         if not (self._token_in_address(scope) or self._known(headers)):
-            mend = "open the address that `tmodes studio` printed"
-            return 401, told_error("token", f"no token, or a wrong one. Mend: {mend}", mend=mend)
+            hint = "open the address that `tmodes studio` printed"
+            return 401, info_error("token", f"no token, or a wrong one. Mend: {hint}", hint=hint)
         return None
 
     def _token_in_address(self, scope: Mapping[str, Any]) -> bool:
@@ -132,8 +132,8 @@ class _Answer:
             message = message | {"headers": [*message.get("headers", []), *HEADERS, *self.more]}
         await self._send(message)
 
-    async def error(self, status: int, told: Message) -> None:
-        body = json.dumps({"errors": [told]}).encode()
+    async def error(self, status: int, info: Message) -> None:
+        body = json.dumps({"errors": [info]}).encode()
         headers = [(b"content-type", b"application/json"), (b"content-length", str(len(body)).encode())]
         await self.send({"type": "http.response.start", "status": status, "headers": headers})
         await self._send({"type": "http.response.body", "body": body})

@@ -9,7 +9,7 @@ from dataclasses import dataclass, field
 from typing import Any
 
 from tmodes.errors import InputError
-from tmodes.studio.messages import told_error
+from tmodes.studio.messages import info_error
 from tmodes.studio.pool import Pool, WorkerLost
 
 __all__ = ["Job", "JobBook"]
@@ -34,7 +34,7 @@ class Job:
     state: str = "waiting"
     stage: str = ""
     share: float = 0.0
-    told: dict[str, Any] = field(default_factory=dict)
+    info: dict[str, Any] = field(default_factory=dict)
     errors: list[dict[str, Any]] = field(default_factory=list)
     content: bytes = b""
     asked: float = field(default_factory=clock.monotonic)
@@ -46,9 +46,9 @@ class Job:
         """True where nothing more comes."""
         return self.state in ("done", "error", "cancelled")
 
-    def as_told(self) -> dict[str, Any]:
+    def as_info(self) -> dict[str, Any]:
         """What the page gets."""
-        names = ("state", "stage", "share", "told", "errors", "product")
+        names = ("state", "stage", "share", "info", "errors", "product")
         return {"job": self.name} | {name: getattr(self, name) for name in names}
 
     def heard(self, stage: str, share: float) -> None:
@@ -121,14 +121,14 @@ class JobBook:
     async def _run(self, job: Job, order: dict[str, Any]) -> None:
         try:
             head, job.content = await self._pool.run(order, job.client, job.heard, job.cancelled)
-            job.state, job.told, job.errors = head["kind"], head.get("told", {}), head.get("errors", [])
+            job.state, job.info, job.errors = head["kind"], head.get("info", {}), head.get("errors", [])
         except WorkerLost:
             job.state = "error"
-            mend = "simulate again; with fewer samples where the memory may have been too small"
-            job.errors = [told_error("", f"the process that simulated ended unexpectedly. Mend: {mend}", mend=mend)]
+            hint = "simulate again; with fewer samples where the memory may have been too small"
+            job.errors = [info_error("", f"the process that simulated ended unexpectedly. Mend: {hint}", hint=hint)]
         except OSError as error:
             job.state = "error"
-            job.errors = [told_error("", f"no process could be started: {error.strerror}. Mend: free some memory")]
+            job.errors = [info_error("", f"no process could be started: {error.strerror}. Mend: free some memory")]
         finally:
             job.asked = clock.monotonic()
             job.changed.set()

@@ -45,8 +45,8 @@ class Shelf:
         try:
             return Path(tempfile.mkdtemp(prefix="tmodes-upload-", dir=self._place))
         except OSError as error:
-            expected, mend = "room in the temporary folder", "free some space"
-            raise InputError("files", str(error.strerror), expected, mend) from None
+            expected, hint = "room in the temporary folder", "free some space"
+            raise InputError("files", str(error.strerror), expected, hint) from None
 
     def keep(self, room: Path, main: Path, roots: Sequence[Path]) -> str:
         """Keep a room; the name under which its looks can be asked for, which nobody can guess."""

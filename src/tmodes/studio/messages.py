@@ -11,7 +11,7 @@ from tmodes.io.mesh_paths import ALLOW
 from tmodes.io.urdf_shapes import Unseen
 from tmodes.studio.folder import NameTaken
 
-__all__ = ["as_sent", "told_error", "told_errors", "told_unseen"]
+__all__ = ["as_sent", "info_error", "info_errors", "info_unseen"]
 
 MOST = 100
 
@@ -19,38 +19,38 @@ FOLDER = "choose the folder that holds them both"
 """How a page lets a file lie elsewhere."""
 
 
-def told_errors(error: TmodesError, data: Any = None) -> list[dict[str, Any]]:
+def info_errors(error: TmodesError, data: Any = None) -> list[dict[str, Any]]:
     """Each wrong value of an error as plain data; ``data`` is the sheet in which their paths lead.
 
     ``steps`` are the keys and numbers of the path in the plain data, None where it leads nowhere; ``where`` is the file
     and line. Errors of one sentence have only a ``message``.
     """
     if isinstance(error, InputErrors):
-        return [_told(one, data) for one in error.errors[:MOST]]
+        return [_info(one, data) for one in error.errors[:MOST]]
     if isinstance(error, InputError):
-        return [_told(error, data)]
-    return [told_error("", str(error)) | {"kind": "exists" if isinstance(error, NameTaken) else ""}]
+        return [_info(error, data)]
+    return [info_error("", str(error)) | {"kind": "exists" if isinstance(error, NameTaken) else ""}]
 
 
-def told_error(path: str, message: str, got: str = "", expected: str = "", mend: str = "") -> dict[str, Any]:
+def info_error(path: str, message: str, got: str = "", expected: str = "", hint: str = "") -> dict[str, Any]:
     """One error as plain data; its ``kind`` is empty but for what a page offers a button for."""
-    return {"path": path, "message": message, "got": got, "expected": expected, "mend": mend, "where": "",
+    return {"path": path, "message": message, "got": got, "expected": expected, "hint": hint, "where": "",
             "steps": None, "kind": ""}  # fmt: skip
 
 
-def told_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Sequence[str]) -> list[dict[str, Any]]:
+def info_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Sequence[str]) -> list[dict[str, Any]]:
     """Why shapes of links are not shown, each at its link of the sheet's plain ``data``; ``roots`` are not told."""
     found = []
     for reason in reasons:
         error = reason.error if isinstance(reason, Unseen) else reason
         if isinstance(error, InputError):
             error = as_sent(error, roots)
-        [told, *_] = told_errors(error, data)
-        path = told["path"]
+        [info, *_] = info_errors(error, data)
+        path = info["path"]
         if isinstance(reason, Unseen):  # a damaged file is told at the link that shows it
-            path, told["where"] = f"links.{reason.link}", told["where"] or path
-        message = f"a shape is not shown: {told['message']}"
-        found.append(told | {"path": path, "message": message, "steps": _steps(path, data)})
+            path, info["where"] = f"links.{reason.link}", info["where"] or path
+        message = f"a shape is not shown: {info['message']}"
+        found.append(info | {"path": path, "message": message, "steps": _steps(path, data)})
     return found[:MOST]
 
 
@@ -62,14 +62,14 @@ def as_sent(error: InputError, roots: Sequence[str]) -> InputError:
             text = text.replace(f"{root}{os.sep}", "").replace(root, "the folder of the robot's file")
         return text
 
-    mend = own(error.mend).replace(ALLOW, FOLDER).replace("or give --root", "or choose that file too")
-    return InputError(own(error.which), own(error.got), own(error.expected), mend, own(error.where))
+    hint = own(error.hint).replace(ALLOW, FOLDER).replace("or give --root", "or choose that file too")
+    return InputError(own(error.which), own(error.got), own(error.expected), hint, own(error.where))
 
 
-def _told(error: InputError, data: Any) -> dict[str, Any]:
+def _info(error: InputError, data: Any) -> dict[str, Any]:
     message = f"got {error.got}; expected {error.expected}"
-    told = told_error(error.which, message, error.got, error.expected, error.mend)
-    return told | {"where": error.where, "steps": _steps(error.which, data)}
+    info = info_error(error.which, message, error.got, error.expected, error.hint)
+    return info | {"where": error.where, "steps": _steps(error.which, data)}
 
 
 def _steps(path: str, data: Any) -> list[str | int] | None:

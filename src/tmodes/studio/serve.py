@@ -101,16 +101,16 @@ def _in_address(host: str) -> str:
 
 def _listening(host: str, port: int) -> socket.socket:
     try:
-        told = ipaddress.ip_address(host)
-        if told.is_unspecified:
+        info = ipaddress.ip_address(host)
+        if info.is_unspecified:
             raise ValueError("it names every address at once: name the one that others use")
-        family = socket.AF_INET6 if told.version == 6 else socket.AF_INET
+        family = socket.AF_INET6 if info.version == 6 else socket.AF_INET
         found = socket.socket(family, socket.SOCK_STREAM)
         found.setsockopt(socket.SOL_SOCKET, socket.SO_REUSEADDR, 1)
         found.bind((host, port))
     except (OSError, ValueError, OverflowError) as error:
         got = f"{host}, port {port} ({getattr(error, 'strerror', None) or error})"
-        mend = "leave --host out for this machine alone; --port 0 takes any port that is free"
-        raise InputError("--host and --port", got, "an address of this machine and a free port", mend) from None
+        hint = "leave --host out for this machine alone; --port 0 takes any port that is free"
+        raise InputError("--host and --port", got, "an address of this machine and a free port", hint) from None
     found.listen(128)
     return found

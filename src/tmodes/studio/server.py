@@ -16,14 +16,14 @@ from starlette.concurrency import run_in_threadpool
 
 from tmodes.errors import InputError, ResultFileError, TmodesError
 from tmodes.io.words import shown
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 from tmodes.studio import sheets
 from tmodes.studio.folder import WorkingFolder
 from tmodes.studio.guard import Guard
 from tmodes.studio.jobs import JobBook
 from tmodes.studio.looks import Shelf, source_of
-from tmodes.studio.messages import told_error, told_errors
+from tmodes.studio.messages import info_error, info_errors
 from tmodes.studio.page import add_page
 from tmodes.studio.pool import Pool
 from tmodes.studio.requests import body_of, word_of
@@ -88,25 +88,25 @@ async def _explained(request: Request, error: Exception) -> Response:
     """Errors of ours as JSON: 422 for wrong input, 409 for a file that cannot be written."""
     assert isinstance(error, TmodesError)  # noqa: S101
     status = 409 if isinstance(error, ResultFileError) else 422
-    return _json({"errors": told_errors(error, getattr(request.state, "sheet", None))}, status)
+    return _json({"errors": info_errors(error, getattr(request.state, "sheet", None))}, status)
 
 
 async def _not_found(request: Request, error: Exception) -> Response:
     del error
-    return _json({"errors": [told_error("address", f"there is nothing at {request.url.path[:80]}")]}, 404)
+    return _json({"errors": [info_error("address", f"there is nothing at {request.url.path[:80]}")]}, 404)
 
 
 async def _too_deep(request: Request, error: Exception) -> Response:
     del request, error
-    return _json({"errors": [told_error("body", "too many levels", expected="a data sheet")]}, 422)
+    return _json({"errors": [info_error("body", "too many levels", expected="a data sheet")]}, 422)
 
 
 async def _no_value(request: Request, error: Exception) -> Response:
     """A value of the address that is none, as FastAPI finds it."""
     del request
     assert isinstance(error, RequestValidationError)  # noqa: S101
-    told = [(str(one["loc"][-1]), shown(one["input"]), one["msg"]) for one in error.errors()]
-    return _json({"errors": [told_error(path, why, got) for path, got, why in told]}, 422)
+    info = [(str(one["loc"][-1]), shown(one["input"]), one["msg"]) for one in error.errors()]
+    return _json({"errors": [info_error(path, why, got) for path, got, why in info]}, 422)
 
 
 def _json(value: Any, status: int = 200) -> Response:
@@ -119,14 +119,14 @@ async def _checked(request: Request, data: dict[str, Any]) -> Any:
     return await run_in_threadpool(sheets.checked_sheet, data.get("sheet"))
 
 
-async def _told(read: Callable[[], tuple[Robot | Arm, str]]) -> Response:
+async def _info(read: Callable[[], tuple[PaperRobot | Robot, str]]) -> Response:
     """What the page gets of a sheet that is read, and where its looks come from."""
 
-    def told() -> dict[str, Any]:
+    def info() -> dict[str, Any]:
         sheet, looks = read()
-        return sheets.told_sheet(sheet) | {"looks": looks}
+        return sheets.info_sheet(sheet) | {"looks": looks}
 
-    return _json(await run_in_threadpool(told))
+    return _json(await run_in_threadpool(info))
 
 
 def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
@@ -142,7 +142,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
     async def robot(name: str) -> Response:
         if name not in {one["name"] for one in await run_in_threadpool(sheets.catalogue)}:
             raise InputError("robot", repr(name[:60]), "a published robot", "choose one of the list")
-        return await _told(lambda: (sheets.loaded(name), f"robot:{name}"))
+        return await _info(lambda: (sheets.loaded(name), f"robot:{name}"))
 
     @app.get("/api/schemas/{kind}")
     async def schema(kind: str) -> Response:
@@ -151,7 +151,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
     @app.post("/api/check")
     async def check(request: Request) -> Response:
         sheet = await _checked(request, await body_of(request))
-        return _json(await run_in_threadpool(sheets.told_sheet, sheet))
+        return _json(await run_in_threadpool(sheets.info_sheet, sheet))
 
     @app.post("/api/yaml")
     async def yaml(request: Request) -> Response:
@@ -161,7 +161,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
     @app.post("/api/upload")
     async def upload(request: Request) -> Response:
         data = await body_of(request)
-        return await _told(lambda: uploaded(data.get("files"), shelf))
+        return await _info(lambda: uploaded(data.get("files"), shelf))
 
 
 def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
@@ -172,7 +172,7 @@ def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
     @app.get("/api/studies/{name:path}")
     async def study(name: str) -> Response:
         path = folder.existing(name)
-        return await _told(lambda: (sheets.loaded(path, (folder.path,)), shelf.looks_of(name)))
+        return await _info(lambda: (sheets.loaded(path, (folder.path,)), shelf.looks_of(name)))
 
     @app.put("/api/studies/{name:path}")
     async def save(name: str, request: Request) -> Response:
@@ -195,20 +195,20 @@ def _add_jobs(app: FastAPI, book: JobBook, folder: WorkingFolder, shelf: Shelf) 
             raise InputError("product", repr(product), f"one of {', '.join(PRODUCTS)}", "ask for one of them")
         source = source_of(data.get("looks"), folder, shelf)
         order = {"product": product, "sheet": data.get("sheet"), "looks": source and source._asdict()}
-        return _json(book.begin(order, word_of(data, "client")).as_told())
+        return _json(book.begin(order, word_of(data, "client")).as_info())
 
     @app.get("/api/jobs/{name}")
     async def look(name: str, wait: Wait = 0.0) -> Response:
         job = book.find(name)
         await book.wait(job, min(max(wait, 0.0), LONGEST_WAIT))
-        return _json(job.as_told())
+        return _json(job.as_info())
 
     @app.delete("/api/jobs/{name}")
     async def cancel(name: str) -> Response:
         job = book.find(name)
         book.cancel(job)
         await book.wait(job, LONGEST_WAIT)
-        return _json(job.as_told())
+        return _json(job.as_info())
 
     @app.get("/api/jobs/{name}/content")
     async def content(name: str) -> Response:

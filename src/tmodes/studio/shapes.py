@@ -9,12 +9,12 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import TmodesError
 from tmodes.studio.looks import GONE
-from tmodes.studio.messages import told_error, told_unseen
+from tmodes.studio.messages import info_error, info_unseen
 
 if TYPE_CHECKING:
     from tmodes.io.urdf_shapes import LinkShape
-    from tmodes.result import ArmResult
-    from tmodes.result.record import Result
+    from tmodes.result import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["Shapes"]
 
@@ -50,7 +50,7 @@ class Shapes:
         """What tells these surfaces from others."""
         return self._key
 
-    def on(self, result: Result | ArmResult) -> Result | ArmResult:
+    def on(self, result: PaperResult | Result) -> PaperResult | Result:
         """The result with the surfaces of its links, as ``tmodes run`` keeps them."""
         from tmodes.report.meshes import with_few_shapes
 
@@ -59,9 +59,9 @@ class Shapes:
     def unseen(self, data: Any) -> list[dict[str, Any]]:
         """What cannot be shown, as the page tells it at the links of the sheet's plain ``data``."""
         if self._source.get("file") == GONE:
-            mend = "upload them again"
-            return [told_error("", "the shapes of this upload are not kept any more", mend=mend)]
-        return told_unseen(self._why, data, self._source.get("roots", ()))
+            hint = "upload them again"
+            return [info_error("", "the shapes of this upload are not kept any more", hint=hint)]
+        return info_unseen(self._why, data, self._source.get("roots", ()))
 
 
 def _changed(file: str) -> int:

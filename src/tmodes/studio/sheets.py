@@ -9,11 +9,11 @@ from typing import Any
 
 from tmodes.errors import InputError
 from tmodes.io.check import robot_from_data
-from tmodes.io.sheet_check import arm_data, arm_from_data
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.io.sheet_check import sheet_data, sheet_from_data
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 
-__all__ = ["catalogue", "checked_sheet", "loaded", "plain_sheet", "schema_of", "sheet_yaml", "told_sheet", "units_of"]
+__all__ = ["catalogue", "checked_sheet", "info_sheet", "loaded", "plain_sheet", "schema_of", "sheet_yaml", "units_of"]
 
 MOST_BYTES = 300_000_000
 """Largest result that is simulated for the page [bytes]."""
@@ -47,21 +47,21 @@ def schema_of(kind: str) -> dict[str, Any]:
     return arm_json_schema() if kind == "arm" else json_schema()
 
 
-def checked_sheet(data: Any) -> Robot | Arm:
+def checked_sheet(data: Any) -> PaperRobot | Robot:
     """The checked sheet of plain data; raises :class:`tmodes.errors.InputErrors` with every wrong value."""
-    return arm_from_data(data) if isinstance(data, dict) and "kind" in data else robot_from_data(data)
+    return sheet_from_data(data) if isinstance(data, dict) and "kind" in data else robot_from_data(data)
 
 
-def loaded(name_or_path: str | Path, roots: tuple[Path, ...] = ()) -> Robot | Arm:
+def loaded(name_or_path: str | Path, roots: tuple[Path, ...] = ()) -> PaperRobot | Robot:
     """A published sheet, or that of a file; the errors are those of :func:`tmodes.robots.load.load_sheet`."""
     from tmodes.robots.load import load_sheet
 
     return load_sheet(name_or_path, roots=roots)
 
 
-def plain_sheet(sheet: Robot | Arm) -> dict[str, Any]:
+def plain_sheet(sheet: PaperRobot | Robot) -> dict[str, Any]:
     """The plain data of a sheet as JSON can hold it, infinite numbers as ``.inf``: reading it gives the same sheet."""
-    return _finite(arm_data(sheet) if isinstance(sheet, Arm) else sheet.model_dump(mode="json"))
+    return _finite(sheet_data(sheet) if isinstance(sheet, Robot) else sheet.model_dump(mode="json"))
 
 
 def _finite(value: Any) -> Any:
@@ -72,23 +72,23 @@ def _finite(value: Any) -> Any:
     return ".inf" if value == math.inf else value
 
 
-def sheet_yaml(sheet: Robot | Arm) -> str:
+def sheet_yaml(sheet: PaperRobot | Robot) -> str:
     """The sheet as YAML, with units and meanings."""
     from tmodes.io.sheet_write import arm_to_yaml
     from tmodes.io.write import robot_to_yaml
 
-    return arm_to_yaml(sheet) if isinstance(sheet, Arm) else robot_to_yaml(sheet)
+    return arm_to_yaml(sheet) if isinstance(sheet, Robot) else robot_to_yaml(sheet)
 
 
-def told_sheet(sheet: Robot | Arm) -> dict[str, Any]:
+def info_sheet(sheet: PaperRobot | Robot) -> dict[str, Any]:
     """What the page gets of a right sheet: its data, units by path, sliders, and what looks implausible."""
-    from tmodes.io.doubts import doubts_about
-    from tmodes.studio.sliders import told_sliders
+    from tmodes.io.notices import notices_about
+    from tmodes.studio.sliders import info_sliders
 
     data = plain_sheet(sheet)
-    kind = "arm" if isinstance(sheet, Arm) else "robot"
-    told = {"units": units_of(data), "sliders": told_sliders(sheet, data), "warnings": doubts_about(sheet)}
-    return {"kind": kind, "name": sheet.name, "sheet": data, **told}
+    kind = "arm" if isinstance(sheet, Robot) else "robot"
+    info = {"units": units_of(data), "sliders": info_sliders(sheet, data), "warnings": notices_about(sheet)}
+    return {"kind": kind, "name": sheet.name, "sheet": data, **info}
 
 
 def units_of(data: Any) -> dict[str, str]:

@@ -10,9 +10,9 @@ from typing import Any, NamedTuple
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import shown
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.robots.load import urdf_of
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.studio.folder import LONGEST_NAME, NAME, SIGNS
 from tmodes.studio.lay_out import lay_out
 from tmodes.studio.looks import Shelf
@@ -33,7 +33,7 @@ MOST_DEPTH = 6
 class Uploaded(NamedTuple):
     """The checked sheet of an upload, and where its looks are: the name that a :class:`Shelf` knows, or nothing."""
 
-    sheet: Robot | Arm
+    sheet: PaperRobot | Robot
     looks: str
 
 
@@ -104,9 +104,9 @@ def _checked_name(file: Any) -> str:
     name = file.get("name") if isinstance(file, Mapping) else None
     parts = PurePosixPath(name).parts if isinstance(name, str) else ()
     if len(parts) > MOST_DEPTH:
-        mend = "choose the folder of the robot itself, or the files without their folders"
+        hint = "choose the folder of the robot itself, or the files without their folders"
         raise InputError(
-            "files", f"the name {shown(name)}, {len(parts) - 1} folders deep", f"at most {MOST_DEPTH - 1}", mend
+            "files", f"the name {shown(name)}, {len(parts) - 1} folders deep", f"at most {MOST_DEPTH - 1}", hint
         )
     if not parts or not all(NAME.fullmatch(part) and part != ".." for part in parts):
         got, expected = (

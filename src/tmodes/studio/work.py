@@ -11,14 +11,14 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.studio.shapes import Shapes
 from tmodes.studio.sheets import MOST_BYTES, checked_sheet, plain_sheet
 
 if TYPE_CHECKING:
-    from tmodes.paper.sheet import Robot
-    from tmodes.result import ArmResult
-    from tmodes.result.record import Result
+    from tmodes.paper.sheet import PaperRobot
+    from tmodes.result import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["PRODUCTS", "Answer", "Workshop"]
 
@@ -30,14 +30,14 @@ class Answer:
     """What was asked for: its bytes, and what is told beside them."""
 
     content: bytes
-    told: dict[str, Any]
+    info: dict[str, Any]
 
 
 class Workshop:
     """Simulates sheets; the last result stays, so that its report and its data take no second run."""
 
     def __init__(self) -> None:
-        self._last: tuple[str, Result | ArmResult] | None = None
+        self._last: tuple[str, PaperResult | Result] | None = None
         self._shapes = Shapes()
 
     def answer(
@@ -59,12 +59,12 @@ class Workshop:
         result = self._shapes.on(result)
         laps.take("shapes")
         content = PRODUCTS[product](result, sheet.name, laps)
-        told = {"status": result.status, "success": result.success, "message": result.message, "name": sheet.name}
-        told["unseen"] = self._shapes.unseen(data)
-        told["seconds"] = laps.told | {"loops": _loop_seconds(result)}
-        return Answer(content, told)
+        info = {"status": result.status, "success": result.success, "message": result.message, "name": sheet.name}
+        info["unseen"] = self._shapes.unseen(data)
+        info["seconds"] = laps.info | {"loops": _loop_seconds(result)}
+        return Answer(content, info)
 
-    def _result(self, sheet: Robot | Arm, progress: Progress) -> Result | ArmResult:
+    def _result(self, sheet: PaperRobot | Robot, progress: Progress) -> PaperResult | Result:
         key = json.dumps(plain_sheet(sheet), sort_keys=True)
         if self._last is None or self._last[0] != key:
             self._last = None  # two results at once may be more than the memory holds
@@ -74,24 +74,24 @@ class Workshop:
 
 class _Laps:
     def __init__(self) -> None:
-        self.told: dict[str, float] = {}
+        self.info: dict[str, float] = {}
         self._since = clock.perf_counter()
 
     def take(self, part: str) -> None:
         now = clock.perf_counter()
-        self.told[part] = now - self._since
+        self.info[part] = now - self._since
         self._since = now
 
 
-def _simulated(sheet: Robot | Arm, progress: Progress) -> Result | ArmResult:
-    if isinstance(sheet, Arm):
+def _simulated(sheet: PaperRobot | Robot, progress: Progress) -> PaperResult | Result:
+    if isinstance(sheet, Robot):
         from tmodes.report.folder_motion import ready_to_run, result_bytes
-        from tmodes.result import assemble_arm
-        from tmodes.simulation.simulate import simulate_arm
+        from tmodes.result import assemble_result
+        from tmodes.simulation.simulate import simulate_motion
 
         arm = ready_to_run(sheet)
         _refuse_large(result_bytes(arm))
-        return assemble_arm(simulate_arm(arm, progress=progress), arm, progress=progress)
+        return assemble_result(simulate_motion(arm, progress=progress), arm, progress=progress)
     from tmodes.paper.simulate import simulate
     from tmodes.simulation.trajectory import sample_times
 
@@ -102,16 +102,16 @@ def _simulated(sheet: Robot | Arm, progress: Progress) -> Result | ArmResult:
 def _refuse_large(size: int) -> None:
     if size > MOST_BYTES:
         got, expected = f"a result of {size / 1e6:,.0f} MB", f"at most {MOST_BYTES / 1e6:,.0f} MB in the studio"
-        mend = "sample more coarsely, or run it with `tmodes run` and look at it with `tmodes view`"
-        raise InputError("integration.output_step", got, expected, mend)
+        hint = "sample more coarsely, or run it with `tmodes run` and look at it with `tmodes view`"
+        raise InputError("integration.output_step", got, expected, hint)
 
 
-def _loop_seconds(result: Result | ArmResult) -> float:
+def _loop_seconds(result: PaperResult | Result) -> float:
     """Seconds spent in the loops of the reference run and the real one."""
     return sum(result.timing.values()) * float(result.data["time"][-1])
 
 
-def _page(result: Result | ArmResult, name: str, laps: _Laps, *, light: bool = False) -> bytes:
+def _page(result: PaperResult | Result, name: str, laps: _Laps, *, light: bool = False) -> bytes:
     from tmodes.report.data import page_data
     from tmodes.report.pack import pack
 
@@ -123,18 +123,18 @@ def _page(result: Result | ArmResult, name: str, laps: _Laps, *, light: bool = F
     return content
 
 
-def _curves(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
+def _curves(result: PaperResult | Result, name: str, laps: _Laps) -> bytes:
     return _page(result, name, laps, light=True)
 
 
-def _series(result: Result | ArmResult, page: Mapping[str, Any]) -> dict[str, Any]:
+def _series(result: PaperResult | Result, page: Mapping[str, Any]) -> dict[str, Any]:
     """The result's own series that the curves of a page are drawn of, so that later runs can be drawn upon them."""
     sources = [curve["source"] for chart in page["runs"][0]["charts"] for curve in chart["curves"]]
     names = {part["variable"] for source in sources if source for part in (source, source.get("less")) if part}
     return {name: result.data[name].values.astype("f8") for name in sorted(names)}
 
 
-def _data(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
+def _data(result: PaperResult | Result, name: str, laps: _Laps) -> bytes:
     del name
     with tempfile.TemporaryDirectory(prefix="tmodes-data-") as folder:
         content = result.save(Path(folder) / "result.nc").read_bytes()
@@ -142,21 +142,21 @@ def _data(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
     return content
 
 
-def _report(result: Result | ArmResult, name: str, laps: _Laps) -> bytes:
+def _report(result: PaperResult | Result, name: str, laps: _Laps) -> bytes:
     from tmodes.report import write_report
     from tmodes.report.write_motion import write_arm_report
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
     del name
     with tempfile.TemporaryDirectory(prefix="tmodes-report-") as folder:
         path = Path(folder) / "report.html"
-        write_report(result, path) if isinstance(result, Result) else write_arm_report(result, path)
+        write_report(result, path) if isinstance(result, PaperResult) else write_arm_report(result, path)
         content = path.read_bytes()
     laps.take("report")
     return content
 
 
-PRODUCTS: dict[str, Callable[[Result | ArmResult, str, _Laps], bytes]] = {
+PRODUCTS: dict[str, Callable[[PaperResult | Result, str, _Laps], bytes]] = {
     "page": _page,
     "curves": _curves,
     "report": _report,

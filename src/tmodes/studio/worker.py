@@ -19,7 +19,7 @@ import time as clock
 from typing import Any, BinaryIO
 
 from tmodes.errors import TmodesError
-from tmodes.studio.messages import told_error, told_errors
+from tmodes.studio.messages import info_error, info_errors
 
 __all__ = ["main"]
 
@@ -51,8 +51,8 @@ class _Answers:
     def __init__(self, sink: BinaryIO) -> None:
         self._sink = sink
 
-    def send(self, job: int, kind: str, content: bytes = b"", **told: Any) -> None:
-        head = json.dumps({"job": job, "kind": kind, **told, "bytes": len(content)})
+    def send(self, job: int, kind: str, content: bytes = b"", **info: Any) -> None:
+        head = json.dumps({"job": job, "kind": kind, **info, "bytes": len(content)})
         self._sink.write(head.encode() + b"\n" + content)
         self._sink.flush()
 
@@ -84,17 +84,17 @@ def _work(order: dict[str, Any], workshop: Any, orders: _Orders, answers: _Answe
     try:
         progress("reading", 0.0)
         answer = workshop.answer(order["product"], sheet, progress, order.get("looks"))
-        answers.send(job, "done", answer.content, told=answer.told)
+        answers.send(job, "done", answer.content, info=answer.info)
     except _Cancelled:
         answers.send(job, "cancelled")
     except TmodesError as error:
-        answers.send(job, "error", errors=told_errors(error, sheet))
+        answers.send(job, "error", errors=info_errors(error, sheet))
     except MemoryError:
-        mend = "sample more coarsely (integration.output_step), or simulate a shorter time"
-        answers.send(job, "error", errors=[told_error("", f"the memory is used up. Mend: {mend}", mend=mend)])
+        hint = "sample more coarsely (integration.output_step), or simulate a shorter time"
+        answers.send(job, "error", errors=[info_error("", f"the memory is used up. Mend: {hint}", hint=hint)])
     except Exception as error:
         message = f"a fault of tmodes itself, please report it: {type(error).__name__}: {error}"
-        answers.send(job, "error", errors=[told_error("", message)])
+        answers.send(job, "error", errors=[info_error("", message)])
     orders.cancelled.discard(job)
 
 

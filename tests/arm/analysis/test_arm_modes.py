@@ -15,7 +15,7 @@ from tmodes.analysis.modes.modes import MotorState, Servo, _undamped, arm_modes
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, JointKind, Motor, Node, Segment
 from tmodes.errors import SimulationError
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.sheet.contact import ContactLaw, ContactSheet, Plane
 
 INERTIA, ROTOR, STIFFNESS = 0.1 + 2 * 0.25, 0.1, 300.0
@@ -65,7 +65,7 @@ def test_motor_locked_and_free():
 
 
 @pytest.mark.parametrize("follows", [False, True])
-def test_a_free_motor_without_inertia_is_told(follows):
+def test_a_free_motor_without_inertia_is_reported(follows):
     """Also where a following force makes the stiffness asymmetric."""
     same, none = (50.0, 50.0), (0.0, 0.0)
     piece = BeamPiece(1.0, same, same, same, none, (1.0, 1.0), (none, none, none))
@@ -169,12 +169,12 @@ def test_growth_time():
     assert mode.growth_time_s == pytest.approx(np.sqrt(INERTIA / (400.0 - STIFFNESS)), rel=1e-6)
 
 
-def test_of_a_large_arm_the_lowest_modes_are_told():
+def test_of_a_large_arm_the_lowest_modes_are_reported():
     """A pile of 70 segments: the first modes are those that all of them together have."""
     segment = Segment(1 / 70, 3e4, 3e4, 0.3, 0.3, bodies=(Body(0.01, NONE, np.zeros((3, 3))),))
     joints = [Joint(f"j{k}", JointKind.FIXED) for k in range(70)]
     nodes = tuple(Node(f"n{k}", k - 1, joint, segment) for k, joint in enumerate(joints))
-    rest = equilibrium(ArmModel(Chain("pile", nodes, NONE)))
+    rest = equilibrium(Model(Chain("pile", nodes, NONE)))
     modes = arm_modes(rest)
     mass, damping, stiffness = rest.matrices
     squares = eigh(stiffness, mass, eigvals_only=True)

@@ -9,12 +9,12 @@ from arm.statics.test_elements import geared, on_joint
 from tmodes.analysis.statics.compliance import LOADS, point_compliance, springs_of
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, JointKind, Node
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 STIFFNESS, BENDING, TORSION, LENGTH = 300.0, 7.5, 5.0, 1.2
 
 
-def arm(drive_axis=(0.0, 0.0, 1.0), gravity=(0.0, 0.0, 0.0)) -> ArmModel:
+def arm(drive_axis=(0.0, 0.0, 1.0), gravity=(0.0, 0.0, 0.0)) -> Model:
     pair = (BENDING, BENDING)
     piece = BeamPiece(
         1.0, pair, pair, (TORSION, TORSION), (0.0, 0.0), (0.2, 0.2), ((1e-4, 1e-4), (0.0, 0.0), (0.0, 0.0))
@@ -71,5 +71,5 @@ def test_a_rigid_arm_does_not_give():
     chain = Chain(
         "rigid", (Node("link", -1, Joint("clamp", JointKind.REVOLUTE), arm().chain.nodes[0].link),), np.zeros(3)
     )
-    found = point_compliance(equilibrium(ArmModel(chain), held=dict.fromkeys(ArmModel(chain).coordinates, 0.0)))
+    found = point_compliance(equilibrium(Model(chain), held=dict.fromkeys(Model(chain).coordinates, 0.0)))
     assert (found.stiffness == np.inf).all()

@@ -9,14 +9,14 @@ import pytest
 
 from arm.analysis.sheets import clamped_sheet, locked_sheet
 from tmodes.analysis.describe.bare import bare_beam
-from tmodes.analysis.describe.describe import describe, statics_told
+from tmodes.analysis.describe.describe import describe, statics_info
 from tmodes.analysis.modes.of_sheet import servos_of, sheet_modes, vibrations
 from tmodes.analysis.statics.loads import Load
 from tmodes.analysis.statics.rest import arm_rest, first_commands
 from tmodes.chain.chain import Beam, BeamPiece
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.robots.load import load_sheet
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 
 def taper(mass: float) -> Beam:
@@ -47,39 +47,39 @@ def test_bare_beam_of_two_sections():
 
 def test_two_link_arm():
     """Printed lengths and stiffnesses; the tip's compliance 7/8 and 1/8 in the two links."""
-    told = describe(load_sheet("deluca_siciliano1991"))  # pyright: ignore
-    json.dumps(told, allow_nan=False)
-    assert told["total_mass_kg"] == pytest.approx(2.3)
+    info = describe(load_sheet("deluca_siciliano1991"))  # pyright: ignore
+    json.dumps(info, allow_nan=False)
+    assert info["total_mass_kg"] == pytest.approx(2.3)
     bare = 1.8751040687119611**2 * np.sqrt(1.0 / 0.2) / 0.5**2 / (2 * np.pi)
-    assert [link["bare_bend_z_Hz"] for link in told["links"]] == pytest.approx([bare, bare], rel=1e-9)
-    assert [joint["kind"] for joint in told["joints"]] == ["AR", "AR"]
-    y = told["stiffness"]["directions"][1]
+    assert [link["bare_bend_z_Hz"] for link in info["links"]] == pytest.approx([bare, bare], rel=1e-9)
+    assert [joint["kind"] for joint in info["joints"]] == ["AR", "AR"]
+    y = info["stiffness"]["directions"][1]
     assert y["stiffness"] == pytest.approx(3.0)
     assert y["shares"]["upper_arm.bend_z"] == pytest.approx(7 / 8)
-    assert told["sag"]["displacement_size_m"] == pytest.approx(0.0, abs=1e-12)
-    assert told["warnings"] == []
+    assert info["sag"]["displacement_size_m"] == pytest.approx(0.0, abs=1e-12)
+    assert info["warnings"] == []
 
 
 def test_single_elastic_joint():
     """100 N*m/rad, 1 kg at 1 m that hangs: locked w^2 = 100 + 9.8."""
     arm = load_sheet("spong1987")
-    model = ArmModel(arm.chain())  # pyright: ignore
+    model = Model(arm.chain())  # pyright: ignore
     assert first_commands(arm, model) == {"joint.motor": 0.0}  # pyright: ignore
-    told = describe(arm)  # pyright: ignore
-    assert told["gears"][0]["stiffness"] == [100.0]
-    assert told["joints"][0]["kind"] == "AE"
+    info = describe(arm)  # pyright: ignore
+    assert info["gears"][0]["stiffness"] == [100.0]
+    assert info["joints"][0]["kind"] == "AE"
     assert servos_of(arm, model)["joint.motor"] == (80.0, 12.0)  # pyright: ignore
     modes = sheet_modes(arm)  # pyright: ignore
     assert set(modes) == {"locked", "free", "controlled"}
     assert 2 * np.pi * modes["locked"][0]["frequency_Hz"] == pytest.approx(np.sqrt(109.8), rel=1e-9)
 
 
-def test_doubts():
+def test_notices():
     """A gear a thousand times too soft sags far, past its joint's limits."""
     arm = load_sheet("spong1987", {"joints.joint.limits": {"lower": -0.1, "upper": 0.1},
                                    "joints.joint.gear.stiffness": 5.0, "drives.0.signal.start": 0.5})  # fmt: skip
     warnings = describe(arm)["warnings"]  # pyright: ignore
-    assert any("joint joint stands at" in told for told in warnings)
+    assert any("joint joint stands at" in info for info in warnings)
     rest = arm_rest(arm)  # pyright: ignore
     gamma = rest.named["joint"]
     assert 5.0 * (0.5 - gamma) == pytest.approx(9.8 * np.sin(gamma), abs=1e-9)
@@ -87,16 +87,16 @@ def test_doubts():
 
 @pytest.mark.parametrize("data", [locked_sheet(), clamped_sheet(functions={"bend_y": 0, "bend_z": 0})])
 def test_an_arm_in_which_nothing_moves(data):
-    arm = Arm.from_data(data)
-    told, still = describe(arm), statics_told(arm, arm_rest(arm))
-    assert told["coordinates"] == []
-    assert told["total_mass_kg"] == pytest.approx(1.0)
-    assert any("nothing in it moves or bends" in warning for warning in told["warnings"])
+    arm = Robot.from_data(data)
+    info, still = describe(arm), statics_info(arm, arm_rest(arm))
+    assert info["coordinates"] == []
+    assert info["total_mass_kg"] == pytest.approx(1.0)
+    assert any("nothing in it moves or bends" in warning for warning in info["warnings"])
     assert any("nothing in it moves or bends" in warning for warning in still["warnings"])
     found = vibrations(arm)
     assert found.states == {"locked": [], "free": []}
     assert "nothing in it moves or bends" in found.warnings[0]
-    model = ArmModel(arm.chain())
+    model = Model(arm.chain())
     assert model.jacobian(np.zeros((3, 0))).shape == (3, 1, 6, 0)
     assert model.mass_matrix(np.zeros(0)).shape == (0, 0)
     assert [matrix.shape for matrix in model.linearised(np.zeros(0))] == [(0, 0)] * 3
@@ -104,8 +104,8 @@ def test_an_arm_in_which_nothing_moves(data):
 
 def test_ways_that_are_not_modelled_have_no_stiffness():
     """A sagging beam without stretch and twist: 3 EI/L^3 across, nothing honest along and about its line."""
-    told = statics_told(arm := Arm.from_data(clamped_sheet()), arm_rest(arm))
-    x, _, z, about_x, about_y, _ = told["stiffness"]["directions"]
+    info = statics_info(arm := Robot.from_data(clamped_sheet()), arm_rest(arm))
+    x, _, z, about_x, about_y, _ = info["stiffness"]["directions"]
     for one, kind in ((x, "stretch"), (about_x, "twist")):
         assert (one["stiffness"], one["compliance"], one["shares"]) == (None, None, {})
         assert one["why"] == f"not modelled (no {kind} functions)"
@@ -115,10 +115,10 @@ def test_ways_that_are_not_modelled_have_no_stiffness():
 
 def test_ways_that_are_modelled_keep_their_stiffness():
     """GJ/L with a function of twist; an upper arm across lets the tip give along a forearm that does not stretch."""
-    twisting = Arm.from_data(clamped_sheet(functions={"twist": 1, "bend_y": 3}, basis="legendre"))
-    told = statics_told(twisting, arm_rest(twisting))["stiffness"]["directions"]
-    assert told[3]["stiffness"] == pytest.approx(60.0, rel=1e-2)
-    assert told[1]["why"] == "not modelled (no bend_z functions)"
+    twisting = Robot.from_data(clamped_sheet(functions={"twist": 1, "bend_y": 3}, basis="legendre"))
+    info = statics_info(twisting, arm_rest(twisting))["stiffness"]["directions"]
+    assert info[3]["stiffness"] == pytest.approx(60.0, rel=1e-2)
+    assert info[1]["why"] == "not modelled (no bend_z functions)"
     elbow = load_sheet("deluca_siciliano1991", {"drives.1.signal.start": np.pi / 2})
     x = describe(elbow)["stiffness"]["directions"][0]  # pyright: ignore
     assert x["why"] is None
@@ -127,25 +127,25 @@ def test_ways_that_are_modelled_keep_their_stiffness():
 
 def test_a_link_of_segments_has_its_own_mass():
     """1 kg, of which the model has 33/140 at the tips."""
-    link = describe(Arm.from_data(clamped_sheet(model="segments", segments=2, functions=None)))["links"][0]
+    link = describe(Robot.from_data(clamped_sheet(model="segments", segments=2, functions=None)))["links"][0]
     assert link["mass_kg"] == pytest.approx(1.0)
     assert link["equivalent_mass_kg"] == pytest.approx(33 / 140)
 
 
 def test_a_load_far_beyond_the_functions_is_bad():
     """F L^2/EI = 536: three functions cannot have the shape, whatever the angle says."""
-    arm = Arm.from_data(clamped_sheet(section={"shape": "round", "diameter": 0.02}, material="steel"))
+    arm = Robot.from_data(clamped_sheet(section={"shape": "round", "diameter": 0.02}, material="steel"))
     stiffness = describe(arm)["links"][0]["bending_stiffness_y_Nm2"][0]
-    told = statics_told(arm, arm_rest(arm, [Load("tip", (0.0, 0.0, -536.0 * stiffness))]))
-    assert told["links"][0]["verdict"] == "bad"
-    assert any("yield strength" in warning for warning in told["warnings"])
-    assert any("take more functions.bend_y" in warning for warning in told["warnings"])
+    info = statics_info(arm, arm_rest(arm, [Load("tip", (0.0, 0.0, -536.0 * stiffness))]))
+    assert info["links"][0]["verdict"] == "bad"
+    assert any("yield strength" in warning for warning in info["warnings"])
+    assert any("take more functions.bend_y" in warning for warning in info["warnings"])
 
 
 def test_highest_functions_are_not_converged():
     """beta L = 1.8751, 4.6941, 7.8548: the third frequency of three functions is off by more than 1 %, and marked."""
     beam = {"functions": {"bend_y": 3}, "basis": "tip_weighted", "rotary_inertia": "none"}
-    found = vibrations(Arm.from_data({**clamped_sheet(**beam), "gravity": 0.0}))
+    found = vibrations(Robot.from_data({**clamped_sheet(**beam), "gravity": 0.0}))
     exact = np.array([1.8751040687119611, 4.694091132974175, 7.854757438237613]) ** 2 * 10 / (2 * np.pi)
     for mode, right in zip(found.states["locked"], exact, strict=True):
         assert mode["converged"] == (mode["frequency_Hz"] / right < 1.01)

@@ -17,8 +17,8 @@ from tmodes.analysis.hierarchy.hierarchy import Ladder, ladder
 from tmodes.analysis.hierarchy.move import chosen_move, followed
 from tmodes.analysis.hierarchy.variants import driven, input_mix, moved_chain, rungs, whole_chain
 from tmodes.errors import InputError
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 
 LENGTH, EI, MASS = 0.7, 12.0, 1.1
 
@@ -46,7 +46,7 @@ ELASTIC = {"motor": {"inertia": 0.1, "side": "joint"}, "gear": {"stiffness": 300
 
 @pytest.fixture(scope="module")
 def climbed() -> Ladder:
-    return ladder(Arm.from_data(sheet()), 3e-2, finest=4)
+    return ladder(Robot.from_data(sheet()), 3e-2, finest=4)
 
 
 def test_rungs_are_all_models(climbed: Ladder) -> None:
@@ -82,14 +82,14 @@ def test_highest_eigenvalue_is_that_of_the_undamped_beam() -> None:
     """w_max of three functions, free tip: 118 sqrt(EI/rhoA L^4)."""
     data = sheet()
     data["links"][0]["beam"]["damping_time"] = 0.0
-    found = ladder(Arm.from_data(data), 0.5, finest=3)
+    found = ladder(Robot.from_data(data), 0.5, finest=3)
     assert found.rungs[-1].highest_eigenvalue == pytest.approx(118 * np.sqrt(EI / (MASS * LENGTH**4)), rel=0.01)
 
 
 def test_the_move_is_that_of_the_model_with_its_motor_given() -> None:
     """An elastic gear, its motor prescribed: against SciPy on the arm itself, the motor's row left out."""
-    arm = Arm.from_data(sheet(joint=ELASTIC))
-    whole, model = ArmModel(whole_chain(arm)), ArmModel(moved_chain(whole_chain(arm)))
+    arm = Robot.from_data(sheet(joint=ELASTIC))
+    whole, model = Model(whole_chain(arm)), Model(moved_chain(whole_chain(arm)))
     assert whole.coordinates == ("hub.motor", "hub", "rod.bend_z1", "rod.bend_z2")
     assert model.coordinates == ("hub.input", "hub", "rod.bend_z1", "rod.bend_z2")
     move = chosen_move(arm, 3.0)
@@ -110,12 +110,12 @@ def test_the_move_is_that_of_the_model_with_its_motor_given() -> None:
 def test_own_drives_are_the_move_where_they_are_smooth() -> None:
     signal = {"type": "trapezoid", "start": 0.1, "end": 0.4, "duration": 0.8, "ramp_fraction": 0.3}
     drive = {"joint": "hub", "command": "prescribed", "signal": signal}
-    smooth = chosen_move(Arm.from_data(sheet(drives=[drive], integration={"duration": 1.0})), 3.0)
+    smooth = chosen_move(Robot.from_data(sheet(drives=[drive], integration={"duration": 1.0})), 3.0)
     assert "own drives" in smooth.words
     assert smooth.at(0.8)[0] == pytest.approx(0.4)
     assert np.isin(np.round([0.24, 0.56, 0.8], 12), np.round(smooth.times, 12)).all()
     jump = {**drive, "signal": {"type": "step", "start": 0.1, "end": 0.3, "time": 0.2}}
-    stepped = chosen_move(Arm.from_data(sheet(drives=[jump])), 3.0)
+    stepped = chosen_move(Robot.from_data(sheet(drives=[jump])), 3.0)
     assert "quintic" in stepped.words
     assert stepped.at([0.0, 1.3])[:, 0] == pytest.approx([0.1, 0.3])
 
@@ -125,7 +125,7 @@ def test_couplings_mix_the_motors() -> None:
     data = sheet(joint=ELASTIC, couplings={"elbow": {"hub": -0.5, "elbow": 1.0}})
     data["joints"].append(second)
     data["links"].append({"name": "tool", "bodies": [{"name": "b", "mass": 0.2, "center": [0.1, 0, 0]}]})
-    arm = Arm.from_data(data)
+    arm = Robot.from_data(data)
     assert [joint.name for joint in driven(whole_chain(arm))] == ["hub", "elbow"]
     assert input_mix(whole_chain(arm)).tolist() == [[1.0, 0.0], [-0.5, 1.0]]
     moved = moved_chain(whole_chain(arm))
@@ -133,7 +133,7 @@ def test_couplings_mix_the_motors() -> None:
 
 
 def test_directions_that_do_not_bend_stay_so() -> None:
-    for name, arm in rungs(Arm.from_data(sheet()), 3):
+    for name, arm in rungs(Robot.from_data(sheet()), 3):
         beam = arm.link("rod").beam
         assert beam is not None
         assert beam.functions is not None
@@ -146,22 +146,22 @@ def test_an_arm_without_beams_and_a_foolish_tolerance_are_refused() -> None:
     data = sheet()
     data["links"] = [{"name": "rod", "bodies": [{"name": "b", "mass": 1.0, "center": [0.2, 0, 0]}]}]
     with pytest.raises(InputError, match="beam"):
-        ladder(Arm.from_data(data))
+        ladder(Robot.from_data(data))
     for tolerance in (0.0, -1.0, 1.0, float("nan")):
         with pytest.raises(InputError, match="tolerance"):
-            ladder(Arm.from_data(sheet()), tolerance)
+            ladder(Robot.from_data(sheet()), tolerance)
 
 
-def test_command_tells_the_ladder(tmp_path: Any) -> None:
+def test_command_reports_the_ladder(tmp_path: Any) -> None:
     file = tmp_path / "slewing.yaml"
     file.write_text(json.dumps(sheet()), encoding="utf-8")  # which is YAML too
     command = [sys.executable, "-m", "tmodes.cli.main", "ladder", str(file), "--finest", "3", "--tolerance", "0.05"]
     done = subprocess.run([*command, "--json"], capture_output=True, text=True, check=False, timeout=300)
     assert done.returncode == 0, done.stderr
-    told = json.loads(done.stdout)
-    assert told["recommended"] == "strain(2)"
-    assert len(told["rungs"]) == 7
-    assert set(told["units"]) <= {*told, *told["rungs"][0]}
+    info = json.loads(done.stdout)
+    assert info["recommended"] == "strain(2)"
+    assert len(info["rungs"]) == 7
+    assert set(info["units"]) <= {*info, *info["rungs"][0]}
     done = subprocess.run(command, capture_output=True, text=True, check=False, timeout=300)
     assert "<- take this" in done.stdout
     assert "the cheapest is strain(2)" in done.stdout
@@ -169,7 +169,7 @@ def test_command_tells_the_ladder(tmp_path: Any) -> None:
 
 def test_a_clamped_beam_has_a_rigid_rung_without_coordinates():
     """On the rigid rung nothing moves: it is off by the whole sag; the finest first frequency is 5.596 Hz."""
-    found = ladder(Arm.from_data(clamped_sheet()), finest=3)
+    found = ladder(Robot.from_data(clamped_sheet()), finest=3)
     assert (found.rungs[0].coordinates, found.rungs[0].frequencies_Hz) == (0, ())
     assert found.rungs[0].tip_error == pytest.approx(1.0, rel=1e-6)
     exact = 1.8751040687119611**2 * 10 / (2 * np.pi)

@@ -12,8 +12,8 @@ from tmodes.analysis.model_validity import STRAIN_LIMIT, run_warnings
 from tmodes.analysis.range import link_angles, link_ranges
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Chain, Joint, JointKind, Node, Segment
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 
 
 @pytest.mark.parametrize(("turn", "verdict"), [(np.pi / 2, "good"), (2 * np.pi, "fair"), (9.0, "beyond the model")])
@@ -32,7 +32,7 @@ def test_an_arc_of_a_circle(turn, verdict):
 @pytest.mark.parametrize(("angle", "verdict"), [(0.05, "good"), (0.2, "fair"), (0.5, "beyond the model")])
 def test_segments_hold_for_small_angles(angle, verdict):
     link = Segment(0.5, 100.0, 100.0)
-    model = ArmModel(Chain("one", (Node("link", -1, Joint("clamp", JointKind.FIXED), link),), np.zeros(3)))
+    model = Model(Chain("one", (Node("link", -1, Joint("clamp", JointKind.FIXED), link),), np.zeros(3)))
     (found,) = link_ranges(model, np.array([0.0, angle]))
     assert found.angle_rad == pytest.approx(angle)
     assert found.slope_rad == pytest.approx(1.5 * angle)
@@ -40,9 +40,9 @@ def test_segments_hold_for_small_angles(angle, verdict):
     assert found.verdict == verdict
 
 
-def test_a_motion_beyond_the_model_is_told_with_its_first_time():
-    arm = Arm.from_data(clamped_sheet(functions={"bend_z": 4}, basis="legendre"))
-    model = ArmModel(arm.chain())
+def test_a_motion_beyond_the_model_is_reported_with_its_first_time():
+    arm = Robot.from_data(clamped_sheet(functions={"bend_z": 4}, basis="legendre"))
+    model = Model(arm.chain())
     times = np.linspace(0, 1, 101)
     motion = np.outer(times, [10.0, 0, 0, 0])
     assert link_angles(model, motion)["beam"].shape == (101,)
@@ -51,9 +51,9 @@ def test_a_motion_beyond_the_model_is_told_with_its_first_time():
         found = run_warnings(arm, model, times, motion, elastic_line(model, motion, stations=3))
         return [line for line in found if "turns by more" in line]
 
-    (told,) = turned(motion)
+    (info,) = turned(motion)
     gap = np.diff([0.0, *(1 + np.polynomial.legendre.leggauss(6)[0]) / 2, 1.0]).max()
     first = times[np.flatnonzero(10 * times * gap > STRAIN_LIMIT)[0]]
-    assert f"t = {first:.4g} s" in told
-    assert f"reaches {10 * gap:.4g} rad" in told
+    assert f"t = {first:.4g} s" in info
+    assert f"reaches {10 * gap:.4g} rad" in info
     assert turned(motion / 10) == []

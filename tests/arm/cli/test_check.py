@@ -10,20 +10,20 @@ from arm.cli.command import tmodes
 def test_right():
     done = tmodes("check", "spong1987")
     assert "spong1987: right" in done.stdout
-    told = json.loads(tmodes("check", "spong1987", "--json").stdout)
-    assert told["ok"] is True
-    assert told["kind"] == "arm"
-    assert told["coordinates"] == ["joint.motor", "joint"]
-    assert told["drives"] == ["joint"]
+    info = json.loads(tmodes("check", "spong1987", "--json").stdout)
+    assert info["ok"] is True
+    assert info["kind"] == "arm"
+    assert info["coordinates"] == ["joint.motor", "joint"]
+    assert info["drives"] == ["joint"]
 
 
 def test_all_that_is_wrong_in_one_go():
     wrong = ["--set", "links.link.bodies.bob.mass=-1", "--set", "joints.joint.axis=[0,0,0]"]
     done = tmodes("check", "spong1987", *wrong, "--json", code=2)
-    told = json.loads(done.stdout)
-    assert told["ok"] is False
-    assert len(told["errors"]) == 2
-    assert all(error["mend"] for error in told["errors"])
+    info = json.loads(done.stdout)
+    assert info["ok"] is False
+    assert len(info["errors"]) == 2
+    assert all(error["hint"] for error in info["errors"])
 
 
 def test_a_doubtful_unit():
@@ -52,9 +52,9 @@ def test_a_file_in_another_folder_is_let_in_by_its_flags(tmp_path):
     sheet = tmp_path / "mine" / "sheet.yaml"
     sheet.write_text("urdf: ../models/robot.urdf\n", encoding="utf-8")
     for command in ("check", "static"):
-        told = tmodes(command, sheet, code=2).stderr
-        assert "--root DIR" in told
-        assert "--trust-paths" in told
+        info = tmodes(command, sheet, code=2).stderr
+        assert "--root DIR" in info
+        assert "--trust-paths" in info
     allowed = ["--root", tmp_path / "models"]
     for command, flags in (
         ("check", allowed),
@@ -67,5 +67,5 @@ def test_a_file_in_another_folder_is_let_in_by_its_flags(tmp_path):
 
 
 def test_a_list_on_the_command_line():
-    told = tmodes("check", "spong1987", "--set", "gravity=[0, 0, -40]")
-    assert "gravity = 40 m/s^2" in told.stdout
+    info = tmodes("check", "spong1987", "--set", "gravity=[0, 0, -40]")
+    assert "gravity = 40 m/s^2" in info.stdout

@@ -9,9 +9,9 @@ from arm.cli.command import tmodes
 
 def test_tables_and_json_agree():
     out = tmodes("describe", "deluca_siciliano1991").stdout
-    told = json.loads(tmodes("describe", "deluca_siciliano1991", "--json").stdout)
-    assert told["links"][0]["model"] == "strain"
-    assert f"{told['links'][0]['bare_bend_z_Hz']:.4g}" in out
+    info = json.loads(tmodes("describe", "deluca_siciliano1991", "--json").stdout)
+    assert info["links"][0]["model"] == "strain"
+    assert f"{info['links'][0]['bare_bend_z_Hz']:.4g}" in out
     assert "upper_arm.bend_z 87.5%" in out
 
 

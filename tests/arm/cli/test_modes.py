@@ -14,16 +14,16 @@ from arm.cli.command import tmodes
 
 
 def test_json():
-    told = json.loads(tmodes("modes", "spong1987", "--json").stdout)
-    assert 2 * np.pi * told["real"]["locked"][0]["frequency_Hz"] == pytest.approx(np.sqrt(109.8), rel=1e-9)
-    assert set(told["real"]) == {"locked", "free", "controlled"}
-    assert "nominal" not in told
+    info = json.loads(tmodes("modes", "spong1987", "--json").stdout)
+    assert 2 * np.pi * info["real"]["locked"][0]["frequency_Hz"] == pytest.approx(np.sqrt(109.8), rel=1e-9)
+    assert set(info["real"]) == {"locked", "free", "controlled"}
+    assert "nominal" not in info
 
 
 def test_real_and_known_arm():
-    told = tmodes("modes", "spong1987", "--set", "real.joints.joint.gear.stiffness=0.8").stdout
-    assert "real arm, motor locked" in told
-    assert "arm as known, motor locked" in told
+    info = tmodes("modes", "spong1987", "--set", "real.joints.joint.gear.stiffness=0.8").stdout
+    assert "real arm, motor locked" in info
+    assert "arm as known, motor locked" in info
 
 
 @pytest.mark.parametrize("arguments", [["--angle", "0.5"], ["--contact"], ["--reading", "printed"]])
@@ -49,12 +49,12 @@ def test_modes_that_are_not_converged_are_marked(tmp_path):
     assert "! +6" in done.stdout
     assert "model holds" in done.stdout
     assert "not converged" in done.stderr
-    told = json.loads(tmodes("modes", file, "--json").stdout)
-    assert [mode["converged"] for mode in told["real"]["locked"]] == [True, True, False]
-    assert told["links"]["real"][0]["verdict"] == "good"
+    info = json.loads(tmodes("modes", file, "--json").stdout)
+    assert [mode["converged"] for mode in info["real"]["locked"]] == [True, True, False]
+    assert info["links"]["real"][0]["verdict"] == "good"
 
 
-def test_growth_is_told_in_seconds(tmp_path):
+def test_growth_is_reported_in_seconds(tmp_path):
     """A hanging meter whose 200 N pull upwards: 100 N*m/rad are too soft, it tips over."""
     text = (resources.files("tmodes.robots") / "arms" / "spong1987.yaml").read_text(encoding="utf-8")
     file = tmp_path / "tipping.yaml"

@@ -13,11 +13,11 @@ from arm.cli.command import tmodes
 
 
 def test_list():
-    told = {one["name"]: one for one in json.loads(tmodes("robots", "--json").stdout)}
-    assert told["filipovic2010"]["kind"] == "robot"
-    assert told["spong1987"]["kind"] == "arm"
-    assert told["ur5_elastic"]["kind"] == "arm, with a URDF"
-    assert all(one["title"] and one["citation"] for one in told.values())
+    info = {one["name"]: one for one in json.loads(tmodes("robots", "--json").stdout)}
+    assert info["filipovic2010"]["kind"] == "robot"
+    assert info["spong1987"]["kind"] == "arm"
+    assert info["ur5_elastic"]["kind"] == "arm, with a URDF"
+    assert all(one["title"] and one["citation"] for one in info.values())
     table = tmodes("robots").stdout
     assert "spong1987" in table
     assert "filipovic2010" in table
@@ -28,8 +28,8 @@ def test_a_sheet_can_be_edited_and_checked(tmp_path):
     assert "# k [N*m/rad]" in text
     (tmp_path / "mine.yaml").write_text(text.replace("name: spong1987", "name: mine"), encoding="utf-8")
     assert "mine: right" in tmodes("check", tmp_path / "mine.yaml").stdout
-    told = json.loads(tmodes("robots", "spong1987", "--json").stdout)
-    assert told["joints"][0]["name"] == "joint"
+    info = json.loads(tmodes("robots", "spong1987", "--json").stdout)
+    assert info["joints"][0]["name"] == "joint"
 
 
 def test_an_unknown_name():

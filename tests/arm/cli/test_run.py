@@ -14,7 +14,7 @@ from arm.see.runs import SHEETS
 from disturbed import running
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.result import load_result
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 URDF = """<robot name="two"><link name="base"/>
 <link name="rod"><inertial><origin xyz="0 0 -1"/><mass value="1"/>
@@ -26,16 +26,16 @@ URDF = """<robot name="two"><link name="base"/>
 def files(tmp_path):
     """The sheets of the small runs, as files."""
     for name, sheet in SHEETS.items():
-        (tmp_path / f"{name}.yaml").write_text(arm_to_yaml(Arm.from_data(sheet())), encoding="utf-8")
+        (tmp_path / f"{name}.yaml").write_text(arm_to_yaml(Robot.from_data(sheet())), encoding="utf-8")
     (tmp_path / "two.urdf").write_text(URDF, encoding="utf-8")
     return tmp_path
 
 
 def test_the_main_job(files):
     out = files / "with spaces é"
-    told = tmodes("run", files / "swinging.yaml", "--out", out).stdout
-    assert "largest tip deviation" in told
-    assert "deflection of rod" in told
+    info = tmodes("run", files / "swinging.yaml", "--out", out).stdout
+    assert "largest tip deviation" in info
+    assert "deflection of rod" in info
     assert sorted(path.name for path in out.iterdir()) == ["figures", "report.html", "result.nc"]
     assert len(list((out / "figures").glob("*.svg"))) == len(list((out / "figures").glob("*.png"))) >= 10
     page = re.sub(r"<script.*?</script>", "", (out / "report.html").read_text(encoding="utf-8"), flags=re.DOTALL)
@@ -50,20 +50,20 @@ def test_the_main_job(files):
 
 def test_json_and_the_options_of_integration(files):
     """F L^3/3EI = 1.0517 mm; both integrators agree."""
-    told = {}
+    info = {}
     for method in ("dormand_prince", "rk4"):
         options = ["--integrator", method, "--duration", 0.02, "--rtol", 1e-6, "--set", "integration.step=1e-5"]
         options += ["--set", "integration.output_step=0.004"]
         done = tmodes("run", files / "cantilever.yaml", "--json", "--no-figures", "--out", files / method, *options)
-        told[method] = json.loads(done.stdout)
-        assert told[method]["status"] == "finished"
-        assert told[method]["summary"]["links"]["rod"]["deflection"]["max_m"] == pytest.approx(1.0517e-3, rel=1e-3)
+        info[method] = json.loads(done.stdout)
+        assert info[method]["status"] == "finished"
+        assert info[method]["summary"]["links"]["rod"]["deflection"]["max_m"] == pytest.approx(1.0517e-3, rel=1e-3)
     assert load_result(files / "rk4" / "result.nc").data.attrs["method"] == "rk4"
     assert float(load_result(files / "rk4" / "result.nc").data["time"][-1]) == pytest.approx(0.02)
-    assert told["rk4"]["statistics"]["real"]["steps"] == 2000
+    assert info["rk4"]["statistics"]["real"]["steps"] == 2000
 
 
-def test_a_bare_urdf_is_told_what_it_lacks(files):
+def test_a_bare_urdf_is_reported_what_it_lacks(files):
     done = tmodes("run", files / "two.urdf", "--out", files / "o", code=2)
     assert "drives" in done.stderr
     assert "joint: hinge" in done.stderr
@@ -74,7 +74,7 @@ def test_a_bare_urdf_is_told_what_it_lacks(files):
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "info"),
     [
         (["pendulum.yaml", "--reading", "corrected"], "--reading"),
         (["pendulum.yaml", "--contact"], "touches nothing"),
@@ -84,9 +84,9 @@ def test_a_bare_urdf_is_told_what_it_lacks(files):
         (["nowhere.yaml"], "a file that exists"),
     ],
 )
-def test_refusals(files, arguments, told):
+def test_refusals(files, arguments, info):
     done = tmodes("run", files / arguments[0], *arguments[1:], "--out", files / "o", code=2)
-    assert told in done.stderr
+    assert info in done.stderr
     assert not (files / "o").exists()
 
 
@@ -98,7 +98,7 @@ def test_without_contact(files):
 def test_a_run_that_diverges(files):
     """A torque that grows without end; what was done is kept."""
     push = {"joint": "joint", "command": "effort", "signal": {"type": "constant", "value": 1e12}}
-    arm = Arm.from_data(SHEETS["pendulum"]() | {"drives": [push]})
+    arm = Robot.from_data(SHEETS["pendulum"]() | {"drives": [push]})
     (files / "wild.yaml").write_text(arm_to_yaml(arm), encoding="utf-8")
     done = tmodes("run", files / "wild.yaml", "--out", files / "o", code=3)
     assert "diverged" in done.stderr

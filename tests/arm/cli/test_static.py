@@ -14,13 +14,13 @@ ARM = "spong1987"
 
 def test_json_holds_everything():
     """5 N*m about y on a gear of 100 N*m/rad, weight 9.8 N at 1 m below."""
-    told = json.loads(tmodes("static", ARM, "--moment", "0,5,0", "--json").stdout)
-    angle = told["coordinates"]["joint"]
+    info = json.loads(tmodes("static", ARM, "--moment", "0,5,0", "--json").stdout)
+    angle = info["coordinates"]["joint"]
     assert 100 * angle + 9.8 * np.sin(angle) == pytest.approx(5.0, rel=1e-9)
-    assert told["stable"] is True
-    assert told["held"] == ["joint.motor"]
-    assert told["stiffness"]["directions"][4]["unit"] == "N*m/rad"
-    assert told["units"]["residual"]
+    assert info["stable"] is True
+    assert info["held"] == ["joint.motor"]
+    assert info["stiffness"]["directions"][4]["unit"] == "N*m/rad"
+    assert info["units"]["residual"]
 
 
 def test_tables():
@@ -30,7 +30,7 @@ def test_tables():
 
 
 @pytest.mark.parametrize(
-    ("arguments", "told"),
+    ("arguments", "info"),
     [
         (["--load", "point=tyre,force=0,0,1"], "tyre"),
         (["--load", "force=0,0"], "three numbers"),
@@ -43,15 +43,15 @@ def test_tables():
         (["--point", "elbow"], "tip"),
     ],
 )
-def test_wrong_lines_are_refused(arguments, told):
-    assert told in tmodes("static", ARM, *arguments, code=2).stderr
+def test_wrong_lines_are_refused(arguments, info):
+    assert info in tmodes("static", ARM, *arguments, code=2).stderr
 
 
 def test_the_robot_of_the_paper_is_sent_elsewhere():
     assert "kind: arm" in tmodes("static", "filipovic2010", code=2).stderr
 
 
-def test_buckling_is_told():
+def test_buckling_is_reported():
     """Upwards 300 N on a hanging meter, 100 N*m/rad: beyond the load that it carries upright."""
     done = tmodes("static", ARM, "--force", "0,0,300")
     assert "NOT STABLE" in done.stdout

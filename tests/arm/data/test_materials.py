@@ -77,7 +77,7 @@ def test_every_material_is_whole(name):
     assert find_material(name) is material
 
 
-def test_an_unknown_name_tells_the_nearest():
+def test_an_unknown_name_reports_the_nearest():
     with pytest.raises(InputError, match=r"did you mean `aluminium_6061`\?"):
         find_material("aluminum_6061")
     with pytest.raises(InputError, match="write its young, shear and density"):

@@ -12,8 +12,8 @@ from scipy.linalg import eigh
 
 from arm.data.exact import UniformBeam
 from tmodes.io.yaml_file import parse_yaml
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 
 FOLDER = resources.files("tmodes.robots") / "arms"
 NAMES = sorted(entry.name.removesuffix(".yaml") for entry in FOLDER.iterdir() if entry.name.endswith(".yaml"))
@@ -39,7 +39,7 @@ def held(data, *joints):
 
 def ringing(data):
     """All frequencies [Hz] of an arm at its zero pose, straight."""
-    model = ArmModel(Arm.model_validate(data).chain())
+    model = Model(Robot.model_validate(data).chain())
     mass, _, stiffness = (
         np.asarray(matrix).reshape(model.nq, model.nq) for matrix in model.linearised(np.zeros(model.nq))
     )
@@ -52,7 +52,7 @@ def test_there_are_seven():
 
 
 @pytest.mark.parametrize("name", NAMES)
-def test_sheet_cites_and_tells_what_is_assumed(name):
+def test_sheet_cites_and_reports_what_is_assumed(name):
     text = (FOLDER / f"{name}.yaml").read_text(encoding="utf-8")
     data, _ = parse_yaml(text, name)
     assert text.isascii()
@@ -66,7 +66,7 @@ def test_sheet_cites_and_tells_what_is_assumed(name):
 @pytest.mark.parametrize("name", WHOLE)
 def test_sheet_is_an_arm_and_every_joint_is_driven(name):
     data, _ = parse_yaml((FOLDER / f"{name}.yaml").read_text(encoding="utf-8"), name)
-    arm = Arm.model_validate(copy.deepcopy(data))
+    arm = Robot.model_validate(copy.deepcopy(data))
     assert len(arm.chain().nodes) == len(data["joints"])
     assert [drive["joint"] for drive in data["drives"]] == [joint["name"] for joint in data["joints"]]
 
@@ -214,7 +214,7 @@ def test_elasticity_over_the_urdf_is_an_arm(name, beams, gears, mass):
     from tmodes.io.elasticity import read_elasticity
 
     with resources.as_file(FOLDER / f"{name}.yaml") as path:
-        nodes = Arm.model_validate(read_elasticity(path, [robots_folder()]).data).chain().nodes
+        nodes = Robot.model_validate(read_elasticity(path, [robots_folder()]).data).chain().nodes
     assert sum(isinstance(node.link, Beam) for node in nodes) == beams
     assert sum(node.joint.drive is Drive.ELASTIC for node in nodes) == gears
     bodies = sum(body.mass for node in nodes if isinstance(node.link, RigidLink) for body in node.link.bodies)

@@ -221,11 +221,11 @@ WRONG = [
     ({"shape": "round", "diameter": True}, "float_type"),
     ({"shape": "round"}, "missing"),
     ({"shape": "round", "diameter": 0.01, "radius": 0.005}, "extra_forbidden"),
-    ({"shape": "tube", "outer_diameter": 0.02, "thickness": 0.01}, "misfits"),
-    ({"shape": "tube", "outer_diameter": 0.02, "thickness": 0.03}, "misfits"),
-    ({"shape": "box", "width": 0.02, "height": 0.05, "thickness": 0.01}, "misfits"),
-    ({"shape": "i_beam", "width": 0.05, "height": 0.1, "flange_thickness": 0.05, "web_thickness": 0.01}, "misfits"),
-    ({"shape": "i_beam", "width": 0.05, "height": 0.1, "flange_thickness": 0.01, "web_thickness": 0.05}, "misfits"),
+    ({"shape": "tube", "outer_diameter": 0.02, "thickness": 0.01}, "issues"),
+    ({"shape": "tube", "outer_diameter": 0.02, "thickness": 0.03}, "issues"),
+    ({"shape": "box", "width": 0.02, "height": 0.05, "thickness": 0.01}, "issues"),
+    ({"shape": "i_beam", "width": 0.05, "height": 0.1, "flange_thickness": 0.05, "web_thickness": 0.01}, "issues"),
+    ({"shape": "i_beam", "width": 0.05, "height": 0.1, "flange_thickness": 0.01, "web_thickness": 0.05}, "issues"),
     ({"shape": "hexagon", "diameter": 0.01}, "union_tag_invalid"),
     ({"shape": ["tube"], "diameter": 0.01}, "union_tag_invalid"),
     ({"bending_stiffness": -1.0, "mass_per_length": 1.0}, "greater_than"),
@@ -235,8 +235,8 @@ WRONG = [
     ({"bending_stiffness": [1.0, 1.0, 1.0], "mass_per_length": 1.0}, "too_long"),
     ({"bending_stiffness": "1", "mass_per_length": 1.0}, "tuple_type"),
     ({"bending_stiffness": True, "mass_per_length": 1.0}, "float_type"),
-    ({"bending_stiffness": 1e-300, "mass_per_length": 1.0}, "misfits"),
-    ({"bending_stiffness": 1e300, "mass_per_length": 1.0}, "misfits"),
+    ({"bending_stiffness": 1e-300, "mass_per_length": 1.0}, "issues"),
+    ({"bending_stiffness": 1e300, "mass_per_length": 1.0}, "issues"),
     ({"bending_stiffness": 1.0, "mass_per_length": 0.0}, "greater_than"),
     ({"bending_stiffness": 1.0, "mass_per_length": 1.0, "polar_inertia_per_length": -1.0}, "greater_than_equal"),
     ({"bending_stiffness": 1.0}, "missing"),
@@ -252,13 +252,13 @@ def test_a_wrong_section_is_refused(data, kind):
     assert kind in {error["type"] for error in caught.value.errors()}
 
 
-def test_a_wall_too_thick_tells_the_bound():
+def test_a_wall_too_thick_reports_the_bound():
     with pytest.raises(ValidationError) as caught:
         drawn(shape="tube", outer_diameter=0.02, thickness=0.01)
-    ((field, got, expected, mend),) = caught.value.errors()[0].get("ctx", {})["misfits"]
+    ((field, got, expected, hint),) = caught.value.errors()[0].get("ctx", {})["issues"]
     assert (field, got) == ("thickness", "0.01")
     assert "0.01 [m]" in expected
-    assert "shape: round" in mend
+    assert "shape: round" in hint
 
 
 @given(

@@ -13,7 +13,7 @@ from arm.random_chains import random_body, random_placement
 from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
 from tmodes.equations.recursion.framing import STRAIGHT, Framing, ScrewWay
 from tmodes.equations.recursion.screw_rates import rates_kernel
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
 
@@ -95,7 +95,7 @@ def newton_euler(chain: Chain, q, v, a):
 
 
 def assert_moves_as_newton_and_euler_say(chain: Chain) -> None:
-    model, rng = ArmModel(chain), np.random.default_rng(1)
+    model, rng = Model(chain), np.random.default_rng(1)
     for _ in range(3):
         q, v, a = rng.uniform(-3, 3, model.nq), rng.normal(size=model.nq), rng.normal(size=model.nq)
         effort, points = newton_euler(chain, q, v, a)
@@ -131,9 +131,9 @@ def test_way_is_the_placement(name: str) -> None:
     for index, node in enumerate(framing.chain.nodes):
         way, placement = framing.screws[index], framing.placements[index]
         assert way is not None
-        told = way.placement()
-        assert np.abs(told.rotation - placement.rotation).max() <= 2e-14
-        assert np.abs(told.position - placement.position).max() <= 2e-14
+        info = way.placement()
+        assert np.abs(info.rotation - placement.rotation).max() <= 2e-14
+        assert np.abs(info.position - placement.position).max() <= 2e-14
         if framing.heirs.get(node.parent) == index:
             assert way.beta == STRAIGHT
             assert way.lever[2] == 0
@@ -164,7 +164,7 @@ def test_quarter_turns_are_exact() -> None:
     bodies = [(0.0, 0.0, -0.3), (0.0, -0.2, 0.0), (0.0, 0.0, -0.1)]
     links = [RigidLink((Body(1.5, np.array(center), np.diag([0.1, 0.2, 0.3])),)) for center in bodies]
     nodes = (Node("one", -1, joint, links[0]), Node("two", 0, other, links[1]), Node("three", 1, last, links[2]))
-    model = ArmModel(Chain("plumb", nodes, np.array([0.0, 0.0, -9.81])))
+    model = Model(Chain("plumb", nodes, np.array([0.0, 0.0, -9.81])))
     assert not model.forward_dynamics(np.zeros(3), np.zeros(3)).any()
 
 
@@ -173,7 +173,7 @@ def test_prescribed_joint_among_others() -> None:
     chain = tree(PLACES["general"])
     held = replace(chain.nodes[2], joint=replace(chain.nodes[2].joint, drive=Drive.PRESCRIBED))
     chain = replace(chain, nodes=(*chain.nodes[:2], held, *chain.nodes[3:]))
-    model, rng = ArmModel(chain), np.random.default_rng(2)
+    model, rng = Model(chain), np.random.default_rng(2)
     q, v, a = (rng.normal(size=model.nq) for _ in range(3))
     effort = newton_euler(chain, q, v, a)[0]
     free = [k for k in range(model.nq) if k != 2]
@@ -190,7 +190,7 @@ def operations(kernels) -> int:
 
 def test_short_way_has_fewer_operations() -> None:
     """From joint to joint of a general chain: two thirds of the operations of the general way."""
-    part = ArmModel(tree(PLACES["general"])).parts.nodes[2]
+    part = Model(tree(PLACES["general"])).parts.nodes[2]
     assert part.screw
     short, general = part.screw.as_free(), part.hinge
     found = operations([rates_kernel(short, with_body=False), short.outward(), short.onward()])

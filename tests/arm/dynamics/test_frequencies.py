@@ -12,7 +12,7 @@ from scipy.linalg import eigh
 from arm.dynamics.exact_beams import bending, ritz_errors, rotating, torsion
 from arm.oracle.robots import piece
 from tmodes.chain.chain import Beam, Body, Chain, Joint, JointKind, Node, Placement, RigidLink, Segment
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
 
@@ -69,7 +69,7 @@ def frequencies(chain: Chain, shift: float = 0.0) -> Array:
 
     ``shift`` [1/s^2] makes K positive where the whole chain can turn freely; that motion is left out.
     """
-    model = ArmModel(chain)
+    model = Model(chain)
     mass, _, stiffness = model.linearised(np.zeros(len(model.coordinates)))
     values = eigh(mass, stiffness + shift * mass, eigvals_only=True)[::-1]
     return np.sqrt(1 / values[1:] - shift) if shift else np.sqrt(1 / values)
@@ -193,7 +193,7 @@ def test_segments_converge_to_the_wrong_beam() -> None:
 
 def steady(chain: Chain, speed: float) -> Array:
     """Frequencies of the links when the first joint turns at a constant speed: its own row and column are left out."""
-    model = ArmModel(chain)
+    model = Model(chain)
     size = len(model.coordinates)
     v = np.zeros(size)
     v[model.coordinates.index("spin")] = speed

@@ -14,7 +14,7 @@ from arm.oracle.pair import SPRUNG, Pair, assert_equations_agree, assert_near, a
 from arm.oracle.robots import GRAVITY, arms, turned
 from arm.random_chains import random_body, random_state
 from tmodes.chain.chain import Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, RigidLink
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 RUBBED = Friction(0.3, 0.5, 0.2, 0.4, 1e-2)
 LINEAR, RISING = Gear((100.0,), damping=0.5), Gear((100.0, 200.0, 300.0), (5.0, 20.0), damping=0.5)
@@ -67,7 +67,7 @@ def test_equations(name: str) -> None:
 def test_rising_gear_follows_its_table(wound: float) -> None:
     """5 N*m after 0.05 rad, 20 N*m after 0.125 rad, then 300 N*m/rad."""
     chain = replace(CASES["rising_gear"], gravity=np.zeros(3))
-    model = ArmModel(chain)
+    model = Model(chain)
     q = np.array([wound, 0.0, 0.0, 0.0])
     torque = np.sign(wound) * np.interp(abs(wound), [0, 0.05, 0.125, 1.125], [0, 5, 20, 320])
     found = np.asarray(model.inverse_dynamics(q, np.zeros(4), np.zeros(4)))
@@ -78,7 +78,7 @@ def test_backlash_is_a_dead_zone_rounded_at_its_edges() -> None:
     """No torque inside, full stiffness outside, and the torque is the slope of the stored energy everywhere."""
     width, rounding = 0.01, 1e-4
     gear = replace(LINEAR, backlash=width, backlash_rounding=rounding)
-    model = ArmModel(replace(arm(elastic("a", gear), joint("b")), gravity=np.zeros(3)))
+    model = Model(replace(arm(elastic("a", gear), joint("b")), gravity=np.zeros(3)))
 
     def torque(wound: float) -> float:
         q = np.array([wound, 0.0, 0.0])
@@ -104,12 +104,12 @@ def test_given_motion_of_a_joint(name: str, which: int) -> None:
     chain = arms()[name]
     moving = [i for i, node in enumerate(chain.nodes) if node.joint.kind is not JointKind.FIXED]
     nodes = list(chain.nodes)
-    told = nodes[moving[which]]
-    nodes[moving[which]] = replace(told, joint=replace(told.joint, drive=Drive.PRESCRIBED, motor=None, gear=None))
+    info = nodes[moving[which]]
+    nodes[moving[which]] = replace(info, joint=replace(info.joint, drive=Drive.PRESCRIBED, motor=None, gear=None))
     chain = replace(chain, nodes=tuple(nodes))
-    model, oracle = ArmModel(chain), Lagrangian(chain)
+    model, oracle = Model(chain), Lagrangian(chain)
     assert tuple(model.coordinates) == oracle.coordinates
-    row = oracle.coordinates.index(told.joint.name)
+    row = oracle.coordinates.index(info.joint.name)
     free = [i for i in range(oracle.size) if i != row]
     for seed in range(4):
         q, v, _ = random_state(seed, oracle.coordinates)

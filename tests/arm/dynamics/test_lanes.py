@@ -7,11 +7,11 @@ import numpy as np
 from arm.oracle.robots import arms
 from tmodes.compile.ir import kernels
 from tmodes.compile.lanes.wide import Wide
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 
 def test_lanes_equal_single_robots() -> None:
-    model = ArmModel(arms()["twist_and_bend"])
+    model = Model(arms()["twist_and_bend"])
     schedule = model.passes.schedule("forward")
     rng = np.random.default_rng(0)
     rows = 0.1 * rng.normal(size=(16, schedule.input_size))

@@ -21,7 +21,7 @@ from tmodes.compile.ir.program import READ, Instruction, block_program
 from tmodes.compile.ir.tracing import traced
 from tmodes.compile.ir.unroll import Unrolled
 from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 OPERATIONS: dict[str, Any] = {
     "add": lambda x, y: x + y, "sub": lambda x, y: x - y, "mul": lambda x, y: x * y, "div": lambda x, y: x / y,
@@ -45,24 +45,24 @@ def values_of(program: Any, inputs: Any) -> list[float]:
 
 
 def results_of(program: Any, inputs: Any, sizes: Any) -> list[float]:
-    found, told = values_of(program.values, inputs), [np.zeros(size) for size in sizes]
+    found, info = values_of(program.values, inputs), [np.zeros(size) for size in sizes]
     for output, element, index in program.results:
-        told[output][element] = 0.0 if index is None else found[index]
-    return np.concatenate(told).tolist()
+        info[output][element] = 0.0 if index is None else found[index]
+    return np.concatenate(info).tolist()
 
 
 def plain_kernels() -> list[Kernel]:
     """Those of trees with motors, sliding joints and given motions, and of the chain of the benchmark."""
     chains = [*(random_chain(seed, 5, rigid=True) for seed in range(4)), RigidChain(3).chain()]
-    found = [call[0] for chain in chains for call in ArmModel(chain).passes.schedule("forward").calls]
+    found = [call[0] for chain in chains for call in Model(chain).passes.schedule("forward").calls]
     return [*{kernel.key: kernel for kernel in found if kernel.plain}.values()]
 
 
 def test_traced_kernels_are_casadis() -> None:
     """And so are those in another order, at random numbers."""
-    rng, told = np.random.default_rng(2), plain_kernels()
-    assert len(told) > 12
-    for kernel in told:
+    rng, info = np.random.default_rng(2), plain_kernels()
+    assert len(info) > 12
+    for kernel in info:
         inputs = [rng.uniform(0.5, 2.0, size) for size in kernel.inputs]
         wanted = np.concatenate([np.array(out).ravel() for out in kernel.function().call(inputs)])
         scale = np.abs(wanted).max()
@@ -145,16 +145,16 @@ def chain(joints: int, *, geared: bool) -> Chain:
 def test_longer_arms_have_the_same_kernels(geared: bool) -> None:
     """So that a thousand joints take no longer to compile than two hundred; rigid ones start no spring."""
     kinds = [
-        {call[0].key for call in ArmModel(chain(n, geared=geared)).passes.schedule("forward").calls} for n in (16, 40)
+        {call[0].key for call in Model(chain(n, geared=geared)).passes.schedule("forward").calls} for n in (16, 40)
     ]
     assert kinds[0] == kinds[1]
     assert any(key.startswith("ahead") for key in kinds[0]) == geared
 
 
-def test_key_of_a_schedule_tells_where_its_blocks_are() -> None:
-    one, same = (ArmModel(RigidChain(5).chain()).passes.schedule("forward") for _ in range(2))
+def test_key_of_a_schedule_reports_where_its_blocks_are() -> None:
+    one, same = (Model(RigidChain(5).chain()).passes.schedule("forward") for _ in range(2))
     assert one.key == same.key
-    other = ArmModel(RigidChain(5).chain()).passes.schedule("forward")
+    other = Model(RigidChain(5).chain()).passes.schedule("forward")
     kernel, inputs, outputs = other.calls[3]
     other.calls[3] = (kernel, (inputs[0].part(1, inputs[0].size), *inputs[1:]), outputs)
     assert other.key != one.key

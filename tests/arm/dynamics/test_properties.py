@@ -15,7 +15,7 @@ from arm.oracle.robots import arms
 from arm.oracle.variants import carried, reordered, rigidified, split_placements, stiffened
 from arm.random_chains import random_chain, random_placement, random_state
 from tmodes.chain.chain import Chain
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
 
@@ -31,7 +31,7 @@ def chain_of(seed: int) -> Chain:
 
 @cache
 def model_of(seed: int) -> Any:
-    return ArmModel(chain_of(seed))
+    return Model(chain_of(seed))
 
 
 def state_of(model: Any, seed: int) -> tuple[Array, Array, Array]:
@@ -123,7 +123,7 @@ def test_jacobian_is_the_derivative_of_the_pose(chain: int, state: int) -> None:
 def test_place_in_the_world_does_not_matter(chain: int, state: int) -> None:
     """Base and gravity turned and carried together: the same forces, and the pose carried."""
     model, placement = model_of(chain), random_placement(np.random.default_rng(state), 3.0)
-    moved = ArmModel(carried(chain_of(chain), placement))
+    moved = Model(carried(chain_of(chain), placement))
     q, v, a = state_of(model, state)
     assert_near(moved.inverse_dynamics(q, v, a), model.inverse_dynamics(q, v, a), 1e-11)
     assert_near(moved.mass_matrix(q), model.mass_matrix(q), 1e-12)
@@ -135,7 +135,7 @@ def test_place_in_the_world_does_not_matter(chain: int, state: int) -> None:
 @pytest.mark.parametrize("order", [[0, 2, 1, 3], [0, 1, 3, 2]])
 def test_order_of_branches_does_not_matter(order: list[int]) -> None:
     chain = arms()["branched"]
-    model, other = ArmModel(chain), ArmModel(reordered(chain, order))
+    model, other = Model(chain), Model(reordered(chain, order))
     names, renamed = list(model.coordinates), list(other.coordinates)
     back = [renamed.index(name) for name in names]
     for seed in range(5):
@@ -156,7 +156,7 @@ def test_order_of_branches_does_not_matter(order: list[int]) -> None:
 def test_frames_between_are_conventions(seed: int) -> None:
     """A joint's placement split in two by a fixed joint and an empty link."""
     chain = chain_of(seed)
-    model, other = model_of(seed), ArmModel(split_placements(chain, random_placement(np.random.default_rng(seed))))
+    model, other = model_of(seed), Model(split_placements(chain, random_placement(np.random.default_rng(seed))))
     assert list(other.coordinates) == list(model.coordinates)
     for state in range(5):
         q, v, a = state_of(model, state)
@@ -168,7 +168,7 @@ def test_frames_between_are_conventions(seed: int) -> None:
 def test_stiff_links_move_as_rigid_ones(name: str) -> None:
     """EI, GJ, EA 1e12 times as large, one implicit step from rest: joints and motors accelerate as with rigid links."""
     chain, step = arms()[name], 1e-3
-    stiff, rigid = ArmModel(stiffened(chain, 1e12)), ArmModel(rigidified(chain))
+    stiff, rigid = Model(stiffened(chain, 1e12)), Model(rigidified(chain))
     shared = [list(stiff.coordinates).index(name) for name in rigid.coordinates]
     rows = driven(rigid, chain)
     for seed in range(3):

@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 from arm.oracle.pinocchio_bridge import chain_of, model_of
 from arm.oracle.robots import ur5, ur5_table
 from arm.random_chains import random_chain
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
 
@@ -54,7 +54,7 @@ def assert_near(found: Any, expected: Array, tolerance: float = 1e-10) -> None:
 def assert_equal_engines(chain: Any, peer: Any, depth_first: bool = True) -> None:
     """Mass matrix, bias, gravity, inverse and forward dynamics at 1,000 random states."""
     pinocchio: Any = pytest.importorskip("pinocchio")
-    model, data = ArmModel(chain), peer.createData()
+    model, data = Model(chain), peer.createData()
     order = [list(model.coordinates).index(name) for name in list(peer.names)[1:]]
     q, v, a, torque = states(peer.nv)
     mine = [np.zeros_like(x) for x in (q, v, a, torque)]
@@ -93,7 +93,7 @@ def test_published_robots_equal_pinocchio(name: str) -> None:
 def test_poses_and_jacobians_equal_pinocchio(name: str) -> None:
     pinocchio: Any = pytest.importorskip("pinocchio")
     peer, tip = published(name)
-    model, data, frame = ArmModel(chain_of(peer, tip)), peer.createData(), peer.getFrameId(tip)
+    model, data, frame = Model(chain_of(peer, tip)), peer.createData(), peer.getFrameId(tip)
     q = states(peer.nv, 2)[0][:50]
     places, axes = model.pose(q)
     jacobians = np.asarray(model.jacobian(q))
@@ -116,7 +116,7 @@ def test_random_trees_equal_pinocchio(seed: int) -> None:
 
 def test_ur5_equals_reference_values() -> None:
     """Six states: two engines and a Newton-Euler recursion agreed on them to 4e-15."""
-    model = ArmModel(ur5())
+    model = Model(ur5())
     for state in ur5_table()["states"]:
         q, v, a, torque = (np.array(state[name]) for name in ("q", "v", "a", "tau"))
         np.testing.assert_allclose(model.mass_matrix(q), state["mass_matrix"], atol=1e-12)
@@ -135,7 +135,7 @@ def test_ur5_equals_reference_values() -> None:
 def test_ur5_with_elastic_gears() -> None:
     """B thdd = tau - gear, M qdd + h = gear, gear = K (th - q) + D (thd - qd): from the table's M and h."""
     table = ur5_table()
-    model, gear = ArmModel(ur5(elastic=True)), {name: np.array(row) for name, row in table["elastic"].items()}
+    model, gear = Model(ur5(elastic=True)), {name: np.array(row) for name, row in table["elastic"].items()}
     for seed, state in enumerate(table["states"]):
         q, v, torque = (np.array(state[name]) for name in ("q", "v", "tau"))
         rng = np.random.default_rng(seed)

@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from scipy.linalg import eigh
 
 from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Joint, JointKind, Node, Point
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
 
@@ -35,15 +35,15 @@ TUBES = (
 CASES = {"step": STEP, "tubes": TUBES}
 
 
-def clamped(case: tuple[float, tuple[BeamPiece, ...]], **more: Any) -> ArmModel:
+def clamped(case: tuple[float, tuple[BeamPiece, ...]], **more: Any) -> Model:
     """The beam on a wall, no gravity, its tip told."""
     length, pieces = case
     link = Beam(length, pieces, **{"twist": 1, "bend_y": 3, "bend_z": 3, **more})
     node = Node("rod", -1, Joint("wall", JointKind.FIXED), link)
-    return ArmModel(Chain("stepped", (node,), np.zeros(3), points=(Point("tip", 0),)))
+    return Model(Chain("stepped", (node,), np.zeros(3), points=(Point("tip", 0),)))
 
 
-def compliance(model: ArmModel) -> Array:
+def compliance(model: Model) -> Array:
     """(6, 6): motion of the tip (place, then turn) per force and moment on it."""
     rest = np.zeros(len(model.coordinates))
     jacobian = np.asarray(model.jacobian(rest)).reshape(-1, len(rest))[:6]

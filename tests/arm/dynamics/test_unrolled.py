@@ -12,10 +12,10 @@ from arm.random_chains import random_chain
 from arm.run.sheets import arm, pendulum, torque
 from tmodes.compile.ir import calls, kernels, unroll
 from tmodes.compile.ir.program import block_program
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import planned
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 
 def landing() -> Any:
@@ -41,7 +41,7 @@ def rate_of(sheet: Any) -> tuple[Any, Any]:
 
 
 def forward_of(chain: Any) -> tuple[Any, Any]:
-    model = ArmModel(chain)
+    model = Model(chain)
     return model.passes.schedule("forward"), model.parameters
 
 
@@ -112,18 +112,18 @@ def test_zeros_and_twins_are_gone() -> None:
 
 def test_long_and_seldom_schedules_are_called() -> None:
     """Links that bend are thousands of operations; what runs once is not worth the wait for its code."""
-    bending = next(chain for chain in map(random_chain, range(20)) if "bend" in str(ArmModel(chain).coordinates))
-    assert not unroll.pays(ArmModel(bending).passes.schedule("forward"))
-    assert not unroll.pays(ArmModel(random_chain(5, 4, rigid=True)).passes.schedule("inertia"))
+    bending = next(chain for chain in map(random_chain, range(20)) if "bend" in str(Model(chain).coordinates))
+    assert not unroll.pays(Model(bending).passes.schedule("forward"))
+    assert not unroll.pays(Model(random_chain(5, 4, rigid=True)).passes.schedule("inertia"))
 
 
 def test_run_is_the_same_however_it_is_written(monkeypatch: pytest.MonkeyPatch) -> None:
     """A whole run into a surface, whose gate ends steps: the same steps either way."""
     monkeypatch.setenv("TMODES_CACHE", "")
-    one = simulate_arm(landing())
+    one = simulate_motion(landing())
     kernels._loaded.clear()
     monkeypatch.setattr(unroll, "LIMIT", 0)
-    other = simulate_arm(landing())
+    other = simulate_motion(landing())
     kernels._loaded.clear()
     assert one.contact_normal is not None
     assert one.contact_normal.max() > 1

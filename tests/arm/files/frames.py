@@ -8,7 +8,7 @@ import numpy as np
 from scipy.spatial.transform import Rotation
 
 from tmodes.chain.chain import Beam, JointKind, Placement
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 __all__ = ["chain_frames", "mass_matrix", "matrix", "sheet_frames"]
 
@@ -42,7 +42,7 @@ def sheet_frames(data: dict[str, Any], angles: dict[str, float]) -> dict[str, np
 
 def chain_frames(data: dict[str, Any], angles: dict[str, float]) -> dict[str, np.ndarray]:
     """The frame (4, 4) of each joint's rigid link, straight beams between, of the chain that a sheet becomes."""
-    chain = Arm.from_data(data).chain()
+    chain = Robot.from_data(data).chain()
     tips: list[np.ndarray] = []
     frames: dict[str, np.ndarray] = {}
     for node in chain.nodes:

@@ -227,7 +227,7 @@ def test_the_good_one_is_read(tmp_path: Path) -> None:
     assert (positions["joints.2"], positions["links.1"]) == (23, 11)
 
 
-def test_all_that_is_wrong_is_told_at_once(tmp_path: Path) -> None:
+def test_all_that_is_wrong_is_reported_at_once(tmp_path: Path) -> None:
     text = GOOD.replace(FORE_MASS, '<mass value="-1"/>').replace('<axis xyz="0 1 0"/>', '<axis xyz="0 0 0"/>')
     text = text.replace('<mass value="2.0"/>', '<mass value="nan"/>').replace('type="revolute"', 'type="ball"', 1)
     path = tmp_path / "bad.urdf"
@@ -268,17 +268,17 @@ def test_a_zero_mass_that_is_said_is_refused_also_in_the_middle(tmp_path: Path) 
     assert message.startswith("bad.urdf:7: link upper: mass: got 0 on a moving link")
 
 
-def test_a_negative_damping_is_read_and_told(tmp_path: Path) -> None:
+def test_a_negative_damping_is_read_and_reported(tmp_path: Path) -> None:
     from tmodes.io.sheet_plausible import implausible_arm
     from tmodes.robots.load import load_sheet
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
     path = tmp_path / "good.urdf"
     path.write_text(GOOD.replace('damping="0.3"', 'damping="-0.3"'))
     arm = load_sheet(path)
-    assert isinstance(arm, Arm)
-    told = "\n".join(implausible_arm(arm))
-    assert "joints.elbow.friction.viscous = -0.3 N*m*s/rad is negative: it feeds energy" in told
+    assert isinstance(arm, Robot)
+    info = "\n".join(implausible_arm(arm))
+    assert "joints.elbow.friction.viscous = -0.3 N*m*s/rad is negative: it feeds energy" in info
 
 
 def test_coupled_joints_are_held_where_their_equation_holds(tmp_path: Path) -> None:
@@ -290,7 +290,7 @@ def test_coupled_joints_are_held_where_their_equation_holds(tmp_path: Path) -> N
     assert "elbow (follows shoulder)" in data["assumed"]
 
 
-def test_a_link_that_is_called_as_the_ground_is_renamed_and_told(tmp_path: Path) -> None:
+def test_a_link_that_is_called_as_the_ground_is_renamed_and_reported(tmp_path: Path) -> None:
     path = tmp_path / "base.urdf"
     path.write_text(GOOD.replace('"fore"', '"base"'))
     data = read_arm_data(path)[0]
@@ -312,13 +312,13 @@ def test_a_chain_of_3000_links_takes_bounded_time(tmp_path: Path) -> None:
     data = read_arm_data(path)[0]
     assert time.process_time() - start < 5.0
     assert len(data["joints"]) == 3000
-    from tmodes.io.sheet_check import arm_from_data
+    from tmodes.io.sheet_check import sheet_from_data
 
     with pytest.raises(InputErrors, match="500"):
-        arm_from_data(data)
+        sheet_from_data(data)
     assert time.process_time() - start < 10.0
 
 
 def test_a_number_of_another_language(tmp_path: Path) -> None:
-    told = said(GOOD.replace(FORE_MASS, '<mass value="1_0"/>'), tmp_path)
-    assert "got '1_0', not a number as URDF writes it" in told
+    info = said(GOOD.replace(FORE_MASS, '<mass value="1_0"/>'), tmp_path)
+    assert "got '1_0', not a number as URDF writes it" in info

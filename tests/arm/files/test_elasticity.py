@@ -13,10 +13,10 @@ from arm.files.frames import chain_frames, matrix, sheet_frames
 from tmodes.chain.chain import Beam, Drive
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.io.elasticity_beam import section_axes
-from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_files import read_arm_data
 from tmodes.io.urdf import read_urdf
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 INERTIAL = """<inertial><origin xyz="0.1 0.02 0.2" rpy="0.3 -0.4 0.5"/><mass value="2.4"/>
 <inertia ixx="0.02" iyy="0.03" izz="0.04" ixy="0.001" ixz="0.002" iyz="-0.003"/></inertial>"""
@@ -57,7 +57,7 @@ def file_of(folder: Path, text: str, urdf: str = URDF) -> Path:
 
 
 def arm_of(folder: Path, text: str) -> Any:
-    return arm_from_data(*read_arm_data(file_of(folder, text)))
+    return sheet_from_data(*read_arm_data(file_of(folder, text)))
 
 
 def said(folder: Path, text: str) -> str:
@@ -73,7 +73,7 @@ def test_the_undeformed_arm_is_exactly_the_urdf(tmp_path: Path) -> None:
     chain = chain_frames(bent, ANGLES)
     for joint, link in (("turn", "hand"), ("eye", "camera")):
         np.testing.assert_allclose(chain[joint], rigid[link], atol=2e-15, rtol=0)
-    lengths = [node.link.length for node in Arm.from_data(bent).chain().nodes if isinstance(node.link, Beam)]
+    lengths = [node.link.length for node in Robot.from_data(bent).chain().nodes if isinstance(node.link, Beam)]
     assert lengths == pytest.approx([1.3, 0.5], abs=1e-15)
 
 
@@ -134,7 +134,7 @@ def test_a_kept_inertial_rides_where_it_was(center: str, tmp_path: Path) -> None
     np.testing.assert_allclose(frame[:3, :3] @ got @ frame[:3, :3].T, wanted, atol=1e-15)
     assert 0 < body["at"] <= 1
     assert "rpy" not in body
-    arm_from_data(data)
+    sheet_from_data(data)
 
 
 def test_joints_get_motors_and_gears_and_keep_the_rest(tmp_path: Path) -> None:
@@ -167,7 +167,7 @@ def test_joints_that_are_held_for_a_mimic_can_be_let_go(tmp_path: Path) -> None:
     urdf = URDF.replace('<axis xyz="1 0 0"/>', '<axis xyz="1 0 0"/><mimic joint="lift" offset="0.3"/>')
     held = read_arm_data(file_of(tmp_path, "gravity: 9.81\n", urdf))[0]["joints"]
     assert [joint.get("locked_at") for joint in held if "state" in joint] == [0.0, 0.3]
-    free = arm_from_data(*read_arm_data(file_of(tmp_path, "joints: {lift: {state: active}}\n", urdf)))
+    free = sheet_from_data(*read_arm_data(file_of(tmp_path, "joints: {lift: {state: active}}\n", urdf)))
     assert [joint.name for joint in free.joints if joint.state == "locked"] == ["turn"]
 
 
@@ -245,11 +245,11 @@ REFUSED = {
 }
 
 
-@pytest.mark.parametrize(("text", "words", "mend"), REFUSED.values(), ids=REFUSED)
-def test_refused_with_line_and_mend(text: str, words: str, mend: str, tmp_path: Path) -> None:
+@pytest.mark.parametrize(("text", "words", "hint"), REFUSED.values(), ids=REFUSED)
+def test_refused_with_line_and_hint(text: str, words: str, hint: str, tmp_path: Path) -> None:
     message = said(tmp_path, text)
     assert words in message
-    assert mend in message
+    assert hint in message
     assert message.startswith("bent.yaml:")
 
 
@@ -263,8 +263,8 @@ def test_the_urdf_lies_in_the_folder(name: str, tmp_path: Path) -> None:
         read_arm_data(path)
 
 
-def test_what_is_wrong_in_the_sheet_is_told_with_the_line_of_this_file(tmp_path: Path) -> None:
+def test_what_is_wrong_in_the_sheet_is_reported_with_the_line_of_this_file(tmp_path: Path) -> None:
     text = "joints:\n  lift:\n    motor: {inertia: 0.2, side: joint}\n    gear: {stiffness: -5, damping: 1.0}\n"
     data, positions, source = read_arm_data(file_of(tmp_path, text))
     with pytest.raises(TmodesError, match=r"bent\.yaml:5: .*gear\.stiffness"):
-        arm_from_data(data, positions, source)
+        sheet_from_data(data, positions, source)

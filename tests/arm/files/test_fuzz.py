@@ -18,7 +18,7 @@ from arm.files.test_dh_table import ROWS
 from arm.files.test_elasticity import BOTH, URDF
 from arm.files.test_xacro import MACROS
 from tmodes.errors import TmodesError
-from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_files import read_arm_data
 
 CASES = int(os.environ.get("TMODES_FUZZ", "300"))
@@ -125,15 +125,15 @@ def test_mutated_files(name: str, tmp_path: Path) -> None:
     (tmp_path / "bent.urdf").write_text(URDF)
     dice = random.Random(name)  # noqa: S311  # a reproducible choice, not a secret
     path, refused = tmp_path / name, 0
-    arm_from_data(*_written(path, TEXTS[name]))
+    sheet_from_data(*_written(path, TEXTS[name]))
     tracemalloc.start()
     for case in range(CASES):
         text = mutated(TEXTS[name], dice)
         start = time.process_time()
-        said = complaint(path, text)
-        told = f"case {case}: {said}\n{text}"
-        assert said == "" or str(path) in said or "bent.urdf" in said, told
-        assert time.process_time() - start < LONGEST, told
+        said = problem(path, text)
+        info = f"case {case}: {said}\n{text}"
+        assert said == "" or str(path) in said or "bent.urdf" in said, info
+        assert time.process_time() - start < LONGEST, info
         refused += bool(said)
     peak = tracemalloc.get_traced_memory()[1]
     tracemalloc.stop()
@@ -141,10 +141,10 @@ def test_mutated_files(name: str, tmp_path: Path) -> None:
     assert CASES / 4 < refused < CASES
 
 
-def complaint(path: Path, text: str) -> str:
+def problem(path: Path, text: str) -> str:
     """What tmodes has to say against a file; empty for an arm. Errors of other families come through."""
     try:
-        arm_from_data(*_written(path, text)).chain()
+        sheet_from_data(*_written(path, text)).chain()
     except TmodesError as error:
         return str(error)
     return ""

@@ -13,7 +13,7 @@ import pytest
 from arm.files.frames import mass_matrix, sheet_frames
 from tmodes.chain.chain import Drive
 from tmodes.errors import InputError
-from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_files import read_arm_data
 
 needs_mujoco = pytest.mark.skipif(find_spec("mujoco") is None, reason="needs MuJoCo (`pip install mujoco`)")
@@ -96,13 +96,13 @@ def test_limits_friction_and_motor(tmp_path: Path) -> None:
     assert joints["tilt"]["limits"] == {"effort": 5.0}
     assert data["gravity"] == [0.0, 0.0, -3.7]
     assert "base_frame" in data["assumed"]
-    assert len(arm_from_data(data, positions, source).chain().nodes) == 6
+    assert len(sheet_from_data(data, positions, source).chain().nodes) == 6
 
 
 @needs_mujoco
 def test_a_passive_spring_is_an_elastic_gear_with_a_locked_motor(tmp_path: Path) -> None:
     path = written(tmp_path, SPRING.format('stiffness="40" springref="0.25" damping="0.5"', ""))
-    joint: Any = arm_from_data(*read_arm_data(path)).chain().nodes[0].joint
+    joint: Any = sheet_from_data(*read_arm_data(path)).chain().nodes[0].joint
     assert (joint.drive, joint.gear.stiffness, joint.rest) == (Drive.SPRING, (40.0,), 0.25)
     assert joint.friction.viscous == 0.5
 

@@ -62,7 +62,7 @@ def test_no_document_type(content: bytes) -> None:
         (b"<r " + b" ".join(b'a%d="1"' % i for i in range(101)) + b"/>", "101 attributes of one element"),
     ],
 )
-def test_broken_files_are_told_with_their_line(content: bytes, words: str) -> None:
+def test_broken_files_are_reported_with_their_line(content: bytes, words: str) -> None:
     assert words in said(content)
 
 

@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.chain.chain import Beam, BeamPiece, Chain, Drive, Joint, JointKind, Node, Placement, Point
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["EI", "LENGTH", "MASS", "beam", "clamped", "piece", "turning"]
 
@@ -28,13 +28,13 @@ def beam(**more: Any) -> Beam:
     return Beam(LENGTH, **{**given, **more})
 
 
-def clamped(link: Any = None, *, gravity: Any = DOWN, points: tuple[Point, ...] = ()) -> ArmModel:
+def clamped(link: Any = None, *, gravity: Any = DOWN, points: tuple[Point, ...] = ()) -> Model:
     """A beam that stands out of a wall along x."""
     node = Node("rod", -1, Joint("wall", JointKind.FIXED), link or beam())
-    return ArmModel(Chain("clamped", (node,), np.asarray(gravity, dtype=float), points=points))
+    return Model(Chain("clamped", (node,), np.asarray(gravity, dtype=float), points=points))
 
 
-def turning(link: Any = None, *, gravity: Any = (0.0, 0.0, 0.0), drive: Drive = Drive.PRESCRIBED) -> ArmModel:
+def turning(link: Any = None, *, gravity: Any = (0.0, 0.0, 0.0), drive: Drive = Drive.PRESCRIBED) -> Model:
     """A beam on a hinge about z."""
     joint = Joint("hub", JointKind.REVOLUTE, Placement(), drive=drive)
-    return ArmModel(Chain("turning", (Node("rod", -1, joint, link or beam()),), np.asarray(gravity, dtype=float)))
+    return Model(Chain("turning", (Node("rod", -1, joint, link or beam()),), np.asarray(gravity, dtype=float)))

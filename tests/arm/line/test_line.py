@@ -14,13 +14,13 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import held_shape
 from tmodes.chain.chain import Body, Chain, JointKind, Point
 from tmodes.errors import InputError, SimulationError
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 S = np.linspace(0, 1, 21)
 X = LENGTH * S
 
 
-def random_samples(model: ArmModel, count: int = 4) -> list[np.ndarray]:
+def random_samples(model: Model, count: int = 4) -> list[np.ndarray]:
     rows = [random_state(seed, model.coordinates) for seed in range(count)]
     return [np.array([row[k] for row in rows]) for k in range(3)]
 
@@ -31,7 +31,7 @@ def chains() -> dict[str, Chain]:
 
 @pytest.mark.parametrize("name", chains())
 def test_line_ends_at_the_points_of_the_model(name: str) -> None:
-    model = ArmModel(chains()[name])
+    model = Model(chains()[name])
     q, v, a = random_samples(model)
     points = model.points(q)
     for k, point in enumerate(model.parts.points):
@@ -45,7 +45,7 @@ def test_line_ends_at_the_points_of_the_model(name: str) -> None:
 
 @pytest.mark.parametrize("name", chains())
 def test_balance_of_everything_outboard_is_the_joint_force_of_the_model(name: str) -> None:
-    model = ArmModel(chains()[name])
+    model = Model(chains()[name])
     q, v, a = random_samples(model)
     wrenches = np.random.default_rng(5).normal(size=(len(q), len(model.parts.points), 6))
     base = np.random.default_rng(6).normal(size=24)
@@ -230,7 +230,7 @@ def test_stress_of_a_box_adds_at_its_corner() -> None:
     assert (largest.s, largest.sample) == (0.0, 0)
 
 
-def test_stress_is_not_told_where_the_section_is_not_known() -> None:
+def test_stress_is_not_reported_where_the_section_is_not_known() -> None:
     line = elastic_line(clamped(), np.zeros(6))["rod"]
     assert line.stress is None
     assert line.largest("mises_stress") is None
@@ -249,7 +249,7 @@ def test_largest_says_where_and_when() -> None:
 
 def test_segment_line() -> None:
     """The paper's mode: deflection l th (3 s^2 - s^3)/2, slope 3/2 th at the tip, moment 3 EI/l^3 l^2 th (1 - s)."""
-    model = ArmModel(arms()["segmented"])
+    model = Model(arms()["segmented"])
     th_y, th_z = 2e-5, 3e-5
     q = np.zeros(model.nq)
     q[[model.coordinates.index("lower.bend_y"), model.coordinates.index("lower.bend_z")]] = th_y, th_z
@@ -268,7 +268,7 @@ def test_segment_in_balance_carries_what_bends_it() -> None:
     from tmodes.chain.chain import Joint, Node, Segment
 
     node = Node("mode", -1, Joint("wall", JointKind.FIXED), Segment(0.5, 800.0, 800.0, bodies=(Body(0.2),)))
-    model = ArmModel(Chain("mode", (node,), np.zeros(3)))
+    model = Model(Chain("mode", (node,), np.zeros(3)))
     push = np.array([0.0, 1e-6, 0.0, 0.0, 0.0, 0.0])[None, None]
     q = np.array([0.0, 1e-6 * 0.5 / (800.0 * 0.25)])
     line = elastic_line(model, q, wrenches=push)["mode"]
@@ -277,7 +277,7 @@ def test_segment_in_balance_carries_what_bends_it() -> None:
 
 
 def test_rigid_links_are_straight() -> None:
-    model = ArmModel(arms()["branched"])
+    model = Model(arms()["branched"])
     q, _, _ = random_samples(model)
     line = elastic_line(model, q)["arm"]
     assert line.kind == "rigid"

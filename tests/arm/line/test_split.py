@@ -13,7 +13,7 @@ from arm.oracle.robots import arms
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names, held_shape, split_motion
 from tmodes.chain.chain import Chain, Drive, Gear, Joint, JointKind, Motor, Node
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 
 def test_at_rest_the_stationary_part_is_the_sag() -> None:
@@ -32,7 +32,7 @@ def test_held_shape_is_an_equilibrium_of_the_loads_and_the_gross_motion() -> Non
     """Nothing is left along gears and links: of the forces with deflections standing still."""
     rng = np.random.default_rng(1)
     for name in ("twist_and_bend", "branched", "segmented"):
-        model = ArmModel(arms()[name])
+        model = Model(arms()[name])
         q = np.zeros((30, model.nq))
         v, a = rng.normal(size=(2, 30, model.nq))
         q[:, model.motors] = rng.uniform(-1, 1, (30, len(model.motors)))
@@ -57,7 +57,7 @@ def test_gear_deflection_is_output_less_input() -> None:
     tilted = Placement(np.array([[1.0, 0, 0], [0, 0, -1.0], [0, 1.0, 0]]))
     joint = Joint("hub", JointKind.REVOLUTE, tilted, drive=Drive.ELASTIC, motor=Motor(0.1), gear=Gear((500.0,)))
     node = Node("arm", -1, joint, RigidLink((Body(2.0, np.array([0.5, 0, 0])),)))
-    model = ArmModel(Chain("one", (node,), np.array([0.0, 0.0, -9.81])))
+    model = Model(Chain("one", (node,), np.array([0.0, 0.0, -9.81])))
     assert elastic_names(model) == ("hub.gear",)
     found, _ = held_shape(model, np.array([0.3, 0.3]))
     xi = deflections(model, found)[0, 0]
@@ -113,7 +113,7 @@ def test_release_rings_about_zero_at_the_natural_frequency() -> None:
     assert int(spectrum.argmax()) == 10
 
 
-def test_loads_beyond_buckling_are_told() -> None:
+def test_loads_beyond_buckling_are_reported() -> None:
     """A light rod pressed far beyond pi^2 EI/(4 L^2), from straight: exactly singular or not, it never lies."""
     model = clamped(beam(bend_y=0, bend_z=2), gravity=np.zeros(3))
     critical = np.pi**2 * EI / (4 * LENGTH**2)
@@ -125,7 +125,7 @@ def test_loads_beyond_buckling_are_told() -> None:
 
 def test_cheap_enough_for_a_run() -> None:
     """2,000 samples of an arm of 17 coordinates within seconds."""
-    model = ArmModel(arms()["twist_and_bend"])
+    model = Model(arms()["twist_and_bend"])
     rng = np.random.default_rng(2)
     q = np.zeros((2000, model.nq))
     q[:, model.motors] = np.cumsum(rng.normal(size=(2000, 2)) * 1e-3, axis=0)

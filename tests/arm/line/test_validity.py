@@ -12,9 +12,9 @@ from arm.line.beams import beam, clamped
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.model_validity import missing_share, run_warnings
 from tmodes.analysis.quasistatic import held_shape
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.warnings import run_warnings as joint_warnings
 
 
@@ -29,16 +29,16 @@ def sheet(**beam_changes: Any) -> dict[str, Any]:
     return {"format": 1, "kind": "arm", "name": "rod", "joints": [joint], "links": [{"name": "rod", "beam": rod}]}
 
 
-def told(q: Any, wrenches: Any = None, **changes: Any) -> list[str]:
-    arm = Arm.from_data(sheet(**changes))
-    model = ArmModel(arm.chain())
+def info(q: Any, wrenches: Any = None, **changes: Any) -> list[str]:
+    arm = Robot.from_data(sheet(**changes))
+    model = Model(arm.chain())
     q = np.atleast_2d(q)
     return run_warnings(arm, model, 0.1 * np.arange(len(q)), q, elastic_line(model, q, wrenches=wrenches))
 
 
-def told_of_joints(q: Any, v: Any = 0.0, effort: Any = 0.0) -> list[str]:
+def info_of_joints(q: Any, v: Any = 0.0, effort: Any = 0.0) -> list[str]:
     """What the run itself tells, of the same samples put in the place of its own."""
-    run = simulate_arm(Arm.from_data(sheet() | {"integration": {"duration": 0.02, "output_step": 0.01}}))
+    run = simulate_motion(Robot.from_data(sheet() | {"integration": {"duration": 0.02, "output_step": 0.01}}))
     nothing = np.zeros(len(q))
     return joint_warnings(replace(
         run, times=0.1 * np.arange(len(q)), q=q, v=np.broadcast_to(np.asarray(v, dtype=float), q.shape),
@@ -56,66 +56,66 @@ def rows(count: int, values: dict[int, float], at: int, size: int = 7) -> np.nda
 
 def at_rest() -> np.ndarray:
     """The rod's sag: with it, what bends it is what it carries."""
-    return held_shape(ArmModel(Arm.from_data(sheet()).chain()), np.zeros(7))[0]
+    return held_shape(Model(Robot.from_data(sheet()).chain()), np.zeros(7))[0]
 
 
-def test_nothing_is_told_within_the_limits() -> None:
+def test_nothing_is_reported_within_the_limits() -> None:
     still = np.repeat(at_rest(), 3, axis=0)
-    assert told(still) == []
-    assert told_of_joints(still) == []
+    assert info(still) == []
+    assert info_of_joints(still) == []
 
 
-def test_joint_limits_are_told_with_first_time_and_extent() -> None:
+def test_joint_limits_are_reported_with_first_time_and_extent() -> None:
     q = np.repeat(at_rest(), 5, axis=0)
     q[2:, 0] = [1.6, 1.8, 1.7]
-    (sentence,) = told_of_joints(q)
+    (sentence,) = info_of_joints(q)
     assert (
         sentence
         == "joint hub passes its limit of position, 1.5 rad, first at t = 0.2 s, and reaches 1.8 rad at t = 0.3 s"
     )
     q[2:, 0] = [-1.1, -1.2, 0.0]
-    (sentence,) = told_of_joints(q)
+    (sentence,) = info_of_joints(q)
     assert (
         sentence
         == "joint hub passes its limit of position, -1 rad, first at t = 0.2 s, and reaches -1.2 rad at t = 0.3 s"
     )
 
 
-def test_speed_and_effort_are_told() -> None:
+def test_speed_and_effort_are_reported() -> None:
     still = np.repeat(at_rest(), 3, axis=0)
-    (sentence,) = told_of_joints(still, v=rows(3, {0: -2.5}, 1))
+    (sentence,) = info_of_joints(still, v=rows(3, {0: -2.5}, 1))
     assert (
         sentence
         == "joint hub passes its limit of speed, 2 rad/s, first at t = 0.1 s, and reaches 2.5 rad/s at t = 0.1 s"
     )
-    (sentence,) = told_of_joints(still, effort=[[0.0], [-6.0], [5.5]])
+    (sentence,) = info_of_joints(still, effort=[[0.0], [-6.0], [5.5]])
     assert sentence == "joint hub passes its limit of effort, 5 N*m, first at t = 0.1 s, and reaches 6 N*m at t = 0.1 s"
 
 
-def test_stress_beyond_yield_is_told() -> None:
+def test_stress_beyond_yield_is_reported() -> None:
     """235 MPa in a rod of 10 mm: M = 235e6 pi d^3/32 = 23.07 N*m, a force of 46.14 N at 0.5 m."""
     for force, wanted in ((45.5, 0), (46.8, 1)):
         push = np.array([0.0, force, 0.0, 0.0, 0.0, 0.0])[None, None]
-        found = [line for line in told(np.zeros(7), wrenches=push) if "yield" in line]
+        found = [line for line in info(np.zeros(7), wrenches=push) if "yield" in line]
         assert len(found) == wanted
     assert "235 MPa, most at s = 0" in found[0]
 
 
-def test_buckling_load_is_told() -> None:
+def test_buckling_load_is_reported() -> None:
     """pi^2 EI/(4 L^2) of that rod: 210e9 pi 1e-8/64 pi^2/(4 0.25) = 1017 N."""
     for force, wanted in ((1010.0, 0), (1025.0, 1)):
         push = np.array([-force, 0.0, 0.0, 0.0, 0.0, 0.0])[None, None]
-        found = [line for line in told(np.zeros(7), wrenches=push) if "buckling" in line]
+        found = [line for line in info(np.zeros(7), wrenches=push) if "buckling" in line]
         assert len(found) == wanted
     assert "1017 N" in found[0]
     assert "1025 N" in found[0]
 
 
-def test_range_of_strain_and_of_segments_is_told() -> None:
+def test_range_of_strain_and_of_segments_is_reported() -> None:
     bent = rows(3, {4: 12.0}, 1)
-    assert any("rod turns by more than 1 rad between two of its points" in line for line in told(bent))
+    assert any("rod turns by more than 1 rad between two of its points" in line for line in info(bent))
     low = rows(3, {2: 0.12}, 2, size=3)
-    found = told(low, model="segments", segments=1, functions=None)
+    found = info(low, model="segments", segments=1, functions=None)
     assert any("link rod leaves the small angles" in line and "0.12 rad" in line for line in found)
 
 
@@ -130,9 +130,9 @@ def test_missing_share_of_a_tip_force(functions: int, share: float) -> None:
     assert missing_share(line, link)["bend_z"] == pytest.approx(share, rel=1e-4, abs=1e-8)
 
 
-def test_too_few_functions_are_told() -> None:
-    arm = Arm.from_data(sheet(functions={"bend_y": 1, "bend_z": 1}, basis="legendre"))
-    model = ArmModel(arm.chain())
+def test_too_few_functions_are_reported() -> None:
+    arm = Robot.from_data(sheet(functions={"bend_y": 1, "bend_z": 1}, basis="legendre"))
+    model = Model(arm.chain())
     q, _ = held_shape(model, np.zeros(3))
     found = run_warnings(arm, model, [0.0], q, elastic_line(model, q))
     assert len(found) == 1

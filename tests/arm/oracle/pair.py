@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from arm.oracle.lagrange import Lagrangian
 from arm.random_chains import random_state
 from tmodes.chain.chain import Chain
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["FREE", "SPRUNG", "Pair", "assert_equations_agree", "assert_near", "assert_parts_agree", "reachable"]
 
@@ -25,7 +25,7 @@ class Pair:
     """A chain's native model and its oracle, in one order of coordinates: the model's."""
 
     def __init__(self, chain: Chain):
-        self.model, self.oracle = ArmModel(chain), Lagrangian(chain)
+        self.model, self.oracle = Model(chain), Lagrangian(chain)
         self.names = tuple(self.model.coordinates)
         assert sorted(self.names) == sorted(self.oracle.coordinates)
         self.order = [self.oracle.coordinates.index(name) for name in self.names]

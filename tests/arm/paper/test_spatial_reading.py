@@ -8,9 +8,9 @@ import numpy as np
 import pytest
 
 from tmodes.chain.chain import Body, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Segment
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.paper.mechanism import Drive as SeedDrive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
 
 
@@ -52,16 +52,16 @@ def difference(size: float) -> tuple[float, float]:
     angles = np.array([0.3, 0.32, *(size * bending)])
     speeds = np.array([0.5, 0.4, *(size * rates)])
     phi, phid = np.linalg.solve(OF_PHI, angles), np.linalg.solve(OF_PHI, speeds)
-    told = Model(mechanism).evaluate(phi, phid, 0.0, parameters)
-    model = ArmModel(spatial_chain(robot))
+    info = PaperModel(mechanism).evaluate(phi, phid, 0.0, parameters)
+    model = Model(spatial_chain(robot))
     mass = OF_PHI.T @ model.mass_matrix(angles) @ OF_PHI
     forces = OF_PHI.T @ model.inverse_dynamics(angles, speeds, np.zeros(6))
     # The seed's right side holds the motor's friction and back-EMF; the chain has friction alone.
     friction = np.zeros(6)
     friction[5] = robot.motor.friction * phid[5]
-    seed = (told["h"] + told["f_el"] + told["f_di"])[0] + friction
+    seed = (info["h"] + info["f_el"] + info["f_di"])[0] + friction
     return (
-        float(np.abs(mass - told["H"][0]).max() / np.abs(told["H"]).max()),
+        float(np.abs(mass - info["H"][0]).max() / np.abs(info["H"]).max()),
         float(np.abs(forces - seed).max() / np.abs(seed).max()),
     )
 
@@ -78,7 +78,7 @@ def test_agrees_with_consistent_to_second_order() -> None:
 def test_segments() -> None:
     """The tip's tangent turns by 3/2 of the chord's angle, in both planes."""
     robot = load_robot("filipovic2010")
-    model = ArmModel(spatial_chain(robot))
+    model = Model(spatial_chain(robot))
     first, second = (mode.length for mode in robot.link.modes)
     angle = 0.2
     position, rotation = model.pose([0.0, 0.0, 0.0, angle, 0.0, 0.0])

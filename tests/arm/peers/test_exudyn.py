@@ -8,8 +8,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 
 exudyn: Any = pytest.importorskip("exudyn", reason="needs `pip install exudyn`")
 
@@ -73,7 +73,7 @@ def links(count: int) -> np.ndarray:
         "integration": {"duration": DURATION, "output_step": DURATION / (SAMPLES - 1), "relative_tolerance": 1e-8,
                         "absolute_tolerance": 1e-10},
     }  # fmt: skip
-    return simulate_arm(Arm.from_data(sheet)).points.position[:, 0, :2]
+    return simulate_motion(Robot.from_data(sheet)).points.position[:, 0, :2]
 
 
 @pytest.mark.parametrize("count", [1, 2])

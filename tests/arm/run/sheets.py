@@ -8,7 +8,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 REFERENCE = json.loads((Path(__file__).parent / "data" / "reference_values.json").read_text(encoding="utf-8"))
 
@@ -16,9 +16,9 @@ ZERO = {"type": "constant", "value": 0.0}
 TIGHT = {"relative_tolerance": 1e-12, "absolute_tolerance": 1e-13, "output_step": 0.01}
 
 
-def arm(**more: Any) -> Arm:
+def arm(**more: Any) -> Robot:
     """A sheet with what every sheet has."""
-    return Arm.from_data({"format": 1, "kind": "arm", "name": "test", **more})
+    return Robot.from_data({"format": 1, "kind": "arm", "name": "test", **more})
 
 
 def at_times(run: Any, times: Any) -> np.ndarray:
@@ -28,7 +28,7 @@ def at_times(run: Any, times: Any) -> np.ndarray:
     return indices
 
 
-def pendulum(motor: dict[str, Any], gear: dict[str, Any], drive: dict[str, Any], **more: Any) -> Arm:
+def pendulum(motor: dict[str, Any], gear: dict[str, Any], drive: dict[str, Any], **more: Any) -> Robot:
     """Spong's arm: a bob of 1 kg at 1 m that hangs at angle 0, on an elastic joint."""
     return arm(
         gravity=more.pop("gravity", 9.8),
@@ -46,26 +46,26 @@ def torque(value: float) -> dict[str, Any]:
     return {"command": "torque", "signal": {"type": "constant", "value": value}}
 
 
-def ur5(**more: Any) -> Arm:
+def ur5(**more: Any) -> Robot:
     """The six joints of the UR5 as given, with motors and elastic gears, under control with constant gravity terms."""
     case = REFERENCE["g21"]
     elastic = case["elastic"]
     joints, links, drives, coordinates = [], [], [], {}
-    for k, told in enumerate(case["joints"]):
+    for k, info in enumerate(case["joints"]):
         name, child = f"j{k}", f"l{k}"
-        turn = np.array(told["placement_R"])
+        turn = np.array(info["placement_R"])
         quaternion = _quaternion(turn)
         joints.append({
-            "name": name, "type": "revolute", "child": child, "axis": [float(x) for x in told["axis"]],
+            "name": name, "type": "revolute", "child": child, "axis": [float(x) for x in info["axis"]],
             **({"parent": "base"} if k == 0 else {}),
-            "origin": {"position": told["placement_p"], "quaternion": quaternion},
+            "origin": {"position": info["placement_p"], "quaternion": quaternion},
             "motor": {"inertia": elastic["B"][k], "side": "joint"},
             "gear": {"stiffness": elastic["K"][k], "damping": elastic["D"][k]},
         })  # fmt: skip
-        inertia = np.array(told["inertia_com"])
+        inertia = np.array(info["inertia_com"])
         places = {"xx": (0, 0), "yy": (1, 1), "zz": (2, 2), "xy": (0, 1), "xz": (0, 2), "yz": (1, 2)}
         links.append({"name": child, "bodies": [{
-            "name": "body", "mass": told["mass"], "center": told["com"],
+            "name": "body", "mass": info["mass"], "center": info["com"],
             "inertia": {key: float(inertia[place]) for key, place in places.items()},
         }]})  # fmt: skip
         shift = elastic["g_qd"][k] / elastic["KP"][k]
@@ -124,14 +124,14 @@ def sunk(time: np.ndarray) -> np.ndarray:
     return np.where(time < touch, 0.05 - 9.81 * time**2 / 2, depth)
 
 
-def ringing(**integration: Any) -> Arm:
+def ringing(**integration: Any) -> Robot:
     """A gear that hardly damps, 3,600 1/s, and a torque that sets it ringing by 1e-7 rad."""
     sheet = {"motor": {"inertia": 0.3}, "gear": {"stiffness": 3e6, "damping": 0.01}, "drive": torque(0.2)}
-    told = {"duration": 8.0, "output_step": 0.01, "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8}
-    return pendulum(**sheet, integration={**told, **integration})
+    info = {"duration": 8.0, "output_step": 0.01, "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8}
+    return pendulum(**sheet, integration={**info, **integration})
 
 
-def sliding(**integration: Any) -> Arm:
+def sliding(**integration: Any) -> Robot:
     """A mass that lands on a rough surface and is dragged along it: friction, which no method takes implicit, is stiff.
 
     Two carriages carry it; the eigenvalue is friction times load over speed and mass, 1.2e5 1/s.

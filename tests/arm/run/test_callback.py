@@ -7,7 +7,7 @@ import pytest
 
 from arm.run.sheets import pendulum
 from tmodes.errors import SimulationError
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 SIGNAL = {"type": "quintic", "start": 0.0, "end": 0.5, "duration": 0.3}
 DRIVE = {"command": "position", "signal": SIGNAL,
@@ -31,7 +31,7 @@ def law(time, q, v):
 )
 def test_same_motion_as_the_built_in_law(settings, error):
     arm = sheet(**settings)
-    native, called = simulate_arm(arm), simulate_arm(arm, controller=law)
+    native, called = simulate_motion(arm), simulate_motion(arm, controller=law)
     assert called.status == "finished"
     assert np.abs(called.q - native.q).max() < error
     assert np.abs(called.effort - native.effort).max() < 100 * error
@@ -51,7 +51,7 @@ def changes_the_state(time, q, v):
 
 
 @pytest.mark.parametrize(
-    ("controller", "told"),
+    ("controller", "info"),
     [
         (changes_the_state, "read-only"),
         (lambda time, q, v: [0.0, 0.0], r"shape \(2,\)"),
@@ -59,13 +59,13 @@ def changes_the_state(time, q, v):
         (lambda time, q, v: "text", "ValueError"),
     ],
 )
-def test_faults_at_the_first_call(controller, told):
-    with pytest.raises(SimulationError, match=told):
-        simulate_arm(sheet(), controller=controller)
+def test_faults_at_the_first_call(controller, info):
+    with pytest.raises(SimulationError, match=info):
+        simulate_motion(sheet(), controller=controller)
 
 
 def test_a_fault_later_keeps_what_was_done():
-    run = simulate_arm(sheet(), controller=raises)
+    run = simulate_motion(sheet(), controller=raises)
     assert run.status == "stopped"
     assert "raises" in run.message
     assert "by nothing" in run.message
@@ -74,21 +74,21 @@ def test_a_fault_later_keeps_what_was_done():
 
 
 def test_a_run_that_diverges():
-    run = simulate_arm(sheet(method="rk4", step=1e-3), controller=lambda time, q, v: [1e6 * v[0] + 1.0])
+    run = simulate_motion(sheet(method="rk4", step=1e-3), controller=lambda time, q, v: [1e6 * v[0] + 1.0])
     assert run.status == "diverged"
     assert np.isfinite(run.q).all()
 
 
 def test_time_limit():
-    run = simulate_arm(sheet(method="rk4", step=1e-4, max_wall_time=0.01), controller=law)
+    run = simulate_motion(sheet(method="rk4", step=1e-4, max_wall_time=0.01), controller=law)
     assert run.status == "stopped"
     assert "max_wall_time" in run.message
 
 
 def test_steps_that_fail_end_the_run():
     """An effort of 1e308 N*m after 0.12 s: no step across is small enough; what was done before is kept as it was."""
-    run = simulate_arm(sheet(), controller=lambda time, q, v: [1e308 if time > 0.12 else 1.0])
-    free = simulate_arm(sheet(), controller=lambda time, q, v: [1.0])
+    run = simulate_motion(sheet(), controller=lambda time, q, v: [1e308 if time > 0.12 else 1.0])
+    free = simulate_motion(sheet(), controller=lambda time, q, v: [1.0])
     assert run.status == "stopped"
     assert "no step is small enough" in run.message
     assert run.times[-1] == pytest.approx(0.12)
@@ -97,7 +97,9 @@ def test_steps_that_fail_end_the_run():
 
 def test_no_acceleration_from_the_start():
     """No length of a first step can be told; the run ends at once."""
-    run = simulate_arm(sheet(initial={"state": "zero", "rates": {"joint": 1.0}}), controller=lambda time, q, v: [1e308])
+    run = simulate_motion(
+        sheet(initial={"state": "zero", "rates": {"joint": 1.0}}), controller=lambda time, q, v: [1e308]
+    )
     assert run.status == "stopped"
     assert len(run.times) == 1
 
@@ -110,7 +112,7 @@ def chatters(time, q, v):
 @pytest.mark.parametrize("limit", [{"max_steps": 60}, {"max_wall_time": 0.05}])
 def test_limits_hold_within_an_interval(limit):
     """One sample, at 0.5 s, is not reached; what is left is the start."""
-    run = simulate_arm(sheet(output_step=0.5, **limit), controller=chatters)
+    run = simulate_motion(sheet(output_step=0.5, **limit), controller=chatters)
     assert run.status == "stopped"
     assert f"integration.{next(iter(limit))} = " in run.message
     assert "is used up; raise it" in run.message
@@ -120,8 +122,8 @@ def test_limits_hold_within_an_interval(limit):
 
 def test_all_steps_may_be_used():
     """500 steps of 1 ms reach the end; 17 of at most 0.6 ms for each sample are 850, more than 834."""
-    assert simulate_arm(sheet(method="rk4", step=1e-3, max_steps=500), controller=law).status == "finished"
-    stopped = simulate_arm(sheet(method="rk4", step=6e-4, max_steps=834), controller=law)
+    assert simulate_motion(sheet(method="rk4", step=1e-3, max_steps=500), controller=law).status == "finished"
+    stopped = simulate_motion(sheet(method="rk4", step=6e-4, max_steps=834), controller=law)
     assert stopped.status == "stopped"
     assert "max_steps" in stopped.message
     assert len(stopped.times) == 1 + 834 // 17

@@ -8,7 +8,7 @@ from scipy.integrate import solve_ivp
 
 from arm.run.sheets import REFERENCE, TIGHT, ZERO, arm, at_times, beam
 from tmodes.errors import InputError
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 
 def slider(mass, contact, *, axis=(1, 0, 0), gravity=0.0, drive=None, rate=0.0, **more):
@@ -29,7 +29,7 @@ def test_pressed_on_a_surface_with_mass():
     contact = {"shape": wall, "law": "bilateral", "stiffness": p["ka"], "damping": p["be"], "preload": p["F0"],
                "mass": p["me"]}  # fmt: skip
     push = {"type": "constant", "value": p["Fp"]}
-    run = simulate_arm(slider(p["mt"], contact, drive=push, integration={"duration": 0.5, **TIGHT}))
+    run = simulate_motion(slider(p["mt"], contact, drive=push, integration={"duration": 0.5, **TIGHT}))
     assert run.contact_normal is not None
     assert run.contact_force is not None
     rows = at_times(run, p["times"])
@@ -45,7 +45,7 @@ def test_hits_a_wall_and_leaves_it():
     contact = {"shape": {"type": "plane", "position": [0.1, 0, 0], "normal": [-2, 0, 0]}, "law": "unilateral",
                "stiffness": p["k"], "damping": p["b"]}  # fmt: skip
     settings = {"duration": 0.3, **TIGHT, "output_step": 1e-5}
-    run = simulate_arm(slider(p["m"], contact, rate=p["v0"], integration=settings))
+    run = simulate_motion(slider(p["m"], contact, rate=p["v0"], integration=settings))
     meets = 0.1 / p["v0"]
     assert run.contact_normal is not None
     assert run.penetration is not None
@@ -65,7 +65,7 @@ def test_sliding_stops():
     contact = {"shape": {"type": "plane", "position": [0, 0, 0], "normal": [0, 0, 1]}, "law": "bilateral",
                "stiffness": 1.0, "damping": 0.0, "preload": p["m"] * p["g"], "friction": p["mu"],
                "friction_velocity": 1e-4}  # fmt: skip
-    run = simulate_arm(slider(p["m"], contact, rate=p["v0"], integration={
+    run = simulate_motion(slider(p["m"], contact, rate=p["v0"], integration={
         "duration": 0.5, "output_step": 1e-3, "relative_tolerance": 1e-8, "absolute_tolerance": 1e-10}))  # fmt: skip
     assert run.q[-1, 0] == pytest.approx(p["x_stop"], rel=1e-3)
     stopped = run.times[run.v[:, 0] > 1e-3][-1]
@@ -83,7 +83,7 @@ def test_pressed_statically():
     joint = {"name": "root", "type": "revolute", "parent": "base", "child": "beam", "axis": [0, 0, 1],
              "motor": {"inertia": 0.1, "side": "joint"}, "gear": {"stiffness": p["kg"], "damping": 0.5}}  # fmt: skip
     drive = {"joint": "root", "command": "prescribed", "signal": {"type": "constant", "value": phi}}
-    run = simulate_arm(arm(
+    run = simulate_motion(arm(
         gravity=0.0, joints=[joint], drives=[drive], contact=contact,
         links=[{"name": "beam", "beam": beam({"bend_z": 3}, length, p["EI"], 0.5, basis="tip_weighted")}],
         integration={"duration": 0.01, "output_step": 0.01},
@@ -108,7 +108,7 @@ def test_bob_on_a_ball(inside, method, tolerance):
     ]
     body = {"name": "bob", "mass": 2.0, "center": [0, 0, 0]}
     drives = [{"joint": name, "command": "effort", "signal": ZERO} for name in "xz"]
-    run = simulate_arm(arm(
+    run = simulate_motion(arm(
         gravity=9.81, joints=joints, links=[{"name": "b", "bodies": [body]}], drives=drives, contact=contact,
         initial={"state": "zero", "coordinates": {"x": 0.95}, "rates": {"z": 1.0}},
         integration={"duration": 1.0, "output_step": 0.01, "method": method, "relative_tolerance": tolerance,
@@ -135,7 +135,7 @@ def test_mass_of_a_surface_that_only_pushes_is_refused():
     contact = {"shape": {"type": "wall", "distance": 1.0}, "law": "unilateral", "stiffness": 1e3, "damping": 0.0,
                "mass": 1.0}  # fmt: skip
     with pytest.raises(InputError, match=r"contact\.mass"):
-        simulate_arm(slider(1.0, contact, integration={"duration": 0.1}))
+        simulate_motion(slider(1.0, contact, integration={"duration": 0.1}))
 
 
 def link_under(load, **more):
@@ -154,7 +154,7 @@ def test_loads_dead_and_following(frame):
     """A force times a signal on the tip: one keeps its direction, the other turns with the link."""
     signal = {"type": "sine", "amplitude": 1.0, "frequency": 0.5}
     load = {"point": "tip", "force": [0, 3.0, 0], "moment": [0, 0, 0.2], "frame": frame, "signal": signal}
-    run = simulate_arm(link_under(load))
+    run = simulate_motion(link_under(load))
 
     def rate(t, y):
         lever = 0.5 if frame == "section" else 0.5 * np.cos(y[0])
@@ -169,7 +169,7 @@ def test_base_that_shakes_and_turns():
     """A free link on a base that travels and turns: written in the inertial frame; the base's work is told."""
     travel = {"type": "expression", "formula": "0.1*sin(5*t)"}
     turn = {"type": "expression", "formula": "0.4*t**2"}
-    run = simulate_arm(link_under(None, base_motion={"x": travel, "yaw": turn}, initial={
+    run = simulate_motion(link_under(None, base_motion={"x": travel, "yaw": turn}, initial={
         "state": "zero", "coordinates": {"turn": 1.0}}))  # fmt: skip
 
     # psi = angle in space; the pivot accelerates by -2.5 sin(5 t) along x: psi'' = -x'' (-sin psi)/l.
@@ -190,7 +190,7 @@ def test_base_turning_in_space():
     signals = {name: {"type": "expression", "formula": formula} for name, formula in motion.items()}
     sheet = link_under(None, base_motion=signals, base={"position": [0.1, 0.2, 0.3], "rpy": [0.4, 0.5, 0.6]},
                        gravity=9.81, integration={"duration": 0.5, **TIGHT, "output_step": 1e-3})  # fmt: skip
-    run = simulate_arm(sheet)
+    run = simulate_motion(sheet)
     place, h = run.points.position[:, 0], 1e-3
     middle = slice(2, -2)
     slope = (place[:-4] - 8 * place[1:-3] + 8 * place[3:-1] - place[4:]) / (12 * h)

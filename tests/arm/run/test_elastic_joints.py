@@ -7,7 +7,7 @@ import pytest
 from scipy.integrate import solve_ivp
 
 from arm.run.sheets import REFERENCE, at_times, pendulum, torque, ur5
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 MOTOR = {"inertia": 0.3}
 
@@ -34,7 +34,7 @@ def states(run):
 
 def test_free_swing():
     arm = pendulum(MOTOR, {"stiffness": 100.0}, torque(0.0), initial={"state": "zero", "coordinates": {"joint": 2.0}})
-    run = simulate_arm(arm)
+    run = simulate_motion(arm)
     assert run.status == "finished"
     assert np.abs(states(run) - exact(written(lambda *_: 0.0), [2, 2, 0, 0], run.times)).max() < 1e-9
     case, rows = REFERENCE["c01"], at_times(run, REFERENCE["c01"]["times"])
@@ -45,7 +45,7 @@ def test_free_swing():
 def test_torque_from_rest():
     motor = {**MOTOR, "friction": {"viscous": 0.2}}
     arm = pendulum(motor, {"stiffness": 100.0, "damping": 0.5}, torque(5.0), initial={"state": "zero"})
-    run = simulate_arm(arm)
+    run = simulate_motion(arm)
     assert np.abs(states(run) - exact(written(lambda *_: 5.0, 0.5, 0.2), [0] * 4, run.times)).max() < 1e-9
     case, rows = REFERENCE["c03"], at_times(run, REFERENCE["c03"]["times"])
     assert np.abs(run.q[rows, 1] - case["q"]).max() < 1e-8
@@ -61,7 +61,7 @@ def test_dc_motor_under_the_papers_law():
     control = {"type": "pd", "position_gain": p["Klp"], "velocity_gain": p["Klv"]}
     drive = {"command": "position", "signal": wanted, "controller": control}
     arm = pendulum(motor, {"stiffness": p["C"], "damping": p["Bg"]}, drive, initial={"state": "zero"})
-    run = simulate_arm(arm)
+    run = simulate_motion(arm)
     case, rows = REFERENCE["c07"], at_times(run, REFERENCE["c07"]["times"])
     for name, values in zip(("q", "theta", "qd", "thetad"), states(run)[rows].T, strict=True):
         assert np.abs(values - case[name]).max() < 1e-8
@@ -77,7 +77,7 @@ def test_winding_with_inductance():
     motor = {**MOTOR, "resistance": 1.5, "back_emf_constant": 0.8, "torque_constant": 0.7, "inductance": 0.02}
     drive = {"command": "voltage", "signal": {"type": "sine", "amplitude": 12.0, "frequency": 0.7}}
     arm = pendulum(motor, {"stiffness": 100.0, "damping": 0.5}, drive, initial={"state": "zero"})
-    run = simulate_arm(arm)
+    run = simulate_motion(arm)
 
     def rate(t, y):
         voltage = 12 * np.sin(2 * np.pi * 0.7 * t)
@@ -90,7 +90,7 @@ def test_winding_with_inductance():
 
 
 def test_ur5_with_elastic_gears():
-    run = simulate_arm(ur5())
+    run = simulate_motion(ur5())
     case, rows = REFERENCE["g21"], at_times(run, REFERENCE["g21"]["times"])
     found = np.column_stack([run.q[rows, 6:], run.q[rows, :6], run.v[rows, 6:], run.v[rows, :6]])
     assert np.abs(found - np.array(case["y"])).max() < 1e-8
@@ -102,7 +102,7 @@ def test_motor_that_follows_exactly():
     signal = {"type": "quintic", "start": 0.2, "end": 0.9, "duration": 0.8}
     arm = pendulum(MOTOR | {"friction": {"viscous": 0.2}}, {"stiffness": 100.0, "damping": 0.5},
                    {"command": "prescribed", "signal": signal}, initial={"state": "zero"})  # fmt: skip
-    run = simulate_arm(arm)
+    run = simulate_motion(arm)
     schedule = arm.drives[0].signal.schedule(5.0)
     th, thd, thdd = (schedule.at(run.times, k) for k in range(3))
     assert np.abs(run.q[:, 0] - th).max() < 1e-12
@@ -123,7 +123,9 @@ def test_rest_is_where_the_springs_hold_the_weight():
     control = {"type": "pd", "position_gain": 80.0, "velocity_gain": 12.0}
     wanted = {"type": "constant", "value": 1.0}
     drive = {"command": "position", "signal": wanted, "controller": control}
-    run = simulate_arm(pendulum(MOTOR, {"stiffness": 100.0}, drive, integration={"duration": 0.1, "output_step": 0.01}))
+    run = simulate_motion(
+        pendulum(MOTOR, {"stiffness": 100.0}, drive, integration={"duration": 0.1, "output_step": 0.01})
+    )
     sag = run.q[0, 0] - run.q[0, 1]
     assert run.q[0, 0] == 1.0
     assert 100 * sag == pytest.approx(9.8 * np.sin(run.q[0, 1]), rel=1e-9)
@@ -138,7 +140,7 @@ def test_rigid_joint_under_control_and_its_reference():
     drive = {"command": "position", "signal": signal, "controller": control}
     arm = pendulum({"inertia": 0.3, "friction": {"viscous": 0.1}}, {"stiffness": float("inf")}, drive,
                    initial={"state": "zero"}, integration={"duration": 2.0, "output_step": 0.01})  # fmt: skip
-    run = simulate_arm(arm)
+    run = simulate_motion(arm)
     assert run.coordinates == ("joint",)
     assert run.reference is not None
     schedule = arm.drives[0].signal.schedule(2.0)

@@ -10,14 +10,14 @@ import pytest
 from arm.run.sheets import arm
 from tmodes.compile.loops.time_loop import Status
 from tmodes.result.record import STATUSES
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.simulation.endings import Lost
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 G = 9.81
 
 
-def bouncing(height: float, damping_ratio: float, **integration: Any) -> Arm:
+def bouncing(height: float, damping_ratio: float, **integration: Any) -> Robot:
     """A gram that falls from a height onto a surface of 1e12 N/m, which takes 0.16 per cent of its speed each time."""
     stiffness, mass = 1e12, 1e-3
     contact = {"point": "tip", "shape": {"type": "plane", "normal": [0, 0, 1], "position": [0, 0, 0]},
@@ -40,7 +40,7 @@ def test_a_bounce_whose_period_shrinks_chatters(method: str) -> None:
     Flights of 2 v e^n / g sum up to it, with a half swing on the spring for each; the run ends a little before.
     """
     height, ratio = 1e-9, 5e-4
-    run = simulate_arm(bouncing(height, ratio, method=method))
+    run = simulate_motion(bouncing(height, ratio, method=method))
     e, first = np.exp(-np.pi * ratio), np.sqrt(2 * height / G)
     zeno = first * (1 + 2 * e / (1 - e))
     assert run.status == "chattering"
@@ -58,7 +58,7 @@ def test_a_bounce_whose_period_shrinks_chatters(method: str) -> None:
 
 def test_a_bounce_that_comes_to_rest_does_not_chatter() -> None:
     """The same with a damping at which a few bounces are left: it ends as any other motion, at rest on the surface."""
-    run = simulate_arm(bouncing(1e-9, 0.05, method="extrapolation", duration=2e-3, output_step=2e-5))
+    run = simulate_motion(bouncing(1e-9, 0.05, method="extrapolation", duration=2e-3, output_step=2e-5))
     assert run.status == "finished"
     assert run.statistics["contact_changes"] < 100
     assert run.contact_normal is not None
@@ -77,8 +77,8 @@ def test_a_bounce_that_comes_to_rest_does_not_chatter() -> None:
 def test_what_was_lost_is_named(status: Status, acceleration: float, named: str, words: str) -> None:
     """The status is one that results know; time, coordinate and value are told, then what to do."""
     lost = Lost(0.25, 1e-3, np.array([1.0, acceleration, 2.0]), ("a", "b", "c"), 1e8)
-    told, message = lost.told(status)
-    assert told == named
-    assert told in STATUSES
+    info, message = lost.info(status)
+    assert info == named
+    assert info in STATUSES
     assert "at t = 0.25 s in coordinate b" in message
     assert words in message

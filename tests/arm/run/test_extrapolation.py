@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import arm, landing, pendulum, sunk, torque
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 Integration = dict[str, Any]
 
@@ -32,10 +32,10 @@ def stiff(**integration: Any) -> Any:
 
 
 def test_agrees_with_explicit_steps_along_the_path() -> None:
-    exact = simulate_arm(stiff(method="dormand_prince", relative_tolerance=1e-11, absolute_tolerance=1e-13))
+    exact = simulate_motion(stiff(method="dormand_prince", relative_tolerance=1e-11, absolute_tolerance=1e-13))
     errors = []
     for tolerance in (1e-6, 1e-8):
-        run = simulate_arm(
+        run = simulate_motion(
             stiff(method="extrapolation", relative_tolerance=tolerance, absolute_tolerance=tolerance / 100)
         )
         assert run.status == "finished"
@@ -45,8 +45,8 @@ def test_agrees_with_explicit_steps_along_the_path() -> None:
 
 
 def test_taken_where_explicit_steps_are_dear() -> None:
-    assert "by extrapolation" in simulate_arm(stiff(duration=6.0, output_step=0.01)).message
-    soft = simulate_arm(pendulum({"inertia": 0.3}, {"stiffness": 100.0}, torque(1.0), integration={"duration": 0.5}))
+    assert "by extrapolation" in simulate_motion(stiff(duration=6.0, output_step=0.01)).message
+    soft = simulate_motion(pendulum({"inertia": 0.3}, {"stiffness": 100.0}, torque(1.0), integration={"duration": 0.5}))
     assert "by dormand_prince" in soft.message
 
 
@@ -65,7 +65,7 @@ def test_contact_sets_in_where_it_does(method: str) -> None:
         integration={"duration": 0.2, "output_step": 0.02, "method": method, "relative_tolerance": 1e-10,
                      "absolute_tolerance": 1e-12},
     )  # fmt: skip
-    run = simulate_arm(sheet)
+    run = simulate_motion(sheet)
     decay, omega = damping / (2 * mass), np.sqrt(stiffness / mass)
     ringing = np.sqrt(omega**2 - decay**2)
     # The push k x + b x' ends where tan(ringing t) = -2 decay ringing/(omega^2 - 2 decay^2), first after zero.
@@ -78,7 +78,7 @@ def test_contact_sets_in_where_it_does(method: str) -> None:
 def test_knots_that_are_samples_but_for_rounding(output_step: float, time: float) -> None:
     drive = {"command": "torque", "signal": {"type": "step", "start": 0.0, "end": 4.0, "time": time}}
     integration = {"duration": 1.0, "output_step": output_step, "method": "extrapolation"}
-    run = simulate_arm(pendulum({"inertia": 0.3}, {"stiffness": 100.0}, drive, integration=integration))
+    run = simulate_motion(pendulum({"inertia": 0.3}, {"stiffness": 100.0}, drive, integration=integration))
     assert run.status == "finished"
     assert len(run.times) == round(1.0 / output_step) + 1
     assert np.isfinite(run.q).all()
@@ -86,14 +86,14 @@ def test_knots_that_are_samples_but_for_rounding(output_step: float, time: float
 
 def test_a_hard_landing_takes_few_steps() -> None:
     """Spring and damper of a surface are taken at the end of a step: 2e5 1/s hold back nothing."""
-    run = simulate_arm(landing(method="extrapolation"))
+    run = simulate_motion(landing(method="extrapolation"))
     assert np.abs(run.q[:, 0] - sunk(run.times)).max() < 1e-9
     assert run.statistics["steps"] < 300
 
 
-def test_passes_and_evaluations_are_told_apart() -> None:
+def test_passes_and_evaluations_are_reported_apart() -> None:
     """Eight rows: 36 evaluations of the motion in nine passes of four lanes, whatever is rejected."""
-    told = simulate_arm(stiff(method="extrapolation")).statistics
-    tried = told["steps"] + told["rejected"]
-    assert told["passes"] == 9 * tried
-    assert told["evaluations"] == 36 * tried
+    info = simulate_motion(stiff(method="extrapolation")).statistics
+    tried = info["steps"] + info["rejected"]
+    assert info["passes"] == 9 * tried
+    assert info["evaluations"] == 36 * tried

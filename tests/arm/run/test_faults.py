@@ -13,24 +13,24 @@ from tmodes.errors import InputErrors
 from tmodes.integrate.settings import Method
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
-from tmodes.simulation.start import ArmRegime, arm_regime
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
+from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.trajectory import Trajectory, integrate
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 BREAK = 0.0537
 
 
-def swing(**integration: Any) -> Arm:
+def swing(**integration: Any) -> Robot:
     settings = {"duration": 0.1, "output_step": 1e-3, "step": 1e-3, **integration}
     return pendulum({"inertia": 0.3}, {"stiffness": 100.0, "damping": 0.1}, torque(1.0),
                     initial={"state": "zero"}, integration=settings)  # fmt: skip
 
 
-def run_with(regime: ArmRegime, value: float) -> Trajectory:
+def run_with(regime: RunSetup, value: float) -> Trajectory:
     """The run of an arm whose torque is a value from ``BREAK`` on."""
     first = regime.planned.schedule.coefficients[0]
     pieces = Schedule(np.array([0.0, BREAK, 0.1]), np.stack([first, np.full_like(first, value)]))
@@ -41,7 +41,7 @@ def run_with(regime: ArmRegime, value: float) -> Trajectory:
 @pytest.mark.parametrize("value", [np.nan, np.inf])
 def test_a_force_that_is_no_number_ends_the_run_where_it_comes(method: str, value: float) -> None:
     """Not a step further: all before is as it was without, all is finite, and the coordinate and the time are told."""
-    regime = arm_regime(swing(method=method))
+    regime = run_setup(swing(method=method))
     bad, good = run_with(regime, value), run_with(regime, 1.0)
     assert bad.status == "diverged"
     assert f"at t = {BREAK:.6g} s in coordinate joint" in bad.message
@@ -57,7 +57,7 @@ def test_the_2010_robot_keeps_what_was_before_a_reference_that_is_no_number(meth
     """The same in its native loops."""
     robot = load_robot("filipovic2010")
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, schedule = Model(mechanism), robot.reference.schedule()
+    model, schedule = PaperModel(mechanism), robot.reference.schedule()
     coefficients = schedule.coefficients.copy()
     coefficients[1:] = np.nan
     update = {"method": Method(method), "duration": 2 * schedule.knots[1], "output_step": 1e-2}
@@ -90,18 +90,18 @@ def later(answer: Any) -> Any:
 
 
 @pytest.mark.parametrize(
-    ("answer", "told"),
+    ("answer", "info"),
     [([np.nan], "nan for joint joint"), ([np.inf], "inf for joint joint"), ([1.0, 2.0], r"shape \(2,\)"),
      (None, "expected 1 efforts"), ("text", "could not convert"), ([1j], "complex")],
 )  # fmt: skip
-def test_a_controller_that_goes_wrong_later(answer: Any, told: str) -> None:
+def test_a_controller_that_goes_wrong_later(answer: Any, info: str) -> None:
     """Its name, the time and what it gave are told; what was done is kept as it was."""
-    run = simulate_arm(swing(output_step=1e-2), controller=later(answer))
+    run = simulate_motion(swing(output_step=1e-2), controller=later(answer))
     assert run.status == "stopped"
     assert "controller later.<locals>.controller at t = 0.0" in run.message
     assert np.isfinite(run.states).all()
     assert run.times[-1] == pytest.approx(0.05)
-    with pytest.raises(AssertionError, match=told):
+    with pytest.raises(AssertionError, match=info):
         raise AssertionError(run.message)
 
 
@@ -113,7 +113,7 @@ def test_a_slow_controller_ends_by_the_limit_on_time() -> None:
         return [0.0]
 
     began = clock.monotonic()
-    run = simulate_arm(swing(max_wall_time=0.1, output_step=0.1, method="rk4"), controller=slow)
+    run = simulate_motion(swing(max_wall_time=0.1, output_step=0.1, method="rk4"), controller=slow)
     assert run.status == "stopped"
     assert "integration.max_wall_time = 0.1 is used up" in run.message
     assert clock.monotonic() - began < 20.0

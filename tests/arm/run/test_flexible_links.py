@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import REFERENCE, ZERO, arm, at_times, beam
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 
 def test_slewing_link():
@@ -22,7 +22,7 @@ def test_slewing_link():
     shape = beam({"bend_z": 5}, p["L"], p["EI"], p["rhoA"], basis="tip_weighted")
     link = {"name": "link", "bodies": [hub], "beam": shape}
     last = case["times"][-1]
-    run = simulate_arm(arm(
+    run = simulate_motion(arm(
         gravity=0.0,
         joints=[{"name": "hub", "type": "revolute", "parent": "base", "child": "link", "axis": [0, 0, 1]}],
         links=[link], drives=[{"joint": "hub", "command": "effort", "signal": signal}],
@@ -53,7 +53,7 @@ def test_two_links_fall():
         joints.append({"name": f"j{k}", "type": "revolute", "child": name, "axis": [0, 0, 1]})
     joints[0]["parent"] = "base"
     drives = [{"joint": joint["name"], "command": "effort", "signal": ZERO} for joint in joints]
-    run = simulate_arm(arm(
+    run = simulate_motion(arm(
         gravity=[0, -9.81, 0], joints=joints, links=links, drives=drives,
         points=[{"name": "elbow", "link": "link1"}], initial={"state": "zero"},
         integration={"duration": 1.2, "output_step": 0.05, "relative_tolerance": 1e-8, "absolute_tolerance": 1e-10},
@@ -68,7 +68,7 @@ def test_spin_up():
     """A beam spun up to 6 rad/s stiffens: its tip lags most by 0.5737 m, at 6.76 s (Kane, Ryan, Banerjee 1987)."""
     formula = "6/15*(t**2/2 + (15/(2*pi))**2*(cos(2*pi*t/15)-1))"
     spun = {"type": "expression", "formula": formula}
-    run = simulate_arm(arm(
+    run = simulate_motion(arm(
         gravity=0.0,
         joints=[{"name": "hub", "type": "revolute", "parent": "base", "child": "beam", "axis": [0, 0, 1]}],
         links=[{"name": "beam", "beam": beam({"bend_z": 3}, 10.0, 1.4e4, 1.2, basis="legendre")}],

@@ -10,16 +10,16 @@ import pytest
 from arm.run.sheets import arm, beam, pendulum, torque
 from tmodes.compile.loops.tableau import difference_weights
 from tmodes.errors import CompileError
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.simulation import trajectory
-from tmodes.simulation.simulate import simulate_arm
-from tmodes.simulation.start import arm_regime, run_arm_regime
+from tmodes.simulation.simulate import simulate_motion
+from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.trajectory import Trajectory
 
 FINE = {"method": "dormand_prince", "relative_tolerance": 1e-12, "absolute_tolerance": 1e-14}
 
 
-def stiff(damping_time: float = 1e-3, **integration: Any) -> Arm:
+def stiff(damping_time: float = 1e-3, **integration: Any) -> Robot:
     """Two thin tubes on elastic joints that are not parallel, driven; fastest eigenvalue about 1e5 1/s."""
     links = [
         {"name": f"l{k}", "beam": beam({"bend_y": 1, "bend_z": 2}, 0.3, 60.0, 0.5, damping_time=damping_time),
@@ -44,7 +44,7 @@ def stiff(damping_time: float = 1e-3, **integration: Any) -> Arm:
     )  # fmt: skip
 
 
-def swinging(**integration: Any) -> Arm:
+def swinging(**integration: Any) -> Robot:
     """An undamped flexible double pendulum that swings: nothing brings energy in or takes it out."""
     links = [
         {"name": f"l{k}", "beam": beam({"bend_z": 2}, 0.5, 40.0, 0.6),
@@ -59,9 +59,9 @@ def swinging(**integration: Any) -> Arm:
     )  # fmt: skip
 
 
-def path(sheet: Arm, **more: Any) -> Trajectory:
+def path(sheet: Robot, **more: Any) -> Trajectory:
     """The run of the real arm alone."""
-    return run_arm_regime(arm_regime(sheet), **more)
+    return run_trajectory(run_setup(sheet), **more)
 
 
 def difference(one: Trajectory, other: Trajectory, coordinates: int) -> float:
@@ -78,10 +78,10 @@ def slope(steps: list[float], errors: list[float]) -> float:
 @pytest.mark.parametrize("damping_time", [0.0, 1e-5, 1e-3])
 def test_path_stays_within_the_tolerance(method: str, factor: float, damping_time: float) -> None:
     """Undamped, lightly damped and over-damped links; samples every 0.1 ms lie between the ends of steps."""
-    told = {"duration": 0.03, "output_step": 1e-4}
-    exact = path(stiff(damping_time, **told, **FINE))
+    info = {"duration": 0.03, "output_step": 1e-4}
+    exact = path(stiff(damping_time, **info, **FINE))
     for tolerance in (1e-5, 1e-7):
-        run = path(stiff(damping_time, **told, method=method, relative_tolerance=tolerance,
+        run = path(stiff(damping_time, **info, method=method, relative_tolerance=tolerance,
                          absolute_tolerance=tolerance / 100))  # fmt: skip
         assert run.status == "finished"
         assert difference(run, exact, 10) < factor * tolerance
@@ -128,7 +128,7 @@ def test_energy_of_an_undamped_arm_does_not_drift() -> None:
     """Over 25,000 steps of the midpoint rule the error of the energy stays a band whose width is that of h^2."""
     widths = []
     for step in (2e-3, 1e-3):
-        run = simulate_arm(swinging(duration=50.0, output_step=0.05, method="midpoint", step=step))
+        run = simulate_motion(swinging(duration=50.0, output_step=0.05, method="midpoint", step=step))
         assert run.status == "finished"
         moved = np.ptp(run.energies["kinetic"])
         error = run.energy_balance / moved
@@ -141,22 +141,22 @@ def test_energy_of_an_undamped_arm_does_not_drift() -> None:
 
 @pytest.mark.parametrize("tolerance", [1e-4, 1e-6])
 def test_energy_of_stiff_undamped_links_stays_within_the_tolerance(tolerance: float) -> None:
-    run = simulate_arm(stiff(0.0, duration=0.3, method="extrapolation", relative_tolerance=tolerance,
+    run = simulate_motion(stiff(0.0, duration=0.3, method="extrapolation", relative_tolerance=tolerance,
                              absolute_tolerance=tolerance / 100))  # fmt: skip
     assert np.abs(run.energy_balance).max() < tolerance * np.ptp(run.energies["kinetic"])
 
 
 def test_energy_of_an_undamped_arm_by_extrapolation() -> None:
-    run = simulate_arm(swinging(duration=2.0, method="extrapolation", relative_tolerance=1e-8,
+    run = simulate_motion(swinging(duration=2.0, method="extrapolation", relative_tolerance=1e-8,
                                 absolute_tolerance=1e-10))  # fmt: skip
     assert np.abs(run.energy_balance).max() < 1e-7 * np.ptp(run.energies["kinetic"])
 
 
 def test_methods_agree_on_an_arm_that_is_not_stiff() -> None:
     sheet = {"motor": {"inertia": 0.3}, "gear": {"stiffness": 100.0, "damping": 0.5}, "drive": torque(2.0)}
-    told = {"duration": 1.0, "output_step": 0.01, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
+    info = {"duration": 1.0, "output_step": 0.01, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
     runs = [
-        path(pendulum(**sheet, integration={**told, "method": method}))
+        path(pendulum(**sheet, integration={**info, "method": method}))
         for method in ("dormand_prince", "extrapolation", "rosenbrock")
     ]
     assert difference(runs[1], runs[0], 2) < 2e-8
@@ -166,12 +166,12 @@ def test_methods_agree_on_an_arm_that_is_not_stiff() -> None:
 def test_a_motor_that_follows_its_signal_is_where_it_must_be() -> None:
     """A prescribed motor behind a stiff gear: implicit steps take it, and the spring, where the step ends."""
     drive = {"command": "prescribed", "signal": {"type": "sine", "amplitude": 0.4, "frequency": 1.5, "offset": 0.0}}
-    told = {"duration": 0.4, "output_step": 0.01}
+    info = {"duration": 0.4, "output_step": 0.01}
     sheets = [
-        pendulum({"inertia": 0.3}, {"stiffness": 5e3, "damping": 1.0}, drive, integration={**told, **more})
+        pendulum({"inertia": 0.3}, {"stiffness": 5e3, "damping": 1.0}, drive, integration={**info, **more})
         for more in (FINE, {"method": "extrapolation", "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11})
     ]
-    exact, found = (simulate_arm(sheet) for sheet in sheets)
+    exact, found = (simulate_motion(sheet) for sheet in sheets)
     assert np.abs(exact.q).max() > 0.3
     assert np.abs(found.q - exact.q).max() < 2e-8
 
@@ -199,7 +199,7 @@ def test_iterations_that_do_not_converge_end_the_run() -> None:
 
 
 @pytest.mark.parametrize("method", ["extrapolation", "midpoint", "rosenbrock"])
-def test_a_motion_that_is_lost_is_told_with_time_and_coordinate(method: str) -> None:
+def test_a_motion_that_is_lost_is_reported_with_time_and_coordinate(method: str) -> None:
     """A torque so large that what it moves is soon no motion any more."""
     sheet = pendulum(
         {"inertia": 0.3}, {"stiffness": 100.0}, torque(1e11),
@@ -217,6 +217,6 @@ def test_rosenbrock_refuses_what_its_memory_cannot_hold() -> None:
         "joints": [{"name": f"j{k}", "type": "revolute", "child": f"l{k}", "axis": [0, 0, 1]} for k in range(151)],
         "links": [{"name": f"l{k}", "bodies": [{"name": "b", "mass": 1.0, "center": [0.1, 0, 0]}]} for k in range(151)],
     }
-    told = {"duration": 0.01, "output_step": 0.01, "method": "rosenbrock"}
+    info = {"duration": 0.01, "output_step": 0.01, "method": "rosenbrock"}
     with pytest.raises(CompileError, match="take method extrapolation"):
-        path(arm(**many, gravity=0.0, initial={"state": "zero"}, integration=told))
+        path(arm(**many, gravity=0.0, initial={"state": "zero"}, integration=info))

@@ -8,9 +8,9 @@ import pytest
 from arm.run.sheets import TIGHT, ZERO, arm, pendulum, torque
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Method
-from tmodes.io.sheet_check import arm_data
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.io.sheet_check import sheet_data
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 
 GEAR = {"stiffness": 100.0, "damping": 0.5}
 MOTOR = {"inertia": 0.3}
@@ -20,7 +20,7 @@ STEP = {"type": "step", "start": 0.0, "end": 8.0, "time": 0.2345678}
 
 def jumped(**integration):
     drive = {"command": "torque", "signal": STEP}
-    return simulate_arm(pendulum(MOTOR, GEAR, drive, initial={"state": "zero"},
+    return simulate_motion(pendulum(MOTOR, GEAR, drive, initial={"state": "zero"},
                                  integration={"duration": 0.6, "output_step": 0.1, **integration}))  # fmt: skip
 
 
@@ -50,7 +50,7 @@ def test_jumps_are_exact():
     before = run.times < STEP["time"]
     assert not run.q[before].any()
     assert run.q[~before][0].any()
-    fresh = simulate_arm(pendulum(MOTOR, GEAR, torque(8.0), initial={"state": "zero"},
+    fresh = simulate_motion(pendulum(MOTOR, GEAR, torque(8.0), initial={"state": "zero"},
                                   integration={"duration": 0.6 - STEP["time"], **TIGHT}))  # fmt: skip
     assert np.abs(run.q[-1] - fresh.q[-1]).max() < 1e-11
     assert np.array_equal(np.unique(run.wanted), [0.0, 8.0])
@@ -71,7 +71,7 @@ def test_same_bits_after_an_interruption():
 
     sheet = pendulum(MOTOR, GEAR, torque(5.0), initial={"state": "zero"},
                      integration={"duration": 20.0, "output_step": 0.01, "method": "rk4", "step": 1e-4})  # fmt: skip
-    whole = simulate_arm(sheet)
+    whole = simulate_motion(sheet)
     journal, stop = Journal(), [True]
 
     def progress(stage, share):
@@ -79,19 +79,19 @@ def test_same_bits_after_an_interruption():
             stop[0] = False
             raise KeyboardInterrupt
 
-    first = simulate_arm(sheet, progress=progress, journals=lambda stage: journal)
+    first = simulate_motion(sheet, progress=progress, journals=lambda stage: journal)
     assert first.status == "interrupted"
     assert 0 < len(first.times) < len(whole.times)
     assert np.array_equal(first.q, whole.q[: len(first.times)])
-    second = simulate_arm(sheet, journals=lambda stage: journal)
+    second = simulate_motion(sheet, journals=lambda stage: journal)
     assert second.status == "finished"
     assert np.array_equal(second.q, whole.q)
 
 
-def test_unstable_step_is_told_before_and_after():
+def test_unstable_step_is_reported_before_and_after():
     sheet = pendulum(MOTOR, {"stiffness": 1e6, "damping": 0.0}, torque(1.0), initial={"state": "zero"},
                      integration={"duration": 1.0, "output_step": 0.01, "method": "rk4", "step": 0.01})  # fmt: skip
-    run = simulate_arm(sheet)
+    run = simulate_motion(sheet)
     assert run.status == "diverged"
     assert "joint" in run.message
     assert "dt*omega" in run.message
@@ -107,12 +107,12 @@ def test_controller_that_feeds_energy_in():
     drive = {"command": "voltage", "signal": ZERO}
     motor = {**MOTOR, "resistance": 1.0, "back_emf_constant": 0.1, "torque_constant": 0.1}
     standing = {"joint": float(np.pi)}
-    run = simulate_arm(pendulum(motor, GEAR, drive, initial={"state": "zero", "coordinates": standing},
+    run = simulate_motion(pendulum(motor, GEAR, drive, initial={"state": "zero", "coordinates": standing},
                                 integration={"duration": 0.1, "output_step": 0.01}))  # fmt: skip
     assert any("unstable at its start" in warning for warning in run.warnings)
 
 
-def test_joint_without_a_drive_is_held_and_told():
+def test_joint_without_a_drive_is_held_and_reported():
     joints = [
         {"name": "a", "type": "revolute", "parent": "base", "child": "one", "axis": [0, 1, 0]},
         {"name": "b", "type": "revolute", "child": "two", "axis": [0, 1, 0]},
@@ -122,13 +122,13 @@ def test_joint_without_a_drive_is_held_and_told():
     sheet = arm(joints=joints, links=links, drives=[{"joint": "a", "command": "effort", "signal": ZERO}],
                 initial={"state": "zero", "coordinates": {"b": 0.4}},
                 integration={"duration": 0.5, "output_step": 0.01})  # fmt: skip
-    run = simulate_arm(sheet)
+    run = simulate_motion(sheet)
     assert np.array_equal(run.q[:, 1], np.full(len(run.times), 0.4))
     assert any("joint b has no drive" in warning for warning in run.warnings)
     assert np.abs(run.q[-1, 0]) > 0.5
 
 
-def test_limits_of_a_joint_that_nothing_drives_are_told():
+def test_limits_of_a_joint_that_nothing_drives_are_reported():
     """A locked joint whose gear gives way swings past its limit."""
     sheet = arm(gravity=9.8, joints=[{"name": "joint", "type": "revolute", "parent": "base", "child": "link",
                 "axis": [0, 1, 0], "state": "locked", "gear": {"stiffness": 5.0, "damping": 0.0},
@@ -136,28 +136,28 @@ def test_limits_of_a_joint_that_nothing_drives_are_told():
                 links=[{"name": "link", "bodies": [{"name": "bob", "mass": 1.0, "center": [0, 0, -1]}]}],
                 initial={"state": "zero", "coordinates": {"joint": 0.1}, "rates": {"joint": 2.0}},
                 integration={"duration": 1.0, "output_step": 0.01})  # fmt: skip
-    run = simulate_arm(sheet)
+    run = simulate_motion(sheet)
     assert run.drives == ()
-    (told,) = [warning for warning in run.warnings if "limit" in warning]
+    (info,) = [warning for warning in run.warnings if "limit" in warning]
     first = run.times[np.flatnonzero(run.q[:, 0] > 0.2)[0]]
-    assert f"limit of position, 0.2 rad, first at t = {first:.4g} s" in told
+    assert f"limit of position, 0.2 rad, first at t = {first:.4g} s" in info
 
 
-def test_limits_are_told_with_time_and_value():
+def test_limits_are_reported_with_time_and_value():
     limits = {"lower": -1.0, "upper": 0.1, "speed": 100.0, "effort": 4.0}
     sheet = pendulum(MOTOR, GEAR, torque(5.0), initial={"state": "zero"},
                      integration={"duration": 1.0, "output_step": 0.01})  # fmt: skip
-    run = simulate_arm(sheet.with_({"joints.joint.limits": limits}))
-    told = [warning for warning in run.warnings if "limit" in warning]
+    run = simulate_motion(sheet.with_({"joints.joint.limits": limits}))
+    info = [warning for warning in run.warnings if "limit" in warning]
     first = run.times[np.flatnonzero(run.q[:, 1] > 0.1)[0]]
-    assert any(f"t = {first:.4g} s" in warning and f"{run.q[:, 1].max():.6g}" in warning for warning in told)
-    assert any("effort" in warning for warning in told)
+    assert any(f"t = {first:.4g} s" in warning and f"{run.q[:, 1].max():.6g}" in warning for warning in info)
+    assert any("effort" in warning for warning in info)
 
 
 def test_no_reference_run_of_a_jump():
     control = {"type": "pd", "position_gain": 80.0, "velocity_gain": 12.0}
     drive = {"command": "position", "signal": {**STEP, "end": 0.5}, "controller": control}
-    run = simulate_arm(pendulum(MOTOR, {"stiffness": float("inf")}, drive, initial={"state": "zero"},
+    run = simulate_motion(pendulum(MOTOR, {"stiffness": float("inf")}, drive, initial={"state": "zero"},
                                 integration={"duration": 1.0, "output_step": 0.01}))  # fmt: skip
     assert run.reference is None
     assert any("no reference run" in warning and "0.234568" in warning for warning in run.warnings)
@@ -168,7 +168,7 @@ def test_real_arm_differs_from_the_nominal_one():
     control = {"type": "pd", "position_gain": 80.0, "velocity_gain": 12.0}
     signal = {"type": "quintic", "start": 0.0, "end": 0.5, "duration": 0.5}
     drive = {"command": "position", "signal": signal, "controller": control}
-    run = simulate_arm(pendulum(MOTOR, GEAR, drive, real={"joints.joint.gear.stiffness": 0.5},
+    run = simulate_motion(pendulum(MOTOR, GEAR, drive, real={"joints.joint.gear.stiffness": 0.5},
                                 integration={"duration": 1.0, "output_step": 0.01}))  # fmt: skip
     assert run.reference is not None
     gear = 50 * (run.q[:, 0] - run.q[:, 1]) + 0.5 * (run.v[:, 0] - run.v[:, 1])
@@ -180,22 +180,22 @@ def test_real_arm_differs_from_the_nominal_one():
 
 def test_unknown_coordinate_is_refused():
     with pytest.raises(InputError, match="bend"):
-        simulate_arm(pendulum(MOTOR, GEAR, torque(0.0), initial={"coordinates": {"link.bend_y1": 0.1}},
+        simulate_motion(pendulum(MOTOR, GEAR, torque(0.0), initial={"coordinates": {"link.bend_y1": 0.1}},
                               integration={"duration": 0.1}))  # fmt: skip
 
 
 def test_too_many_samples_are_refused_before_they_are_made():
     settings = {"duration": 10.0, "output_step": 1e-5, "line_points": 2}
     with pytest.raises(InputError, match=r"1e\+06 samples, about [2-9]\.\d* GB"):
-        simulate_arm(pendulum(MOTOR, GEAR, torque(0.0), initial={"state": "zero"}, integration=settings))
+        simulate_motion(pendulum(MOTOR, GEAR, torque(0.0), initial={"state": "zero"}, integration=settings))
 
 
 def test_a_tolerance_left_out_stays_left_out() -> None:
     """A changed or stored sheet still has the tolerances of the method that is chosen."""
     sheet = pendulum(MOTOR, GEAR, torque(1.0), integration={"duration": 0.5})
-    again = Arm.from_data(arm_data(sheet.with_({"gravity": 9.0})))
+    again = Robot.from_data(sheet_data(sheet.with_({"gravity": 9.0})))
     for one in (sheet, again):
         assert one.integration.chosen(Method.EXTRAPOLATION).relative_tolerance == 1e-7
         assert one.integration.chosen(Method.DOP853).relative_tolerance == 1e-9
-    told = again.with_({"integration.relative_tolerance": 1e-9}).integration
-    assert told.chosen(Method.EXTRAPOLATION).relative_tolerance == 1e-9
+    info = again.with_({"integration.relative_tolerance": 1e-9}).integration
+    assert info.chosen(Method.EXTRAPOLATION).relative_tolerance == 1e-9

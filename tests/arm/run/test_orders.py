@@ -8,16 +8,16 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import arm
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.simulation.native_run import NativeRun
-from tmodes.simulation.start import arm_regime, run_arm_regime
+from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.trajectory import Trajectory
 
 JUMPS = (0.1234, 0.3217)
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 
 
-def double_pendulum(jumps: tuple[float, ...] = JUMPS, **integration: Any) -> Arm:
+def double_pendulum(jumps: tuple[float, ...] = JUMPS, **integration: Any) -> Robot:
     """Two rods that swing, each with a torque that jumps at its own time."""
     joints = [{"name": f"j{k}", "type": "revolute", "child": f"l{k}", "axis": [0, 1, 0]} for k in range(2)]
     links = [
@@ -38,7 +38,7 @@ def double_pendulum(jumps: tuple[float, ...] = JUMPS, **integration: Any) -> Arm
 
 
 def end(jumps: tuple[float, ...] = JUMPS, **integration: Any) -> Trajectory:
-    return run_arm_regime(arm_regime(double_pendulum(jumps, **integration)))
+    return run_trajectory(run_setup(double_pendulum(jumps, **integration)))
 
 
 def tight(method: str, tolerance: float, jumps: tuple[float, ...] = JUMPS, **more: Any) -> Trajectory:
@@ -89,7 +89,7 @@ def test_jumps_cost_no_accuracy(exact: np.ndarray, method: str) -> None:
 @pytest.mark.parametrize("method", METHODS)
 def test_steps_end_exactly_on_jumps(method: str) -> None:
     """One attempt after the other: the segment of the input changes where the time is that of the jump, to the bit."""
-    regime = arm_regime(double_pendulum(method=method, step=7e-3))
+    regime = run_setup(double_pendulum(method=method, step=7e-3))
     model, schedule, settings = regime.model, regime.planned.schedule, regime.arm.integration
     run = NativeRun(model, model.numbers, schedule.until(settings.duration), regime.start, settings)
     changes = []

@@ -11,12 +11,12 @@ from arm.run.sheets import landing, ringing, sliding, sunk
 from arm.run.test_extrapolation import stiff
 from tmodes.integrate.choice import STIFF, TRIAL, chosen_method, worth_keeping, worth_switching
 from tmodes.integrate.settings import Integration, Method
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 
 @pytest.mark.parametrize("method", ["auto", "dormand_prince", "dop853"])
-def test_stiffness_is_seen_and_told(method: str) -> None:
-    run = simulate_arm(landing(method=method))
+def test_stiffness_is_seen_and_reported(method: str) -> None:
+    run = simulate_motion(landing(method=method))
     assert run.status == "finished"
     assert np.abs(run.q[:, 0] - sunk(run.times)).max() < 2e-8
     assert run.statistics["stiff_from_s"] == pytest.approx(np.sqrt(0.1 / 9.81), abs=2e-3)
@@ -34,7 +34,7 @@ def test_stiffness_is_seen_and_told(method: str) -> None:
 
 def test_what_is_not_stiff_is_not_called_so() -> None:
     """A hard bounce: short steps for the sake of the error only."""
-    run = simulate_arm(landing(damping=0.0, method="auto", duration=1.0))
+    run = simulate_motion(landing(damping=0.0, method="auto", duration=1.0))
     assert run.status == "finished"
     assert "stiff" not in run.message
     assert run.statistics["contact_changes"] > 4
@@ -42,17 +42,17 @@ def test_what_is_not_stiff_is_not_called_so() -> None:
 
 def test_a_vibration_that_hardly_decays_is_seen() -> None:
     """Its eigenvalues are imaginary: steps of dormand_prince stand at 1 over them, and not at 3.3."""
-    run = simulate_arm(ringing(method="auto"))
+    run = simulate_motion(ringing(method="auto"))
     assert "by dormand_prince" in run.message
     assert "on by extrapolation" in run.message
-    exact = simulate_arm(ringing(method="dop853", relative_tolerance=1e-10, absolute_tolerance=1e-12))
+    exact = simulate_motion(ringing(method="dop853", relative_tolerance=1e-10, absolute_tolerance=1e-12))
     assert np.abs(run.q - exact.q).max() < 2e-6
     assert run.statistics["evaluations"] < exact.statistics["evaluations"] / 20
 
 
 def test_a_change_that_does_not_pay_is_taken_back() -> None:
     """Friction of a contact is explicit in both methods: after a trial the explicit one goes on, and says so."""
-    run, alone = (simulate_arm(sliding(method=method)) for method in ("auto", "dormand_prince"))
+    run, alone = (simulate_motion(sliding(method=method)) for method in ("auto", "dormand_prince"))
     assert "extrapolation was tried" in run.message
     assert "by dormand_prince again" in run.message
     parts = run.statistics["parts"]
@@ -64,10 +64,10 @@ def test_a_change_that_does_not_pay_is_taken_back() -> None:
 
 
 def test_trials_are_the_same_whatever_the_pieces(monkeypatch: pytest.MonkeyPatch) -> None:
-    whole = simulate_arm(sliding(method="auto"))
+    whole = simulate_motion(sliding(method="auto"))
     monkeypatch.setattr("tmodes.simulation.trajectory._FIRST_PIECE", 7)
     monkeypatch.setattr("tmodes.simulation.trajectory._PIECE_SECONDS", 1e-4)
-    pieces = simulate_arm(sliding(method="auto"))
+    pieces = simulate_motion(sliding(method="auto"))
     assert "by dormand_prince again" in whole.message
     assert pieces.states.tobytes() == whole.states.tobytes()
     assert pieces.statistics == whole.statistics
@@ -87,7 +87,7 @@ def test_short_runs_keep_their_method() -> None:
     fine = Integration(duration=1.0, relative_tolerance=1e-12)
     assert chosen_method(Integration(duration=1.0), 1e6)[0] is Method.EXTRAPOLATION
     assert chosen_method(fine, 1e6)[0] is Method.DORMAND_PRINCE  # extrapolation does not get there
-    assert "extrapolation" not in simulate_arm(landing(method="auto", duration=0.2)).message
+    assert "extrapolation" not in simulate_motion(landing(method="auto", duration=0.2)).message
 
 
 class Journal:
@@ -106,7 +106,7 @@ class Journal:
 @pytest.mark.parametrize("share", [0.1, 0.169, 0.3])
 def test_same_bits_after_a_kill_on_either_side(share: float, monkeypatch: pytest.MonkeyPatch) -> None:
     """Killed before the method changes, about then, or after: the bytes, counts and errors of a whole run."""
-    whole = simulate_arm(landing(method="auto"))
+    whole = simulate_motion(landing(method="auto"))
     monkeypatch.setattr("tmodes.simulation.trajectory._FIRST_PIECE", 20)
     monkeypatch.setattr("tmodes.simulation.trajectory._PIECE_SECONDS", 1e-4)
     journal = Journal()
@@ -116,8 +116,8 @@ def test_same_bits_after_a_kill_on_either_side(share: float, monkeypatch: pytest
             raise MemoryError
 
     with pytest.raises(MemoryError):
-        simulate_arm(landing(method="auto"), progress=progress, journals=lambda stage: journal)
-    again = simulate_arm(landing(method="auto"), journals=lambda stage: journal)
+        simulate_motion(landing(method="auto"), progress=progress, journals=lambda stage: journal)
+    again = simulate_motion(landing(method="auto"), journals=lambda stage: journal)
     assert again.states.tobytes() == whole.states.tobytes()
     assert again.statistics == whole.statistics
     assert again.error is not None
@@ -130,20 +130,20 @@ def test_chattering_ends_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
     """A contact that sets in and ends too often within a time: a status of its own, and what was done is kept."""
     monkeypatch.setattr("tmodes.simulation.native_run.MOST_EVENTS", 3)
     monkeypatch.setattr("tmodes.simulation.native_run.EVENT_TIME", 10.0)
-    run = simulate_arm(landing(damping=0.0, method="dormand_prince", duration=1.0))
+    run = simulate_motion(landing(damping=0.0, method="dormand_prince", duration=1.0))
     assert run.status == "chattering"
     assert "more than 3 times" in run.message
     assert 10 < len(run.times) < 101
     assert np.isfinite(run.q).all()
     monkeypatch.setattr("tmodes.simulation.native_run.EVENT_TIME", 1e-3)
-    assert simulate_arm(landing(damping=0.0, method="dormand_prince", duration=1.0)).status == "finished"
+    assert simulate_motion(landing(damping=0.0, method="dormand_prince", duration=1.0)).status == "finished"
 
 
 @pytest.mark.parametrize("method", ["dop853", "extrapolation"])
 def test_errors_bound_the_true_ones(method: str) -> None:
     """The sums of local errors of a damped arm that bends are above its true errors."""
-    exact = simulate_arm(stiff(method="dormand_prince", relative_tolerance=1e-12, absolute_tolerance=1e-14))
-    run = simulate_arm(stiff(method=method, relative_tolerance=1e-7, absolute_tolerance=1e-9))
+    exact = simulate_motion(stiff(method="dormand_prince", relative_tolerance=1e-12, absolute_tolerance=1e-14))
+    run = simulate_motion(stiff(method=method, relative_tolerance=1e-7, absolute_tolerance=1e-9))
     count = 2 * len(run.coordinates)
     assert run.error is not None
     true = np.abs(run.states - exact.states)[:, :count].max(axis=0)
@@ -152,17 +152,17 @@ def test_errors_bound_the_true_ones(method: str) -> None:
 
 def test_errors_of_an_arms_figures() -> None:
     """Beside each headline figure of an arm; sharp with a second run."""
-    from tmodes.result import assemble_arm
+    from tmodes.result import assemble_result
 
     coarse = {"method": "dormand_prince", "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8, "duration": 0.1}
     tight = {**coarse, "relative_tolerance": 1e-12, "absolute_tolerance": 1e-14}
-    exact = assemble_arm(simulate_arm(stiff(**tight))).summary()
+    exact = assemble_result(simulate_motion(stiff(**tight))).summary()
     for check in (False, True):
-        told = assemble_arm(simulate_arm(stiff(check_error=check, **coarse))).summary()
-        errors = told["error"]["figures"]
+        info = assemble_result(simulate_motion(stiff(check_error=check, **coarse))).summary()
+        errors = info["error"]["figures"]
         for path in ("links.link.bending_moment.max_Nm", "joints.j.largest_gear_torque", "deviation.end_m"):
             group, *keys = path.split(".")
-            is_, should = told[group], exact[group]
+            is_, should = info[group], exact[group]
             for key in keys:
                 is_, should = is_[key], should[key]
             assert errors[path] > abs(is_ - should) / 3

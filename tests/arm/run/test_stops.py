@@ -10,18 +10,18 @@ from scipy.special import ellipk, ellipkinc
 
 from arm.run.sheets import arm
 from tmodes.errors import InputError, SimulationError
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.simulation import trajectory
 from tmodes.simulation.quantities import arm_quantities, arm_stops
-from tmodes.simulation.simulate import simulate_arm
-from tmodes.simulation.start import arm_regime, run_arm_regime
+from tmodes.simulation.simulate import simulate_motion
+from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.stops import Instants
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 G = 9.81
 
 
-def mass(limits: dict[str, float] | None = None, rate: float = 0.0, **more: Any) -> Arm:
+def mass(limits: dict[str, float] | None = None, rate: float = 0.0, **more: Any) -> Robot:
     """2 kg that fall along z from a height of 1 m."""
     integration = {"duration": 1.0, "output_step": 0.01, "step": 1e-3} | more.pop("integration", {})
     joint = {"name": "slide", "type": "prismatic", "parent": "base", "child": "body", "axis": [0, 0, 1]}
@@ -34,7 +34,7 @@ def mass(limits: dict[str, float] | None = None, rate: float = 0.0, **more: Any)
     )  # fmt: skip
 
 
-def pendulum(**integration: Any) -> Arm:
+def pendulum(**integration: Any) -> Robot:
     """1 kg at 1 m that hangs at angle 0, let go at 1 rad."""
     return arm(
         gravity=G, joints=[{"name": "hinge", "type": "revolute", "parent": "base", "child": "rod", "axis": [0, 1, 0]}],
@@ -58,7 +58,7 @@ def test_falling_mass_passes_a_height(method: str) -> None:
     Rows of extrapolation are summed up with weights of some thousands, and so is their rounding.
     """
     rounding = 1e-12 if method == "extrapolation" else 2e-14
-    run = simulate_arm(mass(integration={"method": method}), stop=["tip.z < 250 mm"])
+    run = simulate_motion(mass(integration={"method": method}), stop=["tip.z < 250 mm"])
     assert run.status == "stopped_by_condition"
     assert run.times[-1] == pytest.approx(np.sqrt(1.5 / G), abs=rounding)
     assert run.points.position[-1, -1, 2] == pytest.approx(0.25, abs=rounding)
@@ -74,11 +74,11 @@ def test_pendulum_passes_an_angle(method: str, angle: float) -> None:
     """The time of the elliptic integral, within the error that the run tells of its states over the rate."""
     tolerances = {"relative_tolerance": 1e-10, "absolute_tolerance": 1e-12}
     sheet = pendulum(method=method, step=1e-4, stop=[f"hinge.position < {angle} rad"], **tolerances)
-    run = simulate_arm(sheet)
+    run = simulate_motion(sheet)
     assert run.status == "stopped_by_condition"
     assert run.error is not None
-    off, told = run.times[-1] - passes(angle), np.abs(run.error.values[-1, 0] / run.v[-1, 0])
-    assert abs(off) < (3 * told if method in {"rk4", "midpoint"} else told) + 1e-9
+    off, info = run.times[-1] - passes(angle), np.abs(run.error.values[-1, 0] / run.v[-1, 0])
+    assert abs(off) < (3 * info if method in {"rk4", "midpoint"} else info) + 1e-9
     assert abs(off) < 3e-8
     assert run.q[-1, 0] == pytest.approx(angle, abs=1e-12)
 
@@ -87,7 +87,7 @@ def test_time_is_found_with_the_order_of_the_method() -> None:
     """rk4 between its steps: the error of the time falls with the fourth power of the step."""
     steps, off = [4e-2, 2e-2, 1e-2], []
     for step in steps:
-        run = run_arm_regime(regime := arm_regime(pendulum(method="rk4", step=step)),
+        run = run_trajectory(regime := run_setup(pendulum(method="rk4", step=step)),
                              stops=arm_stops(regime, ("hinge.position < 0.4 rad",)))  # fmt: skip
         off.append(abs(run.times[-1] - passes(0.4)))
     assert np.polyfit(np.log(steps), np.log(off), 1)[0] == pytest.approx(4.0, abs=0.4)
@@ -101,9 +101,9 @@ def test_a_condition_that_holds_for_a_moment_within_a_step(method: str) -> None:
     """
     top, time = 1.0 + 4.0 / (2 * G), 2.0 / G
     sheet = mass(rate=2.0, integration={"method": method, "step": 0.03})
-    run = simulate_arm(sheet, stop=[f"slide.position > {top - 1e-7!r}"])
+    run = simulate_motion(sheet, stop=[f"slide.position > {top - 1e-7!r}"])
     assert run.times[-1] == pytest.approx(time - np.sqrt(2e-7 / G), abs=1e-7 if method == "extrapolation" else 1e-11)
-    assert simulate_arm(sheet, stop=[f"slide.position > {top + 1e-7!r}"]).status == "finished"
+    assert simulate_motion(sheet, stop=[f"slide.position > {top + 1e-7!r}"]).status == "finished"
 
 
 @pytest.mark.parametrize("method", METHODS)
@@ -111,7 +111,7 @@ def test_jump_of_the_input(method: str) -> None:
     """What jumps beyond a value does so at the knot, exactly, and both sides are told."""
     signal = {"type": "step", "start": 0.0, "end": 30.0, "time": 0.3217}
     sheet = mass(drives=[{"joint": "slide", "command": "effort", "signal": signal}], integration={"method": method})
-    run = simulate_arm(sheet, stop=["slide.effort > 20"])
+    run = simulate_motion(sheet, stop=["slide.effort > 20"])
     assert run.times[-1] == 0.3217
     assert "`slide.effort > 20`, slide.effort jumps from 0 N to 30 N" in run.message
     assert run.effort[-1, 0] == 30.0
@@ -121,7 +121,7 @@ def test_the_first_of_several() -> None:
     """Each is looked at; the first that sets in ends the run, whatever their order."""
     early, late = "abs(slide.velocity) > 2 m/s", "tip.z < 0.5"
     for stop in ([early, late], [late, early]):
-        run = simulate_arm(mass(), stop=stop)
+        run = simulate_motion(mass(), stop=stop)
         assert run.times[-1] == pytest.approx(2.0 / G, abs=1e-13)
         assert early in run.message
 
@@ -134,12 +134,12 @@ def test_the_first_of_several() -> None:
 def test_what_can_be_named(stop: str, time: float) -> None:
     """Points, energies and coordinates, each against its closed form."""
     sheet = mass(points=[{"name": "body", "link": "body"}])
-    assert simulate_arm(sheet, stop=[stop]).times[-1] == pytest.approx(time, abs=1e-13)
+    assert simulate_motion(sheet, stop=[stop]).times[-1] == pytest.approx(time, abs=1e-13)
 
 
 def test_every_name_gives_a_number() -> None:
     """All quantities that a message may offer have values at a state, one for each instant."""
-    regime = arm_regime(mass())
+    regime = run_setup(mass())
     at = Instants(np.zeros(3), np.tile(regime.start, (3, 1)), np.tile(regime.first_row, (3, 1)))
     for name, quantity in arm_quantities(regime).items():
         values = quantity.of(at)
@@ -153,11 +153,11 @@ def test_every_name_gives_a_number() -> None:
 )
 def test_limits_end_a_run_where_asked(limits: dict[str, float], time: float) -> None:
     """Else they are warned of, as before."""
-    run = simulate_arm(mass(limits, integration={"stop_at_limits": True, "method": "dormand_prince"}))
+    run = simulate_motion(mass(limits, integration={"stop_at_limits": True, "method": "dormand_prince"}))
     assert run.status == "stopped_by_condition"
     assert run.times[-1] == pytest.approx(time, abs=2e-9)
     assert "limit of slide: " in run.message
-    warned = simulate_arm(mass(limits))
+    warned = simulate_motion(mass(limits))
     assert warned.status == "finished"
     assert any("passes its limit" in warning for warning in warned.warnings)
 
@@ -168,40 +168,40 @@ def test_resting_at_a_limit_passes_none() -> None:
                "duration": 0.8}}]  # fmt: skip
     sheet = mass({"upper": 1.0, "lower": 0.5}, drives=drives, initial={"state": "zero"},
                  integration={"stop_at_limits": True})  # fmt: skip
-    assert simulate_arm(sheet).status == "finished"
+    assert simulate_motion(sheet).status == "finished"
 
 
-def test_what_holds_at_the_start_is_told_at_once() -> None:
+def test_what_holds_at_the_start_is_reported_at_once() -> None:
     """No run, and the value at the start in the message."""
     with pytest.raises(SimulationError, match=r"`tip.z > 0.5 m`: it holds at the start already.* tip.z is 1 m"):
-        simulate_arm(mass(), stop=["tip.z > 0.5 m"])
-    moving = simulate_arm(mass(), stop=["tip.z < 1"])  # at its limit, and beyond it from the first moment on
+        simulate_motion(mass(), stop=["tip.z > 0.5 m"])
+    moving = simulate_motion(mass(), stop=["tip.z < 1"])  # at its limit, and beyond it from the first moment on
     assert moving.times.tolist() == [0.0, moving.times[-1]]
     assert moving.times[-1] < 1e-7
 
 
 @pytest.mark.parametrize(
-    ("stop", "told"),
+    ("stop", "info"),
     [("tip.w < 1", "unknown name 'tip.w'.*did you mean `tip"), ("slide.positon < 1", "did you mean `slide.position`"),
      ("tip.z < 1 rad", "'rad', which is of another dimension.* in m"), ("tip.z <= 1", "write > or <"),
      ("tip.z", "what is compared"), ("tip.z < 1 < 2", "one comparison"), ("tip.z < one", "got the text 'one'"),
      ("tip.z < inf", "infinite"), ("__import__('os').remove('x') < 1", "a name, > or <"), ("", "a name, > or <")],
 )  # fmt: skip
-def test_what_is_refused(stop: str, told: str) -> None:
+def test_what_is_refused(stop: str, info: str) -> None:
     """Which, got, expected, mend; by a closed grammar."""
-    with pytest.raises(InputError, match=told) as error:
-        simulate_arm(mass(), stop=[stop])
+    with pytest.raises(InputError, match=info) as error:
+        simulate_motion(mass(), stop=[stop])
     assert error.value.which == "stop.0"
 
 
 @pytest.mark.parametrize("method", ["dormand_prince", "rk4", "extrapolation"])
 def test_samples_up_to_the_end_are_those_of_the_run_by_itself(method: str) -> None:
     """Looking at a condition changes no bit of the motion."""
-    whole = simulate_arm(pendulum(method=method, step=1e-3))
-    run = simulate_arm(pendulum(method=method, step=1e-3), stop=["hinge.position < -0.9"])
+    whole = simulate_motion(pendulum(method=method, step=1e-3))
+    run = simulate_motion(pendulum(method=method, step=1e-3), stop=["hinge.position < -0.9"])
     assert run.status == "stopped_by_condition"
     assert run.states[:-1].tobytes() == whole.states[: len(run.times) - 1].tobytes()
-    never = simulate_arm(pendulum(method=method, step=1e-3), stop=["hinge.position > 1.1"])
+    never = simulate_motion(pendulum(method=method, step=1e-3), stop=["hinge.position > 1.1"])
     assert never.states.tobytes() == whole.states.tobytes()
 
 
@@ -220,17 +220,17 @@ class _Memory:
 
 def test_same_bytes_however_it_is_interrupted(monkeypatch: pytest.MonkeyPatch) -> None:
     """Cut into pieces of any length, and gone on with from any record, the last one included."""
-    regime = arm_regime(pendulum(method="rk4", step=1e-3))
+    regime = run_setup(pendulum(method="rk4", step=1e-3))
     stops = arm_stops(regime, ("abs(hinge.velocity) > 2.9 rad/s",))
-    whole = run_arm_regime(regime, stops=stops)
+    whole = run_trajectory(regime, stops=stops)
     assert whole.status == "stopped_by_condition"
     monkeypatch.setattr(trajectory, "_FIRST_PIECE", 37)
     monkeypatch.setattr(trajectory, "_PIECE_SECONDS", 1e-9)
     journal = _Memory()
-    pieces = run_arm_regime(regime, journal=journal, stops=stops)
+    pieces = run_trajectory(regime, journal=journal, stops=stops)
     assert (pieces.states.tobytes(), pieces.message) == (whole.states.tobytes(), whole.message)
     for record in (journal.records[3], journal.records[-1]):
-        again = run_arm_regime(regime, journal=_Memory(record), stops=stops)
+        again = run_trajectory(regime, journal=_Memory(record), stops=stops)
         assert again.states.tobytes() == whole.states.tobytes()
         assert again.times.tobytes() == whole.times.tobytes()
         assert again.message == whole.message
@@ -239,7 +239,7 @@ def test_same_bytes_however_it_is_interrupted(monkeypatch: pytest.MonkeyPatch) -
 def test_reference_is_compared_at_the_same_times() -> None:
     """The reference of the nominal arm has a sample where the real one ended."""
     sheet = mass().with_({"real": {"links.body.bodies.load.mass": 1.5}})
-    run = simulate_arm(sheet, stop=["tip.z < 0.25"])
+    run = simulate_motion(sheet, stop=["tip.z < 0.25"])
     assert run.reference is not None
     assert run.reference.times.tobytes() == run.times.tobytes()
     assert run.reference.q[-1, 0] == pytest.approx(0.25, abs=1e-12)
@@ -248,7 +248,7 @@ def test_reference_is_compared_at_the_same_times() -> None:
 STIFFNESS, SPEED = 5e4, 0.8
 
 
-def meeting(**integration: Any) -> Arm:
+def meeting(**integration: Any) -> Robot:
     """2 kg that slide along x at 0.8 m/s, without gravity, and meet a springy wall at 0.1 m."""
     wall = {"type": "plane", "position": [0.1, 0, 0], "normal": [-1, 0, 0]}
     return arm(
@@ -268,12 +268,12 @@ def test_contact_is_made_and_broken_where_it_is(method: str) -> None:
     """The wall is met at 0.1 m over the speed, pushes as a sine, and is left half a swing later, at the same speed."""
     omega, met = np.sqrt(STIFFNESS / 2.0), 0.1 / SPEED
     sheet = meeting(method=method)
-    made = simulate_arm(sheet, stop=["contact.penetration > 0"])
+    made = simulate_motion(sheet, stop=["contact.penetration > 0"])
     assert made.times[-1] == pytest.approx(met, abs=1e-9)
     force = float(0.6 * STIFFNESS * SPEED / omega)
-    pressed = simulate_arm(sheet, stop=[f"contact.force > {force!r} N"])
+    pressed = simulate_motion(sheet, stop=[f"contact.force > {force!r} N"])
     assert pressed.times[-1] == pytest.approx(met + np.arcsin(0.6) / omega, abs=2e-9)
-    run = simulate_arm(sheet)
+    run = simulate_motion(sheet)
     assert run.statistics["contact_changes"] == 2
     left = run.times[-1] - (0.1 - run.q[-1, 0]) / SPEED  # it flies back from the wall at its speed
     assert left == pytest.approx(met + np.pi / omega, abs=5e-9)
@@ -283,15 +283,15 @@ def test_contact_is_made_and_broken_where_it_is(method: str) -> None:
 def test_beside_a_controller_in_python(method: str) -> None:
     """The mass is pushed up by half its weight: z = 1 - g t^2/4 passes a height at a known time, its last sample."""
     sheet = mass(integration={"method": method})
-    half = simulate_arm(sheet, controller=lambda time, q, v: [G], stop=["tip.z < 0.75 m"])
+    half = simulate_motion(sheet, controller=lambda time, q, v: [G], stop=["tip.z < 0.75 m"])
     assert half.status == "stopped_by_condition"
     assert half.times[-1] == pytest.approx(np.sqrt(1 / G), abs=1e-12)
     assert half.q[-1, 0] == pytest.approx(0.75, abs=1e-12)
     assert "`tip.z < 0.75 m`, tip.z reaches 0.75 m" in half.message
     assert len(half.times) == 33
     with pytest.raises(SimulationError, match="holds at the start already"):
-        simulate_arm(sheet, controller=lambda time, q, v: [G], stop=["tip.z < 2 m"])
-    pushed = simulate_arm(
+        simulate_motion(sheet, controller=lambda time, q, v: [G], stop=["tip.z < 2 m"])
+    pushed = simulate_motion(
         sheet, controller=lambda time, q, v: [G if time < 0.1 else 50.0], stop=["slide.effort > 20 N"]
     )
     assert pushed.times[-1] == pytest.approx(0.1, abs=1e-12)

@@ -6,10 +6,10 @@ from functools import cache
 from typing import Any
 
 from tmodes.report.folder_motion import ready_to_run
-from tmodes.result import ArmResult, assemble_arm
-from tmodes.sheet import Arm
-from tmodes.simulation.motion_run import ArmRun
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.result import Result, assemble_result
+from tmodes.sheet import Robot
+from tmodes.simulation.motion_run import RunData
+from tmodes.simulation.simulate import simulate_motion
 
 LENGTH, FORCE = 0.8, 2.0
 OUTER, THICK, YOUNG = 0.02, 0.002, 70e9
@@ -88,14 +88,14 @@ SHEETS = {"cantilever": cantilever, "swinging": swinging, "pendulum": pendulum}
 
 
 @cache
-def run_of(name: str) -> tuple[Arm, ArmRun]:
+def run_of(name: str) -> tuple[Robot, RunData]:
     """The arm as it is known and its run."""
-    arm = ready_to_run(Arm.from_data(SHEETS[name]()))
-    return arm, simulate_arm(arm)
+    arm = ready_to_run(Robot.from_data(SHEETS[name]()))
+    return arm, simulate_motion(arm)
 
 
 @cache
-def result_of(name: str) -> ArmResult:
+def result_of(name: str) -> Result:
     """The result of that run."""
     arm, run = run_of(name)
-    return assemble_arm(run, arm)
+    return assemble_result(run, arm)

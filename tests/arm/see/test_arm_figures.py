@@ -15,15 +15,15 @@ from tmodes.plot.shape import arm_shape
 from tmodes.plot.spectrum import ringing
 from tmodes.plot.tip import tip_path, views
 from tmodes.report.write_motion import write_arm_report
-from tmodes.result import ArmResult
+from tmodes.result import Result
 
 
 @pytest.fixture(scope="module", params=SHEETS)
-def result(request: pytest.FixtureRequest) -> ArmResult:
+def result(request: pytest.FixtureRequest) -> Result:
     return result_of(request.param)
 
 
-def test_every_figure_draws_or_tells_why_not(result):
+def test_every_figure_draws_or_reports_why_not(result):
     figures, reasons = all_arm_figures(result), arm_left_out(result)
     assert set(figures) | set(reasons) | {"tip_motion"} == set(ARM_FIGURES)
     assert not set(figures) & set(reasons)
@@ -44,7 +44,7 @@ def test_curves_are_the_result():
     assert shown / np.abs(shown).max() == pytest.approx(values / np.abs(values).max())
 
 
-def test_the_enlargement_is_told_and_true():
+def test_the_enlargement_is_reported_and_true():
     result = result_of("cantilever")
     axes = arm_shape(result, exaggerate=10.0)
     assert [panel.get_title(loc="left") for panel in axes] == [
@@ -74,7 +74,7 @@ def test_the_spectrum_peaks_where_the_arm_rings():
 
 def test_one_sample_is_enough():
     whole = result_of("swinging")
-    short = ArmResult(whole.data.isel(time=slice(0, 1)))
+    short = Result(whole.data.isel(time=slice(0, 1)))
     figures = all_arm_figures(short)
     assert "ringing" not in figures
     for draw in figures.values():
@@ -88,7 +88,7 @@ def test_report(tmp_path):
     data = result.data.copy()
     data.attrs = data.attrs | {"status": "diverged", "message": f"lost {NASTY}", "warnings": f'["{NASTY}"]'}
     drawn = {name: drawing for name, drawing in arm_drawings(result).items() if name in {"tip_path", "joint_tracking"}}
-    page = write_arm_report(ArmResult(data), tmp_path / "r.html", drawn).read_text(encoding="utf-8")
+    page = write_arm_report(Result(data), tmp_path / "r.html", drawn).read_text(encoding="utf-8")
     assert NASTY not in page
     assert page.count("&lt;b&gt;") >= 3
     assert "This run did not finish: diverged." in page

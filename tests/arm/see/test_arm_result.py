@@ -11,13 +11,13 @@ from arm.see.runs import FORCE, LENGTH, OUTER, SHEETS, THICK, YOUNG, pendulum, r
 from result.synthetic import synthetic_result
 from tmodes.errors import InputError, ResultFileError
 from tmodes.report.folder_motion import ready_to_run, result_bytes
-from tmodes.result import ArmResult, assemble_arm, load_result
+from tmodes.result import Result, assemble_result, load_result
 from tmodes.result.lines import run_wrenches, straight_shape
 from tmodes.result.provenance import move_end
-from tmodes.result.record import Result
-from tmodes.sheet import Arm
+from tmodes.result.record import PaperResult
+from tmodes.sheet import Robot
 from tmodes.simulation.plan import planned
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.simulation.simulate import simulate_motion
 
 AREA_MOMENT = np.pi / 64 * (OUTER**4 - (OUTER - 2 * THICK) ** 4)
 
@@ -32,10 +32,10 @@ def test_cantilever_against_closed_forms():
     assert rod["shear_force"].sel(plane="z").values == pytest.approx(FORCE, rel=1e-3)
     worst = FORCE * LENGTH * OUTER / 2 / AREA_MOMENT
     assert float(rod["stress"].isel(s=0)) == pytest.approx(worst, rel=1e-3)
-    told = result_of("cantilever").summary()["links"]["rod"]
-    assert told["stress"]["max_Pa"] == pytest.approx(worst, rel=1e-3)
-    assert told["stress"]["s"] == 0.0
-    assert told["deflection"]["max_m"] == pytest.approx(bent, rel=1e-4)
+    info = result_of("cantilever").summary()["links"]["rod"]
+    assert info["stress"]["max_Pa"] == pytest.approx(worst, rel=1e-3)
+    assert info["stress"]["s"] == 0.0
+    assert info["deflection"]["max_m"] == pytest.approx(bent, rel=1e-4)
 
 
 @pytest.mark.parametrize("name", SHEETS)
@@ -98,9 +98,9 @@ def test_a_pendulum_keeps_its_energy_and_its_period():
 def test_saved_and_loaded(tmp_path):
     result = result_of("swinging")
     result.save(tmp_path / "a.nc")
-    back = ArmResult.load(tmp_path / "a.nc")
+    back = Result.load(tmp_path / "a.nc")
     assert back.data.identical(result.data)
-    assert isinstance(load_result(tmp_path / "a.nc"), ArmResult)
+    assert isinstance(load_result(tmp_path / "a.nc"), Result)
     assert back.arm == run_of("swinging")[0]
     result.save(tmp_path / "b.nc")
     assert (tmp_path / "a.nc").read_bytes() == (tmp_path / "b.nc").read_bytes()
@@ -115,25 +115,25 @@ def test_an_arm_without_drives_is_saved_and_loaded(tmp_path):
     """A clamped tube that is pulled at its tip: no joint moves, so there is no effort to tell."""
     joint = {"name": "wall", "type": "fixed", "parent": "base", "child": "rod"}
     pull = {"point": "tip", "force": [0, 0, FORCE], "frame": "world"}
-    arm = ready_to_run(Arm.from_data(sheet(joints=[joint], links=[{"name": "rod", "beam": tube()}], loads=[pull])))
-    result = assemble_arm(simulate_arm(arm), arm)
+    arm = ready_to_run(Robot.from_data(sheet(joints=[joint], links=[{"name": "rod", "beam": tube()}], loads=[pull])))
+    result = assemble_result(simulate_motion(arm), arm)
     assert "effort" not in result.data
     result.save(tmp_path / "a.nc")
-    assert ArmResult.load(tmp_path / "a.nc").data.identical(result.data)
+    assert Result.load(tmp_path / "a.nc").data.identical(result.data)
     back = load_result(tmp_path / "a.nc")
-    assert isinstance(back, ArmResult)
+    assert isinstance(back, Result)
     assert back.arm == arm
     assert back.summary()["joints"] == {}
 
 
-def test_the_other_kind_is_told(tmp_path):
+def test_the_other_kind_is_reported(tmp_path):
     result_of("pendulum").save(tmp_path / "arm.nc")
     synthetic_result().save(tmp_path / "robot.nc")
     with pytest.raises(ResultFileError, match=r"a result of an arm \(ArmResult.load\)"):
-        Result.load(tmp_path / "arm.nc")
+        PaperResult.load(tmp_path / "arm.nc")
     with pytest.raises(ResultFileError, match=r"the robot of the 2010 paper \(Result.load\)"):
-        ArmResult.load(tmp_path / "robot.nc")
-    assert isinstance(load_result(tmp_path / "robot.nc"), Result)
+        Result.load(tmp_path / "robot.nc")
+    assert isinstance(load_result(tmp_path / "robot.nc"), PaperResult)
 
 
 @pytest.mark.parametrize(
@@ -146,35 +146,35 @@ def test_the_other_kind_is_told(tmp_path):
     ],
 )
 def test_when_the_move_ends(signal, end):
-    arm = Arm.from_data(pendulum() | {"drives": [{"joint": "joint", "command": "effort", "signal": signal}]})
+    arm = Robot.from_data(pendulum() | {"drives": [{"joint": "joint", "command": "effort", "signal": signal}]})
     assert move_end(planned(arm)) == (None if end is None else pytest.approx(end))
 
 
 def test_an_arm_that_nothing_moves():
     data = {key: value for key, value in pendulum().items() if key != "initial"}
     with pytest.raises(InputError) as caught:
-        ready_to_run(Arm.from_data(data))
+        ready_to_run(Robot.from_data(data))
     assert caught.value.which == "drives"
-    assert "joint: joint" in caught.value.mend
-    assert "initial" in caught.value.mend
-    free = ready_to_run(Arm.from_data(pendulum()))
+    assert "joint: joint" in caught.value.hint
+    assert "initial" in caught.value.hint
+    free = ready_to_run(Robot.from_data(pendulum()))
     assert [drive.command for drive in free.drives] == ["effort"]
 
 
 def test_an_arm_that_cannot_move_needs_no_drives():
     joint = {"name": "wall", "type": "fixed", "parent": "base", "child": "rod"}
-    arm = Arm.from_data(sheet(joints=[joint], links=[{"name": "rod", "bodies": [{"name": "m", "mass": 1.0}]}]))
+    arm = Robot.from_data(sheet(joints=[joint], links=[{"name": "rod", "bodies": [{"name": "m", "mass": 1.0}]}]))
     assert ready_to_run(arm) is arm
 
 
-def test_too_large_is_told_before():
+def test_too_large_is_reported_before():
     """Lines of three links at 501 places, 10 000 times, are 2.6 GB."""
     names = ["a", "b", "c"]
     joints = [{"name": f"j{k}", "type": "revolute", "child": name, "axis": [0, 0, 1]} for k, name in enumerate(names)]
     joints[0]["parent"] = "base"
     links = [{"name": name, "beam": tube()} for name in names]
     dense = {"duration": 10.0, "output_step": 1e-3, "line_points": 501}
-    arm = Arm.from_data(sheet(joints=joints, links=links, integration=dense))
+    arm = Robot.from_data(sheet(joints=joints, links=links, integration=dense))
     with pytest.raises(InputError, match="line_points"):
         result_bytes(arm)
     assert result_bytes(arm.with_({"integration.line_points": 51})) < 1e9
@@ -184,8 +184,8 @@ def test_a_lost_energy_balance_ends_the_run_where_it_is_wished():
     """RK4 with steps that are too long loses energy; the sheet asks to stop there."""
     coarse = {"duration": 2.0, "output_step": 0.05, "method": "rk4", "step": 0.05, "energy_stop": True,
               "energy_tolerance": 1e-9}  # fmt: skip
-    arm = ready_to_run(Arm.from_data(pendulum() | {"integration": coarse}))
-    result = assemble_arm(simulate_arm(arm), arm)
+    arm = ready_to_run(Robot.from_data(pendulum() | {"integration": coarse}))
+    result = assemble_result(simulate_motion(arm), arm)
     assert result.status == "stopped"
     assert "energy balance" in result.message
     assert float(result.data["time"][-1]) < 2.0

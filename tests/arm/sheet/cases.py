@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from tmodes.chain.chain import Beam, Chain, JointKind, Placement, RigidLink
 from tmodes.errors import InputErrors
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 SECTION = {"bending_stiffness": [120.0, 80.0], "torsional_stiffness": 60.0, "mass_per_length": 0.7}
 SECTION = {**SECTION, "polar_inertia_per_length": 2e-4}
@@ -53,10 +53,10 @@ def one_link(link: dict[str, Any], **more: Any) -> dict[str, Any]:
     return sheet(joints=[joint("pivot", "rod", **more)], links=[{"name": "rod", **link}])
 
 
-def complaint(data: Any) -> str:
+def problem(data: Any) -> str:
     """What is said of plain data; empty for a right sheet."""
     try:
-        Arm.from_data(data)
+        Robot.from_data(data)
     except InputErrors as error:
         return str(error)
     return ""
@@ -116,4 +116,4 @@ def points(chain: Chain, values: dict[str, float]) -> dict[str, np.ndarray]:
 
 def arm_of(data: Any) -> Any:
     """The arm of plain data, whose parts a test knows to be there."""
-    return Arm.from_data(data)
+    return Robot.from_data(data)

@@ -6,7 +6,7 @@ import math
 
 import pytest
 
-from arm.sheet.cases import arm_of, beam, body, changed, complaint, joint, sheet
+from arm.sheet.cases import arm_of, beam, body, changed, joint, problem, sheet
 from tmodes.io.sheet_plausible import arm_notices, implausible_arm
 
 QUINTIC = {"type": "quintic", "start": 0.0, "end": 1.0, "duration": 1.0}
@@ -66,10 +66,10 @@ DOUBTS = [
 
 
 @pytest.mark.parametrize(("change", "which", "why"), DOUBTS)
-def test_doubt(change, which: str, why: str) -> None:
-    told = "\n".join(implausible_arm(arm_of(changed(change))))
-    assert which in told
-    assert why in told
+def test_notice(change, which: str, why: str) -> None:
+    info = "\n".join(implausible_arm(arm_of(changed(change))))
+    assert which in info
+    assert why in info
 
 
 USUAL = [
@@ -102,7 +102,7 @@ def three(couplings) -> str:
     joints = [joint(name, f"{name}_link", axis=axis, motor=motor, gear=gear)
               for name, axis in (("a", [0, 0, 1]), ("b", [0, 1, 0]), ("c", [1, 0, 0]))]  # fmt: skip
     links = [{"name": f"{name}_link", "bodies": [body()]} for name in "abc"]
-    return complaint(sheet(joints=joints, links=links, couplings=couplings))
+    return problem(sheet(joints=joints, links=links, couplings=couplings))
 
 
 def test_couplings_by_which_motors_move_no_gear_are_refused() -> None:
@@ -125,4 +125,4 @@ SAID = [
 
 @pytest.mark.parametrize(("change", "words"), SAID)
 def test_message(change, words: str) -> None:
-    assert words in complaint(changed(change))
+    assert words in problem(changed(change))

@@ -9,9 +9,9 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from arm.sheet.cases import arm_of, beam, body, changed, complaint, joint, one_link, sheet
+from arm.sheet.cases import arm_of, beam, body, changed, joint, one_link, problem, sheet
 from tmodes.errors import InputErrors, TmodesError
-from tmodes.io.sheet_check import arm_from_data
+from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_plausible import implausible_arm
 from tmodes.io.yaml_file import parse_yaml
 
@@ -35,11 +35,11 @@ KEYS = [
 ]
 
 
-@pytest.mark.parametrize(("change", "which", "mend"), KEYS)
-def test_keys_and_names(change, which: str, mend: str) -> None:
-    said = complaint(changed(change))
+@pytest.mark.parametrize(("change", "which", "hint"), KEYS)
+def test_keys_and_names(change, which: str, hint: str) -> None:
+    said = problem(changed(change))
     assert which in said
-    assert mend in said
+    assert hint in said
 
 
 VALUES = [
@@ -69,19 +69,19 @@ VALUES = [
 ]
 
 
-@pytest.mark.parametrize(("change", "which", "mend"), VALUES)
-def test_values(change, which: str, mend: str) -> None:
-    said = complaint(changed(change))
+@pytest.mark.parametrize(("change", "which", "hint"), VALUES)
+def test_values(change, which: str, hint: str) -> None:
+    said = problem(changed(change))
     assert which in said
-    assert mend in said
+    assert hint in said
 
 
 @pytest.mark.parametrize("data", [None, 5, "text", [], {}, [[]], {"format": 1}])
 def test_what_is_no_sheet(data) -> None:
-    assert complaint(data) != ""
+    assert problem(data) != ""
 
 
-def test_all_is_told_in_one_go_in_the_order_of_the_file() -> None:
+def test_all_is_reported_in_one_go_in_the_order_of_the_file() -> None:
     text = "\n".join(
         [
             "format: 1",
@@ -100,9 +100,9 @@ def test_all_is_told_in_one_go_in_the_order_of_the_file() -> None:
     )
     data, positions = parse_yaml(text, "rod.yaml")
     with pytest.raises(InputErrors) as caught:
-        arm_from_data(data, positions, "rod.yaml")
-    told = [(error.where, error.which) for error in caught.value.errors]
-    assert told == [
+        sheet_from_data(data, positions, "rod.yaml")
+    info = [(error.where, error.which) for error in caught.value.errors]
+    assert info == [
         ("rod.yaml:4", "gravity"),
         ("rod.yaml:6", "joints.pivot.axis"),
         ("rod.yaml:11", "links.rod.bodies.bob.mass"),
@@ -119,7 +119,7 @@ def test_units_follow_the_joint() -> None:
     assert (found.limits.lower, found.limits.upper, found.limits.speed) == (-0.2, 0.3, 0.1)
     assert (found.locked_at, found.gear.stiffness, found.gear.damping) == (0.005, (3000.0,), 2.0)
     slide["locked_at"] = "5 deg"
-    assert "joints.pivot.locked_at: got the unit 'deg'" in complaint(one_link({"bodies": [body()]}, **slide))
+    assert "joints.pivot.locked_at: got the unit 'deg'" in problem(one_link({"bodies": [body()]}, **slide))
 
 
 def test_units_of_drives_follow_the_command() -> None:
@@ -133,8 +133,8 @@ def test_units_of_drives_follow_the_command() -> None:
     assert (found.controller.position_gain, found.controller.velocity_gain) == (2000.0, 20.0)
     assert found.signal.value == pytest.approx(math.pi / 4)
     assert arm_of(drive("torque", "30 N*cm")).drives[0].signal.value == pytest.approx(0.3)
-    assert "in rad" in complaint(drive("prescribed", "3 V"))
-    assert "drives.0.command: got voltage without an electric motor" in complaint(drive("voltage", "3 V"))
+    assert "in rad" in problem(drive("prescribed", "3 V"))
+    assert "drives.0.command: got voltage without an electric motor" in problem(drive("voltage", "3 V"))
 
 
 DRIVES = [
@@ -152,16 +152,16 @@ DRIVES = [
 @pytest.mark.parametrize(("more", "words"), DRIVES)
 def test_drives_that_are_none(more, words: str) -> None:
     one = {"joint": "elbow", "command": "effort", "signal": {"type": "constant", "value": 1}}
-    assert complaint(sheet(drives=[one])) == ""
-    assert words in complaint(sheet(drives=[{**one, **more}]))
-    assert "a second time" in complaint(sheet(drives=[one, one]))
+    assert problem(sheet(drives=[one])) == ""
+    assert words in problem(sheet(drives=[{**one, **more}]))
+    assert "a second time" in problem(sheet(drives=[one, one]))
 
 
 def test_a_locked_joint_is_not_driven() -> None:
     one = {"joint": "elbow", "command": "effort", "signal": {"type": "constant", "value": 1}}
     data = sheet(drives=[one])
     data["joints"][1]["state"] = "locked"
-    assert "drives.0.joint: got `elbow`, which does not move" in complaint(data)
+    assert "drives.0.joint: got `elbow`, which does not move" in problem(data)
 
 
 HUGE = [
@@ -174,14 +174,14 @@ HUGE = [
 @pytest.mark.parametrize(("change", "words"), HUGE)
 def test_huge_sheets_are_refused_with_the_numbers(change, words: str) -> None:
     start = time.monotonic()
-    assert words in complaint(changed(change))
+    assert words in problem(changed(change))
     assert time.monotonic() - start < 2
 
 
 def test_too_many_coordinates_are_counted_before_anything_is_made() -> None:
     joints = [joint(f"j{k}", f"l{k}") for k in range(60)]
     links = [{"name": f"l{k}", "beam": beam(functions={"twist": 11, "bend_y": 12, "bend_z": 12})} for k in range(60)]
-    said = complaint(sheet(joints=joints, links=links))
+    said = problem(sheet(joints=joints, links=links))
     assert "got 2160 coordinates (60 joints, 0 motors, 2100 of the links); expected at most 2000" in said
 
 
@@ -197,10 +197,10 @@ def test_deep_and_endless_data() -> None:
     deep: list = []
     for _ in range(100_000):
         deep = [deep]
-    assert "more than 40 levels" in complaint({**sheet(), "loads": deep})
+    assert "more than 40 levels" in problem({**sheet(), "loads": deep})
     endless: list = []
     endless.append(endless)
-    assert "more than 40 levels" in complaint({**sheet(), "loads": endless})
+    assert "more than 40 levels" in problem({**sheet(), "loads": endless})
 
 
 JUNK = st.recursive(
@@ -235,7 +235,7 @@ PLACES = list(paths(FULL))[1:]
 
 
 def test_the_full_sheet_is_right() -> None:
-    assert complaint(FULL) == ""
+    assert problem(FULL) == ""
 
 
 @settings(max_examples=200)
@@ -248,7 +248,7 @@ def test_junk_anywhere_gives_errors_of_ours(steps, junk) -> None:
     inner[steps[-1]] = junk
     said = ""
     try:
-        arm_from_data(data, source="junk.yaml").pair()
+        sheet_from_data(data, source="junk.yaml").pair()
     except TmodesError as error:
         said = str(error)
     assert said == "" or said.startswith("junk.yaml: ")
@@ -273,9 +273,9 @@ def tube(data, material, **more) -> None:
 @pytest.mark.parametrize(("change", "words", "likely"), PLAUSIBLE)
 def test_numbers_of_a_wrong_unit_are_warned_of(change, words: str, likely: str) -> None:
     assert implausible_arm(arm_of(sheet())) == []
-    told = "\n".join(implausible_arm(arm_of(changed(change))))
-    assert words in told
-    assert likely in told
+    info = "\n".join(implausible_arm(arm_of(changed(change))))
+    assert words in info
+    assert likely in info
 
 
 def test_a_first_frequency_that_no_robot_has() -> None:
@@ -285,6 +285,6 @@ def test_a_first_frequency_that_no_robot_has() -> None:
         data["links"][0]["beam"].update(length=40, section={"bending_stiffness": 1e-3, "mass_per_length": 2e-3})
 
     hertz = 1.8751**2 / 1600 * math.sqrt(0.5) / (2 * math.pi)
-    (told,) = implausible_arm(arm_of(changed(thread)))
-    assert f"swings at {hertz:.3g} Hz" in told
-    assert "length in mm (factor 0.001)" in told
+    (info,) = implausible_arm(arm_of(changed(thread)))
+    assert f"swings at {hertz:.3g} Hz" in info
+    assert "length in mm (factor 0.001)" in info

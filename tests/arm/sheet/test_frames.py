@@ -10,7 +10,7 @@ from pydantic import ValidationError
 from scipy.integrate import solve_ivp
 from scipy.spatial.transform import Rotation
 
-from arm.sheet.cases import arm_of, at, body, complaint, joint, matrix, one_link, points, sheet, turned
+from arm.sheet.cases import arm_of, at, body, joint, matrix, one_link, points, problem, sheet, turned
 from tmodes.io.sheet_plausible import arm_notices
 from tmodes.kinds.schema.axes import bent_line, rotation_about, unit
 from tmodes.kinds.schema.frames import Convention, DenavitHartenberg, Origin
@@ -54,8 +54,8 @@ def test_unit_of_any_size(scale: float) -> None:
 )
 def test_quaternions_that_are_none(numbers, words: str) -> None:
     data = sheet(base={"quaternion": numbers})
-    assert words in complaint(data)
-    assert "base.quaternion" in complaint(data)
+    assert words in problem(data)
+    assert "base.quaternion" in problem(data)
 
 
 def test_a_rounded_quaternion_is_taken_with_a_notice() -> None:
@@ -66,7 +66,7 @@ def test_a_rounded_quaternion_is_taken_with_a_notice() -> None:
 
 
 def test_two_rotations_at_once() -> None:
-    assert "one of the two" in complaint(sheet(base={"quaternion": [0, 0, 0, 1], "rpy": [0, 0, 0]}))
+    assert "one of the two" in problem(sheet(base={"quaternion": [0, 0, 0, 1], "rpy": [0, 0, 0]}))
 
 
 def test_an_axis_is_made_of_length_one_with_a_notice() -> None:
@@ -160,7 +160,7 @@ def test_a_row_of_the_paper_with_a_beam_is_as_long_as_the_beam() -> None:
     found = points(arm_of(data).chain(), {"j": 0.1})["tip"]
     np.testing.assert_allclose(found, rz(0.4) @ along(0.5, 0), atol=1e-15)
     data["joints"][0]["dh"]["a"] = 0.6
-    assert "joints.j.dh.a: got 0.6; expected the length of the beam `rod`, 0.5 [m]" in complaint(data)
+    assert "joints.j.dh.a: got 0.6; expected the length of the beam `rod`, 0.5 [m]" in problem(data)
 
 
 def test_a_row_of_the_paper_lies_in_a_plane() -> None:
@@ -170,7 +170,7 @@ def test_a_row_of_the_paper_lies_in_a_plane() -> None:
 
 def test_a_row_stands_in_place_of_origin_and_axis() -> None:
     row = {"convention": "modified", "a": 0, "alpha": 0, "d": 0, "theta": 0}
-    said = complaint(one_link({"bodies": [body()]}, dh=row, origin={"position": [0, 0, 1]}))
+    said = problem(one_link({"bodies": [body()]}, dh=row, origin={"position": [0, 0, 1]}))
     assert "joints.pivot.axis" in said
     assert "joints.pivot.origin" in said
 

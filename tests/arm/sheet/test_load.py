@@ -10,27 +10,27 @@ from arm.sheet.cases import sheet
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.sheet_schema import arm_json_schema
 from tmodes.io.sheet_write import arm_to_yaml
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import text
 from tmodes.robots.load import load_sheet, sheet_names, sheet_text
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 
 @pytest.fixture
 def file(tmp_path: Path) -> Path:
     path = tmp_path / "two.yaml"
-    path.write_text(arm_to_yaml(Arm.from_data(sheet())), encoding="utf-8")
+    path.write_text(arm_to_yaml(Robot.from_data(sheet())), encoding="utf-8")
     return path
 
 
 def test_an_arm_from_its_file(file: Path) -> None:
-    assert load_sheet(file) == Arm.from_data(sheet())
+    assert load_sheet(file) == Robot.from_data(sheet())
     assert load_sheet(str(file), {"joints.shoulder.gear.damping": 7}).joints[0].gear.damping == 7  # pyright: ignore
 
 
 def test_the_robot_of_the_paper() -> None:
     found = load_sheet("filipovic2010", {"gear.stiffness": 900.0})
-    assert isinstance(found, Robot)
+    assert isinstance(found, PaperRobot)
     assert found.gear.stiffness == 900.0
     assert "filipovic2010" in sheet_names()
 
@@ -62,7 +62,7 @@ def test_a_change_stands_on_the_changes_before_it() -> None:
     """The next change may name what only the new type has, and none of them has a line of the file."""
     changes = {"drives.0.signal.type": "trapezoid", "drives.0.signal.ramp_fraction": 0.25}
     plain, changed = load_sheet("spong1987"), load_sheet("spong1987", changes)
-    assert isinstance(plain, Arm)
+    assert isinstance(plain, Robot)
     assert changed == plain.with_(changes) != plain
     with pytest.raises(InputErrors) as caught:
         load_sheet("spong1987", {**changes, "drives.0.signal.ramp_fraction": -1})

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 from scipy.integrate import quad
 
-from arm.sheet.cases import SECTION, arm_of, at, beam, body, changed, complaint, one_link, sheet
+from arm.sheet.cases import SECTION, arm_of, at, beam, body, changed, one_link, problem, sheet
 from tmodes.chain.chain import Beam, RigidLink
 
 INERTIAS = [
@@ -21,13 +21,13 @@ INERTIAS = [
 
 @pytest.mark.parametrize(("inertia", "rule"), INERTIAS)
 def test_an_inertia_that_no_mass_can_have(inertia, rule: str) -> None:
-    said = complaint(one_link({"bodies": [{"name": "box", "mass": 1, "inertia": inertia}]}))
+    said = problem(one_link({"bodies": [{"name": "box", "mass": 1, "inertia": inertia}]}))
     assert said.startswith("links.rod.bodies.box.inertia: got an inertia with the principal moments ")
     assert rule in said
 
 
-def test_the_principal_moments_are_told() -> None:
-    said = complaint(one_link({"bodies": [{"mass": 1, "inertia": {"xx": 1, "yy": 1, "zz": 1, "xy": 2}}]}))
+def test_the_principal_moments_are_reported() -> None:
+    said = problem(one_link({"bodies": [{"mass": 1, "inertia": {"xx": 1, "yy": 1, "zz": 1, "xy": 2}}]}))
     assert "principal moments -1, 1, 3;" in said
 
 
@@ -35,12 +35,12 @@ def test_the_principal_moments_are_told() -> None:
     "inertia", [{"xx": 0, "yy": 1, "zz": 1}, {"xx": 1, "yy": 1, "zz": 2}, {"xx": 1, "yy": 1, "zz": 2.00001}]
 )
 def test_rods_and_discs_are_right(inertia) -> None:
-    assert complaint(one_link({"bodies": [{"mass": 1, "center": [0.1, 0, 0], "inertia": inertia}]})) == ""
+    assert problem(one_link({"bodies": [{"mass": 1, "center": [0.1, 0, 0], "inertia": inertia}]})) == ""
 
 
 @pytest.mark.parametrize("mass", [0, -1, "nan", "1e400", "heavy", ".inf", True, None, [1], {}, 1e300, 1e-300])
 def test_a_mass_that_is_none(mass) -> None:
-    assert "links.rod.bodies.0.mass" in complaint(one_link({"bodies": [{"mass": mass}]}))
+    assert "links.rod.bodies.0.mass" in problem(one_link({"bodies": [{"mass": mass}]}))
 
 
 def test_the_axes_of_an_inertia_are_turned() -> None:
@@ -104,7 +104,7 @@ def test_a_joint_side_motor_is_taken_as_it_is() -> None:
     ],
 )
 def test_motors_that_are_none(given, which: str) -> None:
-    assert which in complaint(motor(**given))
+    assert which in problem(motor(**given))
 
 
 def gear(**given):
@@ -113,9 +113,9 @@ def gear(**given):
 
 def test_a_gear_of_ranges() -> None:
     found = arm_of(gear(stiffness=["1 kN*m/rad", 2000, 3000], torque_limits=[14, "48 N*m"], backlash=1e-3))
-    told = found.chain().nodes[0].joint.gear
-    assert (told.stiffness, told.limits) == ((1000.0, 2000.0, 3000.0), (14.0, 48.0))
-    assert (told.damping, told.backlash) == (1.0, 1e-3)
+    info = found.chain().nodes[0].joint.gear
+    assert (info.stiffness, info.limits) == ((1000.0, 2000.0, 3000.0), (14.0, 48.0))
+    assert (info.damping, info.backlash) == (1.0, 1e-3)
 
 
 @pytest.mark.parametrize(
@@ -134,7 +134,7 @@ def test_a_gear_of_ranges() -> None:
     ],
 )
 def test_gears_that_are_none(given, which: str) -> None:
-    assert which in complaint(gear(**given))
+    assert which in problem(gear(**given))
 
 
 def lowered(**more) -> Beam:
@@ -257,22 +257,22 @@ BEAMS = [
 
 @pytest.mark.parametrize(("more", "words"), BEAMS)
 def test_beams_that_are_none(more, words: str) -> None:
-    assert words in complaint(one_link({"beam": beam(**more)}))
+    assert words in problem(one_link({"beam": beam(**more)}))
 
 
 def test_a_beam_rigid_in_some_pieces_only() -> None:
     stiff = {**SECTION, "bending_stiffness": [math.inf, 80.0]}
     pieces = [{"end": 0.3, "section": stiff}, {"end": 0.6, "section": SECTION}]
-    assert "bend_y rigid in some pieces only" in complaint(one_link({"beam": beam(section=None, pieces=pieces)}))
+    assert "bend_y rigid in some pieces only" in problem(one_link({"beam": beam(section=None, pieces=pieces)}))
 
 
 def test_a_body_between_the_ends_of_segments() -> None:
     link = {"beam": beam(model="segments", segments=4), "bodies": [body(at=0.3)]}
-    assert "links.rod.bodies.0.at: got 0.3; expected an end of one of the 4 segments" in complaint(one_link(link))
+    assert "links.rod.bodies.0.at: got 0.3; expected an end of one of the 4 segments" in problem(one_link(link))
     link["bodies"] = [body(at=0.75), body(at=0)]
-    assert complaint(one_link(link)) == ""
+    assert problem(one_link(link)) == ""
 
 
 def test_a_station_on_a_link_without_a_beam() -> None:
-    assert "links.rod.bodies.0.at" in complaint(one_link({"bodies": [body(at=0.5)]}))
-    assert "tip.at" in complaint(sheet(tip={"link": "fore", "at": 0.5}))
+    assert "links.rod.bodies.0.at" in problem(one_link({"bodies": [body(at=0.5)]}))
+    assert "tip.at" in problem(sheet(tip={"link": "fore", "at": 0.5}))

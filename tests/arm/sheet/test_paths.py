@@ -8,24 +8,24 @@ import pytest
 from hypothesis import given, settings
 from hypothesis import strategies as st
 
-from arm.sheet.cases import SECTION, arm_of, beam, body, complaint, joint, sheet
+from arm.sheet.cases import SECTION, arm_of, beam, body, joint, problem, sheet
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.sheet_check import arm_data, arm_from_data
+from tmodes.io.sheet_check import sheet_data, sheet_from_data
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.kinds.links.material import LIBRARY
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
 ROUND = {"shape": "round", "diameter": 0.02}
 
 
 @pytest.fixture
-def arm() -> Arm:
+def arm() -> Robot:
     return arm_of(sheet())
 
 
 @pytest.mark.parametrize("path", ["joints.shoulder.gear.stiffness", "joints.0.gear.stiffness"])
-def test_a_change_by_name_or_number(arm: Arm, path: str) -> None:
+def test_a_change_by_name_or_number(arm: Robot, path: str) -> None:
     found = arm.with_({path: "1 kN*m/rad"})
     assert found.joints[0].gear is not None
     assert found.joints[0].gear.stiffness == (1000.0,)
@@ -33,7 +33,7 @@ def test_a_change_by_name_or_number(arm: Arm, path: str) -> None:
     assert arm.joints[0].gear.stiffness == (4700.0,)
 
 
-def test_what_the_sheet_leaves_out_can_be_set(arm: Arm) -> None:
+def test_what_the_sheet_leaves_out_can_be_set(arm: Robot) -> None:
     changes = {
         "joints.elbow.motor.inertia": 0.1,
         "joints.elbow.motor.side": "joint",
@@ -56,7 +56,7 @@ def test_names_with_dots() -> None:
 
 
 @pytest.mark.parametrize(
-    ("path", "mend"),
+    ("path", "hint"),
     [
         ("joints.sholder.gear.stiffness", "did you mean `shoulder`?"),
         ("joints.shoulder.gear.stifness", "did you mean `stiffness`?"),
@@ -69,13 +69,13 @@ def test_names_with_dots() -> None:
         ("__class__", ""),
     ],
 )
-def test_paths_that_lead_nowhere(arm: Arm, path: str, mend: str) -> None:
+def test_paths_that_lead_nowhere(arm: Robot, path: str, hint: str) -> None:
     with pytest.raises(InputError) as caught:
         arm.with_({path: 1.0})
-    assert mend in str(caught.value)
+    assert hint in str(caught.value)
 
 
-def test_a_wrong_change_is_told_by_its_path(arm: Arm) -> None:
+def test_a_wrong_change_is_reported_by_its_path(arm: Robot) -> None:
     with pytest.raises(InputErrors, match=r"links\.upper\.beam\.length: got -1\.0"):
         arm.with_({"links.upper.beam.length": -1.0})
 
@@ -96,7 +96,7 @@ def test_the_real_arm_is_the_known_one_times_its_factors() -> None:
     assert pair.real.real == {}
 
 
-def test_an_arm_known_exactly_is_its_own_real_one(arm: Arm) -> None:
+def test_an_arm_known_exactly_is_its_own_real_one(arm: Robot) -> None:
     assert arm.pair().real is arm
 
 
@@ -131,13 +131,13 @@ def test_what_is_rigid_stays_rigid() -> None:
     ],
 )
 def test_factors_that_are_none(real, words: str) -> None:
-    assert words in complaint(sheet(real=real))
+    assert words in problem(sheet(real=real))
 
 
-def read_back(arm: Arm) -> Arm:
+def read_back(arm: Robot) -> Robot:
     text = arm_to_yaml(arm)
     data, positions = parse_yaml(text, "written.yaml")
-    return arm_from_data(data, positions, "written.yaml")
+    return sheet_from_data(data, positions, "written.yaml")
 
 
 NAMES = st.sampled_from(["yes", "on", "null", "1", "a b", "x: y", "#", "'", '"', "é", "-", "1e5", "a.b", "~", "0x1f"])
@@ -206,7 +206,7 @@ LINKS = [
 def test_a_written_sheet_reads_back_as_the_same_arm(data) -> None:
     arm = arm_of(data)
     assert read_back(arm) == arm
-    assert arm_of(arm_data(arm)) == arm
+    assert arm_of(sheet_data(arm)) == arm
 
 
 @settings(max_examples=100)

@@ -4,13 +4,13 @@ from __future__ import annotations
 
 import pytest
 
-from arm.sheet.cases import body, changed, complaint, joint, one_link, sheet
+from arm.sheet.cases import body, changed, joint, one_link, problem, sheet
 
 LINKS = [{"name": name, "bodies": [body()]} for name in "abcd"]
 
 
 def said(*joints, links=LINKS, **more) -> str:
-    return complaint(sheet(joints=list(joints), links=links, **more))
+    return problem(sheet(joints=list(joints), links=links, **more))
 
 
 def test_an_empty_robot() -> None:
@@ -22,21 +22,21 @@ def test_a_disconnected_link_is_named() -> None:
 
 
 def test_a_link_with_two_parents_names_the_joints() -> None:
-    told = said(joint("j", "a"), joint("k", "b"), joint("l", "a", parent="b"), links=LINKS[:2])
-    assert "joints.l.child: got `a`, which has 2 parents: the joints j, l" in told
+    info = said(joint("j", "a"), joint("k", "b"), joint("l", "a", parent="b"), links=LINKS[:2])
+    assert "joints.l.child: got `a`, which has 2 parents: the joints j, l" in info
 
 
 def test_a_cycle_names_its_links() -> None:
-    told = said(joint("j", "a"), joint("k", "b", parent="c"), joint("l", "c", parent="b"), links=LINKS[:3])
-    assert "a cycle of the links c -> b -> c" in told
-    assert told.count("cycle") == 1
+    info = said(joint("j", "a"), joint("k", "b", parent="c"), joint("l", "c", parent="b"), links=LINKS[:3])
+    assert "a cycle of the links c -> b -> c" in info
+    assert info.count("cycle") == 1
 
 
 def test_a_cycle_with_a_tail() -> None:
     joints = [joint("j", "a", parent="b"), joint("k", "b", parent="a"), joint("l", "c", parent="b")]
-    told = said(*joints, links=LINKS[:3])
-    assert told.count("a cycle of the links") == 1
-    assert "c" not in told.split("cycle of the links")[1].split(";")[0]
+    info = said(*joints, links=LINKS[:3])
+    assert info.count("a cycle of the links") == 1
+    assert "c" not in info.split("cycle of the links")[1].split(";")[0]
 
 
 def test_a_self_loop() -> None:
@@ -44,14 +44,14 @@ def test_a_self_loop() -> None:
 
 
 def test_an_unknown_parent() -> None:
-    told = said(joint("j", "a"), joint("k", "b", parent="aa"), links=LINKS[:2])
-    assert "joints.k.parent: got `aa`, which no joint carries; expected one of base, a, b" in told
+    info = said(joint("j", "a"), joint("k", "b", parent="aa"), links=LINKS[:2])
+    assert "joints.k.parent: got `aa`, which no joint carries; expected one of base, a, b" in info
 
 
 def test_names_twice() -> None:
-    told = said(joint("j", "a"), joint("j", "b"), links=[*LINKS[:2], LINKS[0]])
-    assert "joints.j.name: got the name `j` a second time" in told
-    assert "links.a.name: got the name `a` a second time" in told
+    info = said(joint("j", "a"), joint("j", "b"), links=[*LINKS[:2], LINKS[0]])
+    assert "joints.j.name: got the name `j` a second time" in info
+    assert "links.a.name: got the name `a` a second time" in info
 
 
 def test_the_base_is_the_ground() -> None:
@@ -65,20 +65,20 @@ def test_an_axis_without_direction(axis) -> None:
 
 
 def test_a_fixed_joint_has_no_axis_and_no_motor() -> None:
-    told = said(joint("j", "a", type="fixed", motor={"inertia": 1, "side": "joint"}), links=LINKS[:1])
-    assert "joints.j.axis: got an axis of a fixed joint" in told
-    assert "joints.j.motor: got a motor on a fixed joint" in told
+    info = said(joint("j", "a", type="fixed", motor={"inertia": 1, "side": "joint"}), links=LINKS[:1])
+    assert "joints.j.axis: got an axis of a fixed joint" in info
+    assert "joints.j.motor: got a motor on a fixed joint" in info
 
 
 def test_limits_in_order() -> None:
-    told = said(joint("j", "a", limits={"lower": 1, "upper": "-60 deg"}), links=LINKS[:1])
-    assert "joints.j.limits.lower: got 1.0; expected at most `upper`, -1.04" in told
+    info = said(joint("j", "a", limits={"lower": 1, "upper": "-60 deg"}), links=LINKS[:1])
+    assert "joints.j.limits.lower: got 1.0; expected at most `upper`, -1.04" in info
 
 
 def test_a_massless_end_that_moves_is_named() -> None:
-    told = said(joint("j", "a"), joint("k", "b"), links=LINKS[:1])
-    assert "joints.k: got `b`, a link that has no mass and is moved by `k`" in told
-    assert "joints.j" not in told
+    info = said(joint("j", "a"), joint("k", "b"), links=LINKS[:1])
+    assert "joints.k: got `b`, a link that has no mass and is moved by `k`" in info
+    assert "joints.j" not in info
 
 
 def test_a_massless_link_between_others_is_right() -> None:
@@ -90,18 +90,18 @@ def test_a_massless_link_between_others_is_right() -> None:
     ("center", "right"), [([0, 0, 1], False), ([0, 0, -3.7], False), ([1e-3, 0, 1], True), ([0, 1, 0], True)]
 )
 def test_a_point_mass_on_the_axis_has_no_inertia_about_it(center, right: bool) -> None:
-    told = complaint(one_link({"bodies": [{"mass": 1, "center": center}]}))
-    assert (told == "") == right
-    assert right or "has no inertia about the axis of `pivot`" in told
+    info = problem(one_link({"bodies": [{"mass": 1, "center": center}]}))
+    assert (info == "") == right
+    assert right or "has no inertia about the axis of `pivot`" in info
 
 
 def test_a_point_mass_on_an_oblique_axis() -> None:
     """Only a general position shows it: the second axis passes through the mass in every position of the first."""
     origin = {"position": [0.3, 0.1, 0.2], "rpy": [0.5, 0.6, 0.7]}
     links = [LINKS[0], {"name": "b", "bodies": [{"mass": 1, "center": [2, 4, 6]}]}]
-    told = said(joint("j", "a"), joint("k", "b", origin=origin, axis=[1, 2, 3]), links=links)
-    assert "joints.k: got `b`, a link that has no inertia about the axis of `k`" in told
-    assert "joints.j" not in told
+    info = said(joint("j", "a"), joint("k", "b", origin=origin, axis=[1, 2, 3]), links=links)
+    assert "joints.k: got `b`, a link that has no inertia about the axis of `k`" in info
+    assert "joints.j" not in info
 
 
 def test_a_mass_that_is_on_an_axis_in_one_position_only() -> None:
@@ -114,20 +114,20 @@ def test_a_mass_that_is_on_an_axis_in_one_position_only() -> None:
 def test_a_mass_brought_back_to_an_axis_by_a_fixed_joint(x: float, right: bool) -> None:
     origin = {"position": [0, 0.7, 0.2], "rpy": [0, 0, 1.5707963267948966]}
     fixed = {"name": "k", "type": "fixed", "child": "b", "origin": origin}
-    told = said(joint("j", "a"), fixed, links=[{"name": "b", "bodies": [{"mass": 1, "center": [x, 0, 0]}]}])
-    assert (told == "") == right
-    assert right or "joints.j: got `a`, a link that has no inertia about the axis of `j`" in told
+    info = said(joint("j", "a"), fixed, links=[{"name": "b", "bodies": [{"mass": 1, "center": [x, 0, 0]}]}])
+    assert (info == "") == right
+    assert right or "joints.j: got `a`, a link that has no inertia about the axis of `j`" in info
 
 
 def test_a_rotor_behind_a_rigid_gear_is_inertia_enough() -> None:
     motor = {"inertia": 0.1, "side": "joint"}
     link = {"bodies": [{"mass": 1, "center": [0, 0, 1]}]}
-    assert complaint(one_link(link, motor=motor)) == ""
-    assert "no inertia" in complaint(one_link(link, motor=motor, gear={"stiffness": 9, "damping": 0}))
+    assert problem(one_link(link, motor=motor)) == ""
+    assert "no inertia" in problem(one_link(link, motor=motor, gear={"stiffness": 9, "damping": 0}))
 
 
 def test_a_sliding_mass_needs_no_inertia() -> None:
-    assert complaint(one_link({"bodies": [{"mass": 1}]}, type="prismatic")) == ""
+    assert problem(one_link({"bodies": [{"mass": 1}]}, type="prismatic")) == ""
 
 
 def test_a_name_that_a_part_of_a_link_has_already() -> None:
@@ -135,4 +135,4 @@ def test_a_name_that_a_part_of_a_link_has_already() -> None:
         data["links"][0]["beam"].update(model="segments", segments=2)
         data["links"][1]["name"] = data["joints"][1]["child"] = "upper.2"
 
-    assert "links: got `upper.2`, also the name of a part of a link" in complaint(changed(named))
+    assert "links: got `upper.2`, also the name of a part of a link" in problem(changed(named))

@@ -9,7 +9,7 @@ import numpy as np
 from arm.statics.exact import Load as ExactLoad
 from tmodes.analysis.statics.equilibrium import Load
 from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, JointKind, Node
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["clamped", "loads_of"]
 
@@ -22,13 +22,13 @@ def clamped(
     axial: float = 0.0,
     gravity: tuple[float, float, float] = (0.0, 0.0, 0.0),
     **beam: Any,
-) -> ArmModel:
+) -> Model:
     """A beam clamped at the origin along x; ``stiffness`` GJ, EI_y, EI_z [N*m^2]; its points: the tip."""
     torsion, bend_y, bend_z = ((value, value) for value in stiffness)
     polar = (1e-4 * mass * length**2, 1e-4 * mass * length**2)
     piece = BeamPiece(1.0, bend_y, bend_z, torsion, (axial, axial), (mass, mass), (polar, (0.0, 0.0), (0.0, 0.0)))
     link = Beam(length, (piece,), **beam)
-    return ArmModel(Chain("clamped", (Node("beam", -1, Joint("clamp", JointKind.FIXED), link),), np.array(gravity)))
+    return Model(Chain("clamped", (Node("beam", -1, Joint("clamp", JointKind.FIXED), link),), np.array(gravity)))
 
 
 def loads_of(load: ExactLoad) -> list[Load]:

@@ -28,7 +28,7 @@ from tmodes.chain.chain import (
     Point,
     RigidLink,
 )  # fmt: skip
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.sheet.contact import ContactLaw, ContactSheet
 
 LENGTH, BENDING = 1.2, 7.466666666666667
@@ -39,14 +39,14 @@ SMALL = 1e-5
 """Share of a load at which the square of the deflection is rounding."""
 
 
-def strip(**beam) -> ArmModel:
+def strip(**beam) -> Model:
     return clamped((TORSION, BENDING, BENDING), length=LENGTH, mass=2700 * 8e-5, **beam)
 
 
-def on_joint(joint: Joint, link, *, gravity=DOWN, tip=(0.0, 0.0, 0.0), **more) -> ArmModel:
+def on_joint(joint: Joint, link, *, gravity=DOWN, tip=(0.0, 0.0, 0.0), **more) -> Model:
     """One joint, one link, a point called tip."""
     points = (Point("tip", 0, offset=Placement(position=np.array(tip))),)
-    return ArmModel(Chain("one", (Node("link", -1, joint, link),), np.asarray(gravity), points=points, **more))
+    return Model(Chain("one", (Node("link", -1, joint, link),), np.asarray(gravity), points=points, **more))
 
 
 def geared(stiffness=(300.0,), drive=Drive.ELASTIC, kind=JointKind.REVOLUTE, axis=(0.0, 1.0, 0.0), **gear) -> Joint:
@@ -156,7 +156,7 @@ def test_coupled_motors_turn_the_unloaded_joints():
     """Gear inputs S th: the second motor sits on the base, so its joint turns back with the first."""
     joints = [replace(geared(axis=(0.0, 0.0, 1.0)), name=name) for name in ("one", "two")]
     nodes = tuple(Node(f"link{k}", k - 1, joint, ROD) for k, joint in enumerate(joints))
-    model = ArmModel(Chain("two", nodes, np.zeros(3), couplings=np.array([[1.0, 0.0], [-1.0, 1.0]])))
+    model = Model(Chain("two", nodes, np.zeros(3), couplings=np.array([[1.0, 0.0], [-1.0, 1.0]])))
     rest = equilibrium(model, held={"one.motor": 0.3, "two.motor": 0.5})
     assert rest.named == pytest.approx({"one.motor": 0.3, "two.motor": 0.5, "one": 0.3, "two": 0.2}, abs=1e-12)
 

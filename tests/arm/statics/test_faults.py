@@ -13,7 +13,7 @@ from tmodes.errors import InputError, SimulationError
 
 
 @pytest.mark.parametrize(
-    ("load", "told"),
+    ("load", "info"),
     [
         (Load("tyre", (0, 0, 1)), "tyre"),
         (Load("tip", (0, np.nan, 1)), "force"),
@@ -22,8 +22,8 @@ from tmodes.errors import InputError, SimulationError
         (Load("tip", (1e300, 0.0, 0.0)), "force"),
     ],
 )
-def test_wrong_loads_are_refused(load, told):
-    with pytest.raises(InputError, match=told):
+def test_wrong_loads_are_refused(load, info):
+    with pytest.raises(InputError, match=info):
         equilibrium(clamped(bend_z=4), [load])
 
 
@@ -43,14 +43,14 @@ def test_wrong_coordinates_are_refused(given):
         equilibrium(on_joint(geared(), ROD), **given)
 
 
-def test_a_snap_is_told_with_the_load_it_carried():
+def test_a_snap_is_reported_with_the_load_it_carried():
     """A gear that softens at 50 N*m under an eccentric column: P = T/(L sin g + e cos g) has its peak at 0.05 rad."""
     joint = geared((1000.0, 10.0), limits=(50.0,))
     model = on_joint(joint, ROD, gravity=np.zeros(3), tip=(1.0, 0.0, 0.05))
     peak = 50 / (np.sin(0.05) + 0.05 * np.cos(0.05))
-    with pytest.raises(SimulationError, match="load factor") as told:
+    with pytest.raises(SimulationError, match="load factor") as info:
         equilibrium(model, [Load("tip", (-1000.0, 0, 0))])
-    reached = float(str(told.value).split("load factor ")[1].split(" ")[0])
+    reached = float(str(info.value).split("load factor ")[1].split(" ")[0])
     assert reached == pytest.approx(peak / 1000, rel=1e-4)
     assert equilibrium(model, [Load("tip", (-0.99 * peak, 0, 0))]).stable
 
@@ -83,7 +83,7 @@ def test_nothing_free_is_rigid():
     assert rest.residual == 0.0
 
 
-def test_no_mass_is_told():
+def test_no_mass_is_reported():
     joint = geared()
     assert joint.gear == Gear((300.0,))
     with pytest.raises(SimulationError, match="mass"):

@@ -8,18 +8,18 @@ import pytest
 
 from tmodes.analysis.hierarchy.move import chosen_move
 from tmodes.analysis.statics.rest import arm_rest, first_value, sheet_loads
-from tmodes.sheet import Arm
-from tmodes.simulation.simulate import simulate_arm
+from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 
 ENDING = {"type": "expression", "formula": "sqrt(0.6 - t)"}
 FAST = {"type": "sine", "frequency": 9000, "amplitude": 0.1, "offset": 0.3}
 
 
-def sheet(signal: dict[str, Any], duration: float) -> Arm:
+def sheet(signal: dict[str, Any], duration: float) -> Robot:
     """A rod on a hinge about z that follows a signal, with a force of the same signal on its tip."""
     hinge = {"name": "hinge", "type": "revolute", "parent": "base", "child": "rod", "axis": [0, 0, 1]}
     body = {"name": "body", "mass": 1.0, "center": [0.5, 0, 0]}
-    return Arm.from_data({
+    return Robot.from_data({
         "format": 1, "kind": "arm", "name": "short", "joints": [hinge], "links": [{"name": "rod", "bodies": [body]}],
         "tip": {"link": "rod", "position": [1, 0, 0]},
         "drives": [{"joint": "hinge", "command": "prescribed", "signal": signal}],
@@ -38,7 +38,7 @@ def test_a_signal_that_holds_for_the_run_alone_rests_and_runs(signal, duration, 
     assert first_value(arm, arm.drives[0].signal) == pytest.approx(first, abs=1e-12)
     assert arm_rest(arm).named == {"hinge": pytest.approx(first, abs=1e-12)}
     assert sheet_loads(arm)[0].force == pytest.approx([0.0, 0.0, 2 * first], abs=1e-12)
-    run = simulate_arm(arm)
+    run = simulate_motion(arm)
     assert run.status == "finished"
     assert run.q[0] == pytest.approx([first], abs=1e-12)
 

@@ -4,7 +4,7 @@ import type uPlot from "uplot";
 import type { Clock } from "../clock";
 import type { LiveRun } from "../contract_parts";
 import { button, make, ownId, put, save } from "../dom";
-import { told } from "../format";
+import { info } from "../format";
 import { drawnBy, drawnShare, summary, thinnest } from "./chart_words";
 import { csvOf } from "./csv";
 import { changedMarks, marksWithin } from "./frequency_marks";
@@ -18,7 +18,7 @@ export interface ChartView {
   readonly id: string;
   /** Draw the live model's run, the page's own pale behind it; null: the page's own alone. */
   show(live: LiveRun | null): void;
-  /** Draw anew: the colours have changed. */
+  /** Draw again: the colours have changed. */
   recolour(): void;
   dispose(): void;
 }
@@ -168,7 +168,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
   function tell(): void {
     toldAt = performance.now();
     const at = hover ?? (timed ? clock.time : null);
-    put(readout, hover === null ? "" : timed ? `at ${hover.toFixed(3)} s` : `at ${told(hover, "Hz")}`);
+    put(readout, hover === null ? "" : timed ? `at ${hover.toFixed(3)} s` : `at ${info(hover, "Hz")}`);
     legend.tell((entry) => (at === null ? null : calmed(valueAt(entry, at))));
   }
 

@@ -4,7 +4,7 @@ import type { Chart } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import type { Entry } from "./series";
 
-/** Marks of the live model's own robot, where it tells them; null where those of the page hold. */
+/** Marks of the live model's own robot, where it reports them; null where those of the page hold. */
 export function changedMarks(chart: Chart, run: LiveRun | null): Chart["marks"] | null {
   return chart.group === "spectrum" && typeof run?.vibration === "object" ? run.vibration.marks : null;
 }

@@ -1,4 +1,4 @@
-// Colours and dashes of curves: colour-blind-safe, and told apart without colour too.
+// Colours and dashes of curves: colour-blind-safe, and reported apart without colour too.
 
 import type { Role } from "../contract";
 
@@ -34,7 +34,7 @@ export const WORDS: Record<Role, string> = {
   other: "other",
 };
 
-/** How a curve is drawn: `place` among what is told apart by colour, `several` whether that is more than the roles. */
+/** How a curve is drawn: `place` among what is reported apart by colour, `several` whether that is more than the roles. */
 export interface Look {
   property: string;
   dash: number[];
@@ -56,7 +56,7 @@ export function colour(property: string): string {
   const dark = scheme.matches && !document.documentElement.classList.contains("printing");
   if (dark !== wasDark) known.clear();
   wasDark = dark;
-  const told = known.get(property) ?? getComputedStyle(document.documentElement).getPropertyValue(property).trim();
-  known.set(property, told);
-  return told || "#808080";
+  const info = known.get(property) ?? getComputedStyle(document.documentElement).getPropertyValue(property).trim();
+  known.set(property, info);
+  return info || "#808080";
 }

@@ -1,24 +1,24 @@
 // What every section of an arm carries at one sample: the balance of all that is outboard of it, d'Alembert's forces
-// and given wrenches, as tmodes/analysis/arm_line_loads.py. Loads are told as the outboard part acts on the inboard
+// and given wrenches, as tmodes/analysis/arm_line_loads.py. Loads are reported as the outboard part acts on the inboard
 // one.
 
 import { addBodies } from "./arm_bodies";
 import { FRAME, jointed, PLACE, RATE, TURNING, type JointKind } from "./arm_frame";
-import { Strain, type BeamTold, type Motion } from "./arm_strain";
+import { Strain, type BeamInfo, type Motion } from "./arm_strain";
 import { add, addCross, addTurned, along, copy, type Reals } from "./space";
 
-export interface NodeTold {
+export interface NodeInfo {
   name: string;
   parent: number;
   kind: JointKind;
   angle: number;
   joint: number;
   tip: number;
-  beam: BeamTold | null;
+  beam: BeamInfo | null;
 }
 
 /** A point that is pushed: of which node, at which of its stations (-1: its tip), where from there. */
-export interface PointTold {
+export interface PointInfo {
   node: number;
   station: number;
   offset: number;
@@ -48,10 +48,10 @@ export class Balance {
   private readonly pairs: Reals;
   private readonly spins: Reals;
 
-  /** `base`: the frame on which the first joints stand; `places`: how many are told along each link. */
+  /** `base`: the frame on which the first joints stand; `places`: how many are reported along each link. */
   constructor(
-    private readonly nodes: NodeTold[],
-    private readonly points: PointTold[],
+    private readonly nodes: NodeInfo[],
+    private readonly points: PointInfo[],
     private readonly numbers: Reals,
     private readonly base: Reals,
     private readonly places: number,
@@ -74,7 +74,7 @@ export class Balance {
       jointed(frames, this.root(k), before, from, kind, this.numbers, joint, turned);
       this.beams[k]?.march(motion, frames, this.root(k));
       const beam = this.beams[k];
-      if (beam) copy(frames, this.tip(k), beam.frames, beam.told.edges * FRAME, FRAME);
+      if (beam) copy(frames, this.tip(k), beam.frames, beam.info.edges * FRAME, FRAME);
       else copy(frames, this.tip(k), frames, this.root(k), FRAME);
     });
     this.hung.fill(0);
@@ -125,7 +125,7 @@ export class Balance {
   private along(k: number, beam: Strain, carried: Carried, motion: Motion, wrenches: Reals): void {
     const { frames, hung, load, section } = this;
     const root = this.root(k);
-    const stations = beam.told.stations.map((station, number) => {
+    const stations = beam.info.stations.map((station, number) => {
       const own = new Float64Array(LOAD);
       addBodies(own, 0, this.numbers, station.body, beam.frames, station.edge * FRAME);
       this.pushed(own, 0, k, number, beam.frames, station.edge * FRAME, wrenches);
@@ -138,7 +138,7 @@ export class Balance {
       add(section, PLACE, frames, root + PLACE);
       load.fill(0);
       addLoad(load, 0, hung, k * LOAD, frames, this.tip(k) + PLACE, section, PLACE);
-      beam.told.stations.forEach(({ edge, last }, number) => {
+      beam.info.stations.forEach(({ edge, last }, number) => {
         if (p <= last) addLoad(load, 0, stations[number], 0, beam.frames, edge * FRAME + PLACE, section, PLACE);
       });
       this.outboard(beam, p, load, frames, root);
@@ -149,22 +149,22 @@ export class Balance {
   }
 
   /** Levers of the points times their pushes, both ways of each pair; and what turns their sections. */
-  private spread({ told, points, gains, frames }: Strain): void {
+  private spread({ info, points, gains, frames }: Strain): void {
     const { pairs, spins } = this;
     pairs.fill(0);
     let pair = 0;
-    for (let j = 0; j < told.points; j += 1) {
-      for (let k = j; k < told.points; k += 1, pair += 3) {
+    for (let j = 0; j < info.points; j += 1) {
+      for (let k = j; k < info.points; k += 1, pair += 3) {
         addCross(pairs, pair, points, 3 * j, gains, 3 * k, -1);
         if (k > j) addCross(pairs, pair, points, 3 * k, gains, 3 * j, -1);
       }
     }
-    spins.fill(0, 0, 3 * told.rotary * told.points);
-    for (let axis = 0; axis < told.rotary; axis += 1) {
-      for (let k = 0; k < told.points; k += 1) {
-        const frame = told.pointEdges[k] * FRAME;
+    spins.fill(0, 0, 3 * info.rotary * info.points);
+    for (let axis = 0; axis < info.rotary; axis += 1) {
+      for (let k = 0; k < info.points; k += 1) {
+        const frame = info.pointEdges[k] * FRAME;
         for (let i = 0; i < 3; i += 1) vectors[i] = frames[frame + 3 * i + axis];
-        const at = 3 * (axis * told.points + k);
+        const at = 3 * (axis * info.points + k);
         addCross(spins, at, frames, frame + RATE, vectors, 0, along(frames, frame, axis, frames, frame + RATE));
         add(spins, at, vectors, 0, along(frames, frame, axis, frames, frame + TURNING));
       }
@@ -172,18 +172,18 @@ export class Balance {
   }
 
   /** Weight and inertia of the link's own mass outboard of a place, about it; its section is at hand. */
-  private outboard({ told, gains }: Strain, p: number, into: Reals, frames: Reals, root: number): void {
+  private outboard({ info, gains }: Strain, p: number, into: Reals, frames: Reals, root: number): void {
     const { numbers, pairs, spins, section } = this;
-    const g = told.points;
+    const g = info.points;
     vectors.fill(0, 0, 6);
-    addWeighted(vectors, 0, gains, numbers, told.outboard + p * g, g, -1);
+    addWeighted(vectors, 0, gains, numbers, info.outboard + p * g, g, -1);
     add(vectors, 3, section, PLACE);
     add(vectors, 3, frames, root + PLACE, -1);
     add(into, 0, vectors, 0);
     addCross(into, 3, vectors, 3, vectors, 0, -1);
     const count = (g * (g + 1)) / 2;
-    addWeighted(into, 3, pairs, numbers, told.levers + p * count, count, 1);
-    addWeighted(into, 3, spins, numbers, told.turning + p * told.rotary * g, told.rotary * g, -1);
+    addWeighted(into, 3, pairs, numbers, info.levers + p * count, count, 1);
+    addWeighted(into, 3, spins, numbers, info.turning + p * info.rotary * g, info.rotary * g, -1);
   }
 }
 

@@ -1,11 +1,11 @@
 // Headline numbers of the loads along an arm's links, and of its joints' limits, as tmodes/report/arm_facts.py.
 
-import { told } from "../format";
-import type { Largest, LimitTold, Loads, LoadsTold, Quantity } from "./arm_loads";
+import { info } from "../format";
+import type { Largest, LimitInfo, Loads, LoadsInfo, Quantity } from "./arm_loads";
 import { figures, type Facts } from "./facts";
 import { columns, type SeriesOf } from "./series";
 
-export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsTold, times: Float64Array): Facts {
+export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsInfo, times: Float64Array): Facts {
   const part = [
     loads.every > 1 ? `one sample in ${loads.every}` : "",
     kept > places.data.length ? `${places.data.length} places along each link` : "",
@@ -26,7 +26,7 @@ export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsTold, 
   const strength = share ? strengths[share.link] : 1;
   const margin =
     share &&
-    `of ${told(strength, "Pa")}, ${share.link}; margin ${figures(100 * (1 - share.value / strength))} %${seen}`;
+    `of ${info(strength, "Pa")}, ${share.link}; margin ${figures(100 * (1 - share.value / strength))} %${seen}`;
   return {
     ...fact("deflection.max", of("deflection")),
     ...fact("moment.max", of("moment")),
@@ -36,13 +36,13 @@ export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsTold, 
 }
 
 /** The largest share of a limit of a joint: of its speed, its effort, its range (from its middle). */
-export function limitFact(limits: LimitTold[], series: SeriesOf): Facts {
+export function limitFact(limits: LimitInfo[], series: SeriesOf): Facts {
   const worst = most(limits.flatMap((limit) => sharesOf(limit, series)), ({ share }) => share);
   return worst ? { "limits.share": { value: 100 * worst.share, note: worst.note } } : {};
 }
 
 function sharesOf(
-  { joint, coordinate, drive, unit, effortUnit, speed, effort, range }: LimitTold,
+  { joint, coordinate, drive, unit, effortUnit, speed, effort, range }: LimitInfo,
   series: SeriesOf,
 ): { share: number; note: string }[] {
   const largest = (name: string, column: number, middle = 0) =>
@@ -52,7 +52,7 @@ function sharesOf(
     );
   const shared = (size: number, limit: number, what: string, of: string) => ({
     share: size / limit,
-    note: `${what} of ${joint}: ${told(size, of)} of ${told(limit, of)}`,
+    note: `${what} of ${joint}: ${info(size, of)} of ${info(limit, of)}`,
   });
   return [
     ...(speed ? [shared(largest("v", coordinate), speed, "speed", `${unit}/s`)] : []),

@@ -2,33 +2,33 @@
 // shown.
 
 import { FRAME, GAIN, PLACE } from "./arm_frame";
-import { Balance, type Carried, type NodeTold, type PointTold } from "./arm_balance";
+import { Balance, type Carried, type NodeInfo, type PointInfo } from "./arm_balance";
 import { fibreOf, stressed, type Fibre, type Stress } from "./arm_stress";
-import { WRENCH, wrenchAt, type LoadTold } from "./arm_wrench";
+import { WRENCH, wrenchAt, type LoadInfo } from "./arm_wrench";
 import { doubles, type ArmBundle } from "./bundle";
 import type { Numbers } from "../pack";
 import type { SeriesOf } from "./series";
 import type { Schedule } from "./signals";
 import type { Reals } from "./space";
 
-/** As tmodes/live/arm_loads.py tells it; numbers say where in the block `carried` a table begins. */
-export interface LoadsTold {
+/** As tmodes/live/arm_loads.py reports it; numbers say where in the block `carried` a table begins. */
+export interface LoadsInfo {
   places: Numbers;
   /** How many the result keeps: `places` are some of them where these are very many. */
   kept: number;
   /** Which of the places are the stations of the picture. */
   shown: Numbers;
-  nodes: NodeTold[];
-  points: (PointTold & { point: number })[];
-  loads: (LoadTold & { place: number; wrench: number })[];
+  nodes: NodeInfo[];
+  points: (PointInfo & { point: number })[];
+  loads: (LoadInfo & { place: number; wrench: number })[];
   /** Which of the points is on a surface; -1: none. */
   touched: number;
   strengths: Record<string, number>;
-  limits: LimitTold[];
+  limits: LimitInfo[];
 }
 
 /** A joint's limits; null: there is none. `range`: its middle and half its width. */
-export interface LimitTold {
+export interface LimitInfo {
   joint: string;
   coordinate: number;
   drive: number;
@@ -71,7 +71,7 @@ interface Link {
   carried: Carried;
   fibre: Fibre | null;
   stress: Stress | null;
-  told: LinkLoads;
+  info: LinkLoads;
 }
 
 /** All loads of a run; `numbers`: the block `carried`. */
@@ -83,16 +83,16 @@ export function loadsOf(
   schedule: Schedule,
   frames: number[],
 ): Loads {
-  const { carried: told } = bundle;
-  const places = doubles(told.places);
-  const balance = new Balance(told.nodes, told.points, numbers, standing(bundle), places.length);
-  const links = told.nodes.flatMap((node, k) =>
+  const { carried: info } = bundle;
+  const places = doubles(info.places);
+  const balance = new Balance(info.nodes, info.points, numbers, standing(bundle), places.length);
+  const links = info.nodes.flatMap((node, k) =>
     node.beam
-      ? [linkOf(node, balance.carried[k]!, numbers, places.length, frames.length * told.shown.data.length)]
+      ? [linkOf(node, balance.carried[k]!, numbers, places.length, frames.length * info.shown.data.length)]
       : [],
   );
   const every = Math.max(1, Math.ceil((times.length * links.length * places.length) / MOST_PLACES));
-  const wrenches = new Float64Array(WRENCH * told.points.length);
+  const wrenches = new Float64Array(WRENCH * info.points.length);
   const width = series.q.shape[1];
   let frame = 0;
   for (let k = 0; links.length > 0 && k < times.length; k += 1) {
@@ -103,11 +103,11 @@ export function loadsOf(
     for (const link of links) {
       if (link.fibre && link.stress) stressed(link.fibre, link.carried, link.stress);
       watch(link, places, k);
-      if (shown) keep(link, frame, told.shown.data);
+      if (shown) keep(link, frame, info.shown.data);
     }
     if (shown) frame += 1;
   }
-  return { links: links.map((link) => link.told), every };
+  return { links: links.map((link) => link.info), every };
 }
 
 /** The frame on which the first joints stand: at rest, and held against gravity. */
@@ -119,7 +119,7 @@ function standing({ base, gravity }: ArmBundle): Reals {
   return frame;
 }
 
-function linkOf(node: NodeTold, carried: Carried, numbers: Reals, places: number, kept: number): Link {
+function linkOf(node: NodeInfo, carried: Carried, numbers: Reals, places: number, kept: number): Link {
   const beam = node.beam!;
   const fibre = beam.stress < 0 ? null : fibreOf(numbers, beam.stress, places);
   const stress = (count: number) =>
@@ -129,19 +129,19 @@ function linkOf(node: NodeTold, carried: Carried, numbers: Reals, places: number
     deflection: new Float64Array(two), slope: new Float64Array(two), moment: new Float64Array(three),
     shear: new Float64Array(two), axial: new Float64Array(kept),
   };
-  const told = {
+  const info = {
     ...own,
     name: node.name,
     length: numbers[beam.length],
     stress: stress(kept),
     largest: { deflection: null, moment: null, stress: null },
   };
-  return { carried, fibre, stress: stress(places), told };
+  return { carried, fibre, stress: stress(places), info };
 }
 
 /** Force and moment on each pushed point at a sample, world axes. */
 function push(
-  { carried: told }: ArmBundle,
+  { carried: info }: ArmBundle,
   numbers: Reals,
   series: SeriesOf,
   schedule: Schedule,
@@ -150,28 +150,28 @@ function push(
   into: Reals,
 ): void {
   into.fill(0);
-  for (const load of told.loads) {
+  for (const load of info.loads) {
     const own = numbers.subarray(load.wrench, load.wrench + WRENCH);
-    const point = k * series.rotation.shape[1] + told.points[load.place].point;
+    const point = k * series.rotation.shape[1] + info.points[load.place].point;
     const wrench = wrenchAt(load, own, schedule, time, series.rotation.data, 9 * point);
     for (let i = 0; i < WRENCH; i += 1) into[WRENCH * load.place + i] += wrench[i];
   }
-  if (told.touched >= 0)
-    for (let i = 0; i < 3; i += 1) into[WRENCH * told.touched + i] -= series.contact_force.data[3 * k + i];
+  if (info.touched >= 0)
+    for (let i = 0; i < 3; i += 1) into[WRENCH * info.touched + i] -= series.contact_force.data[3 * k + i];
 }
 
-function watch({ carried, stress, told }: Link, places: Reals, sample: number): void {
+function watch({ carried, stress, info }: Link, places: Reals, sample: number): void {
   const last = places.length - 1;
   see(
-    told,
+    info,
     "deflection",
     Math.sqrt(carried.deflection[2 * last] ** 2 + carried.deflection[2 * last + 1] ** 2),
     places[last],
     sample,
   );
   for (let p = 0; p <= last; p += 1) {
-    see(told, "moment", Math.sqrt(carried.moment[3 * p + 1] ** 2 + carried.moment[3 * p + 2] ** 2), places[p], sample);
-    if (stress) see(told, "stress", stress.mises[p], places[p], sample);
+    see(info, "moment", Math.sqrt(carried.moment[3 * p + 1] ** 2 + carried.moment[3 * p + 2] ** 2), places[p], sample);
+    if (stress) see(info, "stress", stress.mises[p], places[p], sample);
   }
 }
 
@@ -180,19 +180,19 @@ function see({ name, largest }: LinkLoads, quantity: Quantity, value: number, s:
   if (!before || value > before.value) largest[quantity] = { link: name, value, s, sample };
 }
 
-function keep({ carried, stress, told }: Link, frame: number, shown: ArrayLike<number>): void {
+function keep({ carried, stress, info }: Link, frame: number, shown: ArrayLike<number>): void {
   const count = shown.length;
   const put = (from: Reals, into: Reals, width: number) => {
     for (let s = 0; s < count; s += 1) {
       for (let i = 0; i < width; i += 1) into[(frame * count + s) * width + i] = from[shown[s] * width + i];
     }
   };
-  put(carried.deflection, told.deflection, 2);
-  put(carried.slope, told.slope, 2);
-  put(carried.moment, told.moment, 3);
-  put(carried.shear, told.shear, 2);
-  put(carried.axial, told.axial, 1);
-  if (!stress || !told.stress) return;
-  put(stress.strain, told.stress.strain, 1);
-  put(stress.mises, told.stress.mises, 1);
+  put(carried.deflection, info.deflection, 2);
+  put(carried.slope, info.slope, 2);
+  put(carried.moment, info.moment, 3);
+  put(carried.shear, info.shear, 2);
+  put(carried.axial, info.axial, 1);
+  if (!stress || !info.stress) return;
+  put(stress.strain, info.stress.strain, 1);
+  put(stress.mises, info.stress.mises, 1);
 }

@@ -8,7 +8,7 @@ import { damped, undamped } from "./eigen";
 import type { Engine } from "./engine";
 import type { Facts } from "./facts";
 import { numbersOf, type Blocks } from "./map";
-import { motionOf, ringing, told, type Found } from "./modes";
+import { motionOf, ringing, info, type Found } from "./modes";
 import type { Vibration } from "../contract_parts";
 import { bestPartners, likeness } from "./partners";
 import type { Schedule } from "./signals";
@@ -28,7 +28,7 @@ export function armVibration(
     const cases = Object.fromEntries(
       bundle.modes.cases.map(({ name, moving }) => [name, modesOf(bundle, blocks, linear, name, moving)]),
     );
-    return told(cases, rest, (q, count) => poseOf(engine, bundle, blocks.pose, q, count).line);
+    return info(cases, rest, (q, count) => poseOf(engine, bundle, blocks.pose, q, count).line);
   } catch (problem) {
     return { vibration: problem instanceof Error ? problem.message : String(problem), facts: {} };
   }

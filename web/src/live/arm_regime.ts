@@ -1,7 +1,7 @@
 // One arm in motion, the reference or the real one: its numbers, its signals and its run.
 
 import { firstState } from "./arm_rest";
-import { doubles, type ArmBundle, type ArmRunTold } from "./bundle";
+import { doubles, type ArmBundle, type ArmRunInfo } from "./bundle";
 import type { Engine } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";
 import type { Blocks } from "./map";
@@ -13,7 +13,7 @@ export type Name = "reference" | "real";
 /** One arm in motion, and what is observed of it. */
 export interface Regime {
   name: Name;
-  told: ArmRunTold;
+  info: ArmRunInfo;
   blocks: Blocks;
   schedule: signals.Schedule;
   run: RunResult;
@@ -24,8 +24,8 @@ export async function moved(
   engine: Engine, bundle: ArmBundle, values: readonly number[], name: Name, blocks: Blocks, watch: Watch,
 ): Promise<Regime> {
   const { settings } = bundle;
-  const told = bundle.runs[name]!;
-  const each = range(0, told.signals).map((k) =>
+  const info = bundle.runs[name]!;
+  const each = range(0, info.signals).map((k) =>
     signals.until(signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]), settings.duration),
   );
   const schedule = signals.merged(each);
@@ -43,5 +43,5 @@ export async function moved(
     },
     watch,
   );
-  return { name, told, blocks, schedule, run };
+  return { name, info, blocks, schedule, run };
 }

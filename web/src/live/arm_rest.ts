@@ -117,16 +117,16 @@ export function firstState(
   run: "reference" | "real",
   signals: Schedule,
 ): Float64Array {
-  const told = bundle.runs[run]!;
-  const state = doubles(told.start).slice();
-  const [q, v] = [told.state.q[0], told.state.v[0]];
+  const info = bundle.runs[run]!;
+  const state = doubles(info.start).slice();
+  const [q, v] = [info.state.q[0], info.state.v[0]];
   if (bundle.atRest) {
     const at = (set: readonly number[], from: Float64Array) =>
       rest(engine, bundle, numbersOf(bundle.map, set, run), from);
-    const found = restFor(bundle, values, run, state.slice(...told.state.q), at);
-    for (let k = 0; k < found.length; k += 1) if (!told.told.includes(k)) state[q + k] = found[k];
+    const found = restFor(bundle, values, run, state.slice(...info.state.q), at);
+    for (let k = 0; k < found.length; k += 1) if (!info.info.includes(k)) state[q + k] = found[k];
   }
-  for (const [coordinate, signal] of told.exact) {
+  for (const [coordinate, signal] of info.exact) {
     state[q + coordinate] = valueAt(signals, signal, 0);
     const degree = signals.degree;
     state[v + coordinate] = degree ? signals.coefficients[signal * (degree + 1) + 1] : 0;

@@ -7,7 +7,7 @@ import type { Engine, Samples } from "./engine";
 import { columns, difference, energyBalance, range, shaped, sizes, type SeriesOf } from "./series";
 import { rowsAt } from "./signals";
 
-/** What is known of the samples of a regime: what its model tells, and the motion and energies of its chain. */
+/** What is known of the samples of a regime: what its model reports, and the motion and energies of its chain. */
 export interface Seen {
   model: Samples;
   points: Float64Array; // [n, points, 24]
@@ -62,7 +62,7 @@ export function seriesOf(bundle: ArmBundle, real: Regime, { model, points, energ
   const drives = model.gear.length / count;
   const places = points.length / count / POINT;
   const width = real.run.states.length / real.run.times.length;
-  const work = columns(real.run.states.subarray(0, count * width), width, range(...real.told.state.works));
+  const work = columns(real.run.states.subarray(0, count * width), width, range(...real.info.state.works));
   const drive = (which: number) =>
     shaped(
       columns(

@@ -3,8 +3,8 @@
 import { addMoved, FRAME, GAIN, PLACE, RATE, TURNING } from "./arm_frame";
 import { add, addCross, addTurned, copy, type Reals } from "./space";
 
-/** A bending link as tmodes/live/arm_loads.py tells it; numbers of tables say where in the vector these begin. */
-export interface BeamTold {
+/** A bending link as tmodes/live/arm_loads.py reports it; numbers of tables say where in the vector these begin. */
+export interface BeamInfo {
   first: number;
   /** Component of curvature (0 twist, 1 about y, 2 about z) of each function that turns sections. */
   directions: number[];
@@ -52,53 +52,53 @@ export class Strain {
   private readonly sums = new Float64Array(18);
   private readonly turns: number;
 
-  constructor(readonly told: BeamTold, private readonly numbers: Reals) {
-    this.frames = new Float64Array((told.edges + 1) * FRAME);
+  constructor(readonly info: BeamInfo, private readonly numbers: Reals) {
+    this.frames = new Float64Array((info.edges + 1) * FRAME);
     [this.points, this.gains, this.line, this.moved] = Array.from(
       { length: 4 },
-      () => new Float64Array(told.points * 3),
+      () => new Float64Array(info.points * 3),
     );
-    this.turns = told.directions.length;
+    this.turns = info.directions.length;
   }
 
   /** From the frame of the root on; stations and tip are whole frames then, other sections have no place. */
   march(motion: Motion, root: Reals, at: number): void {
-    const { told, frames } = this;
+    const { info, frames } = this;
     copy(frames, 0, root, at, FRAME);
-    for (let k = 0; k < told.edges; k += 1) {
-      this.sum(motion, told.march + k * (2 * this.turns + ROWS), true);
-      stepped(frames, (k + 1) * FRAME, frames, k * FRAME, this.sums, told.terms, true);
+    for (let k = 0; k < info.edges; k += 1) {
+      this.sum(motion, info.march + k * (2 * this.turns + ROWS), true);
+      stepped(frames, (k + 1) * FRAME, frames, k * FRAME, this.sums, info.terms, true);
     }
     this.tangents(motion);
-    this.weighted(this.points, told.toPoints, this.line);
-    this.weighted(this.gains, told.toPoints, this.moved);
-    for (let k = 0; k < told.points; k += 1) add(this.gains, 3 * k, frames, GAIN);
-    for (let k = 0; k <= told.stations.length; k += 1) {
-      const frame = FRAME * (k < told.stations.length ? told.stations[k].edge : told.edges);
+    this.weighted(this.points, info.toPoints, this.line);
+    this.weighted(this.gains, info.toPoints, this.moved);
+    for (let k = 0; k < info.points; k += 1) add(this.gains, 3 * k, frames, GAIN);
+    for (let k = 0; k <= info.stations.length; k += 1) {
+      const frame = FRAME * (k < info.stations.length ? info.stations[k].edge : info.edges);
       copy(frames, frame + PLACE, frames, PLACE);
       copy(frames, frame + GAIN, frames, GAIN);
-      this.along(frames, frame + PLACE, told.toEnds + k * told.points, this.line);
-      this.along(frames, frame + GAIN, told.toEnds + k * told.points, this.moved);
+      this.along(frames, frame + PLACE, info.toEnds + k * info.points, this.line);
+      this.along(frames, frame + GAIN, info.toEnds + k * info.points, this.moved);
     }
   }
 
   /** Axes and place, from the root, of the place `k`: rotation, then position. */
   place(motion: Motion, k: number, into: Reals): void {
-    const { told } = this;
-    this.sum(motion, told.reach + k * (2 * this.turns + ROWS), false);
-    stepped(into, 0, this.frames, told.before[k] * FRAME, this.sums, told.terms, false);
+    const { info } = this;
+    this.sum(motion, info.reach + k * (2 * this.turns + ROWS), false);
+    stepped(into, 0, this.frames, info.before[k] * FRAME, this.sums, info.terms, false);
     into.fill(0, PLACE, PLACE + 3);
-    this.along(into, PLACE, told.toPlaces + k * told.points, this.line);
+    this.along(into, PLACE, info.toPlaces + k * info.points, this.line);
   }
 
   /** What a step turns, where asked with its derivatives by time: integrals and moments, one after the other. */
   private sum(motion: Motion, row: number, moving: boolean): void {
     const { sums, numbers, turns } = this;
     const { q, v, a, start } = motion;
-    const first = start + this.told.first;
+    const first = start + this.info.first;
     sums.fill(0);
     for (let j = 0; j < turns; j += 1) {
-      const c = this.told.directions[j];
+      const c = this.info.directions[j];
       const whole = numbers[row + j];
       const about = numbers[row + turns + j];
       sums[c] += whole * q[first + j];
@@ -114,20 +114,20 @@ export class Strain {
 
   /** Derivative of the place by x at the points, and its second derivative by time. */
   private tangents({ q, v, a, start }: Motion): void {
-    const { told, frames, numbers, line, moved } = this;
-    const first = start + told.first + this.turns;
+    const { info, frames, numbers, line, moved } = this;
+    const first = start + info.first + this.turns;
     moved.fill(0);
-    for (let k = 0; k < told.points; k += 1) {
+    for (let k = 0; k < info.points; k += 1) {
       let longer = 1;
       let speed = 0;
       let gain = 0;
-      for (let j = 0; j < told.stretches; j += 1) {
-        const value = numbers[told.stretch + k * told.stretches + j];
+      for (let j = 0; j < info.stretches; j += 1) {
+        const value = numbers[info.stretch + k * info.stretches + j];
         longer += value * q[first + j];
         speed += value * v[first + j];
         gain += value * a[first + j];
       }
-      const frame = told.pointEdges[k] * FRAME;
+      const frame = info.pointEdges[k] * FRAME;
       for (let i = 0; i < 3; i += 1) tangent[i] = frames[frame + 3 * i];
       for (let i = 0; i < 3; i += 1) line[3 * k + i] = longer * tangent[i];
       addMoved(moved, 3 * k, frames, frame, line, 3 * k);
@@ -138,7 +138,7 @@ export class Strain {
 
   private weighted(into: Reals, weights: number, values: Reals): void {
     into.fill(0);
-    for (let k = 0; k < this.told.points; k += 1) this.along(into, 3 * k, weights + k * this.told.points, values);
+    for (let k = 0; k < this.info.points; k += 1) this.along(into, 3 * k, weights + k * this.info.points, values);
   }
 
   private along(into: Reals, at: number, weights: number, values: Reals): void {
@@ -146,7 +146,7 @@ export class Strain {
     let x = 0;
     let y = 0;
     let z = 0;
-    for (let k = 0; k < this.told.points; k += 1) {
+    for (let k = 0; k < this.info.points; k += 1) {
       const weight = numbers[weights + k];
       x += weight * values[3 * k];
       y += weight * values[3 * k + 1];

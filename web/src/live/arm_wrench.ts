@@ -7,14 +7,14 @@ import type { Reals } from "./space";
 export const WRENCH = 6;
 
 /** A load: whether it turns with its point, and the signal it is multiplied by (-1: it is constant). */
-export interface LoadTold {
+export interface LoadInfo {
   follower: boolean;
   signal: number;
 }
 
 /** The wrench of a load at a time [s]; `own` as its sheet says, at `at` of `rotations` [9] that of its point. */
 export function wrenchAt(
-  { follower, signal }: LoadTold, own: Reals, schedule: Schedule, time: number, rotations: Reals, at: number,
+  { follower, signal }: LoadInfo, own: Reals, schedule: Schedule, time: number, rotations: Reals, at: number,
 ): Reals {
   const factor = signal < 0 ? 1 : valueAt(schedule, signal, time);
   return (follower ? inWorld(rotations, at, own) : own).map((value) => factor * value);

@@ -2,12 +2,12 @@
 
 import type { LiveBundle, SceneContact } from "../contract";
 import type { Numbers } from "../pack";
-import type { LoadsTold } from "./arm_loads";
-import type { LoadTold } from "./arm_wrench";
+import type { LoadsInfo } from "./arm_loads";
+import type { LoadInfo } from "./arm_wrench";
 import type { Layout } from "./engine";
 
 /** Numbers of a run as functions of its knobs, as tmodes/live/forms.py finds them. */
-export interface FormTold {
+export interface FormInfo {
   base: Numbers;
   variables: { start: number; far: number }[];
   /** Variables with their exponents, by kind. */
@@ -20,10 +20,10 @@ export interface FormTold {
   places: Record<string, { start: number; shape: number[] }>;
 }
 
-export interface MapTold {
+export interface MapInfo {
   knobs: { start: number; together: boolean; factor: number | null }[];
   sliders: { knob: number; real: boolean }[];
-  runs: Record<string, FormTold>;
+  runs: Record<string, FormInfo>;
 }
 
 /** A place in the sheet that a slider fills; of numbers that move in proportion: what is multiplied. */
@@ -37,7 +37,7 @@ export type SheetPart = string | { header: string } | { parts: (string | Place)[
 /** What both kinds of bundles hold. */
 export interface Bundle extends LiveBundle {
   leftOut: { path: string; reason: string }[];
-  map: MapTold;
+  map: MapInfo;
   module: Numbers;
   layout: Layout;
   settings: {
@@ -85,8 +85,8 @@ export function framesOf(bundle: Bundle, count: number): number[] {
 }
 
 /** The numbers as doubles. */
-export function doubles(told: Numbers): Float64Array {
-  return told.data instanceof Float64Array ? told.data : Float64Array.from(told.data);
+export function doubles(info: Numbers): Float64Array {
+  return info.data instanceof Float64Array ? info.data : Float64Array.from(info.data);
 }
 
 /** y = matrix x + constant; `matrix` [rows, columns]. */
@@ -95,11 +95,11 @@ export interface Affine {
   constant: Numbers;
 }
 
-/** How one run of an arm starts: `told` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
-export interface ArmRunTold {
+/** How one run of an arm starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
+export interface ArmRunInfo {
   state: { q: [number, number]; v: [number, number]; currents: [number, number]; works: [number, number] };
   start: Numbers;
-  told: number[];
+  info: number[];
   exact: [number, number][];
   signals: number;
 }
@@ -107,7 +107,7 @@ export interface ArmRunTold {
 /** Of an arm; `links` are those of its scene: at which of the picture's points each begins, a rigid one's far end. */
 export interface ArmBundle extends Bundle {
   kind: "arm";
-  runs: { reference?: ArmRunTold; real: ArmRunTold };
+  runs: { reference?: ArmRunInfo; real: ArmRunInfo };
   restSize: number;
   atRest: boolean;
   base: Numbers;
@@ -118,13 +118,13 @@ export interface ArmBundle extends Bundle {
   turning: string[];
   straight: Affine;
   links: { name: string; bends: boolean; point: number; end: Numbers }[];
-  carried: LoadsTold;
+  carried: LoadsInfo;
   contactPoint: number;
-  /** What is touched, as the sheet says; the block `surface` of the map tells where it is: place (3) and radius. */
+  /** What is touched, as the sheet says; the block `surface` of the map reports where it is: place (3) and radius. */
   surface: SceneContact["surface"] | null;
   electric: boolean;
   /** Loads on named points, whose wrenches are a block of numbers; `signal` -1: constant. */
-  loads: (LoadTold & { point: number })[];
+  loads: (LoadInfo & { point: number })[];
   touch: Surface | null;
   /** The coordinates that give way, the linear map [n, n] to gross motion, and the row of a base under weight. */
   split: { free: number[]; gross: Numbers; weight: Numbers };
@@ -143,7 +143,7 @@ export interface Surface {
   bilateral: boolean;
 }
 
-/** The rest about which modes are told, the row of a base under weight, and by case the coordinates that move. */
+/** The rest about which modes are reported, the row of a base under weight, and by case the coordinates that move. */
 export interface ArmModes {
   rest: Numbers;
   /** The coordinates that weight and loads move there; others are driven. */

@@ -48,11 +48,11 @@ export function undamped(mass: Float64Array, given: Float64Array, n: number): Un
   if (!stiff || !inverse || Math.min(...inverse.re) <= 0 || 1 / most <= (NOTHING * n) / Math.min(...inverse.re)) {
     return { ...sorted(root, eigen(congruent(root, stiffness, n), n, true), n), symmetric: true };
   }
-  const told = sorted(stiff, { re: inverse.re.map((value) => 1 / value), vectors: inverse.vectors }, n);
+  const info = sorted(stiff, { re: inverse.re.map((value) => 1 / value), vectors: inverse.vectors }, n);
   // these have unit stiffness: their modal mass is 1/w^2
   return {
-    squares: told.squares,
-    shapes: told.shapes.map((value, k) => value * Math.sqrt(told.squares[k % n])),
+    squares: info.squares,
+    shapes: info.shapes.map((value, k) => value * Math.sqrt(info.squares[k % n])),
     symmetric: true,
   };
 }
@@ -98,8 +98,8 @@ export function damped(
   still: Undamped,
 ): Motions {
   const basis = still.symmetric ? still.shapes : unitMasses(mass, n);
-  const told = (matrix: Float64Array) => product(basis, product(matrix, basis, n, n, n), n, n, n, true);
-  const [springs, dampers] = [told(stiffness), told(damping)];
+  const info = (matrix: Float64Array) => product(basis, product(matrix, basis, n, n, n), n, n, n, true);
+  const [springs, dampers] = [info(stiffness), info(damping)];
   if (still.symmetric) for (let k = 0; k < n * n; k += 1) springs[k] = k % (n + 1) ? 0 : still.squares[k / (n + 1)];
   const sizes = Array.from({ length: n }, (_, k) => Math.sqrt(Math.abs(springs[k * (n + 1)])));
   const least = SLOWEST * Math.max(...sizes) || 1;

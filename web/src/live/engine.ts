@@ -3,7 +3,7 @@
 
 import { EngineError, expect, known } from "./engine_error";
 
-/** What tmodes/live/module.py tells of a module. */
+/** What tmodes/live/module.py reports of a module. */
 export interface Layout {
   format: number;
   kind: "robot" | "arm";
@@ -83,13 +83,13 @@ export class Engine {
 
   /** Outputs of a function at `count` samples, by name, each [count, size]. */
   sample(name: string, parameters: Float64Array, inputs: Samples, count: number): Samples {
-    const told = known(this.layout.samples, name, "function");
-    expect(`${name}: parameters`, parameters.length, told.parameters);
+    const info = known(this.layout.samples, name, "function");
+    expect(`${name}: parameters`, parameters.length, info.parameters);
     const out =
-      told.kind === "program"
-        ? this.program(told, parameters, inputs, count)
-        : this.schedule(told, parameters, [inputs], count);
-    return parted(told.outputs, out, count, 1);
+      info.kind === "program"
+        ? this.program(info, parameters, inputs, count)
+        : this.schedule(info, parameters, [inputs], count);
+    return parted(info.outputs, out, count, 1);
   }
 
   /**
@@ -103,16 +103,16 @@ export class Engine {
     directions: Samples,
     count: number,
   ): { values: Samples; slopes: Samples } {
-    const told = known(this.layout.samples, name, "function");
-    if (told.kind !== "slopes")
+    const info = known(this.layout.samples, name, "function");
+    if (info.kind !== "slopes")
       throw new EngineError(`${name}: got a function without derivatives; expected one with them`);
-    expect(`${name}: parameters`, parameters.length, told.parameters);
+    expect(`${name}: parameters`, parameters.length, info.parameters);
     const zero = Object.fromEntries(
-      Object.entries(told.inputs).map(([label, size]) => [label, new Float64Array(size)]),
+      Object.entries(info.inputs).map(([label, size]) => [label, new Float64Array(size)]),
     );
-    const out = this.schedule(told, parameters, [inputs, { ...zero, ...directions }], count);
-    const size = total(told.outputs);
-    return { values: parted(told.outputs, out, count, 2), slopes: parted(told.outputs, out.subarray(size), count, 2) };
+    const out = this.schedule(info, parameters, [inputs, { ...zero, ...directions }], count);
+    const size = total(info.outputs);
+    return { values: parted(info.outputs, out, count, 2), slopes: parted(info.outputs, out.subarray(size), count, 2) };
   }
 
   /** Call a function on arrays of doubles, whole numbers, and arrays that it writes. */
@@ -139,18 +139,18 @@ export class Engine {
     });
   }
 
-  private program(told: SampleLayout, parameters: Float64Array, inputs: Samples, count: number): Float64Array {
-    const rows = Object.entries(told.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
-    const out = this.room(count * total(told.outputs));
-    this.call(told.export, [count, parameters, ...rows, { into: out }]);
+  private program(info: SampleLayout, parameters: Float64Array, inputs: Samples, count: number): Float64Array {
+    const rows = Object.entries(info.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
+    const out = this.room(count * total(info.outputs));
+    this.call(info.export, [count, parameters, ...rows, { into: out }]);
     return out;
   }
 
-  private schedule(told: SampleLayout, parameters: Float64Array, sides: Samples[], count: number): Float64Array {
-    const packed = packedRows(told.inputs, sides, count);
-    const out = this.room(count * sides.length * total(told.outputs));
-    const workspace = new Float64Array(told.workspace);
-    this.call(told.export, [count, 0, parameters, workspace, packed, { into: out }]);
+  private schedule(info: SampleLayout, parameters: Float64Array, sides: Samples[], count: number): Float64Array {
+    const packed = packedRows(info.inputs, sides, count);
+    const out = this.room(count * sides.length * total(info.outputs));
+    const workspace = new Float64Array(info.workspace);
+    this.call(info.export, [count, 0, parameters, workspace, packed, { into: out }]);
     return out;
   }
 

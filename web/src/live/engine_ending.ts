@@ -1,4 +1,4 @@
-// How a run of a compiled time loop ended, in words, as tmodes/run_endings.py tells it.
+// How a run of a compiled time loop ended, in words, as tmodes/run_endings.py reports it.
 
 import { digits } from "../format";
 import type { Layout } from "./engine";

@@ -1,6 +1,6 @@
 // What goes wrong on purpose with a module, and the checks that tell it.
 
-/** What goes wrong on purpose; the message tells which, what was got, what is expected. */
+/** What goes wrong on purpose; the message reports which, what was got, what is expected. */
 export class EngineError extends Error {
   override name = "EngineError";
 }

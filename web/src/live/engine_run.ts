@@ -1,4 +1,4 @@
-// One run of a compiled time loop, in pieces, so that progress is told and a run can be given up: native_run.py's twin.
+// One run of a compiled time loop, in pieces, so that progress is reported and a run can be given up: native_run.py's twin.
 
 import { digits } from "../format";
 import type { Engine, Written } from "./engine";
@@ -56,17 +56,17 @@ export class EngineRun {
     private readonly engine: Engine,
     private readonly spec: RunSpec,
   ) {
-    const told = known(engine.layout.loops, spec.loop, "loop");
-    expect(`${spec.loop}: parameters`, spec.parameters.length, told.parameters);
-    expect(`${spec.loop}: state`, spec.state.length, told.size);
-    expect(`${spec.loop}: rows`, spec.rows.length, (spec.knots.length - 1) * told.row);
-    this.method = told.method;
+    const info = known(engine.layout.loops, spec.loop, "loop");
+    expect(`${spec.loop}: parameters`, spec.parameters.length, info.parameters);
+    expect(`${spec.loop}: state`, spec.state.length, info.size);
+    expect(`${spec.loop}: rows`, spec.rows.length, (spec.knots.length - 1) * info.row);
+    this.method = info.method;
     this.memory = new Float64Array(engine.layout.cells.length);
     this.state = spec.state.slice();
-    this.slope = new Float64Array(told.size);
-    this.sums = new Float64Array(told.size);
-    this.states = new Float64Array(spec.times.length * told.size);
-    this.sumsAtSamples = new Float64Array(spec.times.length * told.size);
+    this.slope = new Float64Array(info.size);
+    this.sums = new Float64Array(info.size);
+    this.states = new Float64Array(spec.times.length * info.size);
+    this.sumsAtSamples = new Float64Array(spec.times.length * info.size);
     this.states.set(spec.state);
     this.put({ sample: 1, fresh: 1, old_error: 1e-4 });
   }
@@ -150,14 +150,14 @@ export class EngineRun {
   private statistics(): Record<string, number | string | null> {
     const [steps, smallest, t] = [this.cell("steps"), this.cell("smallest"), this.time];
     const mean = steps ? t / steps : null;
-    const told: Record<string, number | string | null> = {
+    const info: Record<string, number | string | null> = {
       steps, rejected: this.cell("rejected"), evaluations: this.cell("evaluations"), method: this.method,
       mean_step_s: mean, smallest_step_s: smallest > 0 ? smallest : mean,
     };
-    if (FIXED_STEP.includes(this.method)) told.step = this.cell("h");
-    if (this.cell("passes")) told.passes = this.cell("passes");
-    if (this.cell("events")) told.contact_changes = this.cell("events");
-    return told;
+    if (FIXED_STEP.includes(this.method)) info.step = this.cell("h");
+    if (this.cell("passes")) info.passes = this.cell("passes");
+    if (this.cell("events")) info.contact_changes = this.cell("events");
+    return info;
   }
 
   private rates(): Float64Array {
@@ -179,7 +179,7 @@ export class Cancelled extends EngineError {
   override name = "Cancelled";
 }
 
-/** How a run is watched: `progress` hears the share of the time that is done, `cancelled` tells whether to give up. */
+/** How a run is watched: `progress` hears the share of the time that is done, `cancelled` reports whether to give up. */
 export interface Watch {
   progress?: (share: number) => void;
   cancelled?: () => boolean;

@@ -1,7 +1,7 @@
 // Headline numbers of a run in the page, by the ids and words of tmodes/report/facts.py and robot_facts.py.
 
 import type { LiveRun } from "../contract_parts";
-import { digits, told } from "../format";
+import { digits, info } from "../format";
 import { sizes, worst, type SeriesOf } from "./series";
 
 export type Facts = LiveRun["facts"];
@@ -33,7 +33,7 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
     const end = deviation[deviation.length - 1];
     facts["deviation.max"] = {
       value: deviation[k],
-      note: `at ${figures(times[k])} s; ${told(end, "m")} at the end of the run`,
+      note: `at ${figures(times[k])} s; ${info(end, "m")} at the end of the run`,
     };
     facts["deviation.rms"] = {
       value: Math.sqrt(
@@ -75,19 +75,19 @@ export function settled(
   for (let k = 0; k < times.length; k += 1) if (times[k] > moveEnd && deviation[k] > limit) strayed = times[k];
   return {
     value: strayed - moveEnd,
-    limit: `until the tip stays within ${told(limit, "m")}, ${100 * BAND} % of its largest deviation`,
+    limit: `until the tip stays within ${info(limit, "m")}, ${100 * BAND} % of its largest deviation`,
     strayed,
   };
 }
 
 /** Of a run that broke off: it has not settled, and what was largest was so until then. */
 export function brokenOff(facts: Facts): Facts {
-  const told: Facts = {};
+  const info: Facts = {};
   for (const [id, { value, note }] of Object.entries(facts)) {
-    if (NEEDS_THE_END.includes(id)) told[id] = { value: null, note: "the run broke off" };
-    else told[id] = { value, note: `until it broke off: ${note}` };
+    if (NEEDS_THE_END.includes(id)) info[id] = { value: null, note: "the run broke off" };
+    else info[id] = { value, note: `until it broke off: ${note}` };
   }
-  return told;
+  return info;
 }
 
 function vibration(times: Float64Array, series: SeriesOf, moveEnd: number | null): Facts[string] {
@@ -113,7 +113,7 @@ export function energyFacts(series: SeriesOf, count: number): Facts {
     work.data.reduce((most, value) => Math.max(most, Math.abs(value)), 0),
   );
   const residual = Math.abs(series.energy_balance.data[worst(series.energy_balance.data.subarray(0, count))]);
-  const note = moved ? `worst residual, ${told(residual, "J")}, over ${told(moved, "J")} moved` : "nothing moved";
+  const note = moved ? `worst residual, ${info(residual, "J")}, over ${info(moved, "J")} moved` : "nothing moved";
   return { "energy.residual": { value: moved ? residual / moved : null, note } };
 }
 

@@ -97,7 +97,7 @@ function ready(worker: Worker, bundle: Bundle): Promise<boolean> {
 
 function hired(worker: Worker): Doer {
   let latest = 0;
-  let told: LiveRun | null = null;
+  let info: LiveRun | null = null;
   let waiting: { resolve(run: LiveRun): void; reject(problem: Error): void; progress: Progress; early: Early } | null =
     null;
   const ended = (problem: Error) => {
@@ -108,10 +108,10 @@ function hired(worker: Worker): Doer {
   worker.onmessage = ({ data }: MessageEvent<Answered>) => {
     if (!("id" in data) || data.id !== latest || !waiting) return;
     if (data.kind === "progress") waiting.progress(data.share);
-    else if (data.kind === "early") waiting.early((told = data.run));
+    else if (data.kind === "early") waiting.early((info = data.run));
     else if (data.kind === "error") ended(new Error(data.message));
     else if (data.kind === "done") {
-      waiting.resolve(together(told, data.run));
+      waiting.resolve(together(info, data.run));
       waiting = null;
     }
   };
@@ -119,7 +119,7 @@ function hired(worker: Worker): Doer {
     run(values, progress, early) {
       ended(new Superseded("a newer run began"));
       latest += 1;
-      told = null;
+      info = null;
       worker.postMessage({ kind: "run", id: latest, values } satisfies Asked);
       return new Promise((resolve, reject) => (waiting = { resolve, reject, progress, early }));
     },

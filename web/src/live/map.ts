@@ -1,12 +1,12 @@
 // From what the sliders say to all numbers of a run: tmodes/live/map.py found the forms, here they are evaluated.
 
-import { doubles, type FormTold, type MapTold } from "./bundle";
+import { doubles, type FormInfo, type MapInfo } from "./bundle";
 
 /** The numbers of a run by the names of their blocks. */
 export type Blocks = Record<string, Float64Array>;
 
 /** Where the knobs of a run stand; those of a real robot (all but `reference`) with its factors. */
-export function knobValues(map: MapTold, values: readonly number[], run: string): number[] {
+export function knobValues(map: MapInfo, values: readonly number[], run: string): number[] {
   const known = map.knobs.map((knob) => knob.start);
   const factors = map.knobs.map((knob) => knob.factor);
   map.sliders.forEach((slider, k) => {
@@ -23,7 +23,7 @@ export function knobValues(map: MapTold, values: readonly number[], run: string)
 }
 
 /** All numbers of a run for values of the sliders. */
-export function numbersOf(map: MapTold, values: readonly number[], run: string): Blocks {
+export function numbersOf(map: MapInfo, values: readonly number[], run: string): Blocks {
   const form = map.runs[run];
   const vector = evaluated(form, knobValues(map, values, run));
   const blocks: Blocks = {};
@@ -34,7 +34,7 @@ export function numbersOf(map: MapTold, values: readonly number[], run: string):
   return blocks;
 }
 
-function evaluated(form: FormTold, knobs: number[]): Float64Array {
+function evaluated(form: FormInfo, knobs: number[]): Float64Array {
   const vector = doubles(form.base).slice();
   const ratios = form.powers.map((pairs) => product(pairs, (k, p) => Math.pow(knobs[k] / form.variables[k].start, p)));
   const shares = form.powers.map((pairs) => product(pairs, (k, p) => share(form.variables[k], p, knobs[k])));

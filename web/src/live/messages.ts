@@ -10,11 +10,11 @@ export type Answered =
   | { kind: "failed"; message: string }
   | { kind: "progress"; id: number; share: number }
   | { kind: "early"; id: number; run: LiveRun }
-  /** What was not told early. */
+  /** What was not reported early. */
   | { kind: "done"; id: number; run: Partial<LiveRun> }
   | { kind: "error"; id: number; cancelled: boolean; message: string };
 
-/** What a run tells beyond what was told early of it. */
+/** What a run reports beyond what was reported early of it. */
 export function beyond(run: LiveRun, early: LiveRun | null): Partial<LiveRun> {
   if (!early) return run;
   const fresh = <T extends object>(all: T, known: object) =>

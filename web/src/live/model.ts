@@ -17,7 +17,7 @@ export interface DescribedRun {
   state: number[];
 }
 
-/** All that tmodes/live/wasm_export.py tells of a robot. */
+/** All that tmodes/live/wasm_export.py reports of a robot. */
 export interface Description {
   name: string;
   layout: Layout;
@@ -31,7 +31,7 @@ export interface Description {
 export interface Changes {
   /** By name where the robot's numbers have names (`model.parameters`), else all of them. */
   parameters?: Record<string, number> | ArrayLike<number>;
-  /** The first state; it is not looked for anew where numbers change. */
+  /** The first state; it is not looked for again where numbers change. */
   state?: ArrayLike<number>;
   settings?: Partial<RunSettings>;
   outputStep?: number;
@@ -68,7 +68,7 @@ export class Model {
 
   /** Run from the described state; a long run lets the page go on meanwhile. */
   async run(run = "real", changes: Changes = {}, watch: Watch = {}): Promise<RunResult> {
-    const told = known(this.description.runs, run, "run");
+    const info = known(this.description.runs, run, "run");
     const settings = { ...this.description.settings, ...changes.settings };
     if (settings.duration > this.description.settings.duration) {
       throw new EngineError(
@@ -76,25 +76,25 @@ export class Model {
           `expected at most ${this.description.settings.duration} s, for which there are signals`,
       );
     }
-    const { knots, rows } = until(told, settings.duration);
+    const { knots, rows } = until(info, settings.duration);
     return integrate(this.engine, {
-      loop: `${run}.${this.description.method}`, parameters: this.numbers(told, changes), knots, rows,
-      state: Float64Array.from(changes.state ?? told.state),
+      loop: `${run}.${this.description.method}`, parameters: this.numbers(info, changes), knots, rows,
+      state: Float64Array.from(changes.state ?? info.state),
       times: sampleTimes(settings.duration, changes.outputStep ?? this.description.outputStep), settings,
     }, watch);
   }
 
-  /** What is observed of a run at its samples, by name (`model.observed(run)` tells the numbers of each). */
+  /** What is observed of a run at its samples, by name (`model.observed(run)` reports the numbers of each). */
   observe(result: RunResult, run = "real", changes: Changes = {}): Samples {
-    const told = known(this.description.runs, run, "run");
+    const info = known(this.description.runs, run, "run");
     const count = result.times.length;
     const inputs = {
       time: result.times,
       state: result.states,
-      row: rowsAt(told, result.times),
+      row: rowsAt(info, result.times),
       step: new Float64Array(1),
     };
-    return this.engine.sample(`${run}.observe`, this.numbers(told, changes), inputs, count);
+    return this.engine.sample(`${run}.observe`, this.numbers(info, changes), inputs, count);
   }
 
   /** Names of what is observed, with how many numbers each has. */
@@ -102,9 +102,9 @@ export class Model {
     return known(this.description.layout.samples, `${run}.observe`, "function").outputs;
   }
 
-  private numbers(told: DescribedRun, { parameters = {} }: Changes): Float64Array {
+  private numbers(info: DescribedRun, { parameters = {} }: Changes): Float64Array {
     if ("length" in parameters) return Float64Array.from(parameters as ArrayLike<number>);
-    const values = Float64Array.from(told.parameters);
+    const values = Float64Array.from(info.parameters);
     const names = this.description.layout.parameters ?? [];
     for (const [name, value] of Object.entries(parameters)) {
       const index = names.indexOf(name);
@@ -119,24 +119,24 @@ export class Model {
 }
 
 /** The signals up to a time within them. */
-function until(told: DescribedRun, end: number): { knots: Float64Array; rows: Float64Array } {
-  const pieces = Math.max(1, told.knots.filter((knot, k) => k < told.knots.length - 1 && knot < end).length);
-  const width = told.rows.length / (told.knots.length - 1);
+function until(info: DescribedRun, end: number): { knots: Float64Array; rows: Float64Array } {
+  const pieces = Math.max(1, info.knots.filter((knot, k) => k < info.knots.length - 1 && knot < end).length);
+  const width = info.rows.length / (info.knots.length - 1);
   return {
-    knots: Float64Array.from([...told.knots.slice(0, pieces), end]),
-    rows: Float64Array.from(told.rows.slice(0, pieces * width)),
+    knots: Float64Array.from([...info.knots.slice(0, pieces), end]),
+    rows: Float64Array.from(info.rows.slice(0, pieces * width)),
   };
 }
 
 /** The row of signals at each time; at a jump, the later piece. */
-function rowsAt(told: DescribedRun, times: Float64Array): Float64Array {
-  const pieces = told.knots.length - 1;
-  const width = told.rows.length / pieces;
+function rowsAt(info: DescribedRun, times: Float64Array): Float64Array {
+  const pieces = info.knots.length - 1;
+  const width = info.rows.length / pieces;
   const rows = new Float64Array(times.length * width);
   let piece = 0;
   times.forEach((time, k) => {
-    while (piece < pieces - 1 && told.knots[piece + 1] <= time) piece += 1;
-    for (let j = 0; j < width; j++) rows[k * width + j] = told.rows[piece * width + j];
+    while (piece < pieces - 1 && info.knots[piece + 1] <= time) piece += 1;
+    for (let j = 0; j < width; j++) rows[k * width + j] = info.rows[piece * width + j];
   });
   return rows;
 }

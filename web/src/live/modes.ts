@@ -27,7 +27,7 @@ const NO_PEAK = Math.SQRT1_2; // damping from which on a response has no peak
 const RINGS = 1e-9;
 
 /** What the page shows of the modes of each case about `rest` [nq], and the headline number. */
-export function told(
+export function info(
   cases: Record<string, Found[]>,
   rest: Float64Array,
   lines: Lines,
@@ -112,7 +112,7 @@ export function ringing(motions: Motions, k: number): { size: number; rings: num
 }
 
 /**
- * A column of the motions, in all coordinates: `place(i)` tells what moves there for unit `i` of those that are free.
+ * A column of the motions, in all coordinates: `place(i)` reports what moves there for unit `i` of those that are free.
  */
 export function motionOf(
   motions: Motions,

@@ -7,7 +7,7 @@ import type { Engine } from "./engine";
 import type { Facts } from "./facts";
 import { product } from "./linear";
 import type { Blocks } from "./map";
-import { motionOf, ringing, told, type Found, type Lines } from "./modes";
+import { motionOf, ringing, info, type Found, type Lines } from "./modes";
 import { greedyPartners, likeness } from "./partners";
 import { staticRoots } from "./robot_static";
 import { placesAt } from "./robot_line";
@@ -47,7 +47,7 @@ export function robotVibration(
         modesOf(bundle, parameters, linear, name, doubles(columns)),
       ]),
     );
-    return told(cases, phi, lines);
+    return info(cases, phi, lines);
   } catch (problem) {
     return { vibration: problem instanceof Error ? problem.message : String(problem), facts: {} };
   }

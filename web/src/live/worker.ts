@@ -40,10 +40,10 @@ async function made(id: number, values: number[]): Promise<void> {
     if (cancelled()) throw new Cancelled("a newer run began");
     const watch = { cancelled, progress: (share: number) => scope.postMessage({ kind: "progress", id, share }) };
     let early: LiveRun | null = null;
-    const run = await runner.run(values, watch, (told, needed) => {
-      early = told;
+    const run = await runner.run(values, watch, (info, needed) => {
+      early = info;
       const kept = new Set(buffersIn(needed));
-      scope.postMessage({ kind: "early", id, run: told }, buffersIn(told).filter((buffer) => !kept.has(buffer)));
+      scope.postMessage({ kind: "early", id, run: info }, buffersIn(info).filter((buffer) => !kept.has(buffer)));
     });
     const more = beyond(run, early);
     scope.postMessage({ kind: "done", id, run: more }, buffersIn(more));

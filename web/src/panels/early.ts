@@ -2,7 +2,7 @@
 
 import type { LiveRun } from "../contract_parts";
 
-const PATIENCE = 300; // ms after which a reader is told that more is to come; sooner it would flicker
+const PATIENCE = 300; // ms after which a reader is reported that more is to come; sooner it would flicker
 
 export function isEarly(live: LiveRun | null): boolean {
   return live !== null && live.vibration === undefined;

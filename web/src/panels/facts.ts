@@ -3,7 +3,7 @@
 import type { Fact, Page } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import { make, put } from "../dom";
-import { told } from "../format";
+import { info } from "../format";
 import { isEarly, patience } from "./early";
 
 export interface FactsView {
@@ -14,11 +14,11 @@ export interface FactsView {
   show(live: LiveRun | null): void;
 }
 
-/** Texts of what is there already: no element is made anew. `late`: what stays says of what it is. */
-type Told = (live: LiveRun | null, late: boolean) => void;
+/** Texts of what is there already: no element is made again. `late`: what stays says of what it is. */
+type Info = (live: LiveRun | null, late: boolean) => void;
 
 export function mountFacts(element: HTMLElement, page: Page): FactsView {
-  const known: Told[] = [];
+  const known: Info[] = [];
   element.append(page.runs.length > 1 ? compared(page, known) : single(page.runs[0].facts, known));
   let last: LiveRun | null = null;
   const late = patience(() => known.forEach((tell) => tell(last, true)));
@@ -32,7 +32,7 @@ export function mountFacts(element: HTMLElement, page: Page): FactsView {
   return { show };
 }
 
-function single(facts: Fact[], known: Told[]): HTMLElement {
+function single(facts: Fact[], known: Info[]): HTMLElement {
   return make("dl", { class: "facts" }, ...facts.map((fact) => {
     const value = make("strong");
     const was = make("span", { class: "was" });
@@ -46,8 +46,8 @@ function single(facts: Fact[], known: Told[]): HTMLElement {
         return;
       }
       changed = fresh !== undefined;
-      const before = fresh ? `${change(fact, fresh.value)} was ${told(fact.value, fact.unit)}` : "of the original run";
-      put(value, told(fresh ? fresh.value : fact.value, fact.unit));
+      const before = fresh ? `${change(fact, fresh.value)} was ${info(fact.value, fact.unit)}` : "of the original run";
+      put(value, info(fresh ? fresh.value : fact.value, fact.unit));
       put(was, live ? before : "");
       put(note, (fresh ? fresh.note : fact.note) || "");
       was.hidden = live === null || (fresh !== undefined && fresh.value === null && fact.value === null);
@@ -67,7 +67,7 @@ function change(fact: Fact, value: number | null): string {
 }
 
 /** A table of all runs beside each other. */
-function compared(page: Page, known: Told[]): HTMLElement {
+function compared(page: Page, known: Info[]): HTMLElement {
   const all = new Map<string, Fact>();
   for (const fact of page.runs.flatMap((run) => run.facts)) if (!all.has(fact.id)) all.set(fact.id, fact);
   const head = make("tr", {}, make("td", {}), ...page.runs.map((run) => make("th", { scope: "col", text: run.name })));
@@ -82,7 +82,7 @@ function compared(page: Page, known: Told[]): HTMLElement {
         known.push((live) => {
           const fresh = k === 0 ? live?.facts[fact.id] : undefined;
           if (k === 0 && !fresh && isEarly(live)) return;
-          put(cell, told(fresh ? fresh.value : (own?.value ?? null), own?.unit ?? fact.unit));
+          put(cell, info(fresh ? fresh.value : (own?.value ?? null), own?.unit ?? fact.unit));
           cell.title = (fresh ?? own)?.note ?? "";
         });
         return cell;

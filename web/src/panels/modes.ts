@@ -13,7 +13,7 @@ const LARGEST = 0.12; // of the robot's size
 export interface ModesView {
   /**
    * Modes of the live model's run, those of the page beside them; null: the page's own alone. Those that are shown stay
-   * until a run tells its own.
+   * until a run reports its own.
    */
   show(live: LiveRun | null): void;
   dispose(): void;

@@ -60,7 +60,7 @@ function makeRow(pressed: (mode: Mode) => void): Row {
     button: showIt,
     tell(mode, before, shown) {
       own = mode;
-      const was = (told: (mode: Mode) => string) => (before === null ? "" : before ? told(before) : "–");
+      const was = (info: (mode: Mode) => string) => (before === null ? "" : before ? info(before) : "–");
       const percent = (one: Mode) => digits(100 * one.damping, 3);
       frequency.tell(digits(mode.frequency), was((one) => digits(one.frequency)));
       damping.tell(percent(mode), was(percent));

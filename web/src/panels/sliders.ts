@@ -1,9 +1,9 @@
-// What if: the robot's own numbers changed in the page, the run made anew, everything follows.
+// What if: the robot's own numbers changed in the page, the run made again, everything follows.
 
 import type { LiveBundle } from "../contract";
 import type { Live, LiveRun } from "../contract_parts";
 import { button, make, save } from "../dom";
-import { told } from "../format";
+import { info } from "../format";
 import { makeSlider, type SliderRow } from "./slider";
 
 export interface SlidersOptions {
@@ -93,7 +93,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
     heard = true;
     options.show(run);
     const how = run.status === "finished" ? "Simulated" : `${run.status}: ${run.message}; simulated`;
-    status.textContent = `${how} in ${told(run.seconds, "s")}; the run as it was is pale.`;
+    status.textContent = `${how} in ${info(run.seconds, "s")}; the run as it was is pale.`;
     status.classList.toggle("warned", run.status !== "finished");
     return true;
   }
@@ -122,8 +122,8 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
       if (!unchanged()) changed();
     },
     (error: unknown) => {
-      const told = error instanceof Error ? error.message : String(error);
-      status.textContent = `Nothing can be changed here, the robot's equations could not be started: ${told}`;
+      const info = error instanceof Error ? error.message : String(error);
+      status.textContent = `Nothing can be changed here, the robot's equations could not be started: ${info}`;
       rows.forEach((row) => row.element.remove());
       reset.remove();
     },

@@ -69,11 +69,11 @@ function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
     value: "0",
     ariaLabel: "Deformation",
   });
-  const told = make("output", {}, "×1");
+  const info = make("output", {}, "×1");
   slider.dataset.scene = "factor";
   slider.addEventListener("input", () => {
     settings.factor = rounded(LARGEST_FACTOR ** (Number(slider.value) / SLIDER_STEPS));
-    told.textContent = slider.ariaValueText = `×${settings.factor}`;
+    info.textContent = slider.ariaValueText = `×${settings.factor}`;
     wishes.changed();
   });
   slider.title =
@@ -82,10 +82,10 @@ function factorSlider(settings: Settings, wishes: Wishes): HTMLElement {
     slider.value = "0";
     slider.dispatchEvent(new Event("input"));
   });
-  return make("label", { className: "scene-factor-row" }, "Deformation", slider, told);
+  return make("label", { className: "scene-factor-row" }, "Deformation", slider, info);
 }
 
-/** A name that goes where there is no room for it: what it names tells the same. */
+/** A name that goes where there is no room for it: what it names reports the same. */
 function name(text: string): HTMLElement {
   return make("span", { className: "scene-name" }, text);
 }

@@ -70,7 +70,7 @@ export class Pen {
     for (let k = 1; k < count; k++) this.piece(places, first + 3 * k - 3, places, first + 3 * k, k === 1);
   }
 
-  /** From a place to another, begun anew where `fresh` or where the last piece was cut. */
+  /** From a place to another, begun again where `fresh` or where the last piece was cut. */
   piece(a: Places, i: number, b: Places, j: number, fresh: boolean): void {
     const { from, to, near, context } = this;
     for (let c = 0; c < 3; c++) [from[c], to[c]] = [this.seen(c, a, i), this.seen(c, b, j)];

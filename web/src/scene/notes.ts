@@ -39,15 +39,15 @@ export class Notes {
   }
 
   /** The colours' range, in the quantity's unit; null: nothing is coloured by a quantity. */
-  range(told: { label: string; unit: string; low: number; high: number } | null): void {
-    this.scale.hidden = told === null;
-    if (told === null) return;
-    const unit = readable(told.unit, told.high);
-    const low = Math.abs(told.low) < 1e-6 * Math.abs(told.high) ? 0 : told.low; // what rounding leaves is nothing
-    const ticks = Array.from({ length: TICKS }, (_, k) => told.high + ((low - told.high) * k) / (TICKS - 1));
+  range(info: { label: string; unit: string; low: number; high: number } | null): void {
+    this.scale.hidden = info === null;
+    if (info === null) return;
+    const unit = readable(info.unit, info.high);
+    const low = Math.abs(info.low) < 1e-6 * Math.abs(info.high) ? 0 : info.low; // what rounding leaves is nothing
+    const ticks = Array.from({ length: TICKS }, (_, k) => info.high + ((low - info.high) * k) / (TICKS - 1));
     const bar = swatch(gradient());
     const name = unit.name.replaceAll(" ", "\u00a0");
-    const title = make("b", {}, name ? `${told.label} [${name}]` : told.label);
+    const title = make("b", {}, name ? `${info.label} [${name}]` : info.label);
     this.scale.replaceChildren(
       title,
       make("ol", {}, ...ticks.map((tick) => make("li", {}, digits(unit.factor * tick)))),

@@ -112,9 +112,9 @@ export class RobotView {
     const { opacity, fine } = this.look;
     const behind = { polygonOffset: opacity < 1, polygonOffsetFactor: 2, polygonOffsetUnits: 2 };
     const ghost = { transparent: opacity < 1, opacity, depthWrite: opacity >= 1, ...behind };
-    const told = { color, vertexColors, ...ghost };
+    const info = { color, vertexColors, ...ghost };
     return this.kept(
-      fine ? new MeshStandardMaterial({ ...told, roughness: 0.5, metalness: 0.1 }) : new MeshLambertMaterial(told),
+      fine ? new MeshStandardMaterial({ ...info, roughness: 0.5, metalness: 0.1 }) : new MeshLambertMaterial(info),
     );
   }
 
@@ -212,12 +212,12 @@ export function nearest({ arrays, stations }: Motion, parent: number, link: numb
 export function sizes(link: SceneLink, count: number, widths: Pick<Widths, "usual" | "least">): SectionSizes {
   const found = new Float32Array(2 * count).fill(widths.usual);
   if (link.section === null) return { shape: "round", sizes: found };
-  const told = link.section.sizes;
-  const last = told.shape[0] - 1;
+  const info = link.section.sizes;
+  const last = info.shape[0] - 1;
   for (let s = 0; s < count; s++)
     for (let c = 0; c < 2; c++) {
       const row = Math.round((s / Math.max(count - 1, 1)) * last);
-      found[2 * s + c] = Math.max(told.data[2 * row + c], widths.least);
+      found[2 * s + c] = Math.max(info.data[2 * row + c], widths.least);
     }
   return { shape: link.section.shape, sizes: found };
 }

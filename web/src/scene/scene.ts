@@ -146,7 +146,7 @@ class Mounted implements SceneView {
     this.ask();
   };
 
-  /** All anew, in other colours or another quality, looked at from the same place. */
+  /** All again, in other colours or another quality, looked at from the same place. */
   private readonly remake = () => {
     const old = this.world;
     this.world = this.made();

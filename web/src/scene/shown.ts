@@ -31,7 +31,7 @@ export class ShownRun {
     this.motion = new Motion(run.scene);
   }
 
-  /** The colour by which this run is told from the others. */
+  /** The colour by which this run is reported from the others. */
   get colour(): string {
     return this.alone ? this.own.real : this.own.runs[this.index % this.own.runs.length];
   }
@@ -63,13 +63,13 @@ export class ShownRun {
   /** Widen a range by all values of a quantity on the links that it colours. */
   widen(id: string, range: Range): void {
     const { arrays, links, stations } = this.motion;
-    const told = arrays.colours.find((one) => one.id === id)?.values.data;
+    const info = arrays.colours.find((one) => one.id === id)?.values.data;
     const coloured = this.run.scene.links.map((link) => link.bends || paints(id) === "all");
-    if (told === undefined) return;
-    for (let k = 0; k < told.length; k++) {
+    if (info === undefined) return;
+    for (let k = 0; k < info.length; k++) {
       if (!coloured[Math.floor(k / stations) % links]) continue;
-      if (told[k] < range.low) range.low = told[k];
-      if (told[k] > range.high) range.high = told[k];
+      if (info[k] < range.low) range.low = info[k];
+      if (info[k] > range.high) range.high = info[k];
     }
   }
 }

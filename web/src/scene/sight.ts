@@ -83,10 +83,10 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
   tell(notes: Notes): void {
     const { settings, extent } = this.given;
     const { shown } = this;
-    const told = this.runs.flatMap(({ run }) => run.scene.colours).find(({ id }) => id === settings.colour);
+    const info = this.runs.flatMap(({ run }) => run.scene.colours).find(({ id }) => id === settings.colour);
     notes.list(shown ? this.modeEntries(shown) : this.entries(), !shown && this.forceShown());
     if (shown) notes.range({ label: "Displacement, share of the largest", unit: "", low: 0, high: 1 });
-    else notes.range(told ? { label: told.label, unit: told.unit, ...this.range } : null);
+    else notes.range(info ? { label: info.label, unit: info.unit, ...this.range } : null);
     notes.enlarged(settings.factor === 1 || shown ? "" : `Deformation × ${settings.factor}`);
     const height = extent.floor === 0 ? "" : `, at z = ${digits(extent.floor)} m`;
     notes.flat("");
@@ -136,7 +136,7 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
     ];
   }
 
-  /** What is drawn thicker than it is, or of a thickness that nobody told. */
+  /** What is drawn thicker than it is, or of a thickness that nobody reported. */
   private thick(): string {
     const { least } = this.given.extent;
     const sections = this.runs.flatMap(({ run }) => run.scene.links.map(({ section }) => section));

@@ -12,8 +12,8 @@ export type Quality = "low" | "high";
 export function suitable(): Quality | null {
   const context = document.createElement("canvas").getContext("webgl2");
   if (context === null) return null;
-  const told = context.getExtension("WEBGL_debug_renderer_info");
-  const name = String(context.getParameter(told ? told.UNMASKED_RENDERER_WEBGL : context.RENDERER));
+  const info = context.getExtension("WEBGL_debug_renderer_info");
+  const name = String(context.getParameter(info ? info.UNMASKED_RENDERER_WEBGL : context.RENDERER));
   context.getExtension("WEBGL_lose_context")?.loseContext();
   return /swiftshader|llvmpipe|softpipe|software|basic render/i.test(name) ? "low" : "high";
 }

@@ -6,13 +6,13 @@ import type { Numbers } from "../pack";
 import type { Schema } from "./schema";
 import type { Sheet, Step } from "./sheet";
 
-/** One wrong value: where, what was got, what is expected, how to mend it. */
+/** One wrong value: where, what was got, what is expected, how to hint it. */
 export interface Wrong {
   path: string;
   message: string;
   got: string;
   expected: string;
-  mend: string;
+  hint: string;
   /** File and line, of files alone. */
   where: string;
   steps: Step[] | null;
@@ -34,7 +34,7 @@ export interface Knob {
   targets: { steps: Step[]; base: number }[];
 }
 
-export interface SheetTold {
+export interface SheetInfo {
   kind: "robot" | "arm";
   name: string;
   sheet: Sheet;
@@ -57,7 +57,7 @@ export interface Job {
   stage: string;
   share: number;
   /** `unseen`: shapes of links that cannot be shown. */
-  told: { status?: string; success?: boolean; message?: string; seconds?: Record<string, number>; unseen?: Wrong[] };
+  info: { status?: string; success?: boolean; message?: string; seconds?: Record<string, number>; unseen?: Wrong[] };
   errors: Wrong[];
 }
 
@@ -85,12 +85,12 @@ async function asked(address: string, method = "GET", body?: unknown): Promise<R
     throw new Refused([wrong("The studio does not answer: it was stopped, or this machine slept. Start it again.")], 0);
   }
   if (answer.ok) return answer;
-  const told = (await answer.json().catch(() => null)) as { errors?: Wrong[] } | null;
-  throw new Refused(told?.errors ?? [wrong(`The studio answered ${answer.status}.`)], answer.status);
+  const info = (await answer.json().catch(() => null)) as { errors?: Wrong[] } | null;
+  throw new Refused(info?.errors ?? [wrong(`The studio answered ${answer.status}.`)], answer.status);
 }
 
 function wrong(message: string): Wrong {
-  return { path: "", message, got: "", expected: "", mend: "", where: "", steps: null };
+  return { path: "", message, got: "", expected: "", hint: "", where: "", steps: null };
 }
 
 async function json<T>(address: string, method = "GET", body?: unknown): Promise<T> {
@@ -101,15 +101,15 @@ const named = encodeURIComponent;
 
 export const api = {
   robots: () => json<{ robots: { name: string; title: string; kind: string }[] }>("api/robots"),
-  robot: (name: string) => json<SheetTold>(`api/robots/${named(name)}`),
+  robot: (name: string) => json<SheetInfo>(`api/robots/${named(name)}`),
   schema: (kind: string) => json<Schema>(`api/schemas/${named(kind)}`),
-  check: (sheet: Sheet) => json<SheetTold>("api/check", "POST", { sheet }),
+  check: (sheet: Sheet) => json<SheetInfo>("api/check", "POST", { sheet }),
   yaml: (sheet: Sheet) => json<{ yaml: string }>("api/yaml", "POST", { sheet }),
   studies: () => json<{ folder: string; studies: string[] }>("api/studies"),
-  study: (name: string) => json<SheetTold>(`api/studies/${named(name)}`),
+  study: (name: string) => json<SheetInfo>(`api/studies/${named(name)}`),
   save: (name: string, sheet: Sheet, looks: string, overwrite: boolean) =>
     json<{ saved: string }>(`api/studies/${named(name)}`, "PUT", { sheet, looks, overwrite }),
-  upload: (files: { name: string; content: string }[]) => json<SheetTold>("api/upload", "POST", { files }),
+  upload: (files: { name: string; content: string }[]) => json<SheetInfo>("api/upload", "POST", { files }),
   begin: (product: string, wish: Wish, client: string) => json<Job>("api/jobs", "POST", { product, ...wish, client }),
   look: (job: string, wait: number) => json<Job>(`api/jobs/${named(job)}?wait=${wait}`),
   cancel: (job: string) => json<Job>(`api/jobs/${named(job)}`, "DELETE"),

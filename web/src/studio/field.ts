@@ -32,7 +32,7 @@ export function unitOf(schema: Schema, known: string | undefined): string {
 }
 
 /** What a field is, for a tooltip: its meaning, its symbol, its range. */
-export function told(schema: Schema): string {
+export function info(schema: Schema): string {
   const range = [
     schema.exclusiveMinimum === undefined ? "" : `greater than ${schema.exclusiveMinimum}`,
     schema.minimum === undefined ? "" : `at least ${schema.minimum}`,
@@ -61,7 +61,7 @@ export function makeField(name: string, shape: Shape, unit: string, optional: bo
 function row(name: string, schema: Schema, input: HTMLElement, after: Node | null = null): HTMLElement {
   const id = ownId("field");
   input.id = id;
-  const title = told(schema);
+  const title = info(schema);
   const label = make("label", { for: id, title }, document.createTextNode(words(name)));
   if (schema.symbol && schema.symbol !== "-")
     label.append(make("span", { class: "symbol", text: ` ${schema.symbol}` }));

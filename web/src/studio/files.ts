@@ -1,14 +1,14 @@
 // Files in and out: studies of the working folder, reports and data to keep.
 
 import { button, make, ownId, save } from "../dom";
-import { api, Refused, type SheetTold, type Wish, type Wrong } from "./api";
+import { api, Refused, type SheetInfo, type Wish, type Wrong } from "./api";
 import type { Runner } from "./runner";
 
 export interface FilesHost {
   wish(): Wish | null;
   name(): string;
   runner: Runner;
-  load(told: SheetTold, from: string): void;
+  load(info: SheetInfo, from: string): void;
   wrong(errors: Wrong[]): void;
   right(): void;
   say(text: string): void;
@@ -21,10 +21,10 @@ export function studyControls(host: FilesHost): HTMLElement {
   const name = make("input", { id: named, type: "text", size: "14", spellcheck: "false", placeholder: "study.yaml" });
   const replace = button("Replace", () => void keep(true), { hidden: true, class: "warn" });
   const refresh = () => attempt(host, async () => {
-    const told = await api.studies();
+    const info = await api.studies();
     list.replaceChildren(
-      make("option", { value: "", text: `open from ${told.folder}/ …` }),
-      ...told.studies.map((one) => make("option", { value: one, text: one })),
+      make("option", { value: "", text: `open from ${info.folder}/ …` }),
+      ...info.studies.map((one) => make("option", { value: one, text: one })),
     );
   });
   const keep = (overwrite: boolean) => attempt(host, async () => {
@@ -34,9 +34,9 @@ export function studyControls(host: FilesHost): HTMLElement {
     const file = /\.ya?ml$/i.test(wanted) ? wanted : `${wanted}.yaml`;
     name.value = file;
     try {
-      const told = await api.save(file, wish.sheet, wish.looks, overwrite);
+      const info = await api.save(file, wish.sheet, wish.looks, overwrite);
       host.right();
-      host.say(`Saved as ${told.saved}.`);
+      host.say(`Saved as ${info.saved}.`);
       replace.hidden = true;
     } catch (error) {
       replace.hidden = !(error instanceof Refused && error.errors.some((one) => one.kind === "exists"));

@@ -2,7 +2,7 @@
 
 import { button, make } from "../dom";
 import type { Wrong } from "./api";
-import { makeField, told, unitOf, words, type Field } from "./field";
+import { makeField, info, unitOf, words, type Field } from "./field";
 import { Marks } from "./form_marks";
 import { choiceRow, itemRow, nameOf, nameRow } from "./form_rows";
 import type { Forms, Schema, Shape } from "./schema";
@@ -21,7 +21,7 @@ export class Form {
   private readonly opened = new Set<string>();
   private readonly marks = new Marks((steps, open) => this.find(steps, open));
 
-  /** `changed` is told whether the structure changed too, so that other fields are there than before. */
+  /** `changed` is reported whether the structure changed too, so that other fields are there than before. */
   constructor(
     private readonly element: HTMLElement,
     private readonly forms: Forms,
@@ -57,8 +57,8 @@ export class Form {
   }
 
   /** Mark the fields that are wrong, and those in doubt. */
-  mark(errors: Wrong[], doubts?: Wrong[]): void {
-    this.marks.show(errors, doubts);
+  mark(errors: Wrong[], notices?: Wrong[]): void {
+    this.marks.show(errors, notices);
   }
 
   focus(steps: Step[]): void {
@@ -121,7 +121,7 @@ export class Form {
     const box = make(
       "div",
       { class: "vector", role: "group", "aria-label": words(name) },
-      make("span", { class: "vector-name", text: words(name), title: told(shape.schema) }),
+      make("span", { class: "vector-name", text: words(name), title: info(shape.schema) }),
     );
     for (let k = 0; k < shape.least; k += 1) box.append(this.part(String(k + 1), shape.item(k), [...steps, k], false));
     return box;
@@ -130,7 +130,7 @@ export class Form {
   private group(name: string, node: Schema, shape: Shape, steps: Step[], optional: boolean): HTMLElement {
     const path = pathOf(steps);
     const schema = this.forms.resolved(node);
-    const summary = make("summary", { title: told(schema), tabindex: "0" }, make("span", { text: words(name) }));
+    const summary = make("summary", { title: info(schema), tabindex: "0" }, make("span", { text: words(name) }));
     const body = make("div", { class: "group" });
     const element = make("details", { "data-path": steps.join(".") }, summary, body);
     const fill = () => {
@@ -218,10 +218,10 @@ export class Form {
   }
 }
 
-/** What a field tells of itself where its kind tells nothing. */
+/** What a field reports of itself where its kind reports nothing. */
 function pick(node: Schema): Schema {
-  const told: Schema = {};
+  const info: Schema = {};
   for (const key of ["description", "symbol", "default", "rigid_when_infinite"] as const)
-    if (node[key] !== undefined) Object.assign(told, { [key]: node[key] });
-  return told;
+    if (node[key] !== undefined) Object.assign(info, { [key]: node[key] });
+  return info;
 }

@@ -6,7 +6,7 @@ import type { Step } from "./sheet";
 
 export class Marks {
   private marked: (() => void)[] = [];
-  private doubts: Wrong[] = [];
+  private notices: Wrong[] = [];
 
   /** `find`: the field at steps, its groups opened if wanted, or the nearest group around it. */
   constructor(private readonly find: (steps: Step[], open: boolean) => HTMLElement | null) {}
@@ -14,21 +14,21 @@ export class Marks {
   /**
    * Mark the fields that are wrong, and those in doubt; what has no field of its own is marked at the group around it.
    */
-  show(errors: Wrong[], doubts = this.doubts): void {
+  show(errors: Wrong[], notices = this.notices): void {
     this.marked.forEach((end) => end());
     this.marked = [];
     errors.forEach((error) => this.note(error, "wrong"));
     const places = (of: Wrong[]) => of.map(({ path }) => path).join();
-    const fresh = places(doubts) !== places(this.doubts); // groups open once for them, not at each run
-    doubts.forEach((doubt) => this.note(doubt, "doubt", fresh));
-    this.doubts = doubts;
+    const fresh = places(notices) !== places(this.notices); // groups open once for them, not at each run
+    notices.forEach((notice) => this.note(notice, "notice", fresh));
+    this.notices = notices;
   }
 
-  private note(error: Wrong, kind: "wrong" | "doubt", open = true): void {
+  private note(error: Wrong, kind: "wrong" | "notice", open = true): void {
     const input = error.steps ? this.find(error.steps, open) : null;
     if (!input) return;
     const id = ownId(kind);
-    const note = make("p", { class: kind, id, text: `${error.message}. ${error.mend}` });
+    const note = make("p", { class: kind, id, text: `${error.message}. ${error.hint}` });
     (input.closest(".field") ?? input).after(note);
     if (kind === "wrong") input.setAttribute("aria-invalid", "true");
     input.setAttribute("aria-describedby", id);

@@ -5,7 +5,7 @@ import { words } from "./field";
 import type { Choice } from "./schema";
 import { isGroup, type Json } from "./sheet";
 
-/** Which of several kinds a value is; `key`: the word that tells them apart. */
+/** Which of several kinds a value is; `key`: the word that reports them apart. */
 export function choiceRow(
   key: string, choices: Choice[], chosen: Choice | undefined, choose: (wanted: Choice) => void,
 ): HTMLElement {

@@ -10,7 +10,7 @@ export interface Messages {
   progress(stage: string, share: number): void;
   done(page: StudioPage, job: Job, milliseconds: number): void;
   /** What of the robot's looks cannot be shown. */
-  unseen(doubts: Wrong[], go: (doubt: Wrong) => void): void;
+  unseen(notices: Wrong[], go: (notice: Wrong) => void): void;
   /** Whether the server is away, in words. */
   away(text: string | null): void;
   wrong(errors: Wrong[], go: (error: Wrong) => void): void;
@@ -24,25 +24,25 @@ export function messages(): Messages {
   const line = make("p", { class: "line", role: "status", "aria-live": "polite" });
   const bar = make("progress", { max: "1", "aria-label": "Progress of the run", hidden: true });
   const errors = make("div", { class: "errors", role: "alert", hidden: true });
-  const doubts = make("div", { class: "doubts", hidden: true });
+  const notices = make("div", { class: "notices", hidden: true });
   const gone = make("p", { class: "gone", role: "alert", hidden: true });
-  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line), gone, errors, doubts);
+  const element = make("div", { class: "messages" }, make("div", { class: "now" }, bar, line), gone, errors, notices);
   let stop: HTMLElement | null = null;
   let odd: HTMLElement[] = [];
   let atFields = false;
 
-  const told = (one: Wrong, go: (one: Wrong) => void) => {
+  const info = (one: Wrong, go: (one: Wrong) => void) => {
     const place = [one.where, one.path].filter(Boolean).join(" · ");
     const title = one.steps
       ? button(place, () => go(one), { class: "place", title: "Go to the field" })
       : make("strong", { text: place });
-    const mend =
-      one.mend && !one.message.includes(one.mend) ? make("span", { class: "mend", text: ` ${one.mend}` }) : null;
-    return make("p", {}, title, make("span", { text: ` ${one.message}${mend ? "." : ""}` }), mend);
+    const hint =
+      one.hint && !one.message.includes(one.hint) ? make("span", { class: "hint", text: ` ${one.hint}` }) : null;
+    return make("p", {}, title, make("span", { text: ` ${one.message}${hint ? "." : ""}` }), hint);
   };
-  const doubt = (more: HTMLElement[]) => {
-    doubts.hidden = odd.length + more.length === 0;
-    doubts.replaceChildren(...odd, ...more);
+  const notice = (more: HTMLElement[]) => {
+    notices.hidden = odd.length + more.length === 0;
+    notices.replaceChildren(...odd, ...more);
   };
 
   const busy = (yes: boolean) => {
@@ -61,7 +61,7 @@ export function messages(): Messages {
       say(`${from}: loaded.`);
       errors.hidden = true;
       odd = warnings.map((text) => make("p", { text: `Looks odd: ${text}` }));
-      doubt([]);
+      notice([]);
     },
     progress(stage, share) {
       busy(true);
@@ -71,7 +71,7 @@ export function messages(): Messages {
     done(page, job, milliseconds) {
       errors.hidden = true;
       const run = page.runs[0];
-      const seconds = Object.entries(job.told.seconds ?? {}).filter(([name]) => name !== "loops");
+      const seconds = Object.entries(job.info.seconds ?? {}).filter(([name]) => name !== "loops");
       const server = seconds.reduce((sum, [, value]) => sum + value, 0);
       const warnings = run.warnings.length
         ? ` ${run.warnings.length === 1 ? "One warning" : `${run.warnings.length} warnings`}: ${run.warnings.join(" ")}`
@@ -86,13 +86,13 @@ export function messages(): Messages {
       gone.textContent = text ?? "";
       if (text !== null) busy(false);
     },
-    unseen: (list, go) => doubt(list.map((one) => told(one, go))),
+    unseen: (list, go) => notice(list.map((one) => info(one, go))),
     right: () => { if (!atFields) errors.hidden = true; },
     wrong(list, go) {
       say("");
       atFields = list.some((one) => one.steps !== null);
       errors.hidden = false;
-      errors.replaceChildren(...list.map((error) => told(error, go)));
+      errors.replaceChildren(...list.map((error) => info(error, go)));
     },
   };
 }

@@ -64,7 +64,7 @@ export class Runner {
         this.listener.wrong(
           error instanceof Refused
             ? error.errors
-            : [{ path: "", message: String(error), got: "", expected: "", mend: "", where: "", steps: null }],
+            : [{ path: "", message: String(error), got: "", expected: "", hint: "", where: "", steps: null }],
         );
       }
       this.running = null;

@@ -30,7 +30,7 @@ export interface Schema {
   rigid_when_infinite?: boolean;
 }
 
-/** One of several kinds of a value, told apart by a word in it or by its type. */
+/** One of several kinds of a value, reported apart by a word in it or by its type. */
 export interface Choice {
   name: string;
   schema: Schema;
@@ -100,8 +100,8 @@ export class Forms {
 
   private list(schema: Schema): Shape {
     const first = schema.prefixItems;
-    const told = { unit: schema.unit, symbol: schema.symbol };
-    const item = (index: number) => ({ ...told, ...(first?.[index] ?? schema.items ?? {}) });
+    const info = { unit: schema.unit, symbol: schema.symbol };
+    const item = (index: number) => ({ ...info, ...(first?.[index] ?? schema.items ?? {}) });
     return { kind: "list", schema, item, least: schema.minItems ?? 0, most: schema.maxItems ?? 1000 };
   }
 
@@ -145,9 +145,9 @@ export class Forms {
 
   private nameOf(member: Schema, key: string): string {
     const field = member.properties?.[key];
-    const told = field ? this.resolved(field).const : undefined;
-    return typeof told === "string"
-      ? told
+    const info = field ? this.resolved(field).const : undefined;
+    return typeof info === "string"
+      ? info
       : member.type === "string"
         ? "by name"
         : (member.title ?? "given").toLowerCase();
@@ -157,8 +157,8 @@ export class Forms {
   chosen(choices: Choice[], key: string, value: Json | undefined): Choice | undefined {
     if (typeof value === "string") return choices.find((one) => one.schema.type === "string");
     if (!isGroup(value)) return undefined;
-    const told = value[key];
-    const named = choices.find((one) => told !== undefined && one.name === told);
+    const info = value[key];
+    const named = choices.find((one) => info !== undefined && one.name === info);
     return named ?? choices.find((one) => one.schema.type !== "string" && one.schema.properties?.[key] === undefined);
   }
 
@@ -199,11 +199,11 @@ function allowed({ exclusiveMinimum = -Infinity, minimum = -Infinity, maximum = 
   return Math.max(Math.min(1, maximum), minimum);
 }
 
-/** What a node tells of itself, apart from what it is. */
+/** What a node reports of itself, apart from what it is. */
 function described(node: Schema): Schema {
-  const told: Schema = {};
+  const info: Schema = {};
   for (const key of ["title", "description", "unit", "symbol", "default", "rigid_when_infinite"] as const) {
-    if (node[key] !== undefined) Object.assign(told, { [key]: node[key] });
+    if (node[key] !== undefined) Object.assign(info, { [key]: node[key] });
   }
-  return told;
+  return info;
 }

@@ -74,7 +74,7 @@ function asLive(page: StudioPage, job: Job): LiveRun {
   return {
     status: run.status,
     message: run.message,
-    seconds: job.told.seconds?.simulate ?? 0,
+    seconds: job.info.seconds?.simulate ?? 0,
     times: Float64Array.from(page.times.data),
     series: Object.fromEntries(series),
     scene: run.scene,

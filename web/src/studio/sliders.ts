@@ -34,7 +34,7 @@ function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLE
   const unit = pretty(knob.unit);
   const label = make("label", { for: id }, document.createTextNode(knob.label));
   if (knob.symbol && knob.symbol !== "-") label.append(make("span", { class: "symbol", text: ` ${knob.symbol}` }));
-  const told = make("span", { class: "unit", text: knob.together ? "×" : unit === "–" ? "" : unit });
+  const info = make("span", { class: "unit", text: knob.together ? "×" : unit === "–" ? "" : unit });
 
   const refresh = () => {
     const value = valueOf(knob, sheet);
@@ -65,7 +65,7 @@ function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLE
       label,
       range,
       typed,
-      told,
+      info,
     ),
     refresh,
   };
@@ -74,7 +74,7 @@ function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLE
 /** The value at which a slider stands: that of its number, or the factor on all of them. */
 export function valueOf(knob: Knob, sheet: Sheet): number | null {
   const [first] = knob.targets;
-  const value = at(sheet, first.steps) ?? (first.steps[0] === "real" ? 1 : null); // a factor that is not told is one
+  const value = at(sheet, first.steps) ?? (first.steps[0] === "real" ? 1 : null); // a factor that is not reported is one
   if (typeof value !== "number") return null;
   return knob.together ? value / first.base : value;
 }

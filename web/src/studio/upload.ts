@@ -59,17 +59,17 @@ export function uploadControl(host: FilesHost): HTMLElement {
 function refused(host: FilesHost, sent: Sent[]): boolean {
   const size = sent.reduce((sum, { file }) => sum + file.size, 0);
   if (size <= MOST_UPLOADED) return false;
-  const [got, expected, mend] = [
+  const [got, expected, hint] = [
     `${(size / 1e6).toFixed(0)} MB`,
     `at most ${(MOST_UPLOADED / 1e6).toFixed(0)} MB`,
     "leave out what is not needed",
   ];
-  host.wrong([wrong("files", `got ${got}; expected ${expected}`, mend, got, expected)]);
+  host.wrong([wrong("files", `got ${got}; expected ${expected}`, hint, got, expected)]);
   return true;
 }
 
-function wrong(path: string, message: string, mend: string, got = "", expected = ""): Wrong {
-  return { path, message, got, expected, mend, where: "", steps: null };
+function wrong(path: string, message: string, hint: string, got = "", expected = ""): Wrong {
+  return { path, message, got, expected, hint, where: "", steps: null };
 }
 
 /** What the browser reads of a file or folder; it may be gone by now. */
@@ -111,7 +111,7 @@ async function within(entry: FileSystemEntry): Promise<Sent[]> {
   }
   const reader = (entry as FileSystemDirectoryEntry).createReader();
   const inner: FileSystemEntry[] = [];
-  for (;;) { // a reader tells about a hundred at a time
+  for (;;) { // a reader reports about a hundred at a time
     const some = await reading(
       entry.name,
       new Promise<FileSystemEntry[]>((done, failed) => reader.readEntries(done, failed)),

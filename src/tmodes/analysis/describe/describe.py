@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.analysis.describe.links import gear_rows, joint_rows, link_rows
-from tmodes.analysis.describe.notices import doubts, rest_doubts
+from tmodes.analysis.describe.notices import notices, rest_notices
 from tmodes.analysis.line.line import LinkLines, elastic_line
 from tmodes.analysis.model_validity import missing_share, rest_warnings
 from tmodes.analysis.range import link_ranges
@@ -20,10 +20,10 @@ from tmodes.analysis.statics.path import Progress
 from tmodes.analysis.statics.rest import arm_rest
 from tmodes.chain.chain import Beam
 from tmodes.errors import SimulationError
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 
-__all__ = ["NOTHING_MOVES", "compliance_table", "describe", "link_states", "sag", "statics_told"]
+__all__ = ["NOTHING_MOVES", "compliance_table", "describe", "link_states", "sag", "statics_info"]
 
 NOTHING_MOVES = "nothing in it moves or bends: its joints are locked or fixed, and no link has a function"
 
@@ -32,7 +32,7 @@ BAD_SHARE = 0.05
 
 
 def describe(
-    arm: Arm, held: Mapping[str, float] | None = None, progress: Progress = lambda stage, share: None
+    arm: Robot, held: Mapping[str, float] | None = None, progress: Progress = lambda stage, share: None
 ) -> dict[str, Any]:
     """All that ``tmodes describe`` tells of an arm, as plain data with units in the names.
 
@@ -41,11 +41,11 @@ def describe(
     say why. Raises :class:`tmodes.errors.InputError` for an unknown name in ``held``.
     """
     chain = arm.chain()
-    model = ArmModel(chain)
+    model = Model(chain)
     links = link_rows(arm, chain)
     progress("statics", 0.0)
     rest, trouble = _rest(arm, model, held, progress)
-    told = {
+    info = {
         "name": arm.name,
         "title": arm.title,
         "assumed": arm.assumed,
@@ -58,11 +58,11 @@ def describe(
         "sag": sag(rest) if rest else None,
         "stiffness": compliance_table(rest) if rest else None,
     }
-    found = [*trouble, *doubts(arm, chain, told, rest)]
-    return told | {"warnings": [*found, *(rest_warnings(arm, model, _lines(rest)) if rest else ()), *_still(model)]}
+    found = [*trouble, *notices(arm, chain, info, rest)]
+    return info | {"warnings": [*found, *(rest_warnings(arm, model, _lines(rest)) if rest else ()), *_still(model)]}
 
 
-def _still(model: ArmModel) -> list[str]:
+def _still(model: Model) -> list[str]:
     return [] if model.nq else [NOTHING_MOVES]
 
 
@@ -77,18 +77,18 @@ def link_states(rest: Equilibrium, lines: LinkLines | None = None) -> list[dict[
     ``missing_share``: of its energy in shapes that its functions do not have, None of segments. A link that carries
     more than a twentieth of it so is bad, however little it bends.
     """
-    lines, told = lines or _lines(rest), []
+    lines, info = lines or _lines(rest), []
     for link in link_ranges(rest.model, rest.q):
         line = lines[link.link]
         shape = rest.model.chain.nodes[line.node].link
         share = max(missing_share(line, shape).values(), default=0.0) if isinstance(shape, Beam) else None
         row = asdict(link) | {"missing_share": share}
-        told.append(row | {"verdict": "bad"} if (share or 0.0) > BAD_SHARE else row)
-    return told
+        info.append(row | {"verdict": "bad"} if (share or 0.0) > BAD_SHARE else row)
+    return info
 
 
 def _rest(
-    arm: Arm, model: ArmModel, held: Mapping[str, float] | None, progress: Progress
+    arm: Robot, model: Model, held: Mapping[str, float] | None, progress: Progress
 ) -> tuple[Equilibrium | None, list[str]]:
     try:
         return arm_rest(arm, model=model, held=held, sheet=False, contact=False, progress=progress), []
@@ -96,7 +96,7 @@ def _rest(
         return None, [f"no rest under its own weight: {error}"]
 
 
-def statics_told(arm: Arm, rest: Equilibrium, point: int = 0) -> dict[str, Any]:
+def statics_info(arm: Robot, rest: Equilibrium, point: int = 0) -> dict[str, Any]:
     """All that ``tmodes static`` tells of an arm at rest, as plain data; ``point``: whose stiffness."""
     free, lines = rest.lowest_frequency_Hz, _lines(rest)
     return {
@@ -111,7 +111,7 @@ def statics_told(arm: Arm, rest: Equilibrium, point: int = 0) -> dict[str, Any]:
         "points": [sag(rest, k) for k in range(len(rest.model.parts.points))],
         "links": link_states(rest, lines),
         "stiffness": compliance_table(rest, point),
-        "warnings": [*rest_doubts(arm, rest), *rest_warnings(arm, rest.model, lines), *_still(rest.model)],
+        "warnings": [*rest_notices(arm, rest), *rest_warnings(arm, rest.model, lines), *_still(rest.model)],
     }
 
 

@@ -10,13 +10,13 @@ import numpy as np
 from tmodes.analysis.describe.bare import bare_beam
 from tmodes.chain.chain import Beam, Body, Chain, Node, Segment
 from tmodes.kinds.joints.joint import JointSheet, JointState, JointType
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
 __all__ = ["gear_rows", "joint_rows", "link_nodes", "link_rows"]
 
 
-def joint_rows(arm: Arm) -> list[dict[str, Any]]:
+def joint_rows(arm: Robot) -> list[dict[str, Any]]:
     """Each joint: its type in the group's letters (active or locked, elastic or rigid gear), drive and limits."""
     commands = {drive.joint: str(drive.command) for drive in arm.drives}
     return [
@@ -49,12 +49,12 @@ def link_nodes(chain: Chain, name: str) -> Iterator[Node]:
             yield node
 
 
-def link_rows(arm: Arm, chain: Chain) -> list[dict[str, Any]]:
+def link_rows(arm: Robot, chain: Chain) -> list[dict[str, Any]]:
     """Each link: model, length, masses, stiffness at its root and tip, and first frequencies by itself, clamped."""
     return [_link_row(arm, chain, joint.child) for joint in arm.joints]
 
 
-def _link_row(arm: Arm, chain: Chain, name: str) -> dict[str, Any]:
+def _link_row(arm: Robot, chain: Chain, name: str) -> dict[str, Any]:
     nodes = [*link_nodes(chain, name)]
     bodies = sum(body.mass for node in nodes for body in _bodies(node))
     beam = next((node.link for node in nodes if isinstance(node.link, Beam)), None)
@@ -128,7 +128,7 @@ def _segment_masses(link: LinkSheet, equivalent: float) -> dict[str, float]:
     return {"mass_kg": own + beam_mass, "beam_mass_kg": beam_mass, "equivalent_mass_kg": equivalent}
 
 
-def gear_rows(arm: Arm, links: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
+def gear_rows(arm: Robot, links: Sequence[Mapping[str, Any]]) -> list[dict[str, Any]]:
     """Each elastic gear: stiffness, and that over EI/L of the softer bending of the link it carries.
 
     ``links``: the rows of :func:`link_rows`, one for each joint.

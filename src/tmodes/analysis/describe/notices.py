@@ -10,9 +10,9 @@ import numpy as np
 from tmodes.analysis.range import link_ranges
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.chain.chain import Beam, Chain
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 
-__all__ = ["doubts", "rest_doubts"]
+__all__ = ["notices", "rest_notices"]
 
 FIRST_FREQUENCY = (0.05, 5e3)
 """Usual range of the first frequency of a bare link [Hz]."""
@@ -24,10 +24,10 @@ THICK = 10.0
 """Length over the distance of the outer fibre below which shear, which is left out, would count."""
 
 
-def doubts(arm: Arm, chain: Chain, told: dict[str, Any], rest: Equilibrium | None) -> list[str]:
+def notices(arm: Robot, chain: Chain, info: dict[str, Any], rest: Equilibrium | None) -> list[str]:
     """Sentences on what is told of an arm, and on its rest where it has one."""
-    found = [*_frequencies(told["links"]), *_gears(told["gears"]), *_thick(chain)]
-    return [*found, *(rest_doubts(arm, rest) if rest else ())]
+    found = [*_frequencies(info["links"]), *_gears(info["gears"]), *_thick(chain)]
+    return [*found, *(rest_notices(arm, rest) if rest else ())]
 
 
 def _frequencies(links: list[dict[str, Any]]) -> Iterator[str]:
@@ -63,7 +63,7 @@ def _thick(chain: Chain) -> Iterator[str]:
             )
 
 
-def rest_doubts(arm: Arm, rest: Equilibrium) -> list[str]:
+def rest_notices(arm: Robot, rest: Equilibrium) -> list[str]:
     """What is doubtful of an arm at rest: unstable, bent beyond its models, past a joint's limits."""
     return [*_stability(rest), *_ranges(rest), *_limits(arm, rest)]
 
@@ -79,14 +79,14 @@ def _stability(rest: Equilibrium) -> Iterator[str]:
 def _ranges(rest: Equilibrium) -> Iterator[str]:
     for link in link_ranges(rest.model, rest.q):
         if link.verdict != "good":
-            mend = "take the model strain" if link.model == "segments" else "give it more functions or points"
+            hint = "take the model strain" if link.model == "segments" else "give it more functions or points"
             yield (
                 f"link {link.link} bends by {link.deflection_over_length:.1%} of its length: {link.verdict} for its "
-                f"model ({link.model}, angle {link.angle_rad:.3g} rad); {mend}"
+                f"model ({link.model}, angle {link.angle_rad:.3g} rad); {hint}"
             )
 
 
-def _limits(arm: Arm, rest: Equilibrium) -> Iterator[str]:
+def _limits(arm: Robot, rest: Equilibrium) -> Iterator[str]:
     pose = rest.named
     for joint in arm.joints:
         if joint.limits is None or joint.name not in pose:

@@ -19,8 +19,8 @@ from tmodes.analysis.hierarchy.move import Move, chosen_move, followed
 from tmodes.analysis.hierarchy.variants import moved_chain, rungs, whole_chain
 from tmodes.analysis.quasistatic import held_shape
 from tmodes.errors import InputError, SimulationError
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 
 __all__ = ["FINEST", "Ladder", "Rung", "ladder"]
 
@@ -96,8 +96,8 @@ class _Start:
     """A rung at rest: the model whose gear inputs are given, its pose, and what is known of it."""
 
     name: str
-    model: ArmModel
-    whole: ArmModel
+    model: Model
+    whole: Model
     q: Array
     sag: float
     frequencies: tuple[float, ...]
@@ -105,7 +105,7 @@ class _Start:
 
 
 def ladder(
-    arm: Arm,
+    arm: Robot,
     tolerance: float = 1e-3,
     *,
     finest: int = FINEST,
@@ -118,33 +118,33 @@ def ladder(
     """
     if not 0 < tolerance < 1:
         raise InputError("tolerance", repr(tolerance), "a share between 0 and 1", "take 1e-3 for a thousandth")
-    told = list(rungs(arm, finest))
+    info = list(rungs(arm, finest))
     first = chosen_move(arm, np.inf)
     starts: list[_Start] = []
-    for k, (name, sheet) in enumerate(told):
-        progress("models", k / len(told))
+    for k, (name, sheet) in enumerate(info):
+        progress("models", k / len(info))
         starts.append(_at_rest(name, sheet, first))
     move = chosen_move(arm, min(starts[-1].frequencies, default=np.inf))
     paths: list[Array | str] = []
     for k, start in enumerate(starts):
-        progress("test moves", k / len(told))
+        progress("test moves", k / len(info))
         paths.append(_path(start, move, tolerance))
     return _compared(arm, tolerance, move, starts, paths)
 
 
-def _at_rest(name: str, sheet: Arm, move: Move) -> _Start:
+def _at_rest(name: str, sheet: Robot, move: Move) -> _Start:
     chain = whole_chain(sheet)
-    model = ArmModel(moved_chain(chain))
+    model = Model(moved_chain(chain))
     undeformed = _posed(model, move.at(0.0)[None])
     q, held = held_shape(model, undeformed)
     if not held[0]:
         raise SimulationError(f"{name} has no rest under its own weight; mend: a stiffer arm, or another first pose")
     tips = model.points(np.stack([undeformed[0], q[0]])).position[:, 0]
     frequencies, highest = _vibrations(model, q[0])
-    return _Start(name, model, ArmModel(chain), q[0], float(np.linalg.norm(tips[1] - tips[0])), frequencies, highest)
+    return _Start(name, model, Model(chain), q[0], float(np.linalg.norm(tips[1] - tips[0])), frequencies, highest)
 
 
-def _posed(model: ArmModel, inputs: Array) -> Array:
+def _posed(model: Model, inputs: Array) -> Array:
     """Undeformed poses (n, nq) of gear inputs (n, joints)."""
     q = np.zeros((len(inputs), model.nq))
     for part in model.parts.nodes:
@@ -155,7 +155,7 @@ def _posed(model: ArmModel, inputs: Array) -> Array:
     return q
 
 
-def _vibrations(model: ArmModel, q: Array) -> tuple[tuple[float, ...], float]:
+def _vibrations(model: Model, q: Array) -> tuple[tuple[float, ...], float]:
     """First three frequencies [Hz], gear inputs standing still, and the largest eigenvalue [1/s]."""
     from scipy.linalg import eigh
 
@@ -192,17 +192,17 @@ def _path(start: _Start, move: Move, tolerance: float) -> Array | str:
     return model.points(q).position[:, 0]
 
 
-def _compared(arm: Arm, tolerance: float, move: Move, starts: list[_Start], paths: list[Array | str]) -> Ladder:
+def _compared(arm: Robot, tolerance: float, move: Move, starts: list[_Start], paths: list[Array | str]) -> Ladder:
     best, last = paths[-1], starts[-1]
     if isinstance(best, str):
         raise SimulationError(best)
     undeformed = last.model.points(_posed(last.model, move.at(move.times))).position[:, 0]
     deflection = float(np.linalg.norm(best - undeformed, axis=1).max())
-    told = tuple(_rung(start, path, best, deflection, last) for start, path in zip(starts, paths, strict=True))
-    good = [rung for rung in told if rung.within(tolerance)]
-    cheapest = min(good or told[-1:], key=lambda rung: (rung.coordinates, rung.cost_us))
-    converged = len(told) > 1 and told[-2].within(tolerance)
-    return Ladder(arm.name, tolerance, move.words, deflection, told, cheapest.model, converged)
+    info = tuple(_rung(start, path, best, deflection, last) for start, path in zip(starts, paths, strict=True))
+    good = [rung for rung in info if rung.within(tolerance)]
+    cheapest = min(good or info[-1:], key=lambda rung: (rung.coordinates, rung.cost_us))
+    converged = len(info) > 1 and info[-2].within(tolerance)
+    return Ladder(arm.name, tolerance, move.words, deflection, info, cheapest.model, converged)
 
 
 def _rung(start: _Start, path: Array | str, best: Array, deflection: float, last: _Start) -> Rung:
@@ -215,7 +215,7 @@ def _rung(start: _Start, path: Array | str, best: Array, deflection: float, last
                 gap, error, off, path if isinstance(path, str) else "")  # fmt: skip
 
 
-def _cost(model: ArmModel) -> float:
+def _cost(model: Model) -> float:
     """Median time of one forward dynamics [us]: what more states in one native call take, so that the call is free."""
     rng = np.random.default_rng(0)
     q, v = 0.01 * rng.normal(size=(2, max(_BATCHES), model.nq))

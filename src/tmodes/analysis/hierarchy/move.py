@@ -16,8 +16,8 @@ from tmodes.analysis.hierarchy.variants import driven, input_mix, whole_chain
 from tmodes.analysis.statics.rest import first_value
 from tmodes.errors import SimulationError
 from tmodes.kinds.signals.signals import Constant, MergedSchedule, Quintic, merge
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command
 
 __all__ = ["Move", "chosen_move", "followed"]
@@ -56,7 +56,7 @@ class Move:
         return self.signals.at(time, derivative) @ self.mix.T
 
 
-def chosen_move(arm: Arm, lowest_frequency: float) -> Move:
+def chosen_move(arm: Robot, lowest_frequency: float) -> Move:
     """The arm's own drives where they are smooth; else 0.2 rad in each joint over max(0.5 s, three periods)."""
     chain = whole_chain(arm)
     joints, mix = [joint.name for joint in driven(chain)], input_mix(chain)
@@ -74,7 +74,7 @@ def chosen_move(arm: Arm, lowest_frequency: float) -> Move:
     return Move(merged, _times(merged), f"{AMPLITUDE:g} rad (m) in each joint in {until:.3g} s, quintic", mix)
 
 
-def _held(arm: Arm, joint: str) -> Constant:
+def _held(arm: Robot, joint: str) -> Constant:
     given = arm.initial.coordinates
     return Constant(type="constant", value=given.get(f"{joint}.motor", given.get(joint, 0.0)))
 
@@ -94,7 +94,7 @@ def _times(signals: MergedSchedule) -> Array:
     return np.unique(np.concatenate([np.linspace(0, signals.knots[-1], _SAMPLES + 1), signals.knots]))
 
 
-def followed(model: ArmModel, move: Move, start: Array, allowed: float) -> tuple[Array, Array]:
+def followed(model: Model, move: Move, start: Array, allowed: float) -> tuple[Array, Array]:
     """Coordinates and rates (n, nq) at the times of a move, from rest at ``start`` (nq,); ``allowed``: error of a step.
 
     ``model`` has its gear inputs given (:func:`tmodes.analysis.hierarchy.variants.moved_chain`). Raises
@@ -126,7 +126,7 @@ def followed(model: ArmModel, move: Move, start: Array, allowed: float) -> tuple
 class _Stepper:
     """Extrapolated steps of a model whose given joints follow a move."""
 
-    def __init__(self, model: ArmModel, move: Move) -> None:
+    def __init__(self, model: Model, move: Move) -> None:
         self.model, self.move = model, move
         self.given = np.array([part.angle for part in model.parts.nodes if part.given >= 0], dtype=int)
 

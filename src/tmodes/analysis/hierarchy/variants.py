@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 from tmodes.chain.chain import Chain, Drive, Joint, JointKind, Node, Placement, RigidLink
 from tmodes.errors import InputError
 from tmodes.kinds.links.beam import BeamModel, BeamSheet, Functions
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
 __all__ = ["SEGMENTS", "driven", "input_mix", "moved_chain", "rungs", "whole_chain"]
@@ -20,14 +20,14 @@ SEGMENTS = (1, 2, 3)
 """Numbers of segments that are tried."""
 
 
-def rungs(arm: Arm, finest: int) -> Iterator[tuple[str, Arm]]:
+def rungs(arm: Robot, finest: int) -> Iterator[tuple[str, Robot]]:
     """Name and arm of every rung, from rigid to ``strain(finest)``; directions that do not bend stay so.
 
     Raises :class:`tmodes.errors.InputError` for an arm without a beam.
     """
     if not any(link.beam for link in arm.links):
-        mend = "give a link a `beam`; without one there is but one model"
-        raise InputError("links", "no link with a beam", "at least one link that can bend", mend)
+        hint = "give a link a `beam`; without one there is but one model"
+        raise InputError("links", "no link with a beam", "at least one link that can bend", hint)
     yield "rigid", _with_beams(arm, BeamModel.RIGID, None)
     for count in SEGMENTS:
         yield f"segments({count})", _with_beams(arm, BeamModel.SEGMENTS, count)
@@ -35,7 +35,7 @@ def rungs(arm: Arm, finest: int) -> Iterator[tuple[str, Arm]]:
         yield f"strain({count})", _with_beams(arm, BeamModel.STRAIN, count)
 
 
-def _with_beams(arm: Arm, model: BeamModel, count: int | None) -> Arm:
+def _with_beams(arm: Robot, model: BeamModel, count: int | None) -> Robot:
     """The arm with another model of every beam; its numbers have been checked, and stay."""
 
     def changed(link: LinkSheet) -> LinkSheet:
@@ -55,7 +55,7 @@ def _beam(beam: BeamSheet, model: BeamModel, count: int | None) -> BeamSheet:
     return beam.model_copy(update=changes)
 
 
-def whole_chain(arm: Arm) -> Chain:
+def whole_chain(arm: Robot) -> Chain:
     """The chain of an arm with all its motors, whatever its drives prescribe."""
     return arm.model_copy(update={"drives": ()}).chain()
 

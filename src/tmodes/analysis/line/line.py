@@ -20,10 +20,10 @@ from tmodes.analysis.line.loads import NodeLoads, node_loads
 from tmodes.analysis.line.shape import Shape, beam_shape, segment_shape
 from tmodes.analysis.line.stress import Stress, stress_of
 from tmodes.analysis.line.tables import LineTables, line_tables
-from tmodes.analysis.line.walk import Walked, told_places, walk
+from tmodes.analysis.line.walk import Walked, info_places, walk
 from tmodes.chain.chain import Beam, Node, RigidLink, Segment
 from tmodes.errors import InputError, SimulationError
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["Largest", "LinkLine", "LinkLines", "elastic_line"]
 
@@ -78,10 +78,10 @@ class LinkLine:
         values = getattr(owners[0], quantity) if owners else None
         if values is None or np.isnan(values).all():
             return None
-        told = values if component is None else values[..., component]
-        size = np.abs(told) if told.ndim == 2 else np.linalg.norm(told, axis=-1)
+        info = values if component is None else values[..., component]
+        size = np.abs(info) if info.ndim == 2 else np.linalg.norm(info, axis=-1)
         sample, place = np.unravel_index(int(np.nanargmax(size)), size.shape)
-        value = told[sample, place] if told.ndim == 2 else size[sample, place]
+        value = info[sample, place] if info.ndim == 2 else size[sample, place]
         return Largest(float(value), float(self.s[place]), int(sample))
 
 
@@ -104,7 +104,7 @@ class LinkLines:
 
 
 def elastic_line(
-    model: ArmModel, q: ArrayLike, v: ArrayLike = 0.0, a: ArrayLike = 0.0, *,
+    model: Model, q: ArrayLike, v: ArrayLike = 0.0, a: ArrayLike = 0.0, *,
     stations: int | Sequence[float] = STATIONS, wrenches: ArrayLike | None = None, base: ArrayLike | None = None,
 ) -> LinkLines:  # fmt: skip
     """The lines of all links at n samples of coordinates, rates and accelerations, each (n, nq) or (nq,).
@@ -133,8 +133,8 @@ def elastic_line(
 def _asked(stations: int | Sequence[float]) -> Array:
     asked = np.linspace(0, 1, stations) if isinstance(stations, int) else np.asarray(stations, dtype=float)
     if asked.ndim != 1 or not len(asked) or not np.all((asked >= 0) & (asked <= 1)):
-        mend = "give numbers from 0, the root, to 1, the tip"
-        raise InputError("stations", repr(stations)[:80], "places along the links, at least one, in 0..1", mend)
+        hint = "give numbers from 0, the root, to 1, the tip"
+        raise InputError("stations", repr(stations)[:80], "places along the links, at least one, in 0..1", hint)
     return asked
 
 
@@ -151,30 +151,30 @@ def _rows(values: ArrayLike, shape: tuple[int, ...]) -> Array:
     return np.broadcast_to(array.reshape((-1, *shape[1:])), shape)
 
 
-def _tables(model: ArmModel, index: int, asked: Array) -> LineTables | None:
+def _tables(model: Model, index: int, asked: Array) -> LineTables | None:
     beam, link = model.chain.nodes[index].link, model.parts.nodes[index].link
     if link is None or not isinstance(beam, Beam):
         return None
     stations = tuple(s for s, _ in link.stations)
-    return line_tables(beam, stations, told_places(asked, stations))
+    return line_tables(beam, stations, info_places(asked, stations))
 
 
 def _line(
-    model: ArmModel, index: int, asked: Array, table: LineTables | None, walked: list[Walked], loads: NodeLoads,
+    model: Model, index: int, asked: Array, table: LineTables | None, walked: list[Walked], loads: NodeLoads,
     q: Array, v: Array,
 ) -> LinkLine:  # fmt: skip
     node, way, part = model.chain.nodes[index], walked[index], model.parts.nodes[index].link
     if part is None or isinstance(node.link, RigidLink):
         return _straight(model, index, asked, way)
-    told = slice(1, 1 + len(asked))
-    rotation, position = way.rotation[:, told], way.position[:, told]
+    info = slice(1, 1 + len(asked))
+    rotation, position = way.rotation[:, info], way.position[:, info]
     if isinstance(node.link, Segment):
         shape = segment_shape(node.link, asked, position, q[:, part.own], v[:, part.own])
     else:
         assert table is not None  # noqa: S101
-        shape = beam_shape(table, told, rotation, position, q[:, part.own], v[:, part.own])
+        shape = beam_shape(table, info, rotation, position, q[:, part.own], v[:, part.own])
     back = rotation.swapaxes(-1, -2)
-    force, moment = ((back @ x[:, told, :, None])[..., 0] for x in (loads.places.force, loads.places.moment))
+    force, moment = ((back @ x[:, info, :, None])[..., 0] for x in (loads.places.force, loads.places.moment))
     axial = force[..., 0]
     stress = stress_of(node.link, asked, moment, axial) if isinstance(node.link, Beam) else None
     turned = way.root.rotation[:, None]
@@ -184,7 +184,7 @@ def _line(
                     axial, shape, stress)  # fmt: skip
 
 
-def _straight(model: ArmModel, index: int, asked: Array, way: Walked) -> LinkLine:
+def _straight(model: Model, index: int, asked: Array, way: Walked) -> LinkLine:
     """From the root of a rigid link to the farthest thing on it: a joint, else a point, else a center of mass."""
     end = _far_end(model, index, model.chain.nodes[index])
     rotation, length = way.root.rotation, float(np.linalg.norm(end))
@@ -195,7 +195,7 @@ def _straight(model: ArmModel, index: int, asked: Array, way: Walked) -> LinkLin
     return LinkLine(name, index, "rigid", length, asked, position, turned, unknown, unknown[..., 1:], unknown[..., 0])
 
 
-def _far_end(model: ArmModel, index: int, node: Node) -> Array:
+def _far_end(model: Model, index: int, node: Node) -> Array:
     joints = [other.joint.placement.position for other in model.chain.nodes if other.parent == index]
     points = [point.offset.position for point in model.parts.points if point.node == index]
     bodies = [body.center for body in node.link.bodies] if isinstance(node.link, RigidLink) else []

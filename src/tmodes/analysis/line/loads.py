@@ -16,7 +16,7 @@ from tmodes.analysis.line.tables import LineTables
 from tmodes.analysis.line.vectors import applied, back, cross
 from tmodes.analysis.line.walk import Frame, Walked
 from tmodes.chain.chain import Beam, Body, Node
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["Load", "NodeLoads", "node_loads"]
 
@@ -55,7 +55,7 @@ class NodeLoads:
 
 
 def node_loads(
-    model: ArmModel, tables: list[LineTables | None], walked: list[Walked], wrenches: Array | None
+    model: Model, tables: list[LineTables | None], walked: list[Walked], wrenches: Array | None
 ) -> list[NodeLoads]:
     """Loads of all nodes at all their places; ``wrenches`` (n, points, 6): force then moment, world axes."""
     nodes = model.chain.nodes
@@ -89,7 +89,7 @@ def _fixed(bodies: tuple[Body, ...], frame: Frame) -> Load:
     return total
 
 
-def _pushed(model: ArmModel, index: int, station: int | None, frame: Frame, wrenches: Array | None) -> Load:
+def _pushed(model: Model, index: int, station: int | None, frame: Frame, wrenches: Array | None) -> Load:
     """Wrenches on the points of a node's tip, or of one of its stations, about it, world axes."""
     total = Load(np.zeros_like(frame.position), np.zeros_like(frame.position))
     if wrenches is None:
@@ -102,7 +102,7 @@ def _pushed(model: ArmModel, index: int, station: int | None, frame: Frame, wren
 
 
 def _carried(
-    model: ArmModel, index: int, table: LineTables | None, way: Walked, tip: Load, wrenches: Array | None
+    model: Model, index: int, table: LineTables | None, way: Walked, tip: Load, wrenches: Array | None
 ) -> NodeLoads:
     """From the load on a node's tip (world axes, about it) to all its places, and to its root."""
     if not len(way.s):
@@ -121,7 +121,7 @@ def _carried(
     return NodeLoads(Load(total.force[:, 0], total.moment[:, 0]).turned(way.root.rotation), total)
 
 
-def _at_stations(model: ArmModel, index: int, way: Walked, wrenches: Array | None) -> list[tuple[int, Load]]:
+def _at_stations(model: Model, index: int, way: Walked, wrenches: Array | None) -> list[tuple[int, Load]]:
     """Loads of bodies and wrenches at the stations of a beam: (place, load about it in world axes)."""
     link, node = model.parts.nodes[index].link, model.chain.nodes[index].link
     if link is None or way.places is None or not isinstance(node, Beam):

@@ -36,14 +36,14 @@ class Shape:
     elastic_force: Array
 
 
-def beam_shape(table: LineTables, told: slice, rotation: Array, position: Array, q: Array, v: Array) -> Shape:
+def beam_shape(table: LineTables, info: slice, rotation: Array, position: Array, q: Array, v: Array) -> Shape:
     """Of a strain link, at the places ``told`` of its table."""
     beam, turns = table.beam, table.own.shape.turning
-    values = table.functions[told]
+    values = table.functions[info]
     bent, speed = (_by_component(table, values, part) for part in (q, v))
     stretch, lengthening = (part[:, turns:] @ values[:, turns:].T for part in (q, v))
     answered = bent + beam.damping_time * speed
-    stiffness = [pieces_at(beam, name, table.s[told]) for name in ("torsion", "bend_y", "bend_z", "axial")]
+    stiffness = [pieces_at(beam, name, table.s[info]) for name in ("torsion", "bend_y", "bend_z", "axial")]
     rigid = [count == 0 for count in (beam.twist, beam.bend_y, beam.bend_z, beam.stretch)]
     finite = [np.zeros_like(k) if none else k for k, none in zip(stiffness, rigid, strict=True)]
     total = bent + np.asarray(beam.rest_curvature, dtype=float)

@@ -57,5 +57,5 @@ def stress_of(beam: Beam, s: Array, moment: Array, axial: Array) -> Stress | Non
 
 def _compliance(stiffness: Array) -> Array:
     """1 over a stiffness; 0 where there is none told, or it is infinite."""
-    told = (stiffness > 0) & np.isfinite(stiffness)
-    return np.divide(1.0, stiffness, out=np.zeros_like(stiffness), where=told)
+    info = (stiffness > 0) & np.isfinite(stiffness)
+    return np.divide(1.0, stiffness, out=np.zeros_like(stiffness), where=info)

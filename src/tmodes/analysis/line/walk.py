@@ -12,9 +12,9 @@ from tmodes.analysis.line.strain import Sections, strain_motion
 from tmodes.analysis.line.tables import LineTables
 from tmodes.analysis.line.vectors import about, applied, back, cross
 from tmodes.chain.chain import Beam, Joint, JointKind, RigidLink, Segment
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
-__all__ = ["Frame", "Walked", "told_places", "walk"]
+__all__ = ["Frame", "Walked", "info_places", "walk"]
 
 Array = NDArray[np.float64]
 
@@ -59,15 +59,15 @@ class Walked:
     places: Sections | None = None
 
 
-def told_places(asked: Array, stations: tuple[float, ...] = ()) -> Array:
+def info_places(asked: Array, stations: tuple[float, ...] = ()) -> Array:
     """All places of a link: root, those asked, stations, tip."""
     return np.concatenate([[0.0], asked, stations, [1.0]])
 
 
 def walk(
-    model: ArmModel, tables: list[LineTables | None], asked: Array, q: Array, v: Array, a: Array, base: Array
+    model: Model, tables: list[LineTables | None], asked: Array, q: Array, v: Array, a: Array, base: Array
 ) -> list[Walked]:
-    """Every node of the arm at n samples; ``base`` (n, 24) as :class:`tmodes.model.model.ArmModel` takes it."""
+    """Every node of the arm at n samples; ``base`` (n, 24) as :class:`tmodes.model.model.Model` takes it."""
     found: list[Walked] = []
     start = _base(base)
     for part, table in zip(model.parts.nodes, tables, strict=True):
@@ -106,7 +106,7 @@ def _walked(
     link: RigidLink | Beam | Segment, table: LineTables | None, asked: Array, root: Frame, q: Array, v: Array, a: Array
 ) -> Walked:
     if isinstance(link, Segment):
-        s = told_places(asked)
+        s = info_places(asked)
         return Walked(root, root.outer(segment_tip(link, root.inner(), q, v, a), 0), s, *segment_line(link, q, s))
     if table is None:
         return Walked(root, root, np.zeros(0), np.zeros((len(q), 0, 3, 3)), np.zeros((len(q), 0, 3)))

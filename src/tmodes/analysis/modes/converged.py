@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.modes.modes import ArmMode
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.kinds.links.beam import MOST_FUNCTIONS, BeamModel, BeamSheet
-from tmodes.sheet import Arm
+from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
 __all__ = ["CONVERGED", "MOST_CHECKED", "finer", "frequency_errors"]
@@ -30,7 +30,7 @@ ALIKE = 0.3
 """Likeness (modal assurance) from which two modes are the same motion."""
 
 
-def finer(arm: Arm) -> Arm | None:
+def finer(arm: Robot) -> Robot | None:
     """The arm with more functions; None where no link has any to which more could be added."""
 
     def refined(link: LinkSheet) -> LinkSheet:

@@ -14,7 +14,7 @@ from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.held import driven
 from tmodes.analysis.statics.stability import mass_root
 from tmodes.chain.chain import Chain, Drive, Friction
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.paper.modes import GROWING, MotorState, damped_motions
 
 __all__ = ["ArmMode", "MotorState", "Servo", "arm_modes", "moving_coordinates", "without_dry_friction"]
@@ -144,7 +144,7 @@ def _matrices(rest: Equilibrium) -> tuple[Array, Array, Array]:
     mass, damping, stiffness = rest.matrices
     smooth = without_dry_friction(rest.model.chain)
     if smooth is not None:
-        damping = ArmModel(smooth).linearised(rest.q)[1]
+        damping = Model(smooth).linearised(rest.q)[1]
     return mass, damping, stiffness
 
 

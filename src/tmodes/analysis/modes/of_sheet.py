@@ -12,8 +12,8 @@ from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.path import Progress
 from tmodes.analysis.statics.rest import arm_rest
 from tmodes.chain.chain import Motor
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 
 __all__ = ["Vibrations", "servos_of", "sheet_modes", "vibrations"]
 
@@ -27,7 +27,7 @@ class Vibrations(NamedTuple):
 
 
 def sheet_modes(
-    arm: Arm, *, contact: bool = False, progress: Progress = lambda stage, share: None
+    arm: Robot, *, contact: bool = False, progress: Progress = lambda stage, share: None
 ) -> dict[str, list[dict[str, Any]]]:
     """Modes for each state of the motors about the arm's rest under its loads, as plain data.
 
@@ -38,7 +38,7 @@ def sheet_modes(
     return {state: [_plain(mode, rest) for mode in modes] for state, modes in _states(arm, rest, progress).items()}
 
 
-def vibrations(arm: Arm, *, contact: bool = False, progress: Progress = lambda stage, share: None) -> Vibrations:
+def vibrations(arm: Robot, *, contact: bool = False, progress: Progress = lambda stage, share: None) -> Vibrations:
     """The modes of :func:`sheet_modes`, how far each is converged, and whether the links' models hold at rest.
 
     ``frequency_error`` of a mode: by which share it is higher than with two more functions a direction, None where that
@@ -46,18 +46,18 @@ def vibrations(arm: Arm, *, contact: bool = False, progress: Progress = lambda s
     """
     rest = arm_rest(arm, contact=contact, progress=progress)
     states = _states(arm, rest, progress)
-    told = {state: [_plain(mode, rest) for mode in modes] for state, modes in states.items()}
+    info = {state: [_plain(mode, rest) for mode in modes] for state, modes in states.items()}
     fine_arm = finer(arm) if rest.model.nq <= MOST_CHECKED else None
     fine = arm_rest(fine_arm, contact=contact, progress=progress) if fine_arm else None
     others = _states(arm, fine, progress) if fine else {}
     for state, modes in states.items():
         errors = frequency_errors(rest, modes, fine, others[state]) if fine else [None] * len(modes)
-        for row, error in zip(told[state], errors, strict=True):
+        for row, error in zip(info[state], errors, strict=True):
             row |= {"frequency_error": error, "converged": None if error is None else abs(error) <= CONVERGED}
-    return Vibrations(told, link_states(rest), _doubts(arm, rest, told))
+    return Vibrations(info, link_states(rest), _notices(arm, rest, info))
 
 
-def _states(arm: Arm, rest: Equilibrium, progress: Progress) -> dict[str, list[ArmMode]]:
+def _states(arm: Robot, rest: Equilibrium, progress: Progress) -> dict[str, list[ArmMode]]:
     servos = servos_of(arm, rest.model)
     states = [MotorState.LOCKED, MotorState.FREE, *([MotorState.CONTROLLED] if servos else [])]
     found = {}
@@ -67,11 +67,11 @@ def _states(arm: Arm, rest: Equilibrium, progress: Progress) -> dict[str, list[A
     return found
 
 
-def _doubts(arm: Arm, rest: Equilibrium, told: dict[str, list[dict[str, Any]]]) -> list[str]:
+def _notices(arm: Robot, rest: Equilibrium, info: dict[str, list[dict[str, Any]]]) -> list[str]:
     found = [] if rest.model.nq else [f"no modes: {NOTHING_MOVES}"]
     if rest.model.nq > MOST_CHECKED and finer(arm):
         found.append(f"whether the modes are converged was not checked: more than {MOST_CHECKED} coordinates")
-    if any(row["converged"] is False for modes in told.values() for row in modes):
+    if any(row["converged"] is False for modes in info.values() for row in modes):
         found.append(
             f"modes marked `!` are not converged: with two more functions a direction their frequencies change by "
             f"more than {CONVERGED:.0%}; take more functions where they matter"
@@ -79,7 +79,7 @@ def _doubts(arm: Arm, rest: Equilibrium, told: dict[str, list[dict[str, Any]]]) 
     return found
 
 
-def servos_of(arm: Arm, model: ArmModel) -> dict[str, Servo]:
+def servos_of(arm: Robot, model: Model) -> dict[str, Servo]:
     """The controllers of a data sheet as springs and dampers of the coordinates that they keep.
 
     Volts become torque by CM/R, and the back electromotive force damps: Eq. (41) of Filipovic & Djuric 2010.
@@ -102,7 +102,7 @@ def _servo(motor: Motor | None, position_gain: float, velocity_gain: float) -> S
 
 
 def _plain(mode: ArmMode, rest: Equilibrium) -> dict[str, Any]:
-    told = asdict(mode)
-    del told["motion"]
-    told["shape"] = dict(zip(rest.model.coordinates, mode.shape.tolist(), strict=True))
-    return told
+    info = asdict(mode)
+    del info["motion"]
+    info["shape"] = dict(zip(rest.model.coordinates, mode.shape.tolist(), strict=True))
+    return info

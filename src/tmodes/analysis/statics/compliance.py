@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.errors import SimulationError
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["DIRECTIONS", "LOADS", "PointCompliance", "Spring", "point_compliance", "spring_rows", "springs_of"]
 
@@ -82,7 +82,7 @@ class Spring(NamedTuple):
         return np.asarray(np.einsum("rn,rn->n", self.left @ shapes, self.right @ shapes), dtype=float)
 
 
-def springs_of(model: ArmModel, q: Array) -> dict[str, Spring]:
+def springs_of(model: Model, q: Array) -> dict[str, Spring]:
     """Each spring of an arm about a pose: ``joint.gear``, ``link.bend_y``, ``link.twist``, ...
 
     Together they are the slope of the elastic forces; the weight has no part in it.
@@ -101,7 +101,7 @@ def springs_of(model: ArmModel, q: Array) -> dict[str, Spring]:
     return found
 
 
-def spring_rows(model: ArmModel) -> tuple[dict[str, int], dict[str, list[int]]]:
+def spring_rows(model: Model) -> tuple[dict[str, int], dict[str, list[int]]]:
     """The joint of each elastic gear, and the coordinates of each kind of bending of a link, by the springs' names."""
     parts = [part for part in model.parts.nodes if part.drive and part.drive.ranges]
     gears = {f"{part.node.joint.name}.gear": part.angle for part in parts}

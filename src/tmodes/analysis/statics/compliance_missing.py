@@ -39,13 +39,13 @@ def missing_functions(rest: Equilibrium, found: PointCompliance, point: int = 0)
     """
     first, now = _unloaded(rest, point), np.abs(np.diagonal(found.compliance))
     kinds = _kinds(rest, point)
-    told = []
+    info = []
     for k in range(6):
         group = slice(0, 3) if k < 3 else slice(3, 6)
         gives = first[k] > FIRST_ORDER * first[group].max()
         counts = now[k] > max(BENT[k // 3] * now[group].max(), NOTHING)
-        told.append("" if gives or counts else ", ".join(kinds[k]))
-    return told
+        info.append("" if gives or counts else ", ".join(kinds[k]))
+    return info
 
 
 def _unloaded(rest: Equilibrium, point: int) -> Array:

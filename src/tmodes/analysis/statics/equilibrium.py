@@ -13,7 +13,7 @@ from tmodes.analysis.statics.loads import Load, acts_of
 from tmodes.analysis.statics.path import LoadPath, Progress, follow
 from tmodes.analysis.statics.surface import surface_act
 from tmodes.analysis.statics.system import StaticSystem
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.sheet.contact import ContactSheet
 
 __all__ = ["Equilibrium", "Load", "UnstableMode", "equilibrium"]
@@ -43,7 +43,7 @@ class Equilibrium:
     (points, 3, 3) of the points, and the same without loads.
     """
 
-    model: ArmModel
+    model: Model
     q: Array
     residual: float
     stable: bool
@@ -72,7 +72,7 @@ class Equilibrium:
 
 
 def equilibrium(
-    model: ArmModel,
+    model: Model,
     loads: Sequence[Load] = (),
     *,
     held: Mapping[str, float] | None = None,
@@ -95,10 +95,10 @@ def equilibrium(
     acts += [surface_act(model, contact)] if contact else []
     system = StaticSystem(model, acts, free_coordinates(model, held or {}, free))
     pose = starting_pose(model, held or {}, start or {})
-    return _told(system, follow(system, pose, progress), pose)
+    return _info(system, follow(system, pose, progress), pose)
 
 
-def _told(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
+def _info(system: StaticSystem, path: LoadPath, pose: Array) -> Equilibrium:
     model, end = system.model, path.end
     growing = (
         UnstableMode(model.coordinates[system.free[one.coordinate]], one.rate, one.frequency_Hz)

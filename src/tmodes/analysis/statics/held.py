@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 from tmodes.analysis.quasistatic import gear_inputs, sprung
 from tmodes.chain.chain import Drive
 from tmodes.errors import InputError
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["driven", "free_coordinates", "starting_pose"]
 
@@ -20,14 +20,14 @@ LARGEST = 1e6
 """Largest value of a coordinate that is held [rad, m]."""
 
 
-def driven(model: ArmModel) -> list[int]:
+def driven(model: Model) -> list[int]:
     """Coordinates that a drive holds: motors before elastic gears, and joints driven directly or prescribed."""
     parts = [part for part in model.parts.nodes if part.angle >= 0]
     direct = [part.angle for part in parts if part.node.joint.drive in {Drive.EFFORT, Drive.PRESCRIBED}]
     return sorted([*direct, *(part.motor for part in parts if part.motor >= 0)])
 
 
-def free_coordinates(model: ArmModel, held: Mapping[str, float], free: Sequence[str]) -> NDArray[np.intp]:
+def free_coordinates(model: Model, held: Mapping[str, float], free: Sequence[str]) -> NDArray[np.intp]:
     """Indices of the coordinates to be found: all but the driven ones and ``held``, and those named ``free``."""
     _check_names(model, (*held, *free))
     both = sorted({*held} & {*free})
@@ -40,7 +40,7 @@ def free_coordinates(model: ArmModel, held: Mapping[str, float], free: Sequence[
     return np.array([k for k, name in names if name in free or name not in still], dtype=np.intp)
 
 
-def starting_pose(model: ArmModel, held: Mapping[str, float], start: Mapping[str, float]) -> Array:
+def starting_pose(model: Model, held: Mapping[str, float], start: Mapping[str, float]) -> Array:
     """The unloaded pose (nq,): ``held`` and ``start`` as given, joints behind gears where their motors put them."""
     _check_names(model, start)
     given = {**start, **held}
@@ -54,14 +54,14 @@ def starting_pose(model: ArmModel, held: Mapping[str, float], start: Mapping[str
     return q
 
 
-def _check_names(model: ArmModel, names: Iterable[str]) -> None:
+def _check_names(model: Model, names: Iterable[str]) -> None:
     from difflib import get_close_matches
 
     for name in names:
         if name not in model.coordinates:
             close = get_close_matches(name, model.coordinates, 1)
-            mend = f"did you mean `{close[0]}`?" if close else "check the spelling"
-            raise InputError("coordinate", f"`{name}`", f"one of {', '.join(model.coordinates)}", mend)
+            hint = f"did you mean `{close[0]}`?" if close else "check the spelling"
+            raise InputError("coordinate", f"`{name}`", f"one of {', '.join(model.coordinates)}", hint)
 
 
 def _check_numbers(values: Mapping[str, float]) -> None:

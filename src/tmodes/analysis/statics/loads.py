@@ -14,7 +14,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
 from tmodes.kinds.schema.axes import cross_matrix
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["Act", "Load", "Pose", "acts_of", "point_index"]
 
@@ -76,11 +76,11 @@ class Act(Protocol):
 @dataclass(frozen=True, eq=False)
 class _Dead:
     point: int
-    told: Array
+    info: Array
 
     def wrench(self, pose: Pose) -> Array:
         del pose
-        return self.told
+        return self.info
 
     def stiffness(self, pose: Pose) -> None:
         del pose
@@ -92,10 +92,10 @@ class _Dead:
 @dataclass(frozen=True, eq=False)
 class _Follower:
     point: int
-    told: Array
+    info: Array
 
     def wrench(self, pose: Pose) -> Array:
-        return np.concatenate([pose.rotation @ self.told[:3], pose.rotation @ self.told[3:]])
+        return np.concatenate([pose.rotation @ self.info[:3], pose.rotation @ self.info[3:]])
 
     def stiffness(self, pose: Pose) -> Array:
         """A turn d of the section turns a vector F by d x F, which is a force less -[F]x d."""
@@ -107,12 +107,12 @@ class _Follower:
         del pose
 
 
-def acts_of(model: ArmModel, loads: Sequence[Load]) -> list[Act]:
+def acts_of(model: Model, loads: Sequence[Load]) -> list[Act]:
     """Loads as acts on points by index. Raises :class:`InputError` for an unknown point and numbers not finite."""
     return [(_Follower if load.follows else _Dead)(point_index(model, load.point), load.wrench()) for load in loads]
 
 
-def point_index(model: ArmModel, name: str) -> int:
+def point_index(model: Model, name: str) -> int:
     """Index of a named point. Raises :class:`InputError` where there is none."""
     names = [point.name for point in model.parts.points]
     if name not in names:

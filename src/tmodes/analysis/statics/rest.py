@@ -8,18 +8,18 @@ from typing import Any
 from tmodes.analysis.statics.equilibrium import Equilibrium, equilibrium
 from tmodes.analysis.statics.loads import Load
 from tmodes.analysis.statics.path import Progress
-from tmodes.model.model import ArmModel
-from tmodes.sheet import Arm
+from tmodes.model.model import Model
+from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, LoadFrame
 
 __all__ = ["arm_rest", "first_commands", "first_value", "sheet_loads"]
 
 
 def arm_rest(
-    arm: Arm,
+    arm: Robot,
     loads: Sequence[Load] = (),
     *,
-    model: ArmModel | None = None,
+    model: Model | None = None,
     held: Mapping[str, float] | None = None,
     sheet: bool = True,
     contact: bool = True,
@@ -30,7 +30,7 @@ def arm_rest(
     Driven coordinates are held at ``held``, else at their first command, else at the sheet's initial coordinates, else
     at 0; ``contact`` False leaves the sheet's contact out. Errors as of :func:`equilibrium`.
     """
-    model = model or ArmModel(arm.chain())
+    model = model or Model(arm.chain())
     known = {name: value for name, value in arm.initial.coordinates.items() if name in model.coordinates}
     commands = first_commands(arm, model) | dict(held or {})
     return equilibrium(
@@ -43,7 +43,7 @@ def arm_rest(
     )
 
 
-def first_commands(arm: Arm, model: ArmModel) -> dict[str, float]:
+def first_commands(arm: Robot, model: Model) -> dict[str, float]:
     """Coordinates whose position a drive commands, at time 0 [rad, m]; a motor's where its gear is elastic."""
     commands = {}
     for drive in arm.drives:
@@ -55,7 +55,7 @@ def first_commands(arm: Arm, model: ArmModel) -> dict[str, float]:
     return commands
 
 
-def sheet_loads(arm: Arm) -> list[Load]:
+def sheet_loads(arm: Robot) -> list[Load]:
     """The loads of a data sheet at time 0."""
     loads = []
     for load in arm.loads:
@@ -65,6 +65,6 @@ def sheet_loads(arm: Arm) -> list[Load]:
     return loads
 
 
-def first_value(arm: Arm, signal: Any) -> float:
+def first_value(arm: Robot, signal: Any) -> float:
     """The value of a signal at time 0; beyond the arm's run it may have none."""
     return float(signal.schedule(min(1.0, arm.integration.duration)).coefficients[0, 0])

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.statics.loads import Act, Pose, point_index
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.sheet.contact import Ball, ContactLaw, ContactSheet, Plane, Wall
 
 __all__ = ["Touch", "surface_act"]
@@ -78,6 +78,6 @@ class _Surface:
         return self.sheet.mass * moved, self.sheet.damping * moved
 
 
-def surface_act(model: ArmModel, sheet: ContactSheet) -> Act:
+def surface_act(model: Model, sheet: ContactSheet) -> Act:
     """The surface as an act on its point. Raises :class:`tmodes.errors.InputError` for an unknown point."""
     return _Surface(point_index(model, sheet.point), sheet)

@@ -15,7 +15,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.statics.loads import Act, Pose
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 
 __all__ = ["Forces", "StaticSystem"]
 
@@ -34,7 +34,7 @@ class Forces(NamedTuple):
 class StaticSystem:
     """The equations of one arm, its acts, and the indices of the coordinates that are free to move."""
 
-    model: ArmModel
+    model: Model
     acts: Sequence[Act]
     free: NDArray[np.intp]
 

@@ -30,8 +30,8 @@ def kernel_symbol(kernel: Any, arithmetic: str) -> str:
 
 
 @lru_cache(maxsize=4096)
-def _symbol(told: str) -> str:
-    return f"kernel_{hashlib.sha256(told.encode()).hexdigest()[:32]}"
+def _symbol(info: str) -> str:
+    return f"kernel_{hashlib.sha256(info.encode()).hexdigest()[:32]}"
 
 
 def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:

@@ -57,10 +57,10 @@ def table_of(b: Any, name: str, numbers: list[int]) -> Any:
 
 def _write_loop(b: Any, calls: list[tuple[str, list[int]]], workspace: Any) -> None:
     kinds: dict[str, tuple[int, int]] = {}  # name -> its number and how many blocks it takes
-    told: list[int] = []
+    info: list[int] = []
     for name, places in calls:
-        told += [kinds.setdefault(name, (len(kinds), len(places)))[0], *places]
-    table = table_of(b, f"{b.function.name}.calls", [*told, len(kinds)])
+        info += [kinds.setdefault(name, (len(kinds), len(places)))[0], *places]
+    table = table_of(b, f"{b.function.name}.calls", [*info, len(kinds)])
     before, function = b.block, b.function
     head, done = function.append_basic_block("call"), function.append_basic_block("called")
     b.branch(head)

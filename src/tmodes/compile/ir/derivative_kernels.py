@@ -61,8 +61,8 @@ class Tangent:
 
     def library(self) -> tuple[str, Library]:
         """The native function, made at its first use."""
-        told = f"tangent {self.active} {self.lanes} {self.valued} {self.seldom}"
-        return _library(self, told, self.lanes, seldom=self.seldom)
+        info = f"tangent {self.active} {self.lanes} {self.valued} {self.seldom}"
+        return _library(self, info, self.lanes, seldom=self.seldom)
 
     def written(self) -> tuple[Written, list[_Block]]:
         """The program and the blocks of the row."""
@@ -97,9 +97,9 @@ class Adjoint:
         return written, blocks + [_Block(sloped=True, given=True, adds=mode == ADD) for mode in self.modes if mode]
 
 
-def _library(variant: Any, told: str, lanes: int, *, seldom: bool = False) -> tuple[str, Library]:
+def _library(variant: Any, info: str, lanes: int, *, seldom: bool = False) -> tuple[str, Library]:
     kernel = variant.kernel
-    digest = hashlib.sha256(f"{kernel.key} {kernel.inputs} {kernel.outputs} {told} {LANES}".encode())
+    digest = hashlib.sha256(f"{kernel.key} {kernel.inputs} {kernel.outputs} {info} {LANES}".encode())
     symbol = f"derived_{digest.hexdigest()[:32]}"
 
     def write() -> tuple[Any, int]:

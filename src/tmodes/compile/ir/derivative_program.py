@@ -14,6 +14,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.compile.ir.kernel_function import kernel_function
 from tmodes.compile.ir.program import BlockProgram, block_program
 
 __all__ = ["Written", "adjoint_program", "reached", "tangent_program", "turned"]
@@ -41,7 +42,7 @@ def tangent_program(kernel: Any, active: tuple[Elements, ...], *, valued: bool) 
         for k, (x, elements) in enumerate(zip(xs, active, strict=True))
     ]
     known: list[Any] = [slope for slope in slopes if slope is not None]
-    outs, told = (list(ys), [tuple(range(y.numel())) for y in ys]) if valued else ([], [])
+    outs, info = (list(ys), [tuple(range(y.numel())) for y in ys]) if valued else ([], [])
     if known:
         at = ca.vertcat(*(x[list(elements)] for x, elements in zip(xs, active, strict=True) if elements))
         along = ca.vertcat(*(d[list(elements)] for d, elements in zip(known, filter(None, active), strict=True)))
@@ -49,8 +50,8 @@ def tangent_program(kernel: Any, active: tuple[Elements, ...], *, valued: bool) 
         for slope, elements in zip(found, reached(kernel, active), strict=True):
             if elements:
                 outs.append(slope[list(elements)])
-                told.append(elements)
-    return _written([*xs, *known], outs, told)
+                info.append(elements)
+    return _written([*xs, *known], outs, info)
 
 
 def adjoint_program(kernel: Any, seeded: tuple[bool, ...], wanted: tuple[bool, ...]) -> Written:
@@ -101,7 +102,7 @@ class _Named:
 
 @lru_cache(maxsize=512)
 def _function(named: _Named) -> ca.Function:
-    return named.kernel.function()
+    return kernel_function(named.kernel)
 
 
 @lru_cache(maxsize=4096)
@@ -137,6 +138,6 @@ def _symbols(name: str, blocks: list[Any], used: Sequence[bool]) -> list[Any]:
     return [ca.SX.sym(f"{name}{k}", blocks[k].numel()) if use else None for k, use in enumerate(used)]
 
 
-def _written(inputs: list[Any], outputs: list[Any], told: list[Elements]) -> Written:
+def _written(inputs: list[Any], outputs: list[Any], info: list[Elements]) -> Written:
     function = ca.Function("derivative", inputs, [ca.densify(out) for out in outputs], {"cse": True})
-    return Written(block_program(function), told)
+    return Written(block_program(function), info)

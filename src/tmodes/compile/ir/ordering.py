@@ -10,6 +10,7 @@ import heapq
 from collections.abc import Iterable, Sequence
 from typing import Any
 
+from tmodes.compile.ir.kernel_function import kernel_function
 from tmodes.compile.ir.program import READ, BlockProgram, Instruction, block_program, needed
 from tmodes.compile.ir.tracing import traced
 
@@ -25,7 +26,7 @@ _ADDERS = ("add", "sub", "twice", "neg")
 
 def kernel_program(kernel: Any) -> BlockProgram:
     """The program of a kernel, in an order that suits processors where that is not left to LLVM."""
-    program = traced(kernel) if kernel.plain else block_program(kernel.function())
+    program = traced(kernel) if kernel.plain else block_program(kernel_function(kernel))
     if kernel.long or len(program.values) > _LONGEST:
         return program
     order = in_good_order(program.values, [index for _, _, index in program.results if index is not None])

@@ -94,13 +94,13 @@ class Tape:
                 if valued:
                     self._value(table, call)
                 continue
-            told = reached(kernel, active)
+            info = reached(kernel, active)
             sloped = [lanes * self.schedule.offset(slot) for slot, own in zip(inputs, active, strict=True) if own]
-            given = [lanes * self.schedule.offset(slot) for slot, own in zip(outputs, told, strict=True) if own]
+            given = [lanes * self.schedule.offset(slot) for slot, own in zip(outputs, info, strict=True) if own]
             plain = [*inputs, *outputs] if valued else [*inputs]
             row = [*map(self.schedule.offset, plain), *sloped, *(straight.get(place, place) for place in given)]
             table.add(*Tangent(kernel, active, lanes, valued, seldom).library(), [*row, *self._turned(call)])
-            for slot, elements in zip(outputs, told, strict=True):
+            for slot, elements in zip(outputs, info, strict=True):
                 marks[self.schedule.offset(slot) + np.array(elements, dtype=int)] = True
         if settled is not True:
             self._gather(table, marks, lanes, target, valued=valued, done=straight)

@@ -62,8 +62,8 @@ def unrolled(schedule: Any) -> Unrolled:
         taken, put = ([_span(schedule, slot) for slot in side] for side in slots)
         for output, element, value in numbered.inlined(programs[same], [[memory[i] for i in s] for s in taken]):
             memory[put[output][element]] = value
-    told = [*(slot for slots in schedule.outputs.values() for slot in slots), *([schedule.gate] * bool(schedule.gate))]
-    wanted = sorted({place for slot in told for place in _span(schedule, slot)} - inputs)
+    info = [*(slot for slots in schedule.outputs.values() for slot in slots), *([schedule.gate] * bool(schedule.gate))]
+    wanted = sorted({place for slot in info for place in _span(schedule, slot)} - inputs)
     results = [(place, memory[place]) for place in wanted]
     return _parted(numbered.values, results, schedule, set(wanted))
 

@@ -126,16 +126,16 @@ def _size(loop: LanesLoop, error: Any) -> Any:
 def _reject(loop: LanesLoop, rejected: Any, h: Any, size: Any) -> None:
     """Shorter steps; where the error is not a number, the shortest. ``size``: logarithm of the error."""
     b: Any = loop.builder
-    told = b.fsub(loop.constant(math.log2(SAFETY)), b.fmul(loop.constant(_POWER), size))
-    factor = loop.call("maxnum", exponential(b, loop.lanes, told), loop.constant(SMALLEST))
+    info = b.fsub(loop.constant(math.log2(SAFETY)), b.fmul(loop.constant(_POWER), size))
+    factor = loop.call("maxnum", exponential(b, loop.lanes, info), loop.constant(SMALLEST))
     loop.put("h", b.fmul(h, factor), rejected)
     loop.count("rejected", rejected)
 
 
 def _accept(loop: LanesLoop, accepted: Any, wanted: Any, h: Any, size: Any, last: Any, time_after: Any) -> None:
     b: Any = loop.builder
-    told = b.fadd(loop.constant(math.log2(SAFETY)), b.fmul(loop.constant(BETA), loop.get("old_error")))
-    factor = exponential(b, loop.lanes, b.fsub(told, b.fmul(loop.constant(_POWER), size)))
+    info = b.fadd(loop.constant(math.log2(SAFETY)), b.fmul(loop.constant(BETA), loop.get("old_error")))
+    factor = exponential(b, loop.lanes, b.fsub(info, b.fmul(loop.constant(_POWER), size)))
     factor = loop.call("minnum", loop.call("maxnum", factor, loop.constant(SMALLEST)), loop.constant(LARGEST))
     grown = b.fmul(h, factor)
     # A step cut short by a knot says little about the next: keep the longer wish.

@@ -84,9 +84,9 @@ class LanesLoop:
         for label, size in sizes.items():
             self.array[label] = at(self.builder, self.argument["work"], start * WIDTH)
             start += size
-        told = declare(self.module, f"{self.function.name}.work", VOID, [("size", POINTER)])
-        b = ir.IRBuilder(told.append_basic_block("entry"))
-        store(b, number(float(start * WIDTH)), told.args[0], 0)
+        info = declare(self.module, f"{self.function.name}.work", VOID, [("size", POINTER)])
+        b = ir.IRBuilder(info.append_basic_block("entry"))
+        store(b, number(float(start * WIDTH)), info.args[0], 0)
         b.ret_void()
 
     def _end_runs(self) -> None:
@@ -137,8 +137,8 @@ class LanesLoop:
         name = f"llvm.{kind}.v{WIDTH}f64"  # llvmlite names the intrinsics of single numbers only
         function = self.module.globals.get(name)
         if function is None:
-            told = ir.FunctionType(self.lanes.kind, [self.lanes.kind] * len(values))
-            function = ir.Function(self.module, told, name)
+            info = ir.FunctionType(self.lanes.kind, [self.lanes.kind] * len(values))
+            function = ir.Function(self.module, info, name)
         return self.builder.call(function, list(values))
 
     def any(self, condition: Any) -> Any:

@@ -53,7 +53,7 @@ class _Writer:
         self.dense = DenseOutput(loop, self.beside)
         steady, limit = steady_weights(), limit_weights(ROWS)
         weights = {"new": steady, "apart": {row: steady[row] - limit[row] for row in limit}}
-        self.tables = {label: self._table(label, told) for label, told in weights.items()}
+        self.tables = {label: self._table(label, info) for label, info in weights.items()}
 
     def _table(self, label: str, weights: dict[int, float]) -> Any:
         """Weights of the ends of rows."""

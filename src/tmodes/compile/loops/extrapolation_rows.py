@@ -28,11 +28,11 @@ _LINE = 64
 
 def constants(loop: TimeLoop, name: str, numbers: ArrayLike) -> Any:
     """The address of constant numbers; the name serves once in a loop."""
-    told = np.ravel(numbers).tolist()
-    kind = ir.ArrayType(F64, len(told))
+    info = np.ravel(numbers).tolist()
+    kind = ir.ArrayType(F64, len(info))
     table: Any = ir.GlobalVariable(loop.module, kind, f"{loop.function.name}.{name}")
     table.global_constant, table.linkage, table.align = True, "internal", _LINE
-    table.initializer = ir.Constant(kind, told)
+    table.initializer = ir.Constant(kind, info)
     return loop.builder.bitcast(table, POINTER)
 
 
@@ -49,19 +49,19 @@ class RowsBeside:
             self.kept = self._vectors(self.slots * loop.size, "kept")
             self.slope = self._vectors(loop.size, "slopes")
         loop.held.align = _LINE
-        self.tables = {label: constants(loop, label, table) for label, table in self._told().items()}
+        self.tables = {label: constants(loop, label, table) for label, table in self._info().items()}
 
     def _vectors(self, count: int, name: str) -> Any:
         place: Any = self.b.alloca(F64, size=whole(count * LANES), name=name)
         place.align = _LINE
         return place
 
-    def _told(self) -> dict[str, Any]:
+    def _info(self) -> dict[str, Any]:
         """By pass and lane: what h is divided by, where a step ends, if a row begins; idle lanes take steps of 0."""
-        told = {"lengths": np.inf, "times": 1.0, "begins": 0.0}
-        tables = {label: np.full((self.slots, LANES), value) for label, value in told.items()}
+        info = {"lengths": np.inf, "times": 1.0, "begins": 0.0}
+        tables = {label: np.full((self.slots, LANES), value) for label, value in info.items()}
         for row, step, pass_, lane in schedule_of(self.rows):
-            for label, value in zip(told, (row, (step + 1) / row, step == 0), strict=True):
+            for label, value in zip(info, (row, (step + 1) / row, step == 0), strict=True):
                 tables[label][pass_, lane] = value
         return tables
 

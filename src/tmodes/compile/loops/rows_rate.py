@@ -56,11 +56,11 @@ class _Writer:
         """All functions."""
         s, width = self.schedule, self.lanes.stride
         prepare, rows = self._prepare(), self._call_rows()
-        told = {label: self._offset(s.inputs[label]) for label in ("state", "start", "step")}
+        info = {label: self._offset(s.inputs[label]) for label in ("state", "start", "step")}
         end = self.size * width
         gate = end if s.gate else None
         call, sizes = self._call(rows, end), (end + 2, s.output_size, s.inputs["row"].size)
-        return RowsRate(prepare, call, *sizes, told["step"], gate, None, rows, told["state"], told["start"])
+        return RowsRate(prepare, call, *sizes, info["step"], gate, None, rows, info["state"], info["start"])
 
     def _offset(self, slot: Any) -> int:
         return self.place(slot) * self.lanes.stride

@@ -42,10 +42,10 @@ class StiffnessTest:
         turn = b.icmp_signed("==", b.and_(b.fptosi(loop.get("steps"), I64), whole(_EVERY - 1)), whole(0))
         with b.if_then(b.or_(suspected, turn), likely=False):
             self._count(loop, b.fcmp_ordered(">", self._reach(loop, h), limit))
-        told = b.fcmp_ordered(">=", loop.get("stiff"), number(_IN_A_ROW))
-        with b.if_then(b.and_(told, b.fcmp_ordered("<=", loop.get("stiff_time"), number(0.0))), likely=False):
+        info = b.fcmp_ordered(">=", loop.get("stiff"), number(_IN_A_ROW))
+        with b.if_then(b.and_(info, b.fcmp_ordered("<=", loop.get("stiff_time"), number(0.0))), likely=False):
             loop.put("stiff_time", loop.get("t"))
-        loop.stop_if(b.and_(told, watched), Status.STIFF)
+        loop.stop_if(b.and_(info, watched), Status.STIFF)
 
     def _reach(self, loop: TimeLoop, h: Any) -> Any:
         """Step times eigenvalue; not a number where nothing moves, which counts as calm."""

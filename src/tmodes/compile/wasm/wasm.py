@@ -56,8 +56,8 @@ def wasm_module(name: str, parts: Sequence[Part], *, simd: bool | None = None, l
     import llvmlite
 
     versions = f"{llvmlite.__version__} {version('casadi')} {source_digest()}"
-    told = "\n".join(f"{part.key} {part.symbols} {part.exported}" for part in parts)
-    key = f"wasm {name} simd={simd} level={level} {versions}\n{told}"
+    info = "\n".join(f"{part.key} {part.symbols} {part.exported}" for part in parts)
+    key = f"wasm {name} simd={simd} level={level} {versions}\n{info}"
     binary = load(key)
     if binary is None:
         exports = [symbol for part in parts if part.exported for symbol in part.symbols]
@@ -99,9 +99,9 @@ def _optimised(part: Part, machine: Any) -> Any:
 def _with_extremes(code: str) -> str:
     """The smaller and the larger of two numbers as code: WebAssembly has no word for those that pass over no number."""
     for name, first in (("minnum", "olt"), ("maxnum", "ogt")):
-        told, own = f'@"llvm.{name}.f64"', f'@"{name}"'
-        if told in code:
-            code = re.sub(f"^declare double {re.escape(told)}.*$", "", code, flags=re.MULTILINE).replace(told, own)
+        info, own = f'@"llvm.{name}.f64"', f'@"{name}"'
+        if info in code:
+            code = re.sub(f"^declare double {re.escape(info)}.*$", "", code, flags=re.MULTILINE).replace(info, own)
             code += _EXTREME.format(own, first)
     return code
 

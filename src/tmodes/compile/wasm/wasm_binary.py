@@ -105,7 +105,7 @@ def finished(obj: bytes, exports: Sequence[str], stack: int) -> bytes:
     code = bytearray(sections[_CODE])
     stack = -(-stack // _ALIGNED) * _ALIGNED
     end = _move(sections, code, stack, places)
-    told = {
+    info = {
         _IMPORT: _imports(sections[_IMPORT]),
         _CODE: bytes(code),
         _MEMORY: b"\1\0" + _unsigned(-(-end // PAGE)),
@@ -113,7 +113,7 @@ def finished(obj: bytes, exports: Sequence[str], stack: int) -> bytes:
         _EXPORT: _export_section([*wanted, ("memory", 2, 0), ("heap_base", 3, 1)]),
     }
     return _HEAD + b"".join(
-        bytes([kind]) + _counted(content) for kind in _ORDER if (content := told.get(kind, sections.get(kind)))
+        bytes([kind]) + _counted(content) for kind in _ORDER if (content := info.get(kind, sections.get(kind)))
     )
 
 
@@ -192,8 +192,8 @@ def _move(sections: dict[int | str, bytes], code: bytearray, by: int, places: It
 
 
 def _export_section(entries: Sequence[tuple[str, int, int]]) -> bytes:
-    told = [_counted(name.encode()) + bytes([kind]) + _unsigned(index) for name, kind, index in entries]
-    return _unsigned(len(told)) + b"".join(told)
+    info = [_counted(name.encode()) + bytes([kind]) + _unsigned(index) for name, kind, index in entries]
+    return _unsigned(len(info)) + b"".join(info)
 
 
 def _counted(content: bytes) -> bytes:
@@ -201,17 +201,17 @@ def _counted(content: bytes) -> bytes:
 
 
 def _unsigned(value: int) -> bytes:
-    told = bytearray()
+    info = bytearray()
     while value >= 0x80:
-        told.append(value & 0x7F | 0x80)
+        info.append(value & 0x7F | 0x80)
         value >>= 7
-    return bytes([*told, value])
+    return bytes([*info, value])
 
 
 def _signed(value: int) -> bytes:
     """A whole number that is not negative as a signed one: its last byte leaves room for the sign."""
-    told = _unsigned(value)
-    return told if told[-1] < 0x40 else told[:-1] + bytes([told[-1] | 0x80, 0])
+    info = _unsigned(value)
+    return info if info[-1] < 0x40 else info[:-1] + bytes([info[-1] | 0x80, 0])
 
 
 def _padded(value: int) -> bytes:

@@ -13,7 +13,7 @@ from tmodes.equations.lagrange.layout import LINE
 from tmodes.equations.lagrange.symbols import symbolic_robot
 from tmodes.paper.mechanism import Mechanism
 from tmodes.paper.mode import shape_deflection, shape_slope
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["line_function"]
 
@@ -47,7 +47,7 @@ def places_function() -> ca.Function:
     return ca.Function("places", [s, phi, parameters], [ca.densify(places)], {"cse": True})
 
 
-def _shape(robot: Robot, mechanism: Mechanism, mode: int, s: Any, phi: Any, phid: Any) -> dict[str, Any]:
+def _shape(robot: PaperRobot, mechanism: Mechanism, mode: int, s: Any, phi: Any, phid: Any) -> dict[str, Any]:
     """Deflection, slope and flexibility moment of the line, each (horizontal, vertical)."""
     link = robot.link.modes[mode - 1]
     angles, rates = deformations(phi), deformations(phid)
@@ -63,7 +63,9 @@ def _shape(robot: Robot, mechanism: Mechanism, mode: int, s: Any, phi: Any, phid
     }
 
 
-def _section_loads(robot: Robot, mode: int, s: Any, phi: Any, phid: Any, phidd: Any, force: Any) -> tuple[Any, Any]:
+def _section_loads(
+    robot: PaperRobot, mode: int, s: Any, phi: Any, phid: Any, phidd: Any, force: Any
+) -> tuple[Any, Any]:
     """Bending moment [N*m] and shear [N] at the section s, each (horizontal, vertical), by d'Alembert.
 
     All that lies outboard loads the section: weight and inertia of the masses, the rotary inertia of the line's ends,

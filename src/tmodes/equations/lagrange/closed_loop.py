@@ -14,7 +14,7 @@ from tmodes.equations.lagrange.kinematics import tip, tip_jacobian
 from tmodes.equations.lagrange.layout import ENERGIES, OBSERVED, STATE_SIZE, WORKS
 from tmodes.equations.lagrange.symbols import symbolic_robot
 from tmodes.paper.mechanism import Drive, Mechanism
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["ClosedLoop", "closed_loop", "observe_function", "polynomial", "powers", "rate_function"]
 
@@ -23,7 +23,7 @@ __all__ = ["ClosedLoop", "closed_loop", "observe_function", "polynomial", "power
 class ClosedLoop:
     """Symbols of one instant and what follows from them."""
 
-    robot: Robot
+    robot: PaperRobot
     mechanism: Mechanism
     time: Any
     state: Any
@@ -106,7 +106,7 @@ def observe_function(loop: ClosedLoop, names: Sequence[str] = (*OBSERVED,)) -> c
     return _function("observe", loop, ca.vertcat(*(seen[name] for name in names)))
 
 
-def powers(robot: Robot, energy: Energies, phid: Any, motor_torque: Any, contact_rows: Any) -> dict[str, Any]:
+def powers(robot: PaperRobot, energy: Energies, phid: Any, motor_torque: Any, contact_rows: Any) -> dict[str, Any]:
     """Power brought in by the motor and taken out by each loss [W], by the names of ``WORKS``."""
     return {
         "motor": motor_torque * phid[5],

@@ -10,7 +10,7 @@ import casadi as ca
 from tmodes.equations.lagrange.kinematics import projected_lengths, tip, tip_jacobian
 from tmodes.paper.environment import FrictionLaw
 from tmodes.paper.mechanism import Mechanism, Reading
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["ContactTerms", "contact_terms", "friction_sign"]
 
@@ -35,7 +35,7 @@ class ContactTerms:
         return self.normal + sign * self.slip
 
 
-def contact_terms(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any) -> ContactTerms:
+def contact_terms(robot: PaperRobot, mechanism: Mechanism, phi: Any, phid: Any) -> ContactTerms:
     """The contact at a state, linear in the accelerations: Fc adds to H and is never differentiated numerically.
 
     Slip (34)-(38): a force at the tip reaches each row by its own column of Je, where the print writes the planes'
@@ -65,7 +65,7 @@ def friction_sign(radial: Any, law: FrictionLaw | None) -> Any:
     return ca.if_else(radial >= 0, 1, -1) if law is FrictionLaw.MAGNITUDE else 1
 
 
-def _planar_map(robot: Robot, phi: Any) -> Any:
+def _planar_map(robot: PaperRobot, phi: Any) -> Any:
     """The paper's block Jacobian, transposed, shape (6, 3): it counts F_x in both planes and takes or brings power.
 
     Eq. (40) [stated]: Je = [Jh 0; 0 Jv], each of its own plane; the vertical plane takes the component along the

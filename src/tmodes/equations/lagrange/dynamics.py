@@ -13,7 +13,7 @@ from tmodes.equations.lagrange.energy import Energies, energies
 from tmodes.equations.lagrange.lagrange import EquationTerms, equation_terms
 from tmodes.paper.environment import FrictionLaw
 from tmodes.paper.mechanism import Drive, Mechanism
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["Motion", "accelerations", "motion", "torque_of_prescribed_motor"]
 
@@ -36,7 +36,7 @@ class Motion:
     contact_rows: Any
     contact_fold: Any
 
-    def gear_torque(self, robot: Robot, mechanism: Mechanism, phi: Any, phid: Any) -> Any:
+    def gear_torque(self, robot: PaperRobot, mechanism: Mechanism, phi: Any, phid: Any) -> Any:
         """Gear torque sigma [N*m]; of a rigid gear it is what the link's side asks of it."""
         if "gear" not in mechanism.rigid:
             return robot.gear.torque(deformations(phi).xi, deformations(phid).xi)
@@ -44,7 +44,7 @@ class Motion:
         return -(rows[0] + rows[2])
 
 
-def motion(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) -> Motion:
+def motion(robot: PaperRobot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) -> Motion:
     """Accelerations and forces.
 
     ``drive`` is the motor's voltage [V], or its acceleration theta'' [rad/s^2] where the motor is prescribed.
@@ -71,7 +71,7 @@ def motion(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) 
     return Motion(energy, terms, acceleration, inputs, torque, radial_force, tip_force, rows, fold)
 
 
-def torque_of_prescribed_motor(rows: Any, robot: Robot, speed: Any) -> Any:
+def torque_of_prescribed_motor(rows: Any, robot: PaperRobot, speed: Any) -> Any:
     """Torque of a motor that follows its prescribed motion: ``rows`` of all others that move with it, balanced."""
     return ca.dot(ca.DM(basis()[:, 0]), rows) + robot.motor.friction * speed
 

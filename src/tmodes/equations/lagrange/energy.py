@@ -10,7 +10,7 @@ import casadi as ca
 from tmodes.equations.lagrange.coordinates import deformations
 from tmodes.equations.lagrange.kinematics import mode_tips, projected_lengths
 from tmodes.paper.mechanism import Mechanism, Reading
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["Energies", "bending_levers", "energies"]
 
@@ -27,7 +27,7 @@ class Energies:
     rayleigh_link: Any
 
 
-def energies(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any) -> Energies:
+def energies(robot: PaperRobot, mechanism: Mechanism, phi: Any, phid: Any) -> Energies:
     """All energies of the robot in one reading; ``robot`` may hold numbers or symbols."""
     kinetic = _printed_kinetic if mechanism.reading is Reading.PRINTED else _spatial_kinetic
     angles, rates = deformations(phi), deformations(phid)
@@ -43,13 +43,13 @@ def energies(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any) -> Energie
     )
 
 
-def _masses(robot: Robot) -> tuple[Any, Any]:
+def _masses(robot: PaperRobot) -> tuple[Any, Any]:
     """Point masses at the tips of mode 1 and mode 2: mel1 and m + mel2 [kg]."""
     first, second = robot.link.modes
     return first.tip_mass, robot.payload.mass + second.tip_mass
 
 
-def _spatial_kinetic(robot: Robot, phi: Any, phid: Any) -> Any:
+def _spatial_kinetic(robot: PaperRobot, phi: Any, phid: Any) -> Any:
     """Translation of the point masses, `consistent` reading: the whole velocity in space.
 
     Eq. (14) [derived]: 1/2 mel1 v1.v1 + 1/2 (m + mel2) v2.v2 and the rotary terms; the print shows its first terms and
@@ -80,7 +80,7 @@ def _in_one_frame(inner: Any, outer: Any, turn: Any) -> Any:
     return along * ca.cos(turn) + across * ca.sin(turn) + inner[2] * outer[2]
 
 
-def _printed_kinetic(robot: Robot, phi: Any, phid: Any) -> Any:
+def _printed_kinetic(robot: PaperRobot, phi: Any, phid: Any) -> Any:
     """Translation of the point masses, `printed` reading: a horizontal part (lm, le held) plus a vertical part."""
     first, second = robot.link.modes
     lm, le = projected_lengths(phi, robot.link)
@@ -96,7 +96,7 @@ def _planar_squares(a: Any, b: Any, bend: Any, rate: Any, bend_rate: Any) -> tup
     return first, first + (b * outer) ** 2 + 2 * a * b * ca.cos(bend) * rate * outer
 
 
-def _rotary_kinetic(robot: Robot, phid: Any) -> Any:
+def _rotary_kinetic(robot: PaperRobot, phid: Any) -> Any:
     """Rotation of the modes' ends and the payload, with the rates of the line's tangents there."""
     q, delta, gamma, vt, e = (phid[k] for k in range(5))
     first, second = robot.link.modes
@@ -105,7 +105,7 @@ def _rotary_kinetic(robot: Robot, phid: Any) -> Any:
     return first.tip_inertia * at_first / 2 + (robot.payload.inertia + second.tip_inertia) * at_second / 2
 
 
-def _gravity(robot: Robot, phi: Any) -> Any:
+def _gravity(robot: PaperRobot, phi: Any) -> Any:
     """Potential energy of the masses [J], zero at z = 0.
 
     Eq. (15) [stated]: Ep = g (mel1 l1 sin vt + (m + mel2)(l1 sin vt + l2 sin(vt + e))). {test_gravity_energy}
@@ -115,7 +115,7 @@ def _gravity(robot: Robot, phi: Any) -> Any:
     )
 
 
-def bending_levers(robot: Robot, mechanism: Mechanism, phi: Any) -> tuple[Any, Any, Any, Any]:
+def bending_levers(robot: PaperRobot, mechanism: Mechanism, phi: Any) -> tuple[Any, Any, Any, Any]:
     """Lengths that turn bending angles into deflections r, in the order th11q, th12d, th11m, th12e.
 
     Eq. (9) [stated]: r11m = l1 th11m. {test_elastic_energy_terms}
@@ -128,7 +128,7 @@ def bending_levers(robot: Robot, mechanism: Mechanism, phi: Any) -> tuple[Any, A
     return lm, le, first, second
 
 
-def _link_quadratic(robot: Robot, mechanism: Mechanism, values: Any, levers: Any, constant: str) -> Any:
+def _link_quadratic(robot: PaperRobot, mechanism: Mechanism, values: Any, levers: Any, constant: str) -> Any:
     """1/2 sum C (lever value)^2 over both modes and both planes: elastic energy, or Rayleigh function of the rates.
 
     Eq. (16) [stated]: Epels_11m = 1/2 Cs1 th11m^2 l1^2. {test_elastic_energy_terms}

@@ -21,7 +21,7 @@ from tmodes.equations.lagrange.lagrange import equation_terms
 from tmodes.equations.lagrange.layout import STATE_SIZE, WORKS
 from tmodes.equations.lagrange.symbols import symbolic_robot
 from tmodes.paper.mechanism import Drive, Mechanism
-from tmodes.paper.sheet import Robot
+from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["implicit_rate_function"]
 
@@ -59,7 +59,7 @@ def implicit_rate_function(mechanism: Mechanism) -> ca.Function:
     return ca.Function("implicit_rate", inputs, [ca.densify(rates)], {"cse": True})
 
 
-def _soft(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) -> _Soft:
+def _soft(robot: PaperRobot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) -> _Soft:
     """Gear, link and motor at the start; both matrices are symmetric: second derivatives of energies."""
     energy = energies(robot, mechanism, phi, phid)
     terms = equation_terms(energy, phi, phid)
@@ -74,7 +74,7 @@ def _soft(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) -
     return _Soft(force, stiffness, damping)
 
 
-def _motor_torque(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) -> Any:
+def _motor_torque(robot: PaperRobot, mechanism: Mechanism, phi: Any, phid: Any, drive: Any) -> Any:
     wanted, rate, _ = drive
     voltage = wanted
     if mechanism.drive is Drive.CONTROLLED:
@@ -82,14 +82,14 @@ def _motor_torque(robot: Robot, mechanism: Mechanism, phi: Any, phid: Any, drive
     return robot.motor.torque(voltage, phid[5])
 
 
-def _torque(robot: Robot, mechanism: Mechanism, end: tuple[Any, Any], drive: Any, rows: Any) -> Any:
+def _torque(robot: PaperRobot, mechanism: Mechanism, end: tuple[Any, Any], drive: Any, rows: Any) -> Any:
     """What the motor brings in at the step's end; prescribed, it is what ``rows`` of the other forces ask of it."""
     if mechanism.drive is Drive.PRESCRIBED:
         return torque_of_prescribed_motor(rows, robot, end[1][5])
     return _motor_torque(robot, mechanism, *end, drive)
 
 
-def _contact(robot: Robot, mechanism: Mechanism, ahead: Any, start: Any, step: Any) -> ContactTerms:
+def _contact(robot: PaperRobot, mechanism: Mechanism, ahead: Any, start: Any, step: Any) -> ContactTerms:
     """The environment at ``ahead``, its spring and damper at ``start``, and what they add to its mass."""
     here = contact_terms(robot, mechanism, ahead[:6], ahead[6:12])
     begun = contact_terms(robot, mechanism, start[:6], start[6:12])

@@ -8,12 +8,12 @@ from typing import Any, get_args
 import casadi as ca
 
 from tmodes.kinds.schema.quantity import DataSheet
-from tmodes.paper.sheet import PLANT, Robot
+from tmodes.paper.sheet import PLANT, PaperRobot
 
 __all__ = ["symbolic_robot"]
 
 
-def symbolic_robot() -> tuple[Robot, Any]:
+def symbolic_robot() -> tuple[PaperRobot, Any]:
     """The robot with a symbol for every number, and the vector of the symbols in the order of ``Robot.numbers``."""
     symbols: list[Any] = []
 
@@ -21,9 +21,9 @@ def symbolic_robot() -> tuple[Robot, Any]:
         symbols.append(ca.SX.sym(path))
         return symbols[-1]
 
-    fields = Robot.model_fields
+    fields = PaperRobot.model_fields
     groups = {name: _stand_in(fields[name].annotation, name, leaf) for name in PLANT}
-    return Robot.model_construct(**groups), ca.vertcat(*symbols)
+    return PaperRobot.model_construct(**groups), ca.vertcat(*symbols)
 
 
 def _stand_in(annotation: Any, path: str, leaf: Callable[[str], Any]) -> Any:

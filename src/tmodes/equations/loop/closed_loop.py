@@ -114,7 +114,7 @@ class ClosedLoop:
             "q": [instant.way.q],
             "v": [instant.way.v],
             "a": instant.accelerations,
-            "drives": [powers.told[k] for k in drives],
+            "drives": [powers.info[k] for k in drives],
             "gear": [powers.gear[k] for k in drives],
             "contact": [powers.contact],
             "base": [instant.way.base],

@@ -126,7 +126,7 @@ class Touch:
 
         return Kernel(f"touch mass {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH, 1), (INERTIA, FORCE), build)
 
-    def told(self) -> Kernel:
+    def info(self) -> Kernel:
         """(pose of the point, its [linear; angular] acceleration less gravity, numbers) -> (told (6), power taken)."""
 
         def build(pose: Any, motion: Any, p: Any) -> list[list[Any]]:

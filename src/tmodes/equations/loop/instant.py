@@ -46,7 +46,7 @@ class Instant:
         self.way = self._outwards()
         self.apart, self.euler, self.start = apart, euler, self._start(apart=apart)
         self.efforts: dict[int, Slot] = {}
-        self.told: dict[int, Slot] = {}
+        self.info: dict[int, Slot] = {}
         self.change: dict[int, Slot] = {}
         self.dead: dict[int, Slot] = {}
         self._push()
@@ -98,8 +98,8 @@ class Instant:
 
     def _frame(self, point: int) -> tuple[Slot, Slot, Slot]:
         """Pose of the frame that a point is fixed to, pose of its link's axes, and its rate in them."""
-        told = self.parts.points[point]
-        way, station = self.way.ways[told.node], self.parts.station(told)
+        info = self.parts.points[point]
+        way, station = self.way.ways[info.node], self.parts.station(info)
         assert way.root_pose is not None  # noqa: S101
         assert way.tip_pose is not None  # noqa: S101
         if station is None:
@@ -121,11 +121,11 @@ class Instant:
             before = wrenches.get(touch.point, self.none[FORCE])
             wrenches[touch.point], gate = self.call(touch.touch.wrench(), *blocks, before)
             self.schedule.gate = gate if touch.touch.unilateral else None
-            told = self.parts.points[touch.point]
-            if touch.has_mass or (self.euler and self.parts.station(told) is None):
+            info = self.parts.points[touch.point]
+            if touch.has_mass or (self.euler and self.parts.station(info) is None):
                 step = self.step if self.euler else self.none[1]
                 inertia, bias = self.call(touch.touch.inertia(), *blocks, step)
-                self.way.attached[told.node] = (inertia, bias)
+                self.way.attached[info.node] = (inertia, bias)
 
     def _drive(self) -> Recursion:
         """Efforts of the servos, and the motions that are given."""
@@ -142,10 +142,10 @@ class Instant:
                     given[plan.joint] = signal.part(2, 1)
                 continue
             found = self._serve(driver, *self.start)
-            efforts[plan.joint], feedback[plan.joint], change, self.told[k] = found
+            efforts[plan.joint], feedback[plan.joint], change, self.info[k] = found
             self.efforts[k] = efforts[plan.joint]
             if self.apart:  # what is told and works is the effort where the state is
-                self.efforts[k], _, _, self.told[k] = self._serve(driver, self.way.q, self.way.v)
+                self.efforts[k], _, _, self.info[k] = self._serve(driver, self.way.q, self.way.v)
             if driver.current >= 0:
                 self.change[driver.current] = change
         parts, none = self.parts, self.none

@@ -28,7 +28,7 @@ class Powers:
         self.instant, self.loop, self.plan, self.parts = instant, instant.loop, instant.plan, instant.parts
         self.way, self.recursion, self.none = instant.way, instant.recursion, instant.none
         self.powers: dict[str, list[Slot]] = {name: [] for name in WORKS}
-        self.told = dict(instant.told)
+        self.info = dict(instant.info)
         self.gear: dict[int, Slot] = {}
         for k, effort in instant.efforts.items():
             speed = self.way.v.part(self.loop.drivers[k].coordinate, 1)
@@ -108,7 +108,7 @@ class Powers:
     def _needed(self, k: int, driver: Driver, load: Slot) -> None:
         signal, inertia = self.instant.signals[driver.plan.signal], driver.kind_numbers.part(0, 1)
         found = self._call(needed_kernel(driver.plan.winding), driver.numbers, inertia, signal, load)
-        self.told[k] = found[1]
+        self.info[k] = found[1]
         self.powers["motor"].append(self._product(found[0], signal.part(1, 1)))
 
     def _lose(self) -> None:
@@ -153,9 +153,9 @@ class Powers:
         if not (touch and self.loop.touch):
             return self.instant.pack(*(self.none[1],) * CONTACT_TOLD)
         pose, _, motion = self._point(touch.point)
-        told, power = self._call(touch.touch.told(), pose, motion, self.loop.touch)
+        info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch)
         self.powers["contact"].append(power)
-        return told
+        return info
 
     def _power_of_base(self) -> None:
         """Power of what moves the base."""

@@ -161,8 +161,8 @@ class Hinge:
 
         def build(force: Any, hinge: Any, axis: Any, sum_: Any) -> list[list[Any]]:
             push, turned = Force.of(force), v.tri(hinge)
-            told = push.turned(v.transpose(turned)).force_at(self._arm(hinge, 9)) + Force.of(sum_)
-            return [told.packed(), [self._screw(axis).dot(push) if self.moves else 0.0]]
+            info = push.turned(v.transpose(turned)).force_at(self._arm(hinge, 9)) + Force.of(sum_)
+            return [info.packed(), [self._screw(axis).dot(push) if self.moves else 0.0]]
 
         return Kernel(f"load {self.key}", (FORCE, HINGE, 3, FORCE), (FORCE, 1), build)
 

@@ -72,7 +72,7 @@ def _accelerations(way: Passes, a: Slot) -> tuple[list[Slot], list[Slot]]:
 
 def _points(way: Passes, a: Slot, roots: list[Slot], tips: list[Slot]) -> None:
     """Pose, rate and acceleration of each named point."""
-    told: list[Slot] = []
+    info: list[Slot] = []
     for point, offset in zip(way.parts.points, way.parts.offsets, strict=True):
         found, link = way.ways[point.node], way.parts.nodes[point.node].link
         number = way.parts.station(point)
@@ -83,8 +83,8 @@ def _points(way: Passes, a: Slot, roots: list[Slot], tips: list[Slot]) -> None:
         assert pose is not None  # noqa: S101
         rate = section.part(12, 3) if section else found.tip_rate
         kernel = point_kernel(on_section=section is not None)
-        told += way.schedule.call(kernel, pose, way.frame(section), rate, motion, offset)
-    way.schedule.output("points", *told)
+        info += way.schedule.call(kernel, pose, way.frame(section), rate, motion, offset)
+    way.schedule.output("points", *info)
 
 
 def _moment(way: Passes) -> None:

@@ -152,8 +152,8 @@ class BendingLink:
         """(acceleration of the root, section, accelerations of the coordinates) -> that of the section."""
 
         def build(root: Any, section: Any, qdd: Any) -> list[list[Any]]:
-            told = Section.of(section, self.n)
-            return [_tip_motion(told, Force.of(root), [qdd[j] for j in range(self.n)]).packed()]
+            info = Section.of(section, self.n)
+            return [_tip_motion(info, Force.of(root), [qdd[j] for j in range(self.n)]).packed()]
 
         return Kernel(f"motion {self.n}", (FORCE, self.frame, self.n), (FORCE,), build)
 
@@ -184,13 +184,13 @@ class BendingLink:
         """(pose and rate of the root, section, qd) -> (pose of the section, the same in the link's axes)."""
 
         def build(pose: Any, rate: Any, section: Any, qd: Any) -> list[list[Any]]:
-            told, world = Section.of(section, self.n), v.tri(pose)
-            moved = v.cross(v.vec(rate), told.position)
+            info, world = Section.of(section, self.n), v.tri(pose)
+            moved = v.cross(v.vec(rate), info.position)
             for j in range(self.n):
-                moved = v.add(moved, v.scale(qd[j], told.columns[j].linear))
-            place = v.add(v.vec(pose, 9), v.matvec(world, told.position))
+                moved = v.add(moved, v.scale(qd[j], info.columns[j].linear))
+            place = v.add(v.vec(pose, 9), v.matvec(world, info.position))
             velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
-            turned = v.matmul(world, told.rotation)
+            turned = v.matmul(world, info.rotation)
             return [v.flat(turned, place, velocity), v.flat(world, place, velocity)]
 
         return Kernel(f"pose section {self.n}", (POSE, 3, self.frame, self.n), (POSE, POSE), build)

@@ -88,8 +88,8 @@ class Parts:
         self.names = [f"{joint.name}.motor" for joint in elastic] + [joint.name for joint in moving]
         self.efforts = [joint.name for joint in moving if joint.drive in (Drive.EFFORT, Drive.ELASTIC)]
         self.given = [joint.name for joint in moving if joint.drive is Drive.PRESCRIBED]
-        told = (self.names, self.efforts, self.given)
-        self._places = tuple({name: place for place, name in enumerate(names)} for names in told)
+        info = (self.names, self.efforts, self.given)
+        self._places = tuple({name: place for place, name in enumerate(names)} for names in info)
         for index, node in enumerate(chain.nodes):
             self.nodes.append(self._node(index, node))
         self.phases = self.numbers.block(self._phases())
@@ -154,8 +154,8 @@ class Parts:
             return self._segment(name, link, first)
         stations = stations_of(link, tuple(point.s for point in self.points if point.node == index))
         tables = beam_tables(link, stations)
-        told = (("twist", link.twist), ("bend_y", link.bend_y), ("bend_z", link.bend_z), ("stretch", link.stretch))
-        names = tuple(f"{name}.{kind}{k + 1}" for kind, count in told for k in range(count))
+        info = (("twist", link.twist), ("bend_y", link.bend_y), ("bend_z", link.bend_z), ("stretch", link.stretch))
+        names = tuple(f"{name}.{kind}{k + 1}" for kind, count in info for k in range(count))
         self.names += names
         bodies = []
         for s in stations:

@@ -61,8 +61,8 @@ class Screw:
         """The structure in words."""
         lever = "".join(name for name, there in zip("xyz", self.lever, strict=True) if there)
         flags = {"tilted": self.tilted, "turned": self.turned, "along": self.along, "driven": self.driven}
-        told = " ".join(name for name, there in (flags | {"free": self.free}).items() if there)
-        return f"screw {told} {lever}"
+        info = " ".join(name for name, there in (flags | {"free": self.free}).items() if there)
+        return f"screw {info} {lever}"
 
     @property
     def held(self) -> int:
@@ -186,8 +186,8 @@ class Screw:
 
         def build(force: Any, hinge: Any, numbers: Any, sum_: Any) -> list[list[Any]]:
             push = _turn(hinge).force(Force.of(force))
-            told = self._force_to_parent(self.way(numbers), push) + Force.of(sum_)
-            return [told.packed(), [force[2]]]
+            info = self._force_to_parent(self.way(numbers), push) + Force.of(sum_)
+            return [info.packed(), [force[2]]]
 
         return Kernel(f"load {self.key}", (FORCE, HINGE, SCREW, FORCE), (FORCE, 1), build, plain=True)
 
@@ -212,21 +212,21 @@ def turn_kernel(count: int) -> Kernel:
     """(angles, cosine and sine of each phase) -> cosine and sine of each angle and its phase, one after the other."""
 
     def build(angles: Any, phases: Any) -> list[list[Any]]:
-        told: list[Any] = []
+        info: list[Any] = []
         for i in range(count):
             c, s, phase_c, phase_s = ca.cos(angles[i]), ca.sin(angles[i]), phases[2 * i], phases[2 * i + 1]
-            told += [phase_c * c - phase_s * s, phase_s * c + phase_c * s]
-        return [told]
+            info += [phase_c * c - phase_s * s, phase_s * c + phase_c * s]
+        return [info]
 
     return Kernel(f"turn {count}", (count, TURN * count), (TURN * count,), build)
 
 
 def screw_numbers(way: ScrewWay) -> list[float]:
     """The numbers of a way, packed."""
-    told: list[float] = []
+    info: list[float] = []
     for c, s in (way.alpha, way.beta):
-        told += [c, s, s * s, s * c]
-    return [*told, *way.lever, way.along]
+        info += [c, s, s * s, s * c]
+    return [*info, *way.lever, way.along]
 
 
 def _turn(hinge: Any) -> Spin:

@@ -15,7 +15,7 @@ from tmodes.kinds.schema.quantity import (
     LARGEST,
     SMALLEST,
     DataSheet,
-    Misfit,
+    Issue,
     any_sign,
     dissipation,
     not_negative,
@@ -46,8 +46,8 @@ class FrictionSheet(DataSheet):
     @model_validator(mode="after")
     def _whole(self) -> Self:
         if self.static_extra > 0 and self.stribeck_rate is None:
-            mend = "add `stribeck_rate`, or remove `static_extra`"
-            refuse([Misfit("stribeck_rate", "nothing", "a rate, because `static_extra` is given", mend)])
+            hint = "add `stribeck_rate`, or remove `static_extra`"
+            refuse([Issue("stribeck_rate", "nothing", "a rate, because `static_extra` is given", hint)])
         return self
 
 
@@ -92,26 +92,26 @@ class MotorSheet(DataSheet):
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        refuse([*self._ratio_misfits(), *self._electric_misfits()])
+        refuse([*self._ratio_issues(), *self._electric_issues()])
         return self
 
-    def _ratio_misfits(self) -> Iterator[Misfit]:
+    def _ratio_issues(self) -> Iterator[Issue]:
         if self.ratio is None and self.side is Side.MOTOR:
-            mend = "add the line `ratio: ...`, or give all quantities joint side"
-            yield Misfit("ratio", "nothing", "the reducer's ratio, because `side` is motor", mend)
+            hint = "add the line `ratio: ...`, or give all quantities joint side"
+            yield Issue("ratio", "nothing", "the reducer's ratio, because `side` is motor", hint)
         if self.ratio is not None and abs(self.ratio) < SMALLEST:
-            yield Misfit("ratio", repr(self.ratio), "a ratio that is not zero", "write motor speed over joint speed")
+            yield Issue("ratio", repr(self.ratio), "a ratio that is not zero", "write motor speed over joint speed")
 
-    def _electric_misfits(self) -> Iterator[Misfit]:
+    def _electric_issues(self) -> Iterator[Issue]:
         names = ("resistance", "back_emf_constant", "torque_constant")
         missing = [name for name in names if getattr(self, name) is None]
         if len(missing) in {1, 2}:
-            mend = f"add {' and '.join(missing)}, or remove the others"
+            hint = f"add {' and '.join(missing)}, or remove the others"
             for name in missing:
-                yield Misfit(name, "nothing", "all three of the electric side, or none", mend)
+                yield Issue(name, "nothing", "all three of the electric side, or none", hint)
         if len(missing) == 3 and self.inductance:
-            mend = f"add {', '.join(names)}"
-            yield Misfit("inductance", repr(self.inductance), "0 without the rest of the electric side", mend)
+            hint = f"add {', '.join(names)}"
+            yield Issue("inductance", repr(self.inductance), "0 without the rest of the electric side", hint)
 
     def at_joint(self) -> MotorNumbers:
         """Its numbers on the joint side: inertia and viscous friction with ratio^2, torques with |ratio|."""
@@ -154,28 +154,28 @@ class GearSheet(DataSheet):
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        refuse([*self._range_misfits(), *self._limit_misfits()])
+        refuse([*self._range_issues(), *self._limit_issues()])
         return self
 
-    def _range_misfits(self) -> Iterator[Misfit]:
+    def _range_issues(self) -> Iterator[Issue]:
         count = len(self.stiffness)
         if not 1 <= count <= MOST_RANGES:
             most = f"1 to {MOST_RANGES} stiffnesses"
-            yield Misfit("stiffness", f"a list of {count}", most, "write one for each range of the torque")
+            yield Issue("stiffness", f"a list of {count}", most, "write one for each range of the torque")
         for value in self.stiffness:
             if not (SMALLEST <= value <= LARGEST or (math.isinf(value) and count == 1)):
                 bounds = f"a magnitude from {SMALLEST:g} to {LARGEST:g}"
-                mend = "correct the exponent or the unit" + ("; one .inf alone makes it rigid" if count > 1 else "")
-                yield Misfit("stiffness", f"{value:g}", bounds, mend)
+                hint = "correct the exponent or the unit" + ("; one .inf alone makes it rigid" if count > 1 else "")
+                yield Issue("stiffness", f"{value:g}", bounds, hint)
 
-    def _limit_misfits(self) -> Iterator[Misfit]:
+    def _limit_issues(self) -> Iterator[Issue]:
         wanted, limits = len(self.stiffness) - 1, self.torque_limits
         if len(limits) != wanted:
             expected = f"{wanted}: one less than there are stiffnesses"
-            mend = "write the torque between each stiffness and the next"
-            yield Misfit("torque_limits", f"a list of {len(limits)}", expected, mend)
+            hint = "write the torque between each stiffness and the next"
+            yield Issue("torque_limits", f"a list of {len(limits)}", expected, hint)
         if any(later <= earlier for earlier, later in pairwise(limits)):
-            yield Misfit("torque_limits", str(list(limits)), "limits that rise", "put them in rising order")
+            yield Issue("torque_limits", str(list(limits)), "limits that rise", "put them in rising order")
 
     @property
     def is_rigid(self) -> bool:

@@ -12,7 +12,7 @@ from pydantic import ConfigDict, Field, model_validator
 
 from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
 from tmodes.kinds.schema.frames import DenavitHartenberg, Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import DataSheet, Misfit, any_sign, positive, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, positive, refuse
 
 __all__ = ["JointSheet", "JointState", "JointType", "Limits", "MeasuredFrom"]
 
@@ -58,7 +58,7 @@ class Limits(DataSheet):
     def _in_order(self) -> Self:
         if self.lower is not None and self.upper is not None and self.lower > self.upper:
             expected = f"at most `upper`, {self.upper!r}"
-            refuse([Misfit("lower", repr(self.lower), expected, "exchange the two, or correct one")])
+            refuse([Issue("lower", repr(self.lower), expected, "exchange the two, or correct one")])
         return self
 
 
@@ -88,40 +88,40 @@ class JointSheet(DataSheet):
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        refuse([*self._axis_misfits(), *self._place_misfits(), *self._drive_misfits()])
+        refuse([*self._axis_issues(), *self._place_issues(), *self._drive_issues()])
         return self
 
-    def _axis_misfits(self) -> Iterator[Misfit]:
+    def _axis_issues(self) -> Iterator[Issue]:
         if self.type is JointType.FIXED or self.dh is not None:
             if self.axis is not None:
                 why = "a fixed joint" if self.type is JointType.FIXED else "a joint with `dh`, which moves along its z"
-                yield Misfit("axis", f"an axis of {why}", "no axis", "remove the line `axis: ...`")
+                yield Issue("axis", f"an axis of {why}", "no axis", "remove the line `axis: ...`")
         elif self.axis is None:
-            yield Misfit("axis", "nothing", f"the axis of a {self.type} joint", "add the line `axis: [0, 0, 1]`")
+            yield Issue("axis", "nothing", f"the axis of a {self.type} joint", "add the line `axis: [0, 0, 1]`")
         elif (length := math.hypot(*self.axis)) < SHORTEST_AXIS:
             got = f"an axis of {f'length {length:g}' if length else 'zeros'}, which has no direction"
-            yield Misfit("axis", got, f"a direction, of length {SHORTEST_AXIS:g} or more", "write [0, 0, 1] for z")
+            yield Issue("axis", got, f"a direction, of length {SHORTEST_AXIS:g} or more", "write [0, 0, 1] for z")
 
-    def _place_misfits(self) -> Iterator[Misfit]:
+    def _place_issues(self) -> Iterator[Issue]:
         if self.dh is not None and self.origin is not None:
-            yield Misfit("origin", "an origin beside `dh`", "one of the two", "remove `origin` or `dh`")
+            yield Issue("origin", "an origin beside `dh`", "one of the two", "remove `origin` or `dh`")
         if self.parent == self.child:
             got = f"`{self.child}`, the link that it carries"
-            yield Misfit("parent", got, "another link", "name the link that holds the joint")
+            yield Issue("parent", got, "another link", "name the link that holds the joint")
 
-    def _drive_misfits(self) -> Iterator[Misfit]:
+    def _drive_issues(self) -> Iterator[Issue]:
         active = self.state is JointState.ACTIVE
         if self.type is JointType.FIXED:
             for name in ("motor", "gear", "friction", "limits"):
                 if getattr(self, name) is not None:
-                    mend = f"remove `{name}`, or make the joint revolute or prismatic"
-                    yield Misfit(name, f"a {name} on a fixed joint", "nothing: it does not move", mend)
+                    hint = f"remove `{name}`, or make the joint revolute or prismatic"
+                    yield Issue(name, f"a {name} on a fixed joint", "nothing: it does not move", hint)
         elif active and self.is_elastic and self.motor is None:
-            mend = "add `motor`, write `state: locked`, or remove the gear"
-            yield Misfit("motor", "nothing", "a motor, because the joint has an elastic gear", mend)
+            hint = "add `motor`, write `state: locked`, or remove the gear"
+            yield Issue("motor", "nothing", "a motor, because the joint has an elastic gear", hint)
         if active and self.locked_at:
-            mend = "write `state: locked`, or give the position under `initial`"
-            yield Misfit("locked_at", repr(self.locked_at), "0 for an active joint", mend)
+            hint = "write `state: locked`, or give the position under `initial`"
+            yield Issue("locked_at", repr(self.locked_at), "0 for an active joint", hint)
 
     @property
     def is_elastic(self) -> bool:

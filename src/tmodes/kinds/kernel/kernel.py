@@ -6,8 +6,6 @@ from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
-import casadi as ca
-
 __all__ = ["Kernel"]
 
 
@@ -25,12 +23,3 @@ class Kernel:
     build: Callable[..., Sequence[list[Any]]]
     long: bool = False
     plain: bool = False
-
-    def function(self) -> ca.Function:
-        """The kernel as a CasADi function; common subexpressions are found."""
-        symbols = [ca.SX.sym(f"i{k}", size) for k, size in enumerate(self.inputs)]
-        results = [ca.vertcat(*map(ca.SX, entries)) for entries in self.build(*symbols)]
-        for size, result in zip(self.outputs, results, strict=True):
-            assert result.numel() == size, f"{self.key}: {result.numel()} numbers where {size} are told"  # noqa: S101
-        dense = [ca.densify(result) for result in results]
-        return ca.Function("kernel", symbols, dense, {"cse": True})

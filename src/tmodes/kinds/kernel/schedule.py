@@ -118,9 +118,9 @@ class Schedule:
     def key(self) -> str:
         """All of the structure of a finished schedule, as a digest: same key, same code."""
         kinds: dict[tuple[str, tuple[int, ...], tuple[int, ...]], int] = {}
-        told: list[int] = []
+        info: list[int] = []
         for kernel, inputs, outputs in self.calls:
-            told.append(kinds.setdefault((kernel.key, kernel.inputs, kernel.outputs), len(kinds)))
-            told += [slot.start if slot.region == "changing" else -1 - slot.start for slot in (*inputs, *outputs)]
+            info.append(kinds.setdefault((kernel.key, kernel.inputs, kernel.outputs), len(kinds)))
+            info += [slot.start if slot.region == "changing" else -1 - slot.start for slot in (*inputs, *outputs)]
         head = [self.parameters, self.changing, self.gate, self.zeros, self.often, self.inputs, self.outputs, [*kinds]]
-        return hashlib.sha256(repr(head).encode() + np.array(told, dtype="<i8").tobytes()).hexdigest()
+        return hashlib.sha256(repr(head).encode() + np.array(info, dtype="<i8").tobytes()).hexdigest()

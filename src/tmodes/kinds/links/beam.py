@@ -14,7 +14,7 @@ from tmodes.kinds.links.beam_pieces import Piece, tapered_pieces, uniform_piece
 from tmodes.kinds.links.material import Material, find_material
 from tmodes.kinds.links.section import GivenSection, Section
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import DataSheet, Misfit, dissipation, positive, quantity, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, dissipation, positive, quantity, refuse
 
 __all__ = ["MOST_FUNCTIONS", "MOST_SEGMENTS", "Basis", "BeamModel", "BeamSheet", "Functions", "RotaryInertia"]
 
@@ -95,112 +95,112 @@ class BeamSheet(DataSheet):
         if isinstance(value, int) and not isinstance(value, bool):
             return {"bend_y": value, "bend_z": value}
         if isinstance(value, float):
-            mend = "write `functions: 3`, or a group with twist, bend_y, bend_z and stretch"
-            refuse([Misfit("", f"{value:g}", "a whole number, that of both bending directions, or a group", mend)])
+            hint = "write `functions: 3`, or a group with twist, bend_y, bend_z and stretch"
+            refuse([Issue("", f"{value:g}", "a whole number, that of both bending directions, or a group", hint)])
         return value
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        refuse(list(self._model_misfits()))
-        refuse(list(self._section_misfits()))
-        refuse([*self._order_misfits(), *self._stiffness_misfits()])
+        refuse(list(self._model_issues()))
+        refuse(list(self._section_issues()))
+        refuse([*self._order_issues(), *self._stiffness_issues()])
         return self
 
-    def _model_misfits(self) -> Iterator[Misfit]:
+    def _model_issues(self) -> Iterator[Issue]:
         needs = {BeamModel.STRAIN: "functions", BeamModel.SEGMENTS: "segments"}
         if (key := needs.get(self.model)) and getattr(self, key) is None:
-            yield Misfit(key, "nothing", f"the number of {key} of the model `{self.model}`", f"add `{key}: 3`")
+            yield Issue(key, "nothing", f"the number of {key} of the model `{self.model}`", f"add `{key}: 3`")
         if self.damping_time is None and self.model is not BeamModel.RIGID:
-            mend = "add `damping_time: ...`, 0 for no damping"
-            yield Misfit("damping_time", "nothing", "a time [s], because the beam bends", mend)
+            hint = "add `damping_time: ...`, 0 for no damping"
+            yield Issue("damping_time", "nothing", "a time [s], because the beam bends", hint)
         if self.model is BeamModel.SEGMENTS and any(self.rest_curvature):
-            mend = "take the model `strain`, or leave the curvature out"
-            yield Misfit("rest_curvature", "a curvature", "no curvature at rest for straight segments", mend)
+            hint = "take the model `strain`, or leave the curvature out"
+            yield Issue("rest_curvature", "a curvature", "no curvature at rest for straight segments", hint)
         most = max((self.functions or Functions()).model_dump().values()) + 2
         if self.model is BeamModel.STRAIN and len(self.pieces) * most > MOST_SECTIONS:
             got = f"{len(self.pieces)} pieces with {most - 2} functions, {len(self.pieces) * most} points"
-            mend = "join pieces that are nearly alike, take a taper, or fewer functions"
-            yield Misfit("pieces", got, f"at most {MOST_SECTIONS} points along a link", mend)
+            hint = "join pieces that are nearly alike, take a taper, or fewer functions"
+            yield Issue("pieces", got, f"at most {MOST_SECTIONS} points along a link", hint)
 
-    def _section_misfits(self) -> Iterator[Misfit]:
+    def _section_issues(self) -> Iterator[Issue]:
         if (self.section is None) == (not self.pieces):
             got = "nothing" if self.section is None else "a section beside `pieces`"
-            yield Misfit("section", got, "one of `section` and `pieces`", "write the section, or a list of pieces")
+            yield Issue("section", got, "one of `section` and `pieces`", "write the section, or a list of pieces")
         if self.taper is not None and self.section is None:
-            yield Misfit("taper", "a taper without `section`", "a section at the root", "add `section`")
+            yield Issue("taper", "a taper without `section`", "a section at the root", "add `section`")
         if isinstance(self.section, GivenSection) and self.material is not None:
-            mend = "remove `material`, or draw the section"
-            yield Misfit("material", "a material beside given stiffnesses", "one of the two", mend)
-        yield from self._material_misfits("section", self.section, None)
+            hint = "remove `material`, or draw the section"
+            yield Issue("material", "a material beside given stiffnesses", "one of the two", hint)
+        yield from self._material_issues("section", self.section, None)
         for index, piece in enumerate(self.pieces):
-            yield from self._material_misfits(f"pieces.{index}.section", piece.section, piece.material)
+            yield from self._material_issues(f"pieces.{index}.section", piece.section, piece.material)
         if self.taper is not None and self.section is not None:
-            yield from self._taper_misfits(self.section, self.taper.section)
+            yield from self._taper_issues(self.section, self.taper.section)
 
-    def _material_misfits(self, path: str, section: Section | None, own: str | Material | None) -> Iterator[Misfit]:
+    def _material_issues(self, path: str, section: Section | None, own: str | Material | None) -> Iterator[Issue]:
         material = own if own is not None else self.material
         prefix = path.removesuffix("section") if own is not None else ""
         if isinstance(material, str):
             try:
                 find_material(material)
             except InputError as error:
-                yield Misfit(f"{prefix}material", error.got, error.expected, error.mend)
+                yield Issue(f"{prefix}material", error.got, error.expected, error.hint)
         if isinstance(section, GivenSection) and own is not None:
-            mend = "remove `material`, or draw the section"
-            yield Misfit(f"{prefix}material", "a material beside given stiffnesses", "one of the two", mend)
+            hint = "remove `material`, or draw the section"
+            yield Issue(f"{prefix}material", "a material beside given stiffnesses", "one of the two", hint)
         elif section is not None and not isinstance(section, GivenSection) and material is None:
-            mend = "add `material: steel`, or its young, shear and density"
-            yield Misfit("material", "nothing", f"the material of `{path}`", mend)
+            hint = "add `material: steel`, or its young, shear and density"
+            yield Issue("material", "nothing", f"the material of `{path}`", hint)
 
-    def _taper_misfits(self, root: Section, tip: Section) -> Iterator[Misfit]:
+    def _taper_issues(self, root: Section, tip: Section) -> Iterator[Issue]:
         if isinstance(root, GivenSection) and isinstance(tip, GivenSection):
             pairs = ("torsional_stiffness", "axial_stiffness")
             ends = [(*zip(root.bending_stiffness, tip.bending_stiffness, strict=True),)]
             values = [*ends[0], *((getattr(root, name), getattr(tip, name)) for name in pairs)]
             if any(math.isinf(first) != math.isinf(last) for first, last in values):
                 got = "a stiffness that is infinite at one end"
-                yield Misfit("taper", got, "finite or infinite at both ends", "write pieces instead")
+                yield Issue("taper", got, "finite or infinite at both ends", "write pieces instead")
             return
         if (
             type(root) is not type(tip)
             or root.model_dump(exclude_none=True).keys() != tip.model_dump(exclude_none=True).keys()
         ):
-            mend = "draw both ends in the same shape, or write the beam as pieces"
-            yield Misfit("taper", "another shape at the tip", f"the shape of the root, {root.shape}", mend)
+            hint = "draw both ends in the same shape, or write the beam as pieces"
+            yield Issue("taper", "another shape at the tip", f"the shape of the root, {root.shape}", hint)
 
-    def _order_misfits(self) -> Iterator[Misfit]:
+    def _order_issues(self) -> Iterator[Issue]:
         ends = [piece.end for piece in self.pieces]
         for index, (earlier, later) in enumerate(zip([0.0, *ends], ends, strict=False)):
             if later <= earlier:
-                yield Misfit(
+                yield Issue(
                     f"pieces.{index}.end", repr(later), f"more than {earlier!r} [m]", "order them from root to tip"
                 )
         if ends and not math.isclose(ends[-1], self.length, rel_tol=1e-9):
-            which, mend = f"pieces.{len(ends) - 1}.end", "end the last piece at the beam's length"
-            yield Misfit(which, repr(ends[-1]), f"the length {self.length!r} [m]", mend)
+            which, hint = f"pieces.{len(ends) - 1}.end", "end the last piece at the beam's length"
+            yield Issue(which, repr(ends[-1]), f"the length {self.length!r} [m]", hint)
 
-    def _stiffness_misfits(self) -> Iterator[Misfit]:
+    def _stiffness_issues(self) -> Iterator[Issue]:
         if self.model is not BeamModel.STRAIN or self.functions is None:
             return
         ends = [numbers for piece in self.section_pieces() for numbers in (piece.start, piece.stop)]
         for name in ("bend_y", "bend_z"):
             rigid = {math.isinf(getattr(numbers, name)) for numbers in ends}
             if getattr(self.functions, name) and len(rigid) == 2:
-                mend = "give every piece a finite stiffness, or make the rigid part a link of its own"
-                yield Misfit("pieces", f"{name} rigid in some pieces only", "finite, or rigid, in all pieces", mend)
+                hint = "give every piece a finite stiffness, or make the rigid part a link of its own"
+                yield Issue("pieces", f"{name} rigid in some pieces only", "finite, or rigid, in all pieces", hint)
         for name, stiffness in (("twist", "torsion"), ("stretch", "axial")):
             if getattr(self.functions, name) and any(math.isinf(getattr(numbers, stiffness)) for numbers in ends):
-                told = "torsional_stiffness" if name == "twist" else "axial_stiffness"
-                got, mend = f"{getattr(self.functions, name)} with infinite {told}", f"write 0, or give `{told}`"
-                yield Misfit(f"functions.{name}", got, f"0 where {told} is infinite", mend)
-        yield from self._twist_misfits(any(numbers.inertia_x <= 0 for numbers in ends))
+                info = "torsional_stiffness" if name == "twist" else "axial_stiffness"
+                got, hint = f"{getattr(self.functions, name)} with infinite {info}", f"write 0, or give `{info}`"
+                yield Issue(f"functions.{name}", got, f"0 where {info} is infinite", hint)
+        yield from self._twist_issues(any(numbers.inertia_x <= 0 for numbers in ends))
 
-    def _twist_misfits(self, massless: bool) -> Iterator[Misfit]:
+    def _twist_issues(self, massless: bool) -> Iterator[Issue]:
         if self.functions and self.functions.twist and (massless or self.rotary_inertia is RotaryInertia.NONE):
             none = self.rotary_inertia is RotaryInertia.NONE
-            mend = "write `rotary_inertia: twist`" if none else "give `polar_inertia_per_length`"
+            hint = "write `rotary_inertia: twist`" if none else "give `polar_inertia_per_length`"
             got = f"{self.functions.twist} without rotary inertia"
-            yield Misfit("functions.twist", got, "0, or an inertia that resists the twist", mend)
+            yield Issue("functions.twist", got, "0, or an inertia that resists the twist", hint)
 
     def section_pieces(self) -> list[Piece]:
         """Its sections from root to tip, as pieces over the share of its length."""

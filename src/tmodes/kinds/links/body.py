@@ -11,7 +11,7 @@ from pydantic import Field, model_validator
 
 from tmodes.kinds.schema.axes import rpy_matrix
 from tmodes.kinds.schema.frames import TURN, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import DataSheet, Misfit, any_sign, not_negative, positive, quantity, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative, positive, quantity, refuse
 
 __all__ = ["BodySheet", "Inertia", "entries", "principal_moments"]
 
@@ -55,19 +55,19 @@ class Inertia(DataSheet):
 
     @model_validator(mode="after")
     def _some_mass_has_it(self) -> Self:
-        refuse(list(self._misfits()))
+        refuse(list(self._issues()))
         return self
 
-    def _misfits(self) -> Iterator[Misfit]:
+    def _issues(self) -> Iterator[Issue]:
         moments, broken = principal_moments(self.matrix())
-        told = "an inertia with the principal moments " + ", ".join(f"{moment:.6g}" for moment in moments)
-        mend = "check signs, units, and that it is about the center of mass"
+        info = "an inertia with the principal moments " + ", ".join(f"{moment:.6g}" for moment in moments)
+        hint = "check signs, units, and that it is about the center of mass"
         if broken == "sign":
-            yield Misfit("", told, "principal moments that are not negative", mend)
+            yield Issue("", info, "principal moments that are not negative", hint)
         elif broken == "triangle":
             others = moments[0] + moments[1]
             rule = f"the largest at most the sum of the others, {others:.6g} (triangle inequality)"
-            yield Misfit("", told, rule, mend)
+            yield Issue("", info, rule, hint)
 
     def matrix(self) -> NDArray[np.float64]:
         """The inertia as a matrix (3, 3) [kg*m^2]."""

@@ -69,5 +69,5 @@ def find_material(name: str) -> Material:
     if name in LIBRARY:
         return LIBRARY[name]
     close = get_close_matches(str(name).lower(), LIBRARY, n=1)
-    mend = f"did you mean `{close[0]}`?" if close else "write its young, shear and density"
-    raise InputError("material", repr(name)[:60], f"one of {', '.join(LIBRARY)}", mend)
+    hint = f"did you mean `{close[0]}`?" if close else "write its young, shear and density"
+    raise InputError("material", repr(name)[:60], f"one of {', '.join(LIBRARY)}", hint)

@@ -59,8 +59,8 @@ def between(root: Section, tip: Section, share: float) -> Section:
     first, last = root.model_dump(exclude_none=True), tip.model_dump(exclude_none=True)
     if type(root) is not type(tip) or first.keys() != last.keys():
         ends = [f"{end.shape} ({', '.join(names)})" for end, names in ((root, first), (tip, last))]
-        mend = "draw both ends in the same shape, or write the beam as pieces"
-        raise InputError("taper", f"{ends[1]} at the tip of {ends[0]}", "the same shape at both ends", mend)
+        hint = "draw both ends in the same shape, or write the beam as pieces"
+        raise InputError("taper", f"{ends[1]} at the tip of {ends[0]}", "the same shape at both ends", hint)
     return type(root)(**{name: _mixed(first[name], last[name], share) for name in first})
 
 
@@ -70,6 +70,6 @@ def _mixed(first: Any, last: Any, share: float) -> Any:
     if isinstance(first, tuple):
         return tuple(_mixed(*both, share) for both in zip(first, last, strict=True))
     if math.isinf(first) or math.isinf(last):
-        got, mend = f"a stiffness from {first:g} to {last:g}", "make both ends elastic or both .inf, or write pieces"
-        raise InputError("taper", got, "both ends elastic, or both rigid", mend)
+        got, hint = f"a stiffness from {first:g} to {last:g}", "make both ends elastic or both .inf, or write pieces"
+        raise InputError("taper", got, "both ends elastic, or both rigid", hint)
     return first + share * (last - first)

@@ -9,7 +9,7 @@ from pydantic import Field, field_validator, model_validator
 
 from tmodes.kinds.links.material import Material
 from tmodes.kinds.links.section_numbers import SectionNumbers
-from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Misfit, not_negative, positive, refuse
+from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive, refuse
 
 __all__ = ["GivenSection"]
 
@@ -50,7 +50,7 @@ class GivenSection(DataSheet):
     def _in_range_of_stiffness(self) -> GivenSection:
         refuse(
             [
-                Misfit(
+                Issue(
                     "bending_stiffness",
                     f"{value:g}",
                     f"a magnitude from {SMALLEST:g} to {LARGEST:g} [N*m^2], or .inf for rigid",

@@ -12,7 +12,7 @@ from pydantic import Field, model_validator
 from tmodes.kinds.links.material import Material
 from tmodes.kinds.links.section_numbers import Geometry, SectionNumbers
 from tmodes.kinds.links.section_torsion import i_beam_torsion, rectangle_torsion, thin_box_torsion
-from tmodes.kinds.schema.quantity import DataSheet, Misfit, positive, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, positive, refuse
 
 __all__ = ["Box", "DrawnSection", "IBeam", "Round", "Tube"]
 
@@ -32,13 +32,13 @@ class DrawnSection(DataSheet, ABC):
         """Stiffness, mass and inertia per length in this material."""
         return self.geometry().made_of(material)
 
-    def _misfits(self) -> Iterator[Misfit]:
+    def _issues(self) -> Iterator[Issue]:
         """Dimensions that do not fit together."""
         yield from ()
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        refuse(list(self._misfits()))
+        refuse(list(self._issues()))
         return self
 
 
@@ -68,12 +68,10 @@ class Tube(DrawnSection):
         moment = area * (middle**2 + self.thickness**2 / 4) / 2
         return Geometry(area, moment, moment, 2 * moment, radius, radius)
 
-    def _misfits(self) -> Iterator[Misfit]:
+    def _issues(self) -> Iterator[Issue]:
         if self.thickness >= self.outer_diameter / 2:
             most = f"less than half the outer_diameter, {self.outer_diameter / 2:g} [m]"
-            yield Misfit(
-                "thickness", f"{self.thickness:g}", most, "for a solid bar write shape: round and its diameter"
-            )
+            yield Issue("thickness", f"{self.thickness:g}", most, "for a solid bar write shape: round and its diameter")
 
 
 class Box(DrawnSection):
@@ -98,11 +96,11 @@ class Box(DrawnSection):
             torsion=thin_box_torsion(width, height, wall),
         )
 
-    def _misfits(self) -> Iterator[Misfit]:
+    def _issues(self) -> Iterator[Issue]:
         least = min(self.width, self.height) / 2
         if self.thickness is not None and self.thickness >= least:
             most = f"less than half the smaller side, {least:g} [m]"
-            yield Misfit("thickness", f"{self.thickness:g}", most, "for a solid bar leave the thickness out")
+            yield Issue("thickness", f"{self.thickness:g}", most, "for a solid bar leave the thickness out")
 
 
 class IBeam(DrawnSection):
@@ -126,12 +124,10 @@ class IBeam(DrawnSection):
             outer_z=self.height / 2,
         )
 
-    def _misfits(self) -> Iterator[Misfit]:
+    def _issues(self) -> Iterator[Issue]:
         if self.flange_thickness >= self.height / 2:
             most = f"less than half the height, {self.height / 2:g} [m]"
-            yield Misfit(
-                "flange_thickness", f"{self.flange_thickness:g}", most, "thin the flanges, or raise the height"
-            )
+            yield Issue("flange_thickness", f"{self.flange_thickness:g}", most, "thin the flanges, or raise the height")
         if self.web_thickness >= self.width:
             most = f"less than the width, {self.width:g} [m]"
-            yield Misfit("web_thickness", f"{self.web_thickness:g}", most, "for a rectangle write shape: box")
+            yield Issue("web_thickness", f"{self.web_thickness:g}", most, "for a rectangle write shape: box")

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from pydantic import Field, model_validator
 
 from tmodes.kinds.schema.axes import quaternion_matrix, rotation_about, rpy_matrix
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Misfit, any_sign, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, any_sign, refuse
 
 __all__ = ["TURN", "Convention", "DenavitHartenberg", "Origin", "Quaternion", "Vector", "list_of_numbers"]
 
@@ -49,21 +49,21 @@ class Origin(DataSheet):
 
     @model_validator(mode="after")
     def _one_rotation(self) -> Self:
-        refuse(list(self._misfits()))
+        refuse(list(self._issues()))
         return self
 
-    def _misfits(self) -> Iterator[Misfit]:
+    def _issues(self) -> Iterator[Issue]:
         if self.quaternion is None:
             return
         length = self._quaternion_length
         if self.rpy is not None:
-            yield Misfit("quaternion", "a quaternion beside `rpy`", "one of the two", "remove `quaternion` or `rpy`")
+            yield Issue("quaternion", "a quaternion beside `rpy`", "one of the two", "remove `quaternion` or `rpy`")
         if length == 0.0:
-            mend = "write [0, 0, 0, 1] for no rotation"
-            yield Misfit("quaternion", "a quaternion of zeros, which is no rotation", "x, y, z, w of length 1", mend)
+            hint = "write [0, 0, 0, 1] for no rotation"
+            yield Issue("quaternion", "a quaternion of zeros, which is no rotation", "x, y, z, w of length 1", hint)
         elif abs(length - 1) > NEAR:
-            mend = "divide its numbers by that length, and check that w stands last"
-            yield Misfit("quaternion", f"a quaternion of length {length:.6g}", f"length 1 within {NEAR:g}", mend)
+            hint = "divide its numbers by that length, and check that w stands last"
+            yield Issue("quaternion", f"a quaternion of length {length:.6g}", f"length 1 within {NEAR:g}", hint)
 
     @property
     def _quaternion_length(self) -> float:
@@ -107,9 +107,9 @@ class DenavitHartenberg(DataSheet):
     @model_validator(mode="after")
     def _fits_convention(self) -> Self:
         if self.convention is Convention.PAPER:
-            mend = "write 0, or take the convention `standard` or `modified`"
+            hint = "write 0, or take the convention `standard` or `modified`"
             rows = (("alpha", self.alpha), ("d", self.d))
-            refuse([Misfit(key, repr(value), "0 in the convention `paper`", mend) for key, value in rows if value])
+            refuse([Issue(key, repr(value), "0 in the convention `paper`", hint) for key, value in rows if value])
         return self
 
     def before(self) -> tuple[Array, Array]:

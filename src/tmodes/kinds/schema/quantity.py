@@ -18,14 +18,14 @@ __all__ = [
     "LARGEST",
     "SMALLEST",
     "DataSheet",
-    "Misfit",
+    "Issue",
     "any_sign",
     "dissipation",
     "not_negative",
     "positive",
     "quantity",
     "refuse",
-    "span_told",
+    "span_info",
 ]
 
 LARGEST = 1e12
@@ -35,19 +35,19 @@ SMALLEST = 1e-12
 """The smallest value of a quantity that must be greater than zero [its unit]: below it quotients overflow a double."""
 
 
-class Misfit(NamedTuple):
+class Issue(NamedTuple):
     """A value that is right by itself and wrong beside the others of its group."""
 
     field: str
     got: str
     expected: str
-    mend: str
+    hint: str
 
 
-def refuse(misfits: Sequence[Misfit]) -> None:
+def refuse(issues: Sequence[Issue]) -> None:
     """Raise what a data sheet's validator must raise when values do not fit together; nothing when all fit."""
-    if misfits:
-        raise PydanticCustomError("misfits", "values that do not fit together", {"misfits": list(misfits)})
+    if issues:
+        raise PydanticCustomError("issues", "values that do not fit together", {"issues": list(issues)})
 
 
 class DataSheet(BaseModel):
@@ -126,7 +126,7 @@ def any_sign(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
     return quantity(unit, symbol, meaning, **more)
 
 
-def span_told(extra: Mapping[str, Any], largest: float | None, *, whole: bool) -> str:
+def span_info(extra: Mapping[str, Any], largest: float | None, *, whole: bool) -> str:
     """The least and the largest value of a quantity whose messages tell both, such as `` from 1e-13 to 0.01``."""
     least = max(1.0, extra["smallest"]) if whole else extra["smallest"]
     return f" from {least:g} to {LARGEST if largest is None else largest:g}"

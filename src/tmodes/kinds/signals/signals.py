@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, Self
 import numpy as np
 from pydantic import Field, model_validator
 
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Misfit, any_sign, not_negative, positive, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, any_sign, not_negative, positive, refuse
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.kinds.signals.signals_expression import FormulaError, parse_formula
 from tmodes.kinds.signals.signals_fit import fitted, fitted_sine
@@ -153,26 +153,26 @@ class Table(DataSheet):
 
     @model_validator(mode="after")
     def _rows(self) -> Self:
-        refuse(list(self._misfits()))
+        refuse(list(self._issues()))
         return self
 
-    def _misfits(self) -> Iterator[Misfit]:
+    def _issues(self) -> Iterator[Issue]:
         if len(self.times) != len(self.values):
             expected = f"{len(self.times)} values, one for each time"
-            yield Misfit("values", f"a list of {len(self.values)}", expected, "write one value for each time")
+            yield Issue("values", f"a list of {len(self.values)}", expected, "write one value for each time")
         if self.times[0] < 0:
-            yield Misfit("times", repr(self.times[0]), "times from 0 on", "a run starts at time 0")
+            yield Issue("times", repr(self.times[0]), "times from 0 on", "a run starts at time 0")
         jumps = self.interpolation is Interpolation.LINEAR
         for index, (earlier, later) in enumerate(zip(self.times, self.times[1:], strict=False)):
             twice = jumps and later == earlier and self.times[index - 1 : index] != (earlier,)
             if later <= earlier and not twice:
                 got = f"{later!r} s after {earlier!r} s"
-                mend = "order the rows by time" + ("" if jumps else "; a jump needs `interpolation: linear`")
-                yield Misfit(f"times.{index + 1}", got, "times that rise", mend)
+                hint = "order the rows by time" + ("" if jumps else "; a jump needs `interpolation: linear`")
+                yield Issue(f"times.{index + 1}", got, "times that rise", hint)
                 return
         if self.times[-1] == self.times[0]:
-            mend = "give the last row a later time; a jump alone is the signal `step`"
-            yield Misfit("times", f"{self.times[0]!r} s in every row", "a last time after the first", mend)
+            hint = "give the last row a later time; a jump alone is the signal `step`"
+            yield Issue("times", f"{self.times[0]!r} s in every row", "a last time after the first", hint)
 
     def schedule(self, until: float) -> Schedule:
         """A piece between each two rows, and the first and last value held, up to ``until`` [s]."""
@@ -200,7 +200,7 @@ class Expression(DataSheet):
         try:
             parse_formula(self.formula)
         except FormulaError as error:
-            refuse([Misfit("formula", error.got, error.expected, error.mend)])
+            refuse([Issue("formula", error.got, error.expected, error.hint)])
         return self
 
     def schedule(self, until: float) -> Schedule:

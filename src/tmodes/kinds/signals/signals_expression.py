@@ -51,7 +51,7 @@ class FormulaError(ValueError):
 
     got: str
     expected: str
-    mend: str
+    hint: str
 
 
 @dataclass(frozen=True)
@@ -73,8 +73,8 @@ def parse_formula(text: str) -> Formula:
         raise FormulaError(f"a formula of {len(text)} characters", f"at most {LONGEST}", "write a table instead")
     if not LETTERS.fullmatch(text):
         letter = next(letter for letter in text if not LETTERS.fullmatch(letter))
-        mend = "write ** for a power" if letter == "^" else "write a decimal point" if letter == "," else "remove it"
-        raise FormulaError(f"the character {letter!a}", "numbers, t, pi, + - * / **, functions", mend)
+        hint = "write ** for a power" if letter == "^" else "write a decimal point" if letter == "," else "remove it"
+        raise FormulaError(f"the character {letter!a}", "numbers, t, pi, + - * / **, functions", hint)
     tree = _tree(text)
     nodes = sum(1 for _ in ast.walk(tree))
     if nodes > MOST_NODES:
@@ -89,8 +89,8 @@ def _tree(text: str) -> ast.expr:
             warnings.simplefilter("ignore")  # the parser's advice on Python code is none on formulas
             return ast.parse(text.strip(), mode="eval").body
     except (SyntaxError, ValueError, MemoryError, RecursionError):
-        mend = "look for a missing parenthesis or operator: 2*t, not 2t"
-        raise FormulaError(f"the text {text[:60]!r}", "a formula of t, such as 0.5*sin(2*pi*t)", mend) from None
+        hint = "look for a missing parenthesis or operator: 2*t, not 2t"
+        raise FormulaError(f"the text {text[:60]!r}", "a formula of t, such as 0.5*sin(2*pi*t)", hint) from None
 
 
 def _check(node: ast.AST, depth: int) -> None:
@@ -102,8 +102,8 @@ def _check(node: ast.AST, depth: int) -> None:
             _check_number(value)
         case ast.Name(id=name):
             if name != "t" and name not in CONSTANTS:
-                mend = f"write {name}(...)" if name in FUNCTIONS else "the time is called t"
-                raise FormulaError(f"the name {name[:40]!r}", f"t or {', '.join(CONSTANTS)}", mend)
+                hint = f"write {name}(...)" if name in FUNCTIONS else "the time is called t"
+                raise FormulaError(f"the name {name[:40]!r}", f"t or {', '.join(CONSTANTS)}", hint)
         case ast.UnaryOp(op=ast.UAdd() | ast.USub(), operand=inner):
             _check(inner, depth + 1)
         case ast.BinOp(left=left, op=op, right=right) if type(op) in _PAIRS:
@@ -131,8 +131,8 @@ def _check_number(value: object) -> None:
 def _check_exponent(node: ast.expr) -> None:
     inner = node.operand if isinstance(node, ast.UnaryOp) else node
     if not isinstance(inner, ast.Constant) or not isinstance(inner.value, (int, float)):
-        mend = "write exp(...) for a power that varies"
-        raise FormulaError(f"the exponent {ast.unparse(node)[:40]!r}", "a number written out", mend)
+        hint = "write exp(...) for a power that varies"
+        raise FormulaError(f"the exponent {ast.unparse(node)[:40]!r}", "a number written out", hint)
     if not abs(inner.value) <= LARGEST_EXPONENT:
         raise FormulaError("an exponent too large", f"an exponent up to {LARGEST_EXPONENT}", "write a smaller one")
 

@@ -122,8 +122,8 @@ def _refuse_jumps(function: Callable[[Array], Array], starts: Array, widths: Arr
     change = np.abs(_finite(function, starts + widths, which) - _finite(function, starts, which))
     if (change > JUMP * scale).any():
         where = starts[int(np.argmax(change))]
-        mend = "write a step, or a table with the same time twice"
-        raise InputError(which, f"a jump at t = {where:.9g} s", "a continuous function of time", mend)
+        hint = "write a step, or a table with the same time twice"
+        raise InputError(which, f"a jump at t = {where:.9g} s", "a continuous function of time", hint)
 
 
 def _finite(function: Callable[[Array], Array], times: Array, which: str) -> Array:

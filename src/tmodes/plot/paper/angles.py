@@ -11,7 +11,7 @@ from tmodes.plot.units import Unit, readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["NAMES", "deformations"]
 
@@ -26,7 +26,7 @@ NAMES = {
 
 
 @house_style()
-def deformations(result: Result, ax: AxesLike = None) -> list[Axes]:
+def deformations(result: PaperResult, ax: AxesLike = None) -> list[Axes]:
     """The bending angles of both modes in both planes and the gear's deflection [rad], real and reference.
 
     ``ax``: five axes, or None.

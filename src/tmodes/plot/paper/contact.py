@@ -14,7 +14,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["contact_force", "no_contact_force"]
 
@@ -28,7 +28,7 @@ def no_contact_force(data: Any) -> str:
 
 
 @house_style()
-def contact_force(result: Result, ax: AxesLike = None) -> list[Axes]:
+def contact_force(result: PaperResult, ax: AxesLike = None) -> list[Axes]:
     """Radial force [N], real and reference, on an axis from zero and in close-up; and the force's components [N].
 
     ``ax``: three axes, or None. Raises :class:`tmodes.errors.InputError` for a run in free space.
@@ -45,7 +45,7 @@ def contact_force(result: Result, ax: AxesLike = None) -> list[Axes]:
         panel.set_ylabel(f"radial force [{unit.name}]")
         time_axis(panel, data["time"].values)
     _from_zero(axes[0])
-    axes[0].text(0.03, 0.5, _told_constant(unit.of(real), unit.name), transform=axes[0].transAxes, fontsize=7.5)
+    axes[0].text(0.03, 0.5, _info_constant(unit.of(real), unit.name), transform=axes[0].transAxes, fontsize=7.5)
     _components(axes[2], data)
     shared_legend(axes[0])
     letter(axes, ("Radial force, from zero", "Radial force, close-up", "Components, by the tip on the environment"))
@@ -58,7 +58,7 @@ def _from_zero(panel: Axes) -> None:
     panel.set_ylim(low - room if low < 0 else 0.0, high + room)
 
 
-def _told_constant(force: Any, unit: str) -> str:
+def _info_constant(force: Any, unit: str) -> str:
     """The true range in words when the force hardly varies, so that no one takes the close-up for a large change."""
     low, high = float(np.min(force)), float(np.max(force))
     largest = max(abs(low), abs(high))

@@ -14,7 +14,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["energies", "energy_panels"]
 
@@ -23,7 +23,7 @@ DECADES = 6
 
 
 @house_style()
-def energies(result: Result, ax: AxesLike = None) -> list[Axes]:
+def energies(result: PaperResult, ax: AxesLike = None) -> list[Axes]:
     """Energy by kind [J], work since the start by kind [J], and the size of the balance's residual [J], log scale.
 
     ``ax``: three axes, or None.

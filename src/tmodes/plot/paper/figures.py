@@ -24,7 +24,7 @@ from tmodes.plot.save import FORMATS, Drawing
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result, RunRecord
+    from tmodes.result.record import PaperResult, RunRecord
 
 __all__ = [
     "FIGURES",
@@ -146,23 +146,23 @@ def as_drawings(figures: Mapping[str, Callable[..., list[Axes]]]) -> dict[str, D
     return {name: Drawing(draw) for name, draw in figures.items()}
 
 
-def all_figures(result: Result) -> dict[str, Callable[..., list[Axes]]]:
+def all_figures(result: PaperResult) -> dict[str, Callable[..., list[Axes]]]:
     """The figures that this result can fill: name -> callable that draws it, ``all_figures(result)["spectrum"]()``."""
     return filled(FIGURES, result)
 
 
-def left_out(result: Result) -> dict[str, str]:
+def left_out(result: PaperResult) -> dict[str, str]:
     """The figures that this result cannot fill: name -> why."""
     return unfilled(FIGURES, result)
 
 
-def drawings(result: Result) -> dict[str, Drawing]:
+def drawings(result: PaperResult) -> dict[str, Drawing]:
     """The figures of :func:`all_figures` as drawings."""
     return as_drawings(all_figures(result))
 
 
 def save_figures(
-    result: Result,
+    result: PaperResult,
     folder: Path | str,
     formats: Sequence[str] = ("svg", "png"),
     progress: Callable[[int, int, str], None] | None = None,

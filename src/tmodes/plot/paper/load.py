@@ -15,7 +15,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["bending_load", "largest_moment"]
 
@@ -46,7 +46,7 @@ def largest_moment(data: Any) -> tuple[float, int, float]:
 
 
 @house_style()
-def bending_load(result: Result, ax: AxesLike = None) -> list[Axes]:
+def bending_load(result: PaperResult, ax: AxesLike = None) -> list[Axes]:
     """Bending moment [N m] and shear force [N] over the length of the arm [m]: the range over the run, and one instant.
 
     The instant is that of the largest moment. ``ax``: four axes (moment horizontal, vertical, shear horizontal,

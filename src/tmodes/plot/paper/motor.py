@@ -11,7 +11,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["drive"]
 
@@ -19,7 +19,7 @@ ROWS = (("voltage", "Voltage", "$u$"), ("current", "Current", "$i$"), ("gear_tor
 
 
 @house_style()
-def drive(result: Result, ax: AxesLike = None) -> list[Axes]:
+def drive(result: PaperResult, ax: AxesLike = None) -> list[Axes]:
     """Motor voltage [V], current [A] and gear torque [N m], the torque beside its reference. ``ax``: three axes."""
     axes = panels(ax, [[name] for name, _, _ in ROWS], 4.8, sharex=ax is None)
     data = result.data

@@ -16,7 +16,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["elastic_line", "instants", "mode_deflection", "round_factor"]
 
@@ -41,7 +41,7 @@ def round_factor(wanted: float) -> float:
 
 
 @house_style()
-def elastic_line(result: Result, ax: AxesLike = None, *, exaggerate: float | None = None) -> list[Axes]:
+def elastic_line(result: PaperResult, ax: AxesLike = None, *, exaggerate: float | None = None) -> list[Axes]:
     """The arm from above (x, y) [m] and from the side (distance from the axis [m], z) at several instants.
 
     From above, what the line deviates from the rigid arm at the same motor angle is drawn ``exaggerate`` times as
@@ -61,13 +61,13 @@ def elastic_line(result: Result, ax: AxesLike = None, *, exaggerate: float | Non
     _draw(axes[1], _side(line) * scale, _side(rigid) * scale, times)
     axes[1].set(xlabel="distance from the axis [m]", ylabel=f"$z$ [{unit.name}]")
     shared_legend(axes[0], place="lower left")
-    told = "to scale" if factor == 1 else f"deviation × {factor:g}"
-    letter(axes, (f"From above, {told}", "From the side, $z$ stretched"))
+    info = "to scale" if factor == 1 else f"deviation × {factor:g}"
+    letter(axes, (f"From above, {info}", "From the side, $z$ stretched"))
     return axes
 
 
 @house_style()
-def mode_deflection(result: Result, ax: AxesLike = None) -> list[Axes]:
+def mode_deflection(result: PaperResult, ax: AxesLike = None) -> list[Axes]:
     """Deflection y(x) [m] of each mode against its root's tangent, in both planes, at several instants.
 
     ``ax``: four axes (mode 1 horizontal, vertical, mode 2 horizontal, vertical), or None.

@@ -12,13 +12,13 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["stationary_oscillatory"]
 
 
 @house_style()
-def stationary_oscillatory(result: Result, ax: AxesLike = None) -> list[Axes]:
+def stationary_oscillatory(result: PaperResult, ax: AxesLike = None) -> list[Axes]:
     """Each elastic angle [rad]: the whole with its stationary part (left), its oscillatory part (right).
 
     The stationary part is what gravity, the gross motion's inertia and contact would hold statically; at rest it is

@@ -11,13 +11,13 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["tip_tracking"]
 
 
 @house_style()
-def tip_tracking(result: Result, ax: AxesLike = None) -> list[Axes]:
+def tip_tracking(result: PaperResult, ax: AxesLike = None) -> list[Axes]:
     """Tip x, y, z [m], real and reference, and the deviation from the reference [m]: total and components.
 
     ``ax``: four axes, or None. Returns the four axes.

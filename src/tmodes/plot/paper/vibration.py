@@ -18,7 +18,7 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import Result
+    from tmodes.result.record import PaperResult
 
 __all__ = ["amplitude_spectrum", "no_spectrum", "spectrum"]
 
@@ -54,7 +54,7 @@ def no_spectrum(data: Any, bounds: tuple[float, float] | None = None) -> str:
 
 @house_style()
 def spectrum(
-    result: Result, ax: AxesLike = None, *, bounds: tuple[float, float] | None = None, highest: float = 60.0
+    result: PaperResult, ax: AxesLike = None, *, bounds: tuple[float, float] | None = None, highest: float = 60.0
 ) -> list[Axes]:
     """Amplitudes of the horizontal bending angles [rad] and of q'' [rad/s^2] over the frequency [Hz], log scale.
 

@@ -1,4 +1,4 @@
-/* tmodes, built from 1c2942977f53b42d; BSD-3-Clause */
+/* tmodes, built from e3f81ba2856d218f; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -44,26 +44,26 @@ var Engine = class _Engine {
   }
   /** Outputs of a function at `count` samples, by name, each [count, size]. */
   sample(name, parameters, inputs, count) {
-    const told = known(this.layout.samples, name, "function");
-    expect(`${name}: parameters`, parameters.length, told.parameters);
-    const out = told.kind === "program" ? this.program(told, parameters, inputs, count) : this.schedule(told, parameters, [inputs], count);
-    return parted(told.outputs, out, count, 1);
+    const info = known(this.layout.samples, name, "function");
+    expect(`${name}: parameters`, parameters.length, info.parameters);
+    const out = info.kind === "program" ? this.program(info, parameters, inputs, count) : this.schedule(info, parameters, [inputs], count);
+    return parted(info.outputs, out, count, 1);
   }
   /**
    * The same with exact derivatives along `directions` of the inputs (zero where none is given): of a function that has
    * them, whose layout's kind is `slopes`.
    */
   slopes(name, parameters, inputs, directions, count) {
-    const told = known(this.layout.samples, name, "function");
-    if (told.kind !== "slopes")
+    const info = known(this.layout.samples, name, "function");
+    if (info.kind !== "slopes")
       throw new EngineError(`${name}: got a function without derivatives; expected one with them`);
-    expect(`${name}: parameters`, parameters.length, told.parameters);
+    expect(`${name}: parameters`, parameters.length, info.parameters);
     const zero = Object.fromEntries(
-      Object.entries(told.inputs).map(([label, size2]) => [label, new Float64Array(size2)])
+      Object.entries(info.inputs).map(([label, size2]) => [label, new Float64Array(size2)])
     );
-    const out = this.schedule(told, parameters, [inputs, { ...zero, ...directions }], count);
-    const size = total(told.outputs);
-    return { values: parted(told.outputs, out, count, 2), slopes: parted(told.outputs, out.subarray(size), count, 2) };
+    const out = this.schedule(info, parameters, [inputs, { ...zero, ...directions }], count);
+    const size = total(info.outputs);
+    return { values: parted(info.outputs, out, count, 2), slopes: parted(info.outputs, out.subarray(size), count, 2) };
   }
   /** Call a function on arrays of doubles, whole numbers, and arrays that it writes. */
   call(name, values) {
@@ -88,17 +88,17 @@ var Engine = class _Engine {
       value.into.set(whole.subarray(start + from, start + to), from);
     });
   }
-  program(told, parameters, inputs, count) {
-    const rows = Object.entries(told.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
-    const out = this.room(count * total(told.outputs));
-    this.call(told.export, [count, parameters, ...rows, { into: out }]);
+  program(info, parameters, inputs, count) {
+    const rows = Object.entries(info.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
+    const out = this.room(count * total(info.outputs));
+    this.call(info.export, [count, parameters, ...rows, { into: out }]);
     return out;
   }
-  schedule(told, parameters, sides, count) {
-    const packed = packedRows(told.inputs, sides, count);
-    const out = this.room(count * sides.length * total(told.outputs));
-    const workspace = new Float64Array(told.workspace);
-    this.call(told.export, [count, 0, parameters, workspace, packed, { into: out }]);
+  schedule(info, parameters, sides, count) {
+    const packed = packedRows(info.inputs, sides, count);
+    const out = this.room(count * sides.length * total(info.outputs));
+    const workspace = new Float64Array(info.workspace);
+    this.call(info.export, [count, 0, parameters, workspace, packed, { into: out }]);
     return out;
   }
   /** Room for outputs until the next call: a page that runs again and again asks for no new memory each time. */
@@ -221,17 +221,17 @@ var EngineRun = class {
   constructor(engine, spec) {
     this.engine = engine;
     this.spec = spec;
-    const told = known(engine.layout.loops, spec.loop, "loop");
-    expect(`${spec.loop}: parameters`, spec.parameters.length, told.parameters);
-    expect(`${spec.loop}: state`, spec.state.length, told.size);
-    expect(`${spec.loop}: rows`, spec.rows.length, (spec.knots.length - 1) * told.row);
-    this.method = told.method;
+    const info = known(engine.layout.loops, spec.loop, "loop");
+    expect(`${spec.loop}: parameters`, spec.parameters.length, info.parameters);
+    expect(`${spec.loop}: state`, spec.state.length, info.size);
+    expect(`${spec.loop}: rows`, spec.rows.length, (spec.knots.length - 1) * info.row);
+    this.method = info.method;
     this.memory = new Float64Array(engine.layout.cells.length);
     this.state = spec.state.slice();
-    this.slope = new Float64Array(told.size);
-    this.sums = new Float64Array(told.size);
-    this.states = new Float64Array(spec.times.length * told.size);
-    this.sumsAtSamples = new Float64Array(spec.times.length * told.size);
+    this.slope = new Float64Array(info.size);
+    this.sums = new Float64Array(info.size);
+    this.states = new Float64Array(spec.times.length * info.size);
+    this.sumsAtSamples = new Float64Array(spec.times.length * info.size);
     this.states.set(spec.state);
     this.put({ sample: 1, fresh: 1, old_error: 1e-4 });
   }
@@ -325,7 +325,7 @@ var EngineRun = class {
   statistics() {
     const [steps, smallest, t] = [this.cell("steps"), this.cell("smallest"), this.time];
     const mean = steps ? t / steps : null;
-    const told = {
+    const info = {
       steps,
       rejected: this.cell("rejected"),
       evaluations: this.cell("evaluations"),
@@ -333,10 +333,10 @@ var EngineRun = class {
       mean_step_s: mean,
       smallest_step_s: smallest > 0 ? smallest : mean
     };
-    if (FIXED_STEP.includes(this.method)) told.step = this.cell("h");
-    if (this.cell("passes")) told.passes = this.cell("passes");
-    if (this.cell("events")) told.contact_changes = this.cell("events");
-    return told;
+    if (FIXED_STEP.includes(this.method)) info.step = this.cell("h");
+    if (this.cell("passes")) info.passes = this.cell("passes");
+    if (this.cell("events")) info.contact_changes = this.cell("events");
+    return info;
   }
   rates() {
     const { loop, parameters, rows } = this.spec;
@@ -408,43 +408,43 @@ var Model = class _Model {
   }
   /** Run from the described state; a long run lets the page go on meanwhile. */
   async run(run = "real", changes = {}, watch = {}) {
-    const told = known(this.description.runs, run, "run");
+    const info = known(this.description.runs, run, "run");
     const settings = { ...this.description.settings, ...changes.settings };
     if (settings.duration > this.description.settings.duration) {
       throw new EngineError(
         `duration: got ${settings.duration} s; expected at most ${this.description.settings.duration} s, for which there are signals`
       );
     }
-    const { knots, rows } = until(told, settings.duration);
+    const { knots, rows } = until(info, settings.duration);
     return integrate(this.engine, {
       loop: `${run}.${this.description.method}`,
-      parameters: this.numbers(told, changes),
+      parameters: this.numbers(info, changes),
       knots,
       rows,
-      state: Float64Array.from(changes.state ?? told.state),
+      state: Float64Array.from(changes.state ?? info.state),
       times: sampleTimes(settings.duration, changes.outputStep ?? this.description.outputStep),
       settings
     }, watch);
   }
-  /** What is observed of a run at its samples, by name (`model.observed(run)` tells the numbers of each). */
+  /** What is observed of a run at its samples, by name (`model.observed(run)` reports the numbers of each). */
   observe(result, run = "real", changes = {}) {
-    const told = known(this.description.runs, run, "run");
+    const info = known(this.description.runs, run, "run");
     const count = result.times.length;
     const inputs = {
       time: result.times,
       state: result.states,
-      row: rowsAt(told, result.times),
+      row: rowsAt(info, result.times),
       step: new Float64Array(1)
     };
-    return this.engine.sample(`${run}.observe`, this.numbers(told, changes), inputs, count);
+    return this.engine.sample(`${run}.observe`, this.numbers(info, changes), inputs, count);
   }
   /** Names of what is observed, with how many numbers each has. */
   observed(run = "real") {
     return known(this.description.layout.samples, `${run}.observe`, "function").outputs;
   }
-  numbers(told, { parameters = {} }) {
+  numbers(info, { parameters = {} }) {
     if ("length" in parameters) return Float64Array.from(parameters);
-    const values = Float64Array.from(told.parameters);
+    const values = Float64Array.from(info.parameters);
     const names = this.description.layout.parameters ?? [];
     for (const [name, value] of Object.entries(parameters)) {
       const index = names.indexOf(name);
@@ -457,22 +457,22 @@ var Model = class _Model {
     return values;
   }
 };
-function until(told, end) {
-  const pieces = Math.max(1, told.knots.filter((knot, k) => k < told.knots.length - 1 && knot < end).length);
-  const width = told.rows.length / (told.knots.length - 1);
+function until(info, end) {
+  const pieces = Math.max(1, info.knots.filter((knot, k) => k < info.knots.length - 1 && knot < end).length);
+  const width = info.rows.length / (info.knots.length - 1);
   return {
-    knots: Float64Array.from([...told.knots.slice(0, pieces), end]),
-    rows: Float64Array.from(told.rows.slice(0, pieces * width))
+    knots: Float64Array.from([...info.knots.slice(0, pieces), end]),
+    rows: Float64Array.from(info.rows.slice(0, pieces * width))
   };
 }
-function rowsAt(told, times) {
-  const pieces = told.knots.length - 1;
-  const width = told.rows.length / pieces;
+function rowsAt(info, times) {
+  const pieces = info.knots.length - 1;
+  const width = info.rows.length / pieces;
   const rows = new Float64Array(times.length * width);
   let piece = 0;
   times.forEach((time, k) => {
-    while (piece < pieces - 1 && told.knots[piece + 1] <= time) piece += 1;
-    for (let j = 0; j < width; j++) rows[k * width + j] = told.rows[piece * width + j];
+    while (piece < pieces - 1 && info.knots[piece + 1] <= time) piece += 1;
+    for (let j = 0; j < width; j++) rows[k * width + j] = info.rows[piece * width + j];
   });
   return rows;
 }

@@ -10,7 +10,7 @@ from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.simulation.batch.work import LaneNumbers, Work
 from tmodes.simulation.trajectory import NativeRun, Trajectory
 
-__all__ = ["Alone", "lane_run", "told"]
+__all__ = ["Alone", "info", "lane_run"]
 
 
 class Alone:
@@ -38,7 +38,7 @@ class Alone:
 
     def ended(self, seconds: float) -> list[Trajectory]:
         """The run as it stands, after so much time of computing [s]."""
-        return [told(self.run, seconds)]
+        return [info(self.run, seconds)]
 
 
 def lane_run(work: Work, lane: int) -> NativeRun:
@@ -50,7 +50,7 @@ def lane_run(work: Work, lane: int) -> NativeRun:
     )
 
 
-def told(run: NativeRun, seconds: float) -> Trajectory:
+def info(run: NativeRun, seconds: float) -> Trajectory:
     """A run as it ended, or was left; samples that it does not have are no numbers."""
     begun = np.isfinite(run.samples[0]).all()
     run.samples[run.done if begun else 0 :] = np.nan

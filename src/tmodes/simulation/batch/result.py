@@ -53,9 +53,9 @@ class BatchRun:
     def lane(self, index: int) -> Trajectory:
         """One lane as a run by itself."""
         count = int(self.counts[index])
-        told = {name: float(values[index]) for name, values in self.statistics.items()}
+        info = {name: float(values[index]) for name, values in self.statistics.items()}
         states = self.states[index, :count]
-        return Trajectory(self.times[:count], states, self.status[index], self.message[index], told)
+        return Trajectory(self.times[:count], states, self.status[index], self.message[index], info)
 
 
 def not_begun(states: NDArray[np.float64], message: str) -> Trajectory:

@@ -12,7 +12,7 @@ from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_CELLS, LANE_OPT
 from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.integrate.settings import Integration
 from tmodes.simulation import native_run
-from tmodes.simulation.batch.alone import lane_run, told
+from tmodes.simulation.batch.alone import info, lane_run
 from tmodes.simulation.batch.memory import private
 from tmodes.simulation.batch.result import COUNTS
 from tmodes.simulation.batch.work import Work
@@ -127,7 +127,7 @@ class SideBySide:
             if like is not None and finished[place]:
                 runs.append(self._finished(lane, like, {name: values[place] for name, values in counts.items()}))
                 continue
-            runs.append(told(self._run(place, lane), seconds))
+            runs.append(info(self._run(place, lane), seconds))
             like = runs[-1] if finished[place] else like
         return runs
 
@@ -144,9 +144,9 @@ class SideBySide:
 
 def _options(s: Integration) -> dict[str, float]:
     """Those of the native loop, in its order; ``chunk`` is set for each call."""
-    told = {"step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "most": s.max_steps, "chunk": 0}
-    told |= {"bound": BOUND, "most_events": native_run.MOST_EVENTS, "event_time": native_run.EVENT_TIME}
-    return {name: float(told[name]) for name in LANE_OPTIONS}
+    info = {"step": s.step, "rtol": s.relative_tolerance, "atol": s.absolute_tolerance, "most": s.max_steps, "chunk": 0}
+    info |= {"bound": BOUND, "most_events": native_run.MOST_EVENTS, "event_time": native_run.EVENT_TIME}
+    return {name: float(info[name]) for name in LANE_OPTIONS}
 
 
 def _scratch_size(library: Any, method: str) -> int:

@@ -106,5 +106,5 @@ def prepare_loops(model: Batched, method: Method) -> None:
     try:
         loops[method.value]
     except KeyError:
-        expected, mend = f"one of {', '.join(EXPLICIT)}", "this model has no implicit steps: take an explicit method"
-        raise InputError("integration.method", method.value, expected, mend) from None
+        expected, hint = f"one of {', '.join(EXPLICIT)}", "this model has no implicit steps: take an explicit method"
+        raise InputError("integration.method", method.value, expected, hint) from None

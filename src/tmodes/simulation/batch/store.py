@@ -87,7 +87,7 @@ def write_batch(batch: BatchRun, folder: Path) -> None:
         if values is not None:
             with atomic_write(folder / name) as path, path.open("wb") as file:
                 np.save(file, values, allow_pickle=False)
-    told = {
+    info = {
         "format": BATCH_FORMAT,
         "shape": list(batch.states.shape),
         "coordinates": list(batch.coordinates),
@@ -99,7 +99,7 @@ def write_batch(batch: BatchRun, folder: Path) -> None:
         "tips": batch.tips is not None,
     }
     with atomic_write(folder / _TOLD) as path:
-        path.write_text(json.dumps(told, allow_nan=False), encoding="utf-8")
+        path.write_text(json.dumps(info, allow_nan=False), encoding="utf-8")
 
 
 def load_batch(folder: str | os.PathLike[str]) -> BatchRun:
@@ -108,33 +108,33 @@ def load_batch(folder: str | os.PathLike[str]) -> BatchRun:
     Raises :class:`tmodes.errors.ResultFileError` for what is not whole, is foreign, or does not fit together.
     """
     place = Path(folder)
-    mend = "give the folder of a batch that came to its end"
+    hint = "give the folder of a batch that came to its end"
     try:
-        told = json.loads((place / _TOLD).read_text(encoding="utf-8"))
+        info = json.loads((place / _TOLD).read_text(encoding="utf-8"))
         states = np.load(place / _STATES, mmap_mode="r", allow_pickle=False)
         times = np.load(place / _TIMES, allow_pickle=False)
-        if told["format"] != BATCH_FORMAT:
-            raise file_error(place / _TOLD, f"format {told['format']!r}", f"format {BATCH_FORMAT}", "update tmodes")
-        tips = np.load(place / _TIPS, mmap_mode="r", allow_pickle=False) if told["tips"] else None
-        batch = _batch(told, times, states, tips)
+        if info["format"] != BATCH_FORMAT:
+            raise file_error(place / _TOLD, f"format {info['format']!r}", f"format {BATCH_FORMAT}", "update tmodes")
+        tips = np.load(place / _TIPS, mmap_mode="r", allow_pickle=False) if info["tips"] else None
+        batch = _batch(info, times, states, tips)
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
         got = getattr(error, "strerror", None) or str(error)
-        raise file_error(f"folder {place}", f"no whole batch: {got}", "a batch", mend) from error
+        raise file_error(f"folder {place}", f"no whole batch: {got}", "a batch", hint) from error
     return replace(batch, folder=place)
 
 
-def _batch(told: dict[str, Any], times: Array, states: Array, tips: Array | None) -> BatchRun:
-    shape = tuple(told["shape"])
+def _batch(info: dict[str, Any], times: Array, states: Array, tips: Array | None) -> BatchRun:
+    shape = tuple(info["shape"])
     lanes, samples = shape[:2]
     if states.shape != shape or states.dtype != np.float64 or times.shape != (samples,):
         raise ValueError(f"samples of shape {states.shape} at {times.shape} times, where {shape} are told")
     if tips is not None and tips.shape != (lanes, samples, 3):
         raise ValueError(f"tips of shape {tips.shape}, where {(lanes, samples, 3)} are told")
-    statistics = {name: np.array(told["statistics"][name], dtype=np.int64) for name in COUNTS}
-    values = {str(path): np.array(given, dtype=float) for path, given in told["values"].items()}
-    counts = np.array(told["samples"], dtype=np.int64)
-    columns = [told["status"], told["message"], counts, *statistics.values(), *values.values()]
+    statistics = {name: np.array(info["statistics"][name], dtype=np.int64) for name in COUNTS}
+    values = {str(path): np.array(given, dtype=float) for path, given in info["values"].items()}
+    counts = np.array(info["samples"], dtype=np.int64)
+    columns = [info["status"], info["message"], counts, *statistics.values(), *values.values()]
     if any(len(column) != lanes for column in columns):
         raise ValueError(f"columns of {[len(column) for column in columns]} lanes, where {lanes} are told")
-    names, status, message = (tuple(map(str, told[name])) for name in ("coordinates", "status", "message"))
+    names, status, message = (tuple(map(str, info[name])) for name in ("coordinates", "status", "message"))
     return BatchRun(names, times, states, counts, status, message, statistics, values, tips)

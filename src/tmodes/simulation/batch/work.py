@@ -73,18 +73,18 @@ def inputs(
     ``widths``: how many numbers compiled code reads of ``parameters``, ``states`` and a row of ``schedules``. Raises
     :class:`tmodes.errors.InputError` where shapes do not agree.
     """
-    told = (schedules,) if isinstance(schedules, Schedule) else tuple(schedules)
+    info = (schedules,) if isinstance(schedules, Schedule) else tuple(schedules)
     given = {"parameters": _rows(parameters, "parameters"), "states": _rows(states, "states")}
     found = {name: {rows.shape[1]} for name, rows in given.items()}
-    found["schedules"] = {schedule.coefficients.shape[1] + 1 for schedule in told}
+    found["schedules"] = {schedule.coefficients.shape[1] + 1 for schedule in info}
     for name, width in widths.items():
         if found[name] != {width}:
-            got, mend = f"rows of {sorted(found[name])} numbers", f"give the {name} of this model's structure"
-            raise InputError(f"simulate_batch: {name}", got, f"rows of {width} numbers", mend)
-    lanes = _lanes({name: len(rows) for name, rows in given.items()} | {"schedules": len(told)})
+            got, hint = f"rows of {sorted(found[name])} numbers", f"give the {name} of this model's structure"
+            raise InputError(f"simulate_batch: {name}", got, f"rows of {width} numbers", hint)
+    lanes = _lanes({name: len(rows) for name, rows in given.items()} | {"schedules": len(info)})
     full = {name: np.ascontiguousarray(np.broadcast_to(rows, (lanes, rows.shape[1]))) for name, rows in given.items()}
-    ends = {id(schedule): schedule.until(duration) for schedule in told}
-    kept = told[:1] if len(ends) == 1 else told
+    ends = {id(schedule): schedule.until(duration) for schedule in info}
+    kept = info[:1] if len(ends) == 1 else info
     return Inputs(full["parameters"], full["states"], tuple(ends[id(schedule)] for schedule in kept))
 
 
@@ -100,6 +100,6 @@ def _lanes(counts: dict[str, int]) -> int:
 def _rows(values: ArrayLike, name: str) -> Array:
     array = np.atleast_2d(np.asarray(values, dtype=float))
     if array.ndim != 2:
-        expected, mend = "(size,) or (lanes, size)", "give one row for each lane"
-        raise InputError(f"simulate_batch: {name}", f"an array of shape {array.shape}", expected, mend)
+        expected, hint = "(size,) or (lanes, size)", "give one row for each lane"
+        raise InputError(f"simulate_batch: {name}", f"an array of shape {array.shape}", expected, hint)
     return array

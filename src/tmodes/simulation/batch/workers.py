@@ -58,12 +58,12 @@ def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], Non
 
 def _watch(futures: list[Future[list[Trajectory]]], tell: Callable[[], None]) -> None:
     """Wait for one after the other, which costs nothing however many there are; what one raises is raised."""
-    told = clock.monotonic()
+    info = clock.monotonic()
     for future in futures:
         while not future.done():
             wait([future], _PATIENCE)
-            if clock.monotonic() - told >= _PATIENCE:
+            if clock.monotonic() - info >= _PATIENCE:
                 tell()
-                told = clock.monotonic()
+                info = clock.monotonic()
         future.result()
     tell()

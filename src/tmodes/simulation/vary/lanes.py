@@ -13,15 +13,15 @@ from tmodes.analysis.stability import chosen_settings
 from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel
 from tmodes.paper.modes import closed_loop_spectrum as robot_spectrum
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 from tmodes.simulation.batch.simulate import Batched
 from tmodes.simulation.simulate import closed_loop_spectrum
-from tmodes.simulation.start import ArmRegime, arm_regime
+from tmodes.simulation.start import RunSetup, run_setup
 
 __all__ = ["Lane", "changed_sheet", "lane_of"]
 
@@ -44,7 +44,7 @@ class Lane:
     tip: Callable[[Array, Array], Array]
 
 
-def changed_sheet(sheet: Robot | Arm, changes: Mapping[str, Any], lane: int) -> Robot | Arm:
+def changed_sheet(sheet: PaperRobot | Robot, changes: Mapping[str, Any], lane: int) -> PaperRobot | Robot:
     """The checked sheet of a lane as it really is; errors say which lane they are of."""
     try:
         return sheet.with_(changes).pair().real
@@ -55,21 +55,21 @@ def changed_sheet(sheet: Robot | Arm, changes: Mapping[str, Any], lane: int) -> 
 
 
 def _placed(error: InputError, lane: int) -> InputError:
-    return InputError(error.which, error.got, error.expected, error.mend, f"lane {lane} {error.where}".rstrip())
+    return InputError(error.which, error.got, error.expected, error.hint, f"lane {lane} {error.where}".rstrip())
 
 
-def lane_of(real: Robot | Arm) -> Lane:
+def lane_of(real: PaperRobot | Robot) -> Lane:
     """A robot under control, from rest, or an arm as its sheet says, ready to run.
 
     Raises :class:`tmodes.errors.SimulationError` where it cannot start, and :class:`tmodes.errors.InputError` for what
     cannot be run.
     """
-    return _arm_lane(real) if isinstance(real, Arm) else _robot_lane(real)
+    return _arm_lane(real) if isinstance(real, Robot) else _robot_lane(real)
 
 
-def _robot_lane(robot: Robot) -> Lane:
+def _robot_lane(robot: PaperRobot) -> Lane:
     mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, schedule = Model(mechanism), robot.wanted(Drive.CONTROLLED)
+    model, schedule = PaperModel(mechanism), robot.wanted(Drive.CONTROLLED)
     settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
     start = model.rest(robot.reference.start, parameters)
     model.check_mass_matrix(start, parameters)
@@ -81,20 +81,20 @@ def _robot_lane(robot: Robot) -> Lane:
     return Lane((mechanism, settings.method), model, parameters.vector, schedule, start, settings, tip)
 
 
-def _arm_lane(arm: Arm) -> Lane:
-    regime = arm_regime(arm)
+def _arm_lane(arm: Robot) -> Lane:
+    regime = run_setup(arm)
     model, settings = regime.model, chosen_settings(arm.integration, lambda: closed_loop_spectrum(regime))
     key = (model.loop.rate.key, model.coordinates, settings.method)
     schedule = regime.planned.schedule
     return Lane(key, model, model.numbers.vector, schedule, regime.start, settings, _tip_of(regime))
 
 
-def _tip_of(regime: ArmRegime) -> Callable[[Array, Array], Array]:
+def _tip_of(regime: RunSetup) -> Callable[[Array, Array], Array]:
     def tip(times: Array, states: Array) -> Array:
         chain, layout = regime.planned.chain, regime.model.layout
         base = None
         if regime.planned.plan.base:
             base = regime.model.observe(times, states, regime.planned.schedule.rows_at(times))["base"]
-        return ArmModel(chain).points(states[:, layout.q], base=base).position[:, 0]
+        return Model(chain).points(states[:, layout.q], base=base).position[:, 0]
 
     return tip

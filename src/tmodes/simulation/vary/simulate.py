@@ -12,8 +12,8 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import refuse_stops
-from tmodes.paper.sheet import Robot
-from tmodes.sheet import Arm
+from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 from tmodes.simulation.batch.result import BatchRun, gathered, not_begun
 from tmodes.simulation.batch.simulate import prepare_loops
 from tmodes.simulation.batch.store import check_room, load_batch, room_for, write_batch
@@ -30,7 +30,7 @@ Changes = Mapping[str, float | int]
 
 
 def simulate_batch(
-    sheet: Robot | Arm,
+    sheet: PaperRobot | Robot,
     vary: Mapping[str, ArrayLike],
     *,
     tips: bool = False,
@@ -42,7 +42,7 @@ def simulate_batch(
 
     Paths are those of ``with_`` and of ``--set`` (``gear.stiffness``, ``real.gear.stiffness``), but for
     ``integration``, which all share. Each lane is checked like a sheet, becomes the real robot, and runs as
-    :func:`tmodes.paper.simulate.simulate` or :func:`tmodes.simulation.simulate.simulate_arm` runs it, without a
+    :func:`tmodes.paper.simulate.simulate` or :func:`tmodes.simulation.simulate.simulate_motion` runs it, without a
     reference run.
     ``tips``: also where the tip was. ``threads``: None for one on each core. ``out``: a folder for the samples, where
     they are too many for memory. ``progress`` is told the stage and its share.
@@ -71,7 +71,7 @@ class Prepared:
 
 
 def prepared(
-    sheet: Robot | Arm,
+    sheet: PaperRobot | Robot,
     vary: Mapping[str, ArrayLike],
     *,
     out: str | os.PathLike[str] | None = None,
@@ -84,7 +84,7 @@ def prepared(
     return _prepared(sheet, changes, values, None if out is None else Path(out), progress)
 
 
-def prepared_alone(sheet: Robot | Arm, progress: Progress = lambda stage, share: None) -> Prepared:
+def prepared_alone(sheet: PaperRobot | Robot, progress: Progress = lambda stage, share: None) -> Prepared:
     """The sheet as it stands, as a batch of one lane."""
     return _prepared(sheet, [{}], {}, None, progress)
 
@@ -105,17 +105,21 @@ def run_prepared(
 
 
 def _prepared(
-    sheet: Robot | Arm, changes: Sequence[Changes], values: dict[str, Array], folder: Path | None, progress: Progress
+    sheet: PaperRobot | Robot,
+    changes: Sequence[Changes],
+    values: dict[str, Array],
+    folder: Path | None,
+    progress: Progress,
 ) -> Prepared:
     """All lanes; the room is asked for as soon as the size of a state is known."""
     refuse_stops(sheet.integration, "all lanes of a batch run")
     if sheet.integration.energy_stop:
-        mend = "leave it out, or run the lane by itself (tmodes run)"
-        raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", mend)
+        hint = "leave it out, or run the lane by itself (tmodes run)"
+        raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", hint)
     lanes: list[Lane | str] = []
     times, checked = sample_times(sheet.integration), False
-    for index, told in enumerate(changes):
-        lanes.append(_lane(sheet, told, index))
+    for index, info in enumerate(changes):
+        lanes.append(_lane(sheet, info, index))
         width = _common_width(lanes)
         if width and not checked:
             check_room((len(changes), len(times), width), folder)
@@ -137,8 +141,8 @@ def _checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
         except (TypeError, ValueError):
             raise InputError(f"vary: {path}", repr(given)[:60], "numbers", "give one number for each lane") from None
         if path.partition(".")[0] == "integration":
-            mend = "set it in the sheet"
-            raise InputError(f"vary: {path}", "settings that differ", "one integration for all lanes", mend)
+            hint = "set it in the sheet"
+            raise InputError(f"vary: {path}", "settings that differ", "one integration for all lanes", hint)
     lengths = {path: numbers.shape for path, numbers in values.items()}
     first = next(iter(lengths.values()))
     if any(shape != first or len(shape) != 1 or not shape[0] for shape in lengths.values()):
@@ -152,7 +156,7 @@ def _plain(value: np.float64) -> float | int:
     return int(number) if number.is_integer() and abs(number) < 2**53 else number
 
 
-def _lane(sheet: Robot | Arm, changes: Changes, index: int) -> Lane | str:
+def _lane(sheet: PaperRobot | Robot, changes: Changes, index: int) -> Lane | str:
     """A lane, or why it cannot start."""
     real = changed_sheet(sheet, changes, index)
     try:
@@ -167,11 +171,11 @@ def _common_width(lanes: Sequence[Lane | str]) -> int:
     if not ready:
         return 0
     first, last = ready[0], ready[-1]
-    told = [(lane.model.coordinates, len(lane.start)) for _, lane in (first, last)]
-    if told[0] != told[1]:
-        got = f"{told[0][1]} numbers in the state of lane {first[0]}, {told[1][1]} in that of lane {last[0]}"
-        mend = "vary what keeps the coordinates: no rigid beside elastic elements"
-        raise InputError("vary", got, "the same coordinates in all lanes", mend)
+    info = [(lane.model.coordinates, len(lane.start)) for _, lane in (first, last)]
+    if info[0] != info[1]:
+        got = f"{info[0][1]} numbers in the state of lane {first[0]}, {info[1][1]} in that of lane {last[0]}"
+        hint = "vary what keeps the coordinates: no rigid beside elastic elements"
+        raise InputError("vary", got, "the same coordinates in all lanes", hint)
     return len(first[1].start)
 
 
@@ -194,14 +198,14 @@ def _work(lanes: Sequence[Lane | str], members: list[int], times: Array, room: A
     group = [lane for lane in (lanes[index] for index in members) if isinstance(lane, Lane)]
     model, settings = group[0].model, group[0].settings
     prepare_loops(model, settings.method)
-    told = inputs(
+    info = inputs(
         np.stack([lane.parameters for lane in group]),
         [lane.schedule for lane in group],
         np.stack([lane.start for lane in group]),
         settings.duration,
         model.batch_widths,
     )
-    return Work(model, told, settings, times, room, np.array(members))
+    return Work(model, info, settings, times, room, np.array(members))
 
 
 def _tips(batch: BatchRun, lanes: Sequence[Lane | str], progress: Progress) -> Array:

@@ -51,7 +51,7 @@ class Spread:
         """The lane that parts farthest; None where none can be told."""
         return int(np.nanargmax(self.largest)) if np.isfinite(self.largest).any() else None
 
-    def told(self, batch: BatchRun) -> dict[str, Any]:
+    def info(self, batch: BatchRun) -> dict[str, Any]:
         """As plain data: least, median and largest of both, and the worst lane with its numbers; None for nothing."""
         figures = {"tip_difference_m": self.largest, "tip_difference_at_end_m": self.at_end}
         return {

@@ -5,16 +5,16 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
-    from tmodes.paper.sheet import Robot
-    from tmodes.sheet import Arm
+    from tmodes.paper.sheet import PaperRobot
+    from tmodes.sheet import Robot
 
-__all__ = ["doubts_about"]
+__all__ = ["notices_about"]
 
 
-def doubts_about(sheet: Robot | Arm) -> list[str]:
+def notices_about(sheet: PaperRobot | Robot) -> list[str]:
     """Sentences on numbers that look like a wrong unit, and of an arm on what was put right in reading it."""
     from tmodes.io.plausible import implausible
     from tmodes.io.sheet_plausible import arm_notices, implausible_arm
-    from tmodes.sheet import Arm
+    from tmodes.sheet import Robot
 
-    return [*implausible_arm(sheet), *arm_notices(sheet)] if isinstance(sheet, Arm) else implausible(sheet)
+    return [*implausible_arm(sheet), *arm_notices(sheet)] if isinstance(sheet, Robot) else implausible(sheet)

@@ -3,19 +3,17 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import TYPE_CHECKING
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.chain.lowering import lowered
 from tmodes.kinds.schema.axes import cross_matrix, rotation_about
-from tmodes.kinds.schema.quantity import Misfit
+from tmodes.kinds.schema.quantity import Issue
+from tmodes.sheet import Robot
 
-if TYPE_CHECKING:
-    from tmodes.sheet import Arm
-
-__all__ = ["massless_misfits"]
+__all__ = ["massless_issues"]
 
 Array = NDArray[np.float64]
 
@@ -23,29 +21,27 @@ NEGLIGIBLE = 1e-13
 """Inertia about an axis over that about the others below which there is none [-]: round-off of a mass on the axis."""
 
 
-def massless_misfits(arm: Arm) -> Iterator[Misfit]:
+def massless_issues(arm: Robot) -> Iterator[Issue]:
     """Joints that move nothing, each with the link that has no mass.
 
     The arm is taken as rigid in a general position, so that a mass lies on an axis only where it always does.
     """
-    from tmodes.chain.lowering import lowered
-
     chain = lowered(arm)
     yield from _same_names(chain)
     sheets = {joint.name: index for index, joint in enumerate(arm.joints)}
     for node, moved in zip(chain.nodes, _carried(chain), strict=True):
         if got := _nothing_moved(node.joint, moved):
             link = arm.joints[sheets[node.joint.name]].child
-            mend = f"give `{link}`, or a link that it carries, a body with mass and inertia; or fix the joint"
+            hint = f"give `{link}`, or a link that it carries, a body with mass and inertia; or fix the joint"
             expected = "mass beyond a joint that moves"
-            yield Misfit(f"joints.{sheets[node.joint.name]}", f"`{link}`, a link that {got}", expected, mend)
+            yield Issue(f"joints.{sheets[node.joint.name]}", f"`{link}`, a link that {got}", expected, hint)
 
 
-def _same_names(chain: Chain) -> Iterator[Misfit]:
+def _same_names(chain: Chain) -> Iterator[Issue]:
     """Parts of a link have names of their own, such as ``upper.1``; a link may not be called so too."""
     names = [node.name for node in chain.nodes]
     for name in sorted({name for name in names if names.count(name) > 1}):
-        yield Misfit("links", f"`{name}`, also the name of a part of a link", "names of their own", "rename the link")
+        yield Issue("links", f"`{name}`, also the name of a part of a link", "names of their own", "rename the link")
 
 
 def _nothing_moved(joint: Joint, moved: Array) -> str:

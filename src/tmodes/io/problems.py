@@ -12,21 +12,21 @@ from tmodes.errors import InputError
 from tmodes.io.fields import Place, children, place_at, places
 from tmodes.io.words import nearest, shown
 
-__all__ = ["complaints"]
+__all__ = ["problems"]
 
 SHEET = "the data sheet"
 
 
-def complaints(error: ValidationError) -> list[InputError]:
+def problems(error: ValidationError) -> list[InputError]:
     """One error of ours for each wrong place; ``which`` is its dotted path."""
-    told: dict[str, InputError] = {}
+    info: dict[str, InputError] = {}
     for detail in error.errors(include_url=False):
-        for complaint in _complaints(detail):
-            told.setdefault(complaint.which, complaint)
-    return list(told.values())
+        for problem in _problems(detail):
+            info.setdefault(problem.which, problem)
+    return list(info.values())
 
 
-def _complaints(detail: ErrorDetails) -> Iterator[InputError]:
+def _problems(detail: ErrorDetails) -> Iterator[InputError]:
     steps = [step for step in detail["loc"] if step != "[key]"]
     path = ".".join(str(step) for step in steps)
     match detail["type"]:
@@ -37,9 +37,9 @@ def _complaints(detail: ErrorDetails) -> Iterator[InputError]:
             yield _short(group, place, detail["input"])
         case "missing":
             yield _missing(path)
-        case "misfits":
-            for field, got, expected, mend in detail.get("ctx", {})["misfits"]:
-                yield InputError(f"{path}.{field}" if path else field, got, expected, mend)
+        case "issues":
+            for field, got, expected, hint in detail.get("ctx", {})["issues"]:
+                yield InputError(f"{path}.{field}" if path else field, got, expected, hint)
         case kind:
             yield _wrong(path, kind, detail)
 
@@ -88,10 +88,10 @@ def _wrong(path: str, kind: str, detail: ErrorDetails) -> InputError:
         expected = f"a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
         rigid = "; .inf makes it rigid" if place.may_be_infinite else ""
         return InputError(path, shown(value), expected, f"correct the exponent or the unit{rigid}")
-    return InputError(path, shown(value), place.expected, _mend(place, value))
+    return InputError(path, shown(value), place.expected, _hint(place, value))
 
 
-def _mend(place: Place, value: Any) -> str:
+def _hint(place: Place, value: Any) -> str:
     """How a value of the right kind or of the wrong one is put right."""
     if place.unit is not None and isinstance(value, (int, float)):
         return f"correct the sign, the size or the unit of the {place.meaning}"

@@ -11,13 +11,13 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from tmodes.errors import InputError
-from tmodes.io.sheet_fields import ROOT, ArmPlace, Step, chosen, inside, keys, place_of
+from tmodes.io.sheet_fields import ROOT, ChainPlace, Step, chosen, inside, keys, place_of
 from tmodes.io.sheet_units import at
 from tmodes.io.sheet_words import kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 
-__all__ = ["Complaint", "arm_complaints"]
+__all__ = ["Complaint", "arm_problems"]
 
 SHEET = "the data sheet"
 
@@ -28,16 +28,16 @@ Complaint = tuple[tuple[Step, ...], InputError]
 """The path of a wrong value by keys and numbers, and what is to be said of it."""
 
 
-def arm_complaints(error: ValidationError, data: Any) -> list[Complaint]:
+def arm_problems(error: ValidationError, data: Any) -> list[Complaint]:
     """One complaint for each wrong place of the plain data that was refused, of very many the first."""
-    told: dict[tuple[Step, ...], InputError] = {}
+    info: dict[tuple[Step, ...], InputError] = {}
     for detail in islice(error.errors(include_url=False), MOST_TOLD):
-        for steps, complaint in _complaints(detail, data):
-            told.setdefault(steps, complaint)
-    return list(told.items())
+        for steps, problem in _problems(detail, data):
+            info.setdefault(steps, problem)
+    return list(info.items())
 
 
-def _complaints(detail: ErrorDetails, data: Any) -> Iterator[Complaint]:
+def _problems(detail: ErrorDetails, data: Any) -> Iterator[Complaint]:
     steps = _steps(detail["loc"], data)
     match detail["type"]:
         case "extra_forbidden" | "invalid_key":
@@ -48,10 +48,10 @@ def _complaints(detail: ErrorDetails, data: Any) -> Iterator[Complaint]:
             yield steps, _missing(steps, data)
         case "union_tag_not_found" | "union_tag_invalid":
             yield _kind(steps, data)
-        case "misfits":
-            for field, got, expected, mend in detail.get("ctx", {})["misfits"]:
+        case "issues":
+            for field, got, expected, hint in detail.get("ctx", {})["issues"]:
                 inner = tuple(int(step) if step.isdecimal() else step for step in field.split(".") if step)
-                yield (*steps, *inner), InputError("", got, expected, mend)
+                yield (*steps, *inner), InputError("", got, expected, hint)
         case kind:
             yield steps, _wrong(steps, kind, detail, data)
 
@@ -59,7 +59,7 @@ def _complaints(detail: ErrorDetails, data: Any) -> Iterator[Complaint]:
 def _steps(loc: tuple[Step, ...], data: Any) -> tuple[Step, ...]:
     """The validator's location without the kinds that it names on the way into a section, a signal, a material."""
     steps: list[Step] = []
-    place: ArmPlace | None = ROOT
+    place: ChainPlace | None = ROOT
     value = data
     skipped = False
     for step in loc:
@@ -85,8 +85,8 @@ def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
     known = keys(_group(steps[:-1], data))
     key = str(steps[-1])
     close = nearest(key, known)
-    mend = f"did you mean `{close}`?" if close else _elsewhere(key)
-    return InputError("", f"the unknown key {shown(key)}", f"one of {', '.join(known) or 'the known keys'}", mend)
+    hint = f"did you mean `{close}`?" if close else _elsewhere(key)
+    return InputError("", f"the unknown key {shown(key)}", f"one of {', '.join(known) or 'the known keys'}", hint)
 
 
 def _elsewhere(key: str) -> str:
@@ -119,9 +119,9 @@ def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
         return steps, InputError("", shown(value), place.expected if place else "a group", f"write `{key}: ...` in it")
     got = at(value, key)
     close = nearest(got, names) if isinstance(got, str) else None
-    mend = f"did you mean `{close}`?" if close else f"write `{key}: {names[0] if names else '...'}`"
+    hint = f"did you mean `{close}`?" if close else f"write `{key}: {names[0] if names else '...'}`"
     expected = f"one of {', '.join(names)}"
-    return (*steps, key), InputError("", shown(got), expected, mend)
+    return (*steps, key), InputError("", shown(got), expected, hint)
 
 
 def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) -> InputError:
@@ -137,14 +137,14 @@ def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) 
         expected = f"a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
         rigid = "; .inf makes it rigid" if place.may_be_infinite else ""
         return InputError("", shown(value), expected, f"correct the exponent or the unit{rigid}")
-    return InputError("", shown(value), place.expected, _mend(place, value))
+    return InputError("", shown(value), place.expected, _hint(place, value))
 
 
 def _magnitude(bound: Any) -> float:
     return abs(bound) if isinstance(bound, float) else 0.0
 
 
-def _mend(place: ArmPlace, value: Any) -> str:
+def _hint(place: ChainPlace, value: Any) -> str:
     """How a value of the right kind or of the wrong one is put right."""
     if place.unit is not None and isinstance(value, (int, float)) and not isinstance(value, bool):
         return f"correct the sign, the size or the unit of the {place.meaning}"
@@ -155,7 +155,7 @@ def _mend(place: ArmPlace, value: Any) -> str:
     return f"write the {place.meaning} as {place.expected}"
 
 
-def _choices(place: ArmPlace) -> list[str]:
+def _choices(place: ChainPlace) -> list[str]:
     return [str(choice.value) for member in place.members if _is_enum(member) for choice in member]
 
 
