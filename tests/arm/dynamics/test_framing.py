@@ -11,6 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from arm.random_chains import random_body, random_placement
 from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
+from tmodes.compile.ir.kernel_function import kernel_function
 from tmodes.equations.recursion.framing import STRAIGHT, Framing, ScrewWay
 from tmodes.equations.recursion.screw_rates import rates_kernel
 from tmodes.model.model import Model
@@ -183,7 +184,7 @@ def test_prescribed_joint_among_others() -> None:
 
 def operations(kernels) -> int:
     """Operations of kernels, not counted what is read and written."""
-    function = [kernel.function() for kernel in kernels]
+    function = [kernel_function(kernel) for kernel in kernels]
     moved = (ca.OP_INPUT, ca.OP_OUTPUT, ca.OP_CONST)
     return sum(f.instruction_id(k) not in moved for f in function for k in range(f.n_instructions()))
 

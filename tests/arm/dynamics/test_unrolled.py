@@ -11,6 +11,7 @@ import pytest
 from arm.random_chains import random_chain
 from arm.run.sheets import arm, pendulum, torque
 from tmodes.compile.ir import calls, kernels, unroll
+from tmodes.compile.ir.kernel_function import kernel_function
 from tmodes.compile.ir.program import block_program
 from tmodes.model.model import Model
 from tmodes.simulation.loop import LoopModel
@@ -101,7 +102,7 @@ def test_zeros_and_twins_are_gone() -> None:
     """Fewer operations than all calls have, none twice, and none that the parameters alone decide."""
     schedule, _ = SCHEDULES["rigid"]()
     code = unroll.unrolled(schedule)
-    called = sum(len(block_program(kernel.function()).values) for kernel, _, _ in schedule.calls)
+    called = sum(len(block_program(kernel_function(kernel)).values) for kernel, _, _ in schedule.calls)
     assert len(code.main) < 0.8 * called
     assert len(set(code.main)) == len(code.main)
     places = {value.source[1] for value in code.main if value.kind == "input"}
