@@ -8,7 +8,7 @@ from tmodes.equations.loop.contact_kernels import CONTACT_TOLD, power_kernel
 from tmodes.equations.loop.control_kernels import needed_kernel
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.plan import WORKS
-from tmodes.equations.recursion.body_kernels import point_kernel, times_kernel
+from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
@@ -91,11 +91,7 @@ class Powers:
             return forces.part(1, 1), self._gear_torque(driver, forces)
         if part.given < 0:
             return forces.part(0, 1), None
-        root, hung = self.recursion.roots[driver.index], self.recursion.hung[driver.index]
-        (force,) = self._call(times_kernel(), hung[0], root, hung[1])
-        way = self.way.ways[driver.index]
-        along = self._call(way.joint.load(), force, way.hinge, way.axis, self.none[FORCE])[1]
-        return self._added(forces.part(0, 1), along), None
+        return self._added(forces.part(0, 1), self.recursion.force_along(driver.index)), None
 
     def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
@@ -120,29 +116,11 @@ class Powers:
                 lost = self._call(part.drive.elastic(), *blocks)[2]
                 self.powers["gear_damping"].append(lost.part(0, 1))
                 self.powers["friction"].append(lost.part(1, 1))
-            if part.link:
-                link = part.link
-                blocks = (
-                    link.stiffness,
-                    link.damping,
-                    self.way.bend(link, self.way.q),
-                    self.way.bend(link, self.way.v),
-                )
-                self.powers["link_damping"].append(self._call(link.kernels.elastic(), *blocks)[2])
+        self.powers["link_damping"] += self.way.link_losses()
 
     def _point(self, k: int) -> tuple[Slot, ...]:
         """Pose, rate and acceleration (less gravity) of a point in the world."""
-        point = self.parts.points[k]
-        way, number, link = self.way.ways[point.node], self.parts.station(point), self.parts.nodes[point.node].link
-        pose, section, motion = way.tip_pose, way.tip, self.recursion.tips[point.node]
-        if number is not None and link:
-            pose, section = way.section_poses[number], way.sections[number]
-            own = self.instant.pack(*self.instant.accelerations).part(link.first, link.kernels.n)
-            (motion,) = self._call(link.kernels.motion(), self.recursion.roots[point.node], section, own)
-        assert pose is not None  # noqa: S101
-        rate = section.part(12, 3) if section else way.tip_rate
-        kernel = point_kernel(on_section=section is not None)
-        return self._call(kernel, pose, self.way.frame(section), rate, motion, self.parts.offsets[k])
+        return self.recursion.point(k, self.instant.pack(*self.instant.accelerations))
 
     def _power_of_loads(self) -> Slot:
         """Powers of loads and contact; what is told of the contact."""
