@@ -40,8 +40,9 @@ class Instant:
         self.time = self.schedule.input("time", 1)
         self.state = self.schedule.input("state", loop.layout.size)
         self.row = self.schedule.input("row", loop.plan.row_size)
-        # Only implicit steps have a length; elsewhere it is a known zero, and what it multiplies folds away.
-        self.step = self.schedule.input("step", 1) if apart else self.none[1]
+        self.step = self.schedule.input("step", 1)
+        if not apart:  # always zero then: what it multiplies folds away
+            self.schedule.zeros = (*self.schedule.zeros, self.step)
         self.signals = [self._signal(k) for k in range(loop.plan.signals)]
         self.way = self._outwards()
         self.apart, self.euler, self.start = apart, euler, self._start(apart=apart)
