@@ -52,9 +52,9 @@ class MotionFolder(RunFolder):
         return with_shapes(run(self.robot, progress=progress, journals=self._journal), self._shapes)
 
     def _drawn(self, result: Any) -> dict[str, Drawing]:
-        from tmodes.plot.figures import arm_drawings
+        from tmodes.plot import drawings
 
-        return arm_drawings(result)
+        return drawings(result)
 
     def _write_report(self, result: Any, pictures: dict[str, Drawing]) -> None:
         from tmodes.report.write_motion import write_arm_report
