@@ -38,7 +38,8 @@ def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[s
     """Time from the end of the move [s] after which the deviation stays below ``band`` of its largest value.
 
     All signals keep their last value, and the run and its reference are continued beyond their end, for some decay
-    times of their slowest vibration. ``time_s`` is None, with a ``reason``, where that is not enough. Only the samples
+    times of their slowest vibration, and longer where the tip has not settled by then, up to 30 s. ``time_s`` is None,
+    with a ``reason``, where that is not enough. Only the samples
     are looked at where a run did not reach its end, where its signals change up to its end, where a Python function
     controls it, and where a vibration does not decay. None without a reference.
     """
@@ -56,19 +57,20 @@ def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[s
     if move_end is None or not finished or not fixed or min(rates, default=1.0) <= 0:
         return inside
     horizon = max(min(_HORIZON, _DECAYS / min(rates, default=1.0)), _SHORTEST)
-    carried = [_continued(setup, one, horizon) for setup, one in zip(setups, (reference, run), strict=True)]
-    info = {"time_s": None, "band": band, "limit_m": inside["limit_m"], "reason": ""}
-    if lost := next((done for done, _ in carried if done.status != "finished"), None):
-        return info | {"reason": f"continued beyond its end, the run was lost: {lost.message}"}
-    later, afterwards = carried[1][0].times, np.linalg.norm(carried[1][1] - carried[0][1], axis=1)
-    time, deviation = np.append(time, time[-1] + later[1:]), np.append(deviation, afterwards[1:])
-    info["limit_m"] = limit = band * float(deviation.max())
-    outside = time[(deviation > limit) & (time > move_end)]
-    if outside.size and outside[-1] > time[-1] - _LAST * horizon:
-        return info | {
-            "reason": f"the deviation is still {deviation[-1]:.3g} m {horizon:.3g} s after the end of the run"
-        }
-    return info | {"time_s": float(outside[-1] - move_end) if outside.size else 0.0}
+    info: dict[str, Any] = {"time_s": None, "band": band, "limit_m": inside["limit_m"], "reason": ""}
+    while True:
+        carried = [_continued(setup, one, horizon) for setup, one in zip(setups, (reference, run), strict=True)]
+        if lost := next((done for done, _ in carried if done.status != "finished"), None):
+            return info | {"reason": f"continued beyond its end, the run was lost: {lost.message}"}
+        later, afterwards = carried[1][0].times, np.linalg.norm(carried[1][1] - carried[0][1], axis=1)
+        times, far = np.append(time, time[-1] + later[1:]), np.append(deviation, afterwards[1:])
+        info["limit_m"] = limit = band * float(far.max())
+        outside = times[(far > limit) & (times > move_end)]
+        if not outside.size or outside[-1] <= times[-1] - _LAST * horizon:
+            return info | {"time_s": float(outside[-1] - move_end) if outside.size else 0.0}
+        if horizon >= _HORIZON:
+            return info | {"reason": f"the deviation is still {far[-1]:.3g} m {horizon:.3g} s after the end of the run"}
+        horizon = min(2 * horizon, _HORIZON)
 
 
 def _continued(setup: RunSetup, run: RunData, duration: float) -> tuple[Trajectory, Array]:

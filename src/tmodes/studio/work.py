@@ -85,6 +85,7 @@ class _Laps:
 
 def _simulated(sheet: PaperRobot | Robot, progress: Progress) -> PaperResult | Result:
     if isinstance(sheet, Robot):
+        from tmodes.result.ready import ready_to_run, result_bytes
         from tmodes.result.run import run
 
         arm = ready_to_run(sheet)
