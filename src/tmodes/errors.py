@@ -20,7 +20,17 @@ class TmodesError(Exception):
     exit_code = 1
 
 
-_MUST = ("a number", "a whole number", "a list of", "a magnitude", "one of", "between", "text", "true or false", "finite")  # fmt: skip
+_MUST = (
+    "a number",
+    "a whole number",
+    "a list of",
+    "a magnitude",
+    "one of",
+    "between",
+    "text",
+    "true or false",
+    "finite",
+)
 """Beginnings of an expectation after which ``must be`` reads well."""
 
 _UNKNOWN = ("an unknown key", "an unknown path")

@@ -108,7 +108,7 @@ def test_the_link_has_exactly_two_modes() -> None:
     second, end = SHEET.index("    - length: 0.3"), SHEET.index("\npayload:")
     one, three = SHEET[:second] + SHEET[end:], SHEET[:end] + SHEET[first:second] + SHEET[end:]
     for text, got in ((one, "a list of 1"), (three, "a list of 3")):
-        with pytest.raises(InputErrors, match="link.modes must be a list of exactly 2 groups") as caught:
+        with pytest.raises(InputErrors, match=rf"link\.modes must be a list of exactly 2 groups, got {got}") as caught:
             read(text)
         assert caught.value.errors[0].where == f"my.yaml:{line_of('link.modes')}"
 
@@ -125,7 +125,7 @@ def test_another_format_is_reported_alone(version: str, words: str) -> None:
 
 @pytest.mark.parametrize("data", [None, [], 3, "robot", {1: 2}, {"gear": 5}, {"real": {3: 4}}, {None: None}])
 def test_data_of_another_shape_is_reported(data: Any) -> None:
-    with pytest.raises(InputErrors, match="must be|expected|unknown"):
+    with pytest.raises(InputErrors, match=r"must be|expected|unknown"):
         robot_from_data(data)
 
 
@@ -160,9 +160,7 @@ class TestRealRobot:
     def test_a_factor_of_zero_takes_a_damping_away_but_no_stiffness(self) -> None:
         assert read(sheet("gear.damping: 0.2", "gear.damping: 0.0")).pair().real.gear.damping == 0.0
         message = problem("gear.stiffness: 0.2", "gear.stiffness: 0.0")
-        assert message.startswith(
-            f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness must be 0.0 times 4700.0"
-        )
+        assert message.startswith(f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness must be")
 
     @pytest.mark.parametrize("factor", ["-1.0", ".nan", ".inf", "1.0e308", "some", "true"])
     def test_a_factor_is_a_number_from_zero(self, factor: str) -> None:

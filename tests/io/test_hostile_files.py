@@ -156,7 +156,7 @@ def test_scalars_are_those_of_yaml_1_2() -> None:
 
 def test_a_place_that_is_no_file_is_refused(tmp_path: Path) -> None:
     for path in (tmp_path, tmp_path / "absent.yaml", tmp_path / ("x" * 400), tmp_path / "\0"):
-        with pytest.raises(InputError, match="must be|expected|unknown"):
+        with pytest.raises(InputError, match=r"must be|expected|unknown"):
             read_yaml(path)
 
 

@@ -118,7 +118,7 @@ def test_bytes_that_are_no_text_and_places_that_are_no_files_are_refused(tmp_pat
     with (tmp_path / "large.json").open("wb") as file:
         file.truncate(50_000_001)
     for path in (tmp_path, tmp_path / "absent.json", tmp_path / "junk.json", tmp_path / "large.json"):
-        with pytest.raises(InputError, match="record|file"):
+        with pytest.raises(InputError, match=r"record|file"):
             read_states(path)
 
 
