@@ -1,4 +1,4 @@
-"""Kernels of loads and of contact: forces on a point, and the mass of a surface that moves with it.
+"""Kernels of contact: forces on a point, and the mass of a surface that moves with it.
 
 A surface says where the point stands with regard to it, a contact law which force that takes. A moving mass me acts
 along the direction d into the surface: an inertia me d d^T on the point, exact, and nothing is differentiated in time.
@@ -18,7 +18,7 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 
-__all__ = ["CONTACT_TOLD", "Touch", "load_kernel", "power_kernel"]
+__all__ = ["CONTACT_TOLD", "Touch"]
 
 CONTACT_TOLD = 6
 """What is known of a contact: force by the point on the surface (3), its normal part, penetration and its rate."""
@@ -223,29 +223,3 @@ def _point(pose: Any, axes: Any, rate: Any, offset: Any) -> tuple[v.Vector, v.Ve
     """Position and velocity of a point of a frame, its arm, and the frame's rate, all in world axes."""
     arm, spin = v.matvec(v.tri(pose), v.vec(offset, 9)), v.matvec(v.tri(axes), v.vec(rate))
     return v.add(v.vec(pose, 9), arm), v.add(v.vec(pose, 12), v.cross(spin, arm)), arm, spin
-
-
-def load_kernel(*, follower: bool) -> Kernel:
-    """(pose of the frame, offset, force and moment, signal, sum of wrenches) -> sum with the load, in world axes.
-
-    The force and moment of a follower are in the point's own axes.
-    """
-
-    def build(pose: Any, offset: Any, load: Any, signal: Any, sum_: Any) -> list[list[Any]]:
-        force, moment = v.vec(load), v.vec(load, 3)
-        if follower:
-            world = v.matmul(v.tri(pose), v.tri(offset))
-            force, moment = v.matvec(world, force), v.matvec(world, moment)
-        both = [*force, *moment]
-        return [[sum_[i] + signal[0] * both[i] for i in range(FORCE)]]
-
-    return Kernel(f"load{' follower' * follower}", (POSE, PLACEMENT, FORCE, 3, FORCE), (FORCE,), build)
-
-
-def power_kernel() -> Kernel:
-    """(wrench, pose and rate of its point, all in world axes) -> power [W]."""
-
-    def build(wrench: Any, pose: Any, rate: Any) -> list[list[Any]]:
-        return [[v.dot(v.vec(wrench), v.vec(pose, 12)) + v.dot(v.vec(wrench, 3), v.vec(rate))]]
-
-    return Kernel("power", (FORCE, POSE, 3), (1,), build)

@@ -8,8 +8,8 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from tmodes.equations.loop.contact_kernels import load_kernel
 from tmodes.equations.loop.friction import solved
+from tmodes.equations.loop.load_kernels import load_kernel
 from tmodes.equations.loop.signals_kernels import base_kernel, packing_kernel, replacing_kernel, signal_kernel
 from tmodes.equations.recursion.ahead import Ahead
 from tmodes.equations.recursion.forward import Recursion

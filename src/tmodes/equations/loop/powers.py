@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tmodes.equations.loop.contact_kernels import CONTACT_TOLD, power_kernel
+from tmodes.equations.loop.contact_kernels import CONTACT_TOLD
 from tmodes.equations.loop.control_kernels import needed_kernel
 from tmodes.equations.loop.instant import Instant
+from tmodes.equations.loop.load_kernels import power_kernel
 from tmodes.equations.loop.plan import WORKS
 from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE

@@ -97,7 +97,7 @@ class Kind(DataSheet):
         members = tuple(cls.root.registered.values())
         if cls.root._adapter is None or cls.root._adapter[0] != members:
             union: Any = Union[members] if members else Any  # noqa: UP007
-            several = Annotated[union, Field(discriminator=cls.key)] if len(members) > 1 else union
+            several: Any = Annotated[union, Field(discriminator=cls.key)] if len(members) > 1 else union
             cls.root._adapter = (members, TypeAdapter(several))
         return cls.root._adapter[1]
 
