@@ -1,4 +1,4 @@
-"""The link kind ``modes`` in the recursion is the 2010 robot of the ``consistent`` reading, derived from its energies."""
+"""The link kind ``modes`` in the recursion equals the 2010 robot in its ``consistent`` reading."""
 
 from __future__ import annotations
 

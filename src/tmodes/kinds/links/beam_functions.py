@@ -38,7 +38,8 @@ _X, _W = legendre.leggauss(24)
 def pieces_at(beam: BeamNumbers, name: str, s: ArrayLike) -> Array:
     """A quantity of a beam's pieces at s, shape of s; where two pieces meet, that of the inner one.
 
-    ``name``: a field of :class:`tmodes.kinds.links.beam_numbers.BeamPiece`; ``inertia0``, ``inertia1``, ``inertia2`` about x, y, z.
+    ``name``: a field of :class:`tmodes.kinds.links.beam_numbers.BeamPiece`;
+    ``inertia0``, ``inertia1``, ``inertia2`` about x, y, z.
     """
     s = np.asarray(s, dtype=float)
     starts, ends = _bounds(beam)

@@ -10,7 +10,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.kinds.links.beam_numbers import BeamNumbers
 from tmodes.kinds.links.beam_functions import (
     MODULI,
     function_values,
@@ -18,6 +17,7 @@ from tmodes.kinds.links.beam_functions import (
     is_uniform,
     stiffness_matrix,
 )
+from tmodes.kinds.links.beam_numbers import BeamNumbers
 from tmodes.kinds.links.beam_rule import Rule, beam_rule
 from tmodes.kinds.links.strain_shape import StrainShape
 

@@ -46,14 +46,16 @@ class ElasticForces(NamedTuple):
 class LinkStructure(ABC):
     """The equations of a bending link without a number: same structure, same compiled code.
 
-    Frozen and hashable. All expressions use only ``+ - * /`` and :mod:`tmodes.kinds.kernel.arithmetic`.
+    Frozen and hashable. All expressions use only ``+ - * /`` and :mod:`tmodes.kinds.kernel.functions`.
     """
 
-    own_terms: bool = False
-    """The link has inertia terms of its own; else all its mass is in bodies at its tip."""
-
-    long: bool = False
+    long: ClassVar[bool] = False
     """Its line takes thousands of operations: compiled once and called, not written out at each call."""
+
+    @property
+    def own_terms(self) -> bool:
+        """The link has inertia terms of its own; else all its mass is in bodies at its tip."""
+        return False
 
     @property
     def stations(self) -> tuple[int, ...]:
@@ -136,7 +138,7 @@ class QuadraticStructure(LinkStructure):
         energy = v.total([s * x for s, x in zip(spring, here, strict=True)]) / 2
         return ElasticForces(spring, damper, energy, v.total([d * x for d, x in zip(damper, rates, strict=True)]))
 
-    def tangents(self, stiffness: Any, damping: Any, q: Any, qd: Any) -> tuple[list[Row], list[Row]]:
+    def tangents(self, stiffness: Any, damping: Any, q: Any, qd: Any) -> tuple[list[Row], list[Row]]:  # noqa: ARG002
         """K and D themselves."""
         return self.rows(stiffness), self.rows(damping)
 
@@ -199,6 +201,16 @@ class Link(ABC):
     @abstractmethod
     def bodies_at(self, s: float) -> tuple[Body, ...]:
         """Bodies fixed to the section at s, in the section's axes."""
+
+    @property
+    def all_bodies(self) -> tuple[Body, ...]:
+        """All bodies on it, each in its section's axes."""
+        return tuple(body for s in (*self.body_places, 1.0) for body in self.bodies_at(s))
+
+    def unbent_bodies(self) -> tuple[Body, ...]:
+        """Bodies with all its mass in its link frame, unbent: roughly right, to find what has no mass at all."""
+        places = [(s, body) for s in (*self.body_places, 1.0) for body in self.bodies_at(s)]
+        return tuple(Body(b.mass, b.center + np.array([s * self.length, 0.0, 0.0]), b.inertia) for s, b in places)
 
     @property
     def body_places(self) -> tuple[float, ...]:

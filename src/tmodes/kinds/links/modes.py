@@ -7,13 +7,13 @@ l_k cos(elevation of chord k) th in azimuth, so they are not quadratic in the co
 
 from __future__ import annotations
 
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
 
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.arithmetic import cos, sin
+from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.links.contract import Body, ElasticForces, Link, LinkNumbers, LinkStructure, Row
 from tmodes.kinds.links.modes_line import TANGENT, Angles, ModesLine
 from tmodes.kinds.links.modes_sheet import Mode, shape_angle, shape_slope
@@ -92,8 +92,10 @@ class ModesStructure(LinkStructure):
     def elastic(self, stiffness: Any, damping: Any, q: Any, qd: Any) -> ElasticForces:
         """Forces of 1/2 sum Cs l^2 (th_e^2 + cos(b)^2 th_a^2); dampers likewise in the rates, with cos(b) held."""
         azimuth, elevation = self.angles(q, qd)
-        springs, dampers, b, energy, loss = _Rows(self.free), _Rows(self.free), 0, [], []
-        for k in self._bending:
+        springs, dampers = _Rows(self.free), _Rows(self.free)
+        energy: list[Any] = []
+        loss: list[Any] = []
+        for b, k in enumerate(self._bending):
             flat, up = azimuth.values[k], elevation.values[k]
             c, s = self._lever(elevation, k)
             pull = stiffness[b] * c * flat
@@ -106,7 +108,6 @@ class ModesStructure(LinkStructure):
             dampers.add(0, k, slow[0])
             dampers.add(1, k, slow[1])
             loss += [slow[0] * azimuth.rates[k], slow[1] * elevation.rates[k]]
-            b += 1
         return ElasticForces(springs.packed(), dampers.packed(), v.total(energy) / 2, v.total(loss))
 
     def tangents(self, stiffness: Any, damping: Any, q: Any, qd: Any) -> tuple[list[Row], list[Row]]:
@@ -165,9 +166,7 @@ def _add_mass(terms: LinkTerms, section: Section, mass: Any, inertia: Any) -> No
             terms.mass[i][j] = terms.mass[i][j] + v.dot(push, columns[j].linear) + v.dot(turn, columns[j].angular)
         terms.bias_q[i] = terms.bias_q[i] + v.dot(push, bias.linear) + v.dot(turn, bias.angular)
         own = terms.coupling[i]
-        terms.coupling[i] = type(own)(
-            v.add(own.angular, v.add(v.cross(place, push), turn)), v.add(own.linear, push)
-        )
+        terms.coupling[i] = type(own)(v.add(own.angular, v.add(v.cross(place, push), turn)), v.add(own.linear, push))
     square = v.dot(place, place)
     for i in range(3):
         for j in range(3):
@@ -188,11 +187,10 @@ class ModesLink(Link):
 
     modes: tuple[Mode, ...]
     bodies: tuple[tuple[float, Body], ...] = ()
+    length: float = field(init=False)
 
-    @property
-    def length(self) -> float:
-        """Length of all modes [m]."""
-        return float(sum(mode.length for mode in self.modes))
+    def __post_init__(self) -> None:
+        object.__setattr__(self, "length", float(sum(mode.length for mode in self.modes)))
 
     @property
     def free(self) -> tuple[bool, ...]:
@@ -234,8 +232,7 @@ class ModesLink(Link):
         table += [[mode.tip_inertia for mode in self.modes]]
         table += [[share, shape_angle(share), shape_slope(share)] for _, share in places]
         bending = [mode for mode, bends in zip(self.modes, self.free, strict=True) if bends]
-        springs, dampers = (
-            np.array([getattr(mode, name) * mode.length**2 for mode in bending]) for name in ("tip_stiffness", "tip_damping")
-        )
+        springs = np.array([mode.tip_stiffness * mode.length**2 for mode in bending])
+        dampers = np.array([mode.tip_damping * mode.length**2 for mode in bending])
         structure = ModesStructure(self.free, tuple(mode for mode, _ in places))
         return LinkNumbers(structure, np.concatenate(table), springs, dampers)

@@ -10,7 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.arithmetic import cos, sin
+from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.spatial import Force
 from tmodes.kinds.links.terms import Section
 

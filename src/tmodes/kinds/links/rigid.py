@@ -29,11 +29,11 @@ class RigidLink(Link):
         """None."""
         return ()
 
-    def bodies_at(self, s: float) -> tuple[Body, ...]:
+    def bodies_at(self, s: float) -> tuple[Body, ...]:  # noqa: ARG002
         """All bodies: the link has only one place."""
         return self.bodies
 
-    def stations(self, asked: object = ()) -> tuple[float, ...]:
+    def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
         """None."""
         return ()
 

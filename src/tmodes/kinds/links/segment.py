@@ -20,7 +20,10 @@ class SegmentStructure(QuadraticStructure):
     bend_y: bool
     bend_z: bool
 
-    table_size = 1
+    @property
+    def table_size(self) -> int:
+        """The length."""
+        return 1
 
     @property
     def size(self) -> int:
@@ -70,11 +73,11 @@ class Segment(Link):
         """All bodies are at the tip."""
         return self.bodies if s >= 1.0 else ()
 
-    def stations(self, asked: object = ()) -> tuple[float, ...]:
+    def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
         """None: whatever is on a segment is at its tip."""
         return ()
 
-    def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
+    def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:  # noqa: ARG002
         """Length, and the springs and dampers against the angles."""
         square = self.length**2
         planes = ((self.bend_y, self.stiffness_y, self.damping_y), (self.bend_z, self.stiffness_z, self.damping_z))

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.kinds.kernel.arithmetic import cos, sin
-
-from tmodes.kinds.links.terms import Section
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.spatial import Force
+from tmodes.kinds.links.terms import Section
 
 __all__ = ["segment_link"]
 

@@ -5,6 +5,8 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
+import numpy as np
+
 from tmodes.kinds.links.beam_functions import MODULI
 from tmodes.kinds.links.beam_numbers import BeamNumbers, BeamPiece
 from tmodes.kinds.links.beam_tables import beam_tables
@@ -21,8 +23,12 @@ class StrainStructure(QuadraticStructure):
 
     shape: StrainShape
 
-    own_terms = True
-    long = True
+    long: ClassVar[bool] = True
+
+    @property
+    def own_terms(self) -> bool:
+        """Its mass is spread along its line."""
+        return True
 
     @property
     def key(self) -> str:
@@ -78,6 +84,14 @@ class Beam(BeamNumbers, Link):
     def bodies_at(self, s: float) -> tuple[Body, ...]:
         """Bodies on the section at s."""
         return tuple(body for at, body in self.bodies if (at >= 1.0 if s >= 1.0 else at == s))
+
+    def unbent_bodies(self) -> tuple[Body, ...]:
+        """The bodies on it, and the beam as a straight rod of its mean mass per length."""
+        mass = self.length * float(np.mean([number for piece in self.pieces for number in piece.mass]))
+        polar = self.length * float(np.mean([number for piece in self.pieces for number in piece.inertia[0]]))
+        across = mass * self.length**2 / 12
+        rod = Body(mass, np.array([self.length / 2, 0.0, 0.0]), np.diag([polar, across, across]))
+        return (rod, *super().unbent_bodies())
 
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
         """Quadrature, integrals of the functions, stiffness."""

@@ -8,10 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-from tmodes.kinds.kernel.arithmetic import cos, sin
-
-from tmodes.kinds.links.strain_shape import StrainShape, TableReader
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import cos, sin
+from tmodes.kinds.links.strain_shape import StrainShape, TableReader
 
 __all__ = ["SectionState", "StrainLine", "strain_line"]
 

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.kinds.links.terms import LinkTerms, Section
-from tmodes.kinds.links.strain_line import SectionState, StrainLine, strain_line
-from tmodes.kinds.links.strain_shape import StrainShape, TableReader
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.spatial import Force
+from tmodes.kinds.links.strain_line import SectionState, StrainLine, strain_line
+from tmodes.kinds.links.strain_shape import StrainShape, TableReader
+from tmodes.kinds.links.terms import LinkTerms, Section
 
 __all__ = ["strain_link"]
 
