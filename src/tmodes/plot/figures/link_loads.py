@@ -1,23 +1,23 @@
-"""What the links of an arm carry at the instant at which each is loaded most, and how far that goes over the run."""
+"""Section loads along the links when each is loaded most, and their range over the run."""
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.plot.contract import Figure
 from tmodes.plot.facts import largest, plain
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
-from tmodes.plot.style import BAND, BLUE, COMPONENTS, QUIET, RED, house_style
+from tmodes.plot.style import BAND, BLUE, COMPONENTS, QUIET, RED
 from tmodes.plot.units import Unit, readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import Result
 
-__all__ = ["link_loads"]
+__all__ = ["LinkLoads"]
 
 _MOST_LINKS = 6
 _KINDS = {"torsion": "torsion", "y": "bending about y", "z": "bending about z"}
@@ -25,33 +25,42 @@ _KINDS = {"torsion": "torsion", "y": "bending about y", "z": "bending about z"}
 Array = NDArray[Any]
 
 
-@house_style()
-def link_loads(result: Result, ax: AxesLike = None) -> list[Axes]:
+class LinkLoads(Figure):
     """Left, moments [N m] along each link when its bending moment is largest; right, stress [Pa], or shear force [N].
 
     The band is the range over the run. Of more than six links, those with the largest moments. ``ax``: two axes for
     each link, or None.
     """
-    data = result.data
-    names = [str(name) for name in data["bending_link"].values]
-    moments = data["moment"].transpose("bending_link", "time", "s", "moment_kind").values
-    bending = np.linalg.norm(moments[..., 1:], axis=-1)
-    shown = largest(names, bending.max(axis=(1, 2)), _MOST_LINKS)
-    axes = panels(
-        ax, [[f"{k} left", f"{k} right"] for k in range(len(shown))], 0.8 + 1.6 * len(shown), sharex=ax is None
+
+    name = "link_loads"
+    title = "Moments and stress along the links"
+    caption = (
+        "The section loads of each link when its bending moment is largest, from its root (0) to its tip (1); the band "
+        "is the range over the run."
     )
-    titles = []
-    for k, name in enumerate(shown):
-        index = names.index(name)
-        sample = int(np.unravel_index(np.argmax(bending[index]), bending[index].shape)[0])
-        _moments(axes[2 * k], data, moments[index, sample])
-        titles += [f"{plain(name)} at {float(data['time'][sample]):.3g} s", _right(axes[2 * k + 1], data, name)]
-    for panel in axes[-2:]:
-        panel.set_xlabel("along the link $s$ [–]")
-    shared_legend(axes[0])
-    shared_legend(axes[1], place="lower left")
-    letter(axes, titles)
-    return axes
+    needs: ClassVar = {"bending_link": "no link of this robot is elastic"}
+
+    def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
+        """Two panels for each link."""
+        data = result.data
+        names = [str(name) for name in data["bending_link"].values]
+        moments = data["moment"].transpose("bending_link", "time", "s", "moment_kind").values
+        bending = np.linalg.norm(moments[..., 1:], axis=-1)
+        shown = largest(names, bending.max(axis=(1, 2)), _MOST_LINKS)
+        layout = [[f"{k} left", f"{k} right"] for k in range(len(shown))]
+        axes = panels(ax, layout, 0.8 + 1.6 * len(shown), sharex=ax is None)
+        titles = []
+        for k, name in enumerate(shown):
+            index = names.index(name)
+            sample = int(np.unravel_index(np.argmax(bending[index]), bending[index].shape)[0])
+            _moments(axes[2 * k], data, moments[index, sample])
+            titles += [f"{plain(name)} at {float(data['time'][sample]):.3g} s", _right(axes[2 * k + 1], data, name)]
+        for panel in axes[-2:]:
+            panel.set_xlabel("along the link $s$ [–]")
+        shared_legend(axes[0])
+        shared_legend(axes[1], place="lower left")
+        letter(axes, titles)
+        return axes
 
 
 def _moments(panel: Axes, data: Any, moments: Array) -> None:

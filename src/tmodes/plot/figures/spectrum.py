@@ -1,4 +1,4 @@
-"""How an arm rings: the amplitude spectrum of its tip and of the elastic coordinates that swing most."""
+"""The vibration of a robot: amplitude spectra of its tip and of the elastic coordinates that oscillate most."""
 
 from __future__ import annotations
 
@@ -8,20 +8,19 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.errors import InputError
-from tmodes.plot.facts import after_move, deformation_unit, largest, plain
+from tmodes.plot.amplitude import amplitude_spectrum
+from tmodes.plot.contract import Figure
+from tmodes.plot.facts import deformation_unit, largest, plain, spectral_part
 from tmodes.plot.frequency_marks import mark_frequencies
 from tmodes.plot.panels import AxesLike, letter, panels
-from tmodes.plot.paper.vibration import amplitude_spectrum
-from tmodes.plot.style import COMPONENTS, house_style
+from tmodes.plot.style import COMPONENTS
 from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result import Result
 
-__all__ = ["no_ringing", "ringing"]
+__all__ = ["Spectrum"]
 
 LEAST_SAMPLES = 32
 DECADES = 4
@@ -32,59 +31,58 @@ _ROUNDING = 1e-12
 """Amplitudes below this [m, rad] are rounding."""
 
 _NOTHING = 1e-6
-"""A coordinate of the tip that swings less than this share of the others is not drawn."""
+"""A coordinate of the tip that oscillates less than this share of the others is not drawn."""
 
 Array = NDArray[Any]
 Curves = dict[str, tuple[Array, Array]]
 
 
-def no_ringing(data: Any) -> str:
-    """Why there is no spectrum; empty when there is."""
-    if len(_even(data)["time"]) < LEAST_SAMPLES:
-        return f"a spectrum needs {LEAST_SAMPLES} samples, evenly spread; this run has {len(data['time'])}"
-    if not any(np.ptp(values, axis=0).max() > _ROUNDING for values in _signals(data)[0].values()):
-        return "nothing swings"
-    return ""
+class Spectrum(Figure):
+    """Amplitudes of the tip [m] (minus its reference, where there is one) and of elastic coordinates [rad], log scale.
 
-
-@house_style()
-def ringing(result: Result, ax: AxesLike = None) -> list[Axes]:
-    """Amplitudes of the tip [m] (less its reference, where there is one) and of elastic coordinates [rad], log scale.
-
-    Of the time after the move, where the run goes on long enough, else of the whole run. The arm's own frequencies (of
-    the controlled one, else with its motors locked) are marked. ``ax``: two axes (one for a rigid arm), or None.
+    Of the time after the move where the run continues long enough; else of the part with constant setpoint rates; else
+    of the whole run. The robot's own frequencies (under control, else with locked motors) are marked. ``ax``: two axes
+    (one for a rigid robot), or None.
     """
-    data = result.data
-    if reason := no_ringing(data):
-        raise InputError("ringing", reason, "a longer run", "simulate further")
-    tip, inner = _signals(data)
-    time = _even(after_move(data, LEAST_SAMPLES)[0])["time"].values
-    step = float(time[1] - time[0])
-    groups = [tip, *([inner] if inner else [])]
-    spectra = [{name: amplitude_spectrum(values, step) for name, values in group.items()} for group in groups]
-    axes = panels(ax, [[str(k)] for k in range(len(groups))], 1.0 + 2.1 * len(groups))
-    units = ["m", deformation_unit(data, next(iter(inner)))] if inner else ["m"]
-    marked, pads = _marked(data), []
-    for panel, curves, unit in zip(axes, spectra, units, strict=True):
-        highest = _highest(curves, 0.5 / step)
-        _draw(panel, curves, unit, highest)
-        panel.set_xlabel("frequency [Hz]")
-        pads.append(mark_frequencies(panel, marked, highest))
-    span = f"{time[0]:.3g} to {time[-1]:.3g} s"
-    what = "Tip less reference" if "tip_reference" in data else "Tip"
-    letter(axes, (f"{what}, {span}", f"Elastic coordinates, {span}")[: len(axes)], pad=max(pads))
-    return axes
+
+    name = "spectrum"
+    title = "Vibration spectrum"
+    caption = "Peaks appear at the natural frequencies (dotted), those under control where the robot is controlled."
+
+    def missing(self, data: Any) -> str:
+        """Too few samples, or no oscillation."""
+        part = spectral_part(data, LEAST_SAMPLES)
+        if len(part["time"]) < LEAST_SAMPLES:
+            return f"a spectrum needs {LEAST_SAMPLES} samples, evenly spaced; this run has {len(data['time'])}"
+        if not any(np.ptp(values, axis=0).max() > _ROUNDING for values in _signals(part)[0].values()):
+            return "nothing oscillates"
+        return ""
+
+    def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
+        """The tip, and the elastic coordinates."""
+        data = result.data
+        part = spectral_part(data, LEAST_SAMPLES)
+        tip, inner = _signals(part)
+        time = part["time"].values
+        step = float(time[1] - time[0])
+        groups = [tip, *([inner] if inner else [])]
+        spectra = [{name: amplitude_spectrum(values, step) for name, values in group.items()} for group in groups]
+        axes = panels(ax, [[str(k)] for k in range(len(groups))], 1.0 + 2.1 * len(groups))
+        units = ["m", deformation_unit(data, next(iter(inner)))] if inner else ["m"]
+        marked, pads = _marked(data), []
+        for panel, curves, unit in zip(axes, spectra, units, strict=True):
+            highest = _highest(curves, 0.5 / step)
+            _draw(panel, curves, unit, highest)
+            panel.set_xlabel("frequency [Hz]")
+            pads.append(mark_frequencies(panel, marked, highest))
+        span = f"{time[0]:.3g} to {time[-1]:.3g} s"
+        what = "Tip − reference" if "tip_reference" in data else "Tip"
+        letter(axes, (f"{what}, {span}", f"Elastic coordinates, {span}")[: len(axes)], pad=max(pads))
+        return axes
 
 
-def _even(data: Any) -> Any:
-    """Without the last sample where that stands off the even ones."""
-    time = data["time"].values
-    odd = len(time) > 2 and abs((time[-1] - time[-2]) / (time[1] - time[0]) - 1) > 1e-6
-    return data.isel(time=slice(None, -1)) if odd else data
-
-
-def _signals(data: Any) -> tuple[dict[str, Array], dict[str, Array]]:
-    part = _even(after_move(data, LEAST_SAMPLES)[0])
+def _signals(part: Any) -> tuple[dict[str, Array], dict[str, Array]]:
+    """The tip's coordinates, and the elastic coordinates that oscillate most."""
     tip = part["tip"] - part["tip_reference"] if "tip_reference" in part else part["tip"]
     letters = "Δ" if "tip_reference" in part else ""
     first = {f"{letters}{axis}": tip.sel(axis=axis).values for axis in "xyz"}
@@ -100,7 +98,7 @@ def _signals(data: Any) -> tuple[dict[str, Array], dict[str, Array]]:
 
 
 def _marked(data: Any) -> list[dict[str, Any]]:
-    """The arm's own frequencies, with names that may be parted at their dots."""
+    """The natural frequencies to mark, with names that may be wrapped at their dots."""
     modes = json.loads(data.attrs["frequencies"])
     marked = modes.get("controlled") or modes.get("locked") or []
     return [mode | {"element": plain(mode["element"]).replace(".", ". ")} for mode in marked]
