@@ -54,6 +54,7 @@ class Dynamics(Protocol):
     coupled: dict[int, tuple[Slot, Slot]]
     coupled_loads: dict[int, Slot]
     torques: dict[int, Slot]
+    accelerations: list[Slot]
 
     def run(self) -> list[Slot]:
         """Accelerations of the coordinates, in their order."""
@@ -63,7 +64,7 @@ class Dynamics(Protocol):
         """Force that the bodies ask of a prescribed joint."""
         ...
 
-    def point(self, k: int, accelerations: Slot) -> tuple[Slot, ...]:
+    def point(self, k: int) -> tuple[Slot, ...]:
         """Pose, rate and acceleration (less gravity) of a point in the world."""
         ...
 

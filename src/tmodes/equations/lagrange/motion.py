@@ -126,19 +126,19 @@ class LagrangeDynamics(Driven):
         self.found = found
         motors = self.motor_accelerations({part.angle: found.part(part.angle - first, 1)
                                            for part in self.parts.nodes if part.angle >= 0})  # fmt: skip
-        return [*(motors[i] for i in self.parts.motors), found]
+        self.accelerations = [*(motors[i] for i in self.parts.motors), found]
+        return self.accelerations
 
     def force_along(self, index: int) -> Slot:
         """Force that the bodies ask of a prescribed joint, after the run."""
         (forces,) = self.way.call(self._solver.residual(), *self._balance, self.found, *self._carried)
         return forces.part(self.parts.nodes[index].angle - self.parts.joints.start, 1)
 
-    def point(self, k: int, accelerations: Slot) -> tuple[Slot, ...]:
+    def point(self, k: int) -> tuple[Slot, ...]:
         """Pose, rate and acceleration (less gravity) of a point in the world."""
         way, kernels = self.way, self.way.chained.kernels
-        moved = way.bodies(accelerations)
         name = way.chained.points[k]
-        return *way.pose(k), *way.call(kernels.acceleration(name), *way.state, way.pull, moved)
+        return *way.pose(k), *way.call(kernels.acceleration(name), *way.state, way.pull, self.found)
 
     def at_base(self) -> tuple[Slot, Slot]:
         """A system's base stands still."""

@@ -67,7 +67,7 @@ def _transposed(rows: Any) -> Any:
 class Solver:
     """Accelerations of the bodies: ``joints`` of their coordinates are joints, those in ``held`` are prescribed.
 
-    ``attached``: a matrix of its own is added, which need not be symmetric.
+    ``attached``: a matrix of its own is added; it is symmetric unless the system carries forces by a map of its own.
     """
 
     kernels: SystemKernels
@@ -109,7 +109,8 @@ class Solver:
 
     @property
     def _key(self) -> str:
-        return f"{self.kernels.columns.tolist()} {self.joints} {self.held}{' attached' * self.attached}"
+        mapped = " mapped" * (self.kernels.system.contact_map is not None)
+        return f"{self.kernels.columns.tolist()} {self.joints} {self.held}{' attached' * self.attached}{mapped}"
 
     @property
     def _whole(self) -> bool:
@@ -147,7 +148,8 @@ class Solver:
         return found
 
     def _solved(self, matrix: Any, right: Any) -> Any:
-        return _solve_lu(matrix, right) if self.attached else _solve_ldl(matrix, right)
+        mapped = self.attached and self.kernels.system.contact_map is not None
+        return _solve_lu(matrix, right) if mapped else _solve_ldl(matrix, right)
 
 
 def _solve_ldl(matrix: Any, right: Any) -> Any:

@@ -4,9 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tmodes.equations.loop.contact_kernels import CONTACT_TOLD, power_kernel
+from tmodes.equations.loop.contact_kernels import CONTACT_TOLD
 from tmodes.equations.loop.control_kernels import needed_kernel
 from tmodes.equations.loop.instant import Instant
+from tmodes.equations.loop.load_kernels import power_kernel
 from tmodes.equations.loop.plan import WORKS
 from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
@@ -27,6 +28,7 @@ class Powers:
     def __init__(self, instant: Instant) -> None:
         self.instant, self.loop, self.plan, self.parts = instant, instant.loop, instant.plan, instant.parts
         self.way, self.recursion, self.none = instant.way, instant.recursion, instant.none
+        self.solution = instant.solution
         self.powers: dict[str, list[Slot]] = {name: [] for name in WORKS}
         self.info = dict(instant.info)
         self.gear: dict[int, Slot] = {}
@@ -91,7 +93,7 @@ class Powers:
             return forces.part(1, 1), self._gear_torque(driver, forces)
         if part.given < 0:
             return forces.part(0, 1), None
-        return self._added(forces.part(0, 1), self.recursion.force_along(driver.index)), None
+        return self._added(forces.part(0, 1), self.solution.force_along(driver.index)), None
 
     def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
@@ -118,19 +120,15 @@ class Powers:
                 self.powers["friction"].append(lost.part(1, 1))
         self.powers["link_damping"] += self.way.link_losses()
 
-    def _point(self, k: int) -> tuple[Slot, ...]:
-        """Pose, rate and acceleration (less gravity) of a point in the world."""
-        return self.recursion.point(k, self.instant.pack(*self.instant.accelerations))
-
     def _power_of_loads(self) -> Slot:
         """Powers of loads and contact; what is told of the contact."""
         for k, wrench in self.instant.dead.items():
-            pose, rate, _ = self._point(k)
+            pose, rate, _ = self.solution.point(k)
             self.powers["loads"] += self._call(power_kernel(), wrench, pose, rate)
         touch = self.plan.touch
         if not (touch and self.loop.touch):
             return self.instant.pack(*(self.none[1],) * CONTACT_TOLD)
-        pose, _, motion = self._point(touch.point)
+        pose, _, motion = self.solution.point(touch.point)
         info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch)
         self.powers["contact"].append(power)
         return info
@@ -139,7 +137,7 @@ class Powers:
         """Power of what moves the base."""
         if not self.plan.base:
             return
-        inertia, bias = self.recursion.at_base()
+        inertia, bias = self.solution.at_base()
         (force,) = self._call(times_kernel(), inertia, self.way.base.part(0, FORCE), bias)
 
         def build(push: Any, rate: Any, pose: Any) -> list[list[Any]]:

@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from tmodes.equations.recursion.drive_kernels import mixing_kernel
 from tmodes.equations.recursion.parts import LinkPart, NodePart, Parts
+from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
 
-__all__ = ["Coordinates"]
+__all__ = ["Coordinates", "packing_kernel"]
 
 
 class Coordinates:
@@ -54,3 +57,12 @@ class Coordinates:
         none = self.none[1]
         first = [motors.get(i, none) for i in self.parts.motors] + [joints.get(i, none) for i in self.parts.joints]
         return first + [links[part.link.first] for part in self.parts.nodes if part.link]
+
+
+def packing_kernel(sizes: tuple[int, ...]) -> Kernel:
+    """Blocks one after the other in one block."""
+
+    def build(*blocks: Any) -> list[list[Any]]:
+        return [[block[i] for block, size in zip(blocks, sizes, strict=True) for i in range(size)]]
+
+    return Kernel(f"packing {sizes}", sizes, (sum(sizes),), build)

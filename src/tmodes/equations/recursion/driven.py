@@ -8,6 +8,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
+from tmodes.equations.recursion.coordinates import packing_kernel
 from tmodes.equations.recursion.parts import NodePart, Parts
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
 
@@ -62,9 +63,15 @@ class Driven:
         self.followed: dict[int, Slot] = {}  # index of a motor that keeps a given motion -> its acceleration
         self.schedule, self.parts = way.schedule, way.parts
         self.motor_terms: dict[int, Slot] = {}
+        self.accelerations: list[Slot] = []
         self.coupled = way.coupled_inputs()
         self.torques: dict[int, Slot] = {}
         self.coupled_loads: dict[int, Slot] = {}
+
+    def packed(self) -> Slot:
+        """The accelerations in one block, after the run."""
+        sizes = tuple(block.size for block in self.accelerations)
+        return self.schedule.call(packing_kernel(sizes), *self.accelerations)[0]
 
     def given_acceleration(self, part: NodePart) -> Slot:
         """The acceleration of a prescribed joint, zero of any other."""

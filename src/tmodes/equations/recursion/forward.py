@@ -66,7 +66,8 @@ class Recursion(Driven):
         for index in reversed(range(len(self.parts.nodes))):
             self._inwards(index)
         self.couple_motors()
-        return self._outwards()
+        self.accelerations = self._outwards()
+        return self.accelerations
 
     def _inwards(self, index: int) -> None:
         part, way = self.parts.nodes[index], self.way.ways[index]
@@ -141,14 +142,14 @@ class Recursion(Driven):
         (force,) = self.schedule.call(times_kernel(), hung[0], self.roots[index], hung[1])
         return self.schedule.call(way.joint.load(), force, way.hinge, way.axis, self.way.none[FORCE])[1]
 
-    def point(self, k: int, accelerations: Slot) -> tuple[Slot, ...]:
+    def point(self, k: int) -> tuple[Slot, ...]:
         """Pose, rate and acceleration (less gravity) of a point in the world, after the run."""
         point = self.parts.points[k]
         way, number, link = self.way.ways[point.node], self.parts.station(point), self.parts.nodes[point.node].link
         pose, section, motion = way.tip_pose, way.tip, self.tips[point.node]
         if number is not None and link:
             pose, section = way.section_poses[number], way.sections[number]
-            own = accelerations.part(link.first, link.kernels.n)
+            own = self.packed().part(link.first, link.kernels.n)
             (motion,) = self.schedule.call(link.kernels.motion(), self.roots[point.node], section, own)
         assert pose is not None  # noqa: S101
         rate = section.part(12, 3) if section else way.tip_rate
