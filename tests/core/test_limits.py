@@ -248,7 +248,7 @@ def test_a_pair_must_move_alike(robot):
         {"reference.end": 1.0},
         {"reading": "printed"},
     ):
-        with pytest.raises(InputError, match="PaperPair"):
+        with pytest.raises(InputError, match="NominalRealPair"):
             PaperPair(robot, robot.with_(change))
 
 

@@ -127,7 +127,7 @@ import os, random, signal, sys, time
 from pathlib import Path
 from result.synthetic import synthetic_result
 from tmodes.io import resultfile
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult as Result
 path, random = Path(sys.argv[1]), random.Random(5)
 results = [synthetic_result(samples=1000 + 50 * k) for k in (0, 1)]
 for result in results:

@@ -40,22 +40,22 @@ __all__ = [
 ]
 
 _HOMES = {
-    "FIGURES": "figures",
-    "all_figures": "figures",
-    "bending_load": "load",
-    "contact_force": "contact",
-    "deformations": "angles",
-    "drawings": "figures",
-    "drive": "motor",
-    "elastic_line": "shape",
-    "energies": "energy",
+    "FIGURES": "paper.figures",
+    "all_figures": "paper.figures",
+    "bending_load": "paper.load",
+    "contact_force": "paper.contact",
+    "deformations": "paper.angles",
+    "drawings": "paper.figures",
+    "drive": "paper.motor",
+    "elastic_line": "paper.shape",
+    "energies": "paper.energy",
     "house_style": "style",
-    "left_out": "figures",
-    "mode_deflection": "shape",
-    "save_figures": "figures",
-    "spectrum": "vibration",
-    "stationary_oscillatory": "split",
-    "tip_tracking": "tip",
+    "left_out": "paper.figures",
+    "mode_deflection": "paper.shape",
+    "save_figures": "paper.figures",
+    "spectrum": "paper.vibration",
+    "stationary_oscillatory": "paper.split",
+    "tip_tracking": "paper.tip",
 }
 
 
