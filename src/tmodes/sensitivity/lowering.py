@@ -60,7 +60,7 @@ class Lowered:
         if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(
                 "derivatives of a run: contact set in or ended on a unilateral surface with a damper or a preload, "
-                "whose force jumps there; expected a force without jumps. Mend: end the run before, or set "
+                "whose force jumps there; expected a force without jumps. End the run before, or set "
                 "contact.damping and contact.preload to 0"
             )
         return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))

@@ -75,7 +75,7 @@ class _Guarded:
 
     def _failed(self, time: float, got: str, expected: str) -> SimulationError:
         return SimulationError(
-            f"controller {self.name} at t = {time:.6g} s: got {got}; expected {expected}. Mend: correct the function"
+            f"controller {self.name} at t = {time:.6g} s must return {expected}, got {got}; correct the function"
         )
 
 

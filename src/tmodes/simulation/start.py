@@ -58,8 +58,8 @@ def run_setup(arm: Robot, follow: Follow = Follow.SHEET) -> RunSetup:
     bad = np.flatnonzero(~np.isfinite(rate[model.layout.v]))
     if len(bad):
         raise SimulationError(
-            f"no acceleration at the start: got {rate[model.layout.v][bad[0]]} in coordinate "
-            f"{model.coordinates[bad[0]]}; expected a number. Mend: give what it moves a mass and an inertia"
+            f"the acceleration at the start is {rate[model.layout.v][bad[0]]} in coordinate "
+            f"{model.coordinates[bad[0]]}; give what it moves a mass and an inertia"
         )
     return RunSetup(arm, plan, model, start)
 
