@@ -43,7 +43,8 @@ def driven_by(regime: RunSetup) -> RunSetup:
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
     start[: 2 * len(model.coordinates)] = regime.start[: 2 * len(model.coordinates)]
-    return RunSetup(regime.arm, replace(regime.planned, plan=own), model, start)
+    planned = replace(regime.planned, plan=own)
+    return replace(regime, planned=planned, model=model, start=start, callback=True)
 
 
 @dataclass
