@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-from tmodes.equations.recursion.parts import Parts
+from tmodes.equations.recursion.parts import NodePart, Parts
 from tmodes.equations.recursion.passes import Blocks
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
 
@@ -23,8 +23,17 @@ class Way(Protocol):
     q: Slot
     v: Slot
     base: Slot
+    none: dict[int, Slot]
     wrenches: dict[int, Slot]
     """Number of a point -> force and moment on it, in world axes."""
+
+    def angle(self, part: NodePart) -> tuple[Slot, Slot]:
+        """Coordinate and rate of a joint."""
+        ...
+
+    def motor(self, part: NodePart) -> tuple[Slot, Slot]:
+        """Angle and rate of a motor."""
+        ...
 
     def frame_of(self, k: int) -> tuple[Slot, Slot, Slot]:
         """Pose of the frame that a point is fixed to, pose of its link's axes, and its rate in them."""
