@@ -12,7 +12,6 @@ from tmodes.equations.recursion.parts import Parts
 from tmodes.kinds.signals.signals import Quintic, Trapezoid
 from tmodes.live.functions import stationed
 from tmodes.live.loads import load_places, packed_loads
-from tmodes.live.surface import surface_numbers
 from tmodes.live.vibrations import vibration_numbers
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
@@ -64,7 +63,7 @@ def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float,
         found |= vibration_numbers(arm, plan.plan, model)
         found["carried"] = packed_loads(plan.plan, loop.parts, load_places(arm.integration.line_points)).numbers
         if arm.contact:
-            found["surface"] = surface_numbers(arm.contact.shape)
+            found["surface"] = np.array(arm.contact.shape.moving_numbers(), dtype=float)
     for k, signal in enumerate(plan.each):
         schedule = signal.schedule(until if isinstance(signal, (Quintic, Trapezoid)) else arm.integration.duration)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}

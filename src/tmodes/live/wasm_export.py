@@ -20,7 +20,6 @@ from tmodes.kinds.signals.schedule import Schedule
 from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.live.module import LiveModule
 from tmodes.sheet import Robot
-from tmodes.simulation import simulate as arm_simulation
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import run_setup
 
@@ -71,7 +70,7 @@ def _described(arm: Robot) -> tuple[LiveModule, dict[str, Any]]:
             which, follow = follows[name]
             moved = run_setup(which, follow)
             runs[name] = _run(moved.model.numbers.vector, moved.planned.schedule, moved.start, which.integration)
-    info = _settings(pair.real.integration, arm_simulation.closed_loop_spectrum(regime).highest)
+    info = _settings(pair.real.integration, regime.spectrum.highest)
     return live_module(functions, [info["method"]], slopes=False), info | {"runs": runs}
 
 

@@ -11,7 +11,7 @@ from tmodes.analysis.line.segment import segment_line, segment_tip
 from tmodes.analysis.line.strain import Sections, strain_motion
 from tmodes.analysis.line.tables import LineTables
 from tmodes.analysis.line.vectors import about, applied, back, cross
-from tmodes.chain.chain import Beam, Joint, JointKind, RigidLink, Segment
+from tmodes.chain.chain import Joint, JointKind, Link, Segment
 from tmodes.model.model import Model
 
 __all__ = ["Frame", "Walked", "info_places", "walk"]
@@ -102,9 +102,7 @@ def _jointed(joint: Joint, before: Frame, angle: Array, speed: Array, gain: Arra
     return Frame(rotation, before.position + arm, rate, turning, before.acceleration + moved)
 
 
-def _walked(
-    link: RigidLink | Beam | Segment, table: LineTables | None, asked: Array, root: Frame, q: Array, v: Array, a: Array
-) -> Walked:
+def _walked(link: Link, table: LineTables | None, asked: Array, root: Frame, q: Array, v: Array, a: Array) -> Walked:
     if isinstance(link, Segment):
         s = info_places(asked)
         return Walked(root, root.outer(segment_tip(link, root.inner(), q, v, a), 0), s, *segment_line(link, q, s))

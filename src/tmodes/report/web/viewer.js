@@ -1,4 +1,4 @@
-/* tmodes, built from 9bfeb7b90a402499; BSD-3-Clause */
+/* tmodes, built from 151514572621e0f1; BSD-3-Clause */
 /* three
 The MIT License
 

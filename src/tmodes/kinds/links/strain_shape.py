@@ -6,15 +6,7 @@ from dataclasses import dataclass
 from functools import cached_property
 from typing import Any
 
-__all__ = ["FRAME", "StrainShape", "TableReader", "frame_size"]
-
-FRAME = 15
-"""Numbers of a frame along a link: rotation (9), position (3) and angular velocity (3), all in link axes."""
-
-
-def frame_size(coordinates: int) -> int:
-    """Numbers told of a section: its frame, the columns of its motion (6 each), and its bias acceleration (6)."""
-    return FRAME + 6 * coordinates + 6
+__all__ = ["StrainShape", "TableReader"]
 
 
 @dataclass(frozen=True)
@@ -92,16 +84,6 @@ class StrainShape:
     def stiffness_sizes(self) -> tuple[int, ...]:
         """Functions of each direction, for the blocks of the stiffness matrix."""
         return tuple(count for count in (self.twist, self.bend_y, self.bend_z, self.stretch) if count)
-
-    @property
-    def stiffness_size(self) -> int:
-        """Numbers of the packed stiffness matrix: diagonals, or lower triangles by direction."""
-        return sum(n * (n + 1) // 2 if self.full else n for n in self.stiffness_sizes)
-
-    @property
-    def terms_size(self) -> int:
-        """Numbers of the packed inertia terms: M_qq, M_qb, M_bb (10), p_q, p_b."""
-        return self.size * (self.size + 1) // 2 + 6 * self.size + 10 + self.size + 6
 
     @property
     def key(self) -> str:

@@ -9,11 +9,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.equations.recursion.link_terms import LinkTerms, Section
-from tmodes.equations.recursion.strain_line import SectionState, StrainLine, strain_line
-from tmodes.equations.recursion.strain_shape import StrainShape, TableReader
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.spatial import Force
+from tmodes.kinds.links.strain_line import SectionState, StrainLine, strain_line
+from tmodes.kinds.links.strain_shape import StrainShape, TableReader
+from tmodes.kinds.links.terms import LinkTerms, Section
 
 __all__ = ["strain_link"]
 
@@ -22,7 +22,7 @@ def strain_link(shape: StrainShape, tables: Any, rate: Any, q: Any, qd: Any) -> 
     """Packed inertia terms, and packed sections: the tip first, then the stations.
 
     ``rate`` (3,) is the angular velocity of the root in its own axes; ``tables`` are those of
-    :func:`tmodes.equations.recursion.beam_tables.beam_tables`.
+    :func:`tmodes.kinds.links.beam_tables.beam_tables`.
     """
     table = TableReader(shape, tables)
     line = strain_line(shape, table, v.vec(rate), q, qd)

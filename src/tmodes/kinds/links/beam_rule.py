@@ -14,8 +14,8 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.chain.chain import Beam
-from tmodes.equations.recursion.beam_functions import MODULI, fine_rule, pieces_at
+from tmodes.kinds.links.beam_functions import MODULI, fine_rule, pieces_at
+from tmodes.kinds.links.beam_numbers import BeamNumbers
 
 __all__ = ["JUMP", "Rule", "beam_rule"]
 
@@ -51,7 +51,7 @@ class Rule:
             found.append(np.linalg.solve(legendre.legvander(x, len(x) - 1).T, values))
         return np.asarray(np.concatenate(found).T, dtype=np.float64)
 
-    def rotary(self, beam: Beam, axis: int) -> Array:
+    def rotary(self, beam: BeamNumbers, axis: int) -> Array:
         """Section inertia at the points [kg*m^2] about an axis of the section.
 
         Interpolatory weights; where they make one of a span negative, which no inertia may be, the inertia goes with
@@ -81,7 +81,7 @@ def _cardinal(points: Array, x: Array) -> Array:
     return np.asarray(np.linalg.solve(at_points, at_x.reshape(len(points), -1)).reshape(at_x.shape), dtype=np.float64)
 
 
-def beam_rule(beam: Beam) -> Rule:
+def beam_rule(beam: BeamNumbers) -> Rule:
     """The rule of a beam.
 
     Without ``beam.points`` a link of one span has two points more than functions, which is exact for its mass matrix
@@ -94,7 +94,7 @@ def beam_rule(beam: Beam) -> Rule:
     return Rule(edges, np.concatenate([points for points, _ in spans]), np.concatenate([mass for _, mass in spans]))
 
 
-def _edges(beam: Beam) -> Array:
+def _edges(beam: BeamNumbers) -> Array:
     """Root, every place where a stiffness that matters jumps, tip."""
     names = [modulus for direction, modulus in MODULI.items() if getattr(beam, direction)]
     inner = []
@@ -105,7 +105,7 @@ def _edges(beam: Beam) -> Array:
     return np.array([0.0, *inner, 1.0])
 
 
-def _gauss(beam: Beam, start: float, end: float, count: int) -> tuple[Array, Array]:
+def _gauss(beam: BeamNumbers, start: float, end: float, count: int) -> tuple[Array, Array]:
     """Gauss points and masses [kg] of a span: exact up to degree 2 g - 1 under the beam's own mass per length.
 
     A span of uniform mass has Gauss-Legendre points; of any other the rule comes from the recurrence of the polynomials

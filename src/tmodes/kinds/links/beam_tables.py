@@ -10,18 +10,18 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Beam
-from tmodes.equations.recursion.beam_functions import (
+from tmodes.kinds.links.beam_functions import (
     MODULI,
     function_values,
     interval_integrals,
     is_uniform,
     stiffness_matrix,
 )
-from tmodes.equations.recursion.beam_rule import Rule, beam_rule
-from tmodes.equations.recursion.strain_shape import StrainShape
+from tmodes.kinds.links.beam_numbers import BeamNumbers
+from tmodes.kinds.links.beam_rule import Rule, beam_rule
+from tmodes.kinds.links.strain_shape import StrainShape
 
-__all__ = ["BeamTables", "beam_tables", "section_edges", "stations_of"]
+__all__ = ["BeamTables", "beam_tables", "section_edges"]
 
 Array = NDArray[np.float64]
 
@@ -42,13 +42,7 @@ class BeamTables:
         return self.rule.points
 
 
-def stations_of(beam: Beam, asked: tuple[float, ...] = ()) -> tuple[float, ...]:
-    """Where sections must be told besides the tip: bodies and named points at s < 1, rising."""
-    found = {s for s, _ in beam.bodies if s < 1.0} | {s for s in asked if s < 1.0}
-    return tuple(sorted(found))
-
-
-def _shape(beam: Beam, rule: Rule, stations: tuple[float, ...]) -> StrainShape:
+def _shape(beam: BeamNumbers, rule: Rule, stations: tuple[float, ...]) -> StrainShape:
     before = tuple(int(np.searchsorted(rule.points, s, side="right")) for s in stations)
     inertia = [any(max(piece.inertia[axis]) > 0 for piece in beam.pieces) for axis in range(3)]
     return StrainShape(
@@ -65,7 +59,7 @@ def section_edges(shape: StrainShape, points: Array, stations: tuple[float, ...]
     return np.array([0.0, *(places[kind][k] for kind, k in shape.breaks)])
 
 
-def beam_tables(beam: Beam, stations: tuple[float, ...] = ()) -> BeamTables:
+def beam_tables(beam: BeamNumbers, stations: tuple[float, ...] = ()) -> BeamTables:
     """All tables of a beam with the sections at ``stations`` told."""
     rule = beam_rule(beam)
     shape = _shape(beam, rule, stations)
@@ -96,7 +90,7 @@ def _root_mass(to_point: Array, masses: Array) -> Array:
     return np.asarray(root, dtype=np.float64)[np.triu_indices(len(masses))]
 
 
-def _stiffness(beam: Beam, shape: StrainShape) -> Array:
+def _stiffness(beam: BeamNumbers, shape: StrainShape) -> Array:
     """The stiffness matrices by direction: diagonals, or lower triangles row by row [N*m]."""
     matrices = [stiffness_matrix(beam, name) for name in MODULI if getattr(beam, name)]
     entries = [matrix[np.tril_indices(len(matrix))] if shape.full else np.diag(matrix) for matrix in matrices]

@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import Any
 
-import casadi as ca
-
-from tmodes.equations.recursion.link_terms import Section
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.spatial import Force
+from tmodes.kinds.links.terms import Section
 
 __all__ = ["segment_link"]
 
@@ -38,7 +37,7 @@ class _Turned:
     """Axes turned about z, then about the turned y, with their angular velocity and its bias acceleration."""
 
     def __init__(self, about_y: Any, about_z: Any, rate_y: Any, rate_z: Any, spin: v.Vector) -> None:
-        cy, sy, cz, sz = ca.cos(about_y), ca.sin(about_y), ca.cos(about_z), ca.sin(about_z)
+        cy, sy, cz, sz = cos(about_y), sin(about_y), cos(about_z), sin(about_z)
         self.rotation = [[cz * cy, -sz, cz * sy], [sz * cy, cz, sz * sy], [-sy, 0.0, cy]]
         self.columns = [[-sz, cz, 0.0], v.unit(2)]
         after_z = v.add(spin, v.scale(rate_z, v.unit(2)))

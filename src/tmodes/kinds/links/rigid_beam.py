@@ -4,8 +4,8 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmodes.chain.chain import Body
 from tmodes.kinds.links.beam import BeamSheet, RotaryInertia
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.schema.axes import bent_line
 
 __all__ = ["rigid_body"]

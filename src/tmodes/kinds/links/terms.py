@@ -1,15 +1,22 @@
-"""What a bending link tells of itself to the recursion: inertia terms about its root, and frames of its sections."""
+"""What the recursion needs of a bending link: inertia terms about its root, and frames of its sections."""
 
 from __future__ import annotations
 
 from dataclasses import dataclass
 from typing import Any
 
-from tmodes.equations.recursion.strain_shape import FRAME
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.spatial import Force, Inertia, body_inertia
 
-__all__ = ["LinkTerms", "Section"]
+__all__ = ["FRAME", "LinkTerms", "Section", "frame_size"]
+
+FRAME = 15
+"""Numbers of a frame along a link: rotation (9), position (3) and angular velocity (3), all in link axes."""
+
+
+def frame_size(coordinates: int) -> int:
+    """Numbers of a section: its frame, the columns of its motion (6 each), and its bias acceleration (6)."""
+    return FRAME + 6 * coordinates + 6
 
 
 @dataclass

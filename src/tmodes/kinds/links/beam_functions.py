@@ -12,7 +12,7 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.chain.chain import Beam
+from tmodes.kinds.links.beam_numbers import BeamNumbers
 
 __all__ = [
     "MODULI",
@@ -35,10 +35,11 @@ _X, _W = legendre.leggauss(24)
 """Rule within a piece: exact to rounding for polynomials, to 1e-10 where stiffness falls to a sixteenth in it."""
 
 
-def pieces_at(beam: Beam, name: str, s: ArrayLike) -> Array:
+def pieces_at(beam: BeamNumbers, name: str, s: ArrayLike) -> Array:
     """A quantity of a beam's pieces at s, shape of s; where two pieces meet, that of the inner one.
 
-    ``name``: a field of :class:`tmodes.chain.chain.BeamPiece`; ``inertia0``, ``inertia1``, ``inertia2`` about x, y, z.
+    ``name``: a field of :class:`tmodes.kinds.links.beam_numbers.BeamPiece`;
+    ``inertia0``, ``inertia1``, ``inertia2`` about x, y, z.
     """
     s = np.asarray(s, dtype=float)
     starts, ends = _bounds(beam)
@@ -49,38 +50,38 @@ def pieces_at(beam: Beam, name: str, s: ArrayLike) -> Array:
     return values[k, 0] + rise[k] * (s - starts[k]) / (ends - starts)[k]
 
 
-def _bounds(beam: Beam) -> tuple[Array, Array]:
+def _bounds(beam: BeamNumbers) -> tuple[Array, Array]:
     """Where each piece starts and where it ends."""
     ends = np.array([piece.end for piece in beam.pieces])
     return np.concatenate([[0.0], ends[:-1]]), ends
 
 
-def _ends(beam: Beam, name: str) -> Array:
+def _ends(beam: BeamNumbers, name: str) -> Array:
     """(pieces, 2): a quantity at the start and the end of each piece."""
     if name.startswith("inertia"):
         return np.array([piece.inertia[int(name[-1])] for piece in beam.pieces], dtype=float)
     return np.array([getattr(piece, name) for piece in beam.pieces], dtype=float)
 
 
-def is_uniform(beam: Beam, direction: str) -> bool:
+def is_uniform(beam: BeamNumbers, direction: str) -> bool:
     """True where a direction has one stiffness all along the link."""
     return bool(np.ptp(_ends(beam, MODULI[direction])) == 0.0) if _weighted(beam, direction) else True
 
 
-def _weighted(beam: Beam, direction: str) -> bool:
+def _weighted(beam: BeamNumbers, direction: str) -> bool:
     """Whether 1/EI is a number everywhere and not 0 everywhere; of links without any stiffness it is not."""
     values = _ends(beam, MODULI[direction])
     return bool(values.min() > 0.0 and np.isfinite(values).any())
 
 
-def fine_rule(beam: Beam) -> tuple[Array, Array]:
+def fine_rule(beam: BeamNumbers) -> tuple[Array, Array]:
     """Points and weights (sum 1) of a fine quadrature over all pieces."""
     starts, ends = _bounds(beam)
     half = (ends - starts)[:, None] / 2
     return (starts[:, None] + half * (1 + _X)).ravel(), (half * _W).ravel()
 
 
-def _shares(beam: Beam, direction: str, s: Array) -> Array:
+def _shares(beam: BeamNumbers, direction: str, s: Array) -> Array:
     """EI_ref/EI at s."""
     if not _weighted(beam, direction) or is_uniform(beam, direction):
         return np.ones_like(s)
@@ -89,7 +90,7 @@ def _shares(beam: Beam, direction: str, s: Array) -> Array:
     return np.asarray(1 / (mean * pieces_at(beam, MODULI[direction], s)), dtype=np.float64)
 
 
-def function_values(beam: Beam, direction: str, s: ArrayLike) -> Array:
+def function_values(beam: BeamNumbers, direction: str, s: ArrayLike) -> Array:
     """Values (functions, *s) of the functions of a direction; where two pieces meet, of the inner one."""
     s = np.asarray(s, dtype=float)
     count = getattr(beam, direction)
@@ -100,7 +101,7 @@ def function_values(beam: Beam, direction: str, s: ArrayLike) -> Array:
     return np.asarray(polynomials * (window * _shares(beam, direction, s)), dtype=np.float64)
 
 
-def interval_integrals(beam: Beam, start: Array, end: Array) -> tuple[Array, Array]:
+def interval_integrals(beam: BeamNumbers, start: Array, end: Array) -> tuple[Array, Array]:
     """Of each interval (n,) and each function that turns sections: two arrays (n, turning).
 
     The integral, and the first moment about the interval's middle over its length; broken at the ends of the pieces.
@@ -117,7 +118,7 @@ def interval_integrals(beam: Beam, start: Array, end: Array) -> tuple[Array, Arr
     return alpha, beta
 
 
-def stiffness_matrix(beam: Beam, direction: str) -> Array:
+def stiffness_matrix(beam: BeamNumbers, direction: str) -> Array:
     """K = 1/L int EI b_i b_j ds [N*m] of a direction that turns sections; of stretch L int EA b_i b_j ds [N*m]."""
     s, w = fine_rule(beam)
     values, stiffness = function_values(beam, direction, s), pieces_at(beam, MODULI[direction], s)

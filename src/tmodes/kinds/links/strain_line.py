@@ -8,10 +8,9 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from typing import Any
 
-import casadi as ca
-
-from tmodes.equations.recursion.strain_shape import StrainShape, TableReader
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import cos, sin
+from tmodes.kinds.links.strain_shape import StrainShape, TableReader
 
 __all__ = ["SectionState", "StrainLine", "strain_line"]
 
@@ -58,7 +57,7 @@ def _planar_line(shape: StrainShape, table: TableReader, rate: v.Vector, q: Any,
         speed = speed + v.total([alpha * qd[j] for j, alpha in enumerate(alphas)])
         turned = v.scale(speed, axis)
         state = SectionState(
-            v.about(shape.planar, ca.cos(angle), ca.sin(angle)),
+            v.about(shape.planar, cos(angle), sin(angle)),
             v.add(rate, turned),
             v.cross(rate, turned),
             [v.scale(s, axis) for s in slopes],
