@@ -12,6 +12,7 @@ from pydantic.fields import FieldInfo
 
 from tmodes.kinds.links.registry import link_sheets
 from tmodes.kinds.links.sheet import BendingSheet
+from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
 __all__ = [
@@ -34,6 +35,8 @@ def members_of(annotation: Any) -> list[Any]:
         return members_of(get_args(annotation)[0])
     if origin in {Union, UnionType}:
         return [member for one in get_args(annotation) if one is not NoneType for member in members_of(one)]
+    if inspect.isclass(annotation) and issubclass(annotation, Kind):
+        return list(annotation.members())
     return [*link_sheets()] if annotation is BendingSheet else [annotation]
 
 

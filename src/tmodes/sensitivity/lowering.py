@@ -12,6 +12,7 @@ from tmodes.analysis.stability import chosen_settings
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
+from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive, Mechanism
 from tmodes.paper.model import PaperModel
@@ -19,12 +20,10 @@ from tmodes.paper.model_schedules import implicit_schedule, rate_schedule
 from tmodes.paper.modes import closed_loop_spectrum as robot_spectrum
 from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
-from tmodes.sheet.contact import ContactLaw, ContactSheet
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 from tmodes.simulation.recording import MOST_BYTES, record
 from tmodes.simulation.replay import Replay
-from tmodes.simulation.simulate import closed_loop_spectrum
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.trajectory import Moving, Numbers
 
@@ -48,7 +47,7 @@ class Lowered:
     start: Array
     settings: Integration
     regime: RunSetup | None = None
-    contact: ContactSheet | None = None
+    contact: Contact | None = None
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.
@@ -57,10 +56,10 @@ class Lowered:
         the jump moves with the numbers is part of the derivative, and not seen.
         """
         done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
-        if done.contact_changes and self.contact and _jumps(self.contact):
+        if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(
                 "derivatives of a run: contact set in or ended on a unilateral surface with a damper or a preload, "
-                "whose force jumps there; expected a force without jumps. Mend: end the run before, or set "
+                "whose force jumps there; expected a force without jumps. End the run before, or set "
                 "contact.damping and contact.preload to 0"
             )
         return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))
@@ -75,15 +74,10 @@ def lowered(sheet: Robot | PaperRobot) -> Lowered:
         return _of_robot(sheet.pair().real)
     real = sheet.pair().real
     regime = run_setup(real)
-    settings = chosen_settings(sheet.integration, lambda: closed_loop_spectrum(regime))
+    settings = chosen_settings(sheet.integration, lambda: regime.spectrum)
     model = regime.model
     rates = model.loop.euler_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
     return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime, real.contact)
-
-
-def _jumps(contact: ContactSheet) -> bool:
-    """Whether the push of a surface sets in at once: its damper's by the speed of impact, or a preload."""
-    return contact.law is ContactLaw.UNILATERAL and (contact.damping > 0 or contact.preload > 0)
 
 
 def _of_robot(robot: PaperRobot) -> Lowered:
