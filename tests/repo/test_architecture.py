@@ -1,0 +1,69 @@
+"""The architecture in numbers stays where it is: one package for one thing, imports one way, kinds that answer."""
+
+from __future__ import annotations
+
+from pathlib import Path
+
+import architecture
+import pytest
+
+HOUSE = architecture.Architecture()
+MOST_ENTRIES, MOST_LAYERS, MOST_QUAINT, MOST_ASKED, MOST_UPWARD = 22, 14, 40, 5, 12
+MOST_LINES, MOST_SCRIPT_LINES = 48_000, 11_000
+
+
+def test_entries_of_the_package() -> None:
+    assert len(HOUSE.entries) <= MOST_ENTRIES
+
+
+def test_no_path_names_a_species_of_robot() -> None:
+    assert HOUSE.named_for_a_species == []
+
+
+def test_objects_are_not_asked_for_their_kind() -> None:
+    assert len(HOUSE.asked) <= MOST_ASKED, "\n".join(HOUSE.asked)
+
+
+@pytest.mark.parametrize("level", architecture.LEVELS)
+def test_no_import_circles(level: str) -> None:
+    assert HOUSE.circles(architecture.LEVELS[level]) == []
+
+
+def test_layers_without_exceptions() -> None:
+    layers, exceptions = HOUSE.layers
+    assert layers <= MOST_LAYERS
+    assert exceptions == 0
+
+
+def test_plain_words() -> None:
+    assert len(HOUSE.quaint) <= MOST_QUAINT, "\n".join(HOUSE.quaint)
+
+
+def test_lines() -> None:
+    python, scripts = HOUSE.lines
+    assert python <= MOST_LINES
+    assert scripts <= MOST_SCRIPT_LINES
+
+
+def test_few_methods_reach_an_upper_package() -> None:
+    import tmodes
+
+    assert len(tmodes._UPWARD) <= MOST_UPWARD
+    for method in tmodes._UPWARD:
+        assert callable(tmodes.upward(method))
+
+
+def test_what_a_rule_finds(tmp_path: Path) -> None:
+    """Each rule finds what it is for, in a package that breaks it."""
+    source = tmp_path / "src" / "tmodes"
+    (source / "kinds").mkdir(parents=True)
+    (source / "kinds" / "__init__.py").write_text("class Wheel: ...\n")
+    (source / "__init__.py").write_text("")
+    (source / "arm_a.py").write_text("def f(x):\n    from tmodes.b import g\n    return isinstance(x, Wheel)\n")
+    (source / "b.py").write_text("from tmodes.arm_a import f\n# made an" + "ew\n")
+    broken = architecture.Architecture(tmp_path)
+    assert broken.named_for_a_species == ["arm_a.py"]
+    assert broken.asked == ["src/tmodes/arm_a.py:3"]
+    assert broken.quaint == ["src/tmodes/b.py:2"]
+    assert broken.circles({"top"}) == []
+    assert broken.circles({"top", "function"}) == [["tmodes.arm_a", "tmodes.b"]]
