@@ -145,7 +145,7 @@ class RunFolder:
         return simulate(self.robot, progress=progress, journals=self._journal)
 
     def _drawn(self, result: Any) -> dict[str, Drawing]:
-        from tmodes.plot.paper.figures import drawings
+        from tmodes.plot import drawings
 
         return drawings(result)
 

@@ -57,6 +57,6 @@ class MotionFolder(RunFolder):
         return drawings(result)
 
     def _write_report(self, result: Any, pictures: dict[str, Drawing]) -> None:
-        from tmodes.report.write_motion import write_arm_report
+        from tmodes.report.write import write_report
 
-        write_arm_report(result, self.report_file, pictures, live=self.live)
+        write_report(result, self.report_file, pictures, live=self.live)

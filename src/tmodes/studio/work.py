@@ -143,13 +143,11 @@ def _data(result: PaperResult | Result, name: str, laps: _Laps) -> bytes:
 
 def _report(result: PaperResult | Result, name: str, laps: _Laps) -> bytes:
     from tmodes.report import write_report
-    from tmodes.report.write_motion import write_arm_report
-    from tmodes.result.record import PaperResult
 
     del name
     with tempfile.TemporaryDirectory(prefix="tmodes-report-") as folder:
         path = Path(folder) / "report.html"
-        write_report(result, path) if isinstance(result, PaperResult) else write_arm_report(result, path)
+        write_report(result, path)
         content = path.read_bytes()
     laps.take("report")
     return content
