@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tmodes.plot.paper.vibration import amplitude_spectrum
+from tmodes.plot.amplitude import amplitude_spectrum
 
 from see.scenes import arm_result
 from tmodes.report.charts import charts_of, drafts_of
