@@ -8,8 +8,9 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmodes.chain.chain import Beam, BeamPiece, Body, Joint, JointKind, Node, Placement, RigidLink, Segment
+from tmodes.chain.chain import Beam, BeamPiece, Body, Joint, Node, Placement, RigidLink, Segment
 from tmodes.chain.rigid import rigid_body
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.beam import Basis, BeamModel, BeamSheet, Functions, RotaryInertia
 from tmodes.kinds.links.beam_pieces import Piece
 from tmodes.kinds.links.body import BodySheet
@@ -118,7 +119,7 @@ def _segments(link: LinkSheet, beam: BeamSheet, node: Node, frame: Placement) ->
         bodies = [body for body in link.bodies if body.station > 0 and round(body.station * count) == k + 1]
         carried = tuple(_body(body, _mount(beam, body.station)) for body in bodies)
         name = link.name if count == 1 else f"{link.name}.{k + 1}"
-        own = joint if k == 0 else Joint(name, JointKind.FIXED)
+        own = joint if k == 0 else Joint(name, joint_kind("fixed"))
         nodes.append(Node(name, node.parent, own, _segment(beam, k, carried)))
 
     def spot(s: float) -> Spot:
@@ -152,18 +153,16 @@ def _segment(beam: BeamSheet, index: int, bodies: tuple[Body, ...]) -> Segment:
 def _root(node: Node, root: Placement, bodies: tuple[Body, ...] = ()) -> tuple[tuple[Node, ...], Joint]:
     """What stands before a beam whose root is at ``root`` in the joint's moved frame, and the joint that carries it.
 
-    Turning the frames of the joint itself is enough where its motion commutes with the offset of the root: always but
-    for a revolute joint whose axis misses the root. There, and for bodies at the root, a rigid link comes first.
+    Turning the frames of the joint itself is enough where its motion commutes with the offset of the root, as that of
+    a revolute joint does whose axis meets the root. Else, and for bodies at the root, a rigid link comes first.
     """
     joint = node.joint
-    across = np.cross(joint.axis, root.position)
-    commutes = joint.kind is not JointKind.REVOLUTE or float(np.abs(across).max()) == 0.0
-    if commutes and not bodies:
-        axis = joint.axis if joint.kind is JointKind.FIXED else root.rotation.T @ joint.axis
+    if joint.kind.commutes(joint.axis, root.rotation, root.position) and not bodies:
+        axis = root.rotation.T @ joint.axis if joint.moves else joint.axis
         return (), replace(joint, placement=joint.placement @ root, axis=axis)
     name = f"{node.name}.root"
     first = replace(node, name=name, link=RigidLink(tuple(_moved(body, root) for body in bodies)))
-    return (first,), Joint(name, JointKind.FIXED, root)
+    return (first,), Joint(name, joint_kind("fixed"), root)
 
 
 def _bends(beam: BeamSheet) -> bool:

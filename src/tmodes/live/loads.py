@@ -16,7 +16,7 @@ from tmodes.analysis.line.strain import PLANAR_TERMS, TERMS
 from tmodes.analysis.line.tables import Interval, line_tables, pieces_at
 from tmodes.analysis.line.walk import info_places
 from tmodes.analysis.model_validity import yield_strength
-from tmodes.chain.chain import Beam, Chain, JointKind, Node
+from tmodes.chain.chain import Beam, Chain, Node
 from tmodes.equations.loop.plan import LoadPlan, LoopPlan
 from tmodes.equations.recursion.parts import NodePart, Parts, packed_bodies
 from tmodes.kinds.joints.joint import Limits
@@ -167,7 +167,7 @@ def joint_limits(arm: Robot, plan: LoopPlan, parts: Parts) -> list[dict[str, Any
     Where in coordinates and drives (-1: none) each joint is, with its units; what is not limited is None.
     """
     drives = [drive.joint for drive in plan.drives]
-    sliding = {node.joint.name for node in plan.chain.nodes if node.joint.kind is JointKind.PRISMATIC}
+    sliding = plan.chain.sliding
     return [
         {
             "joint": joint.name, "coordinate": parts.names.index(joint.name),

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,8 +11,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.line.segment import segment_line, segment_tip
 from tmodes.analysis.line.strain import Sections, strain_motion
 from tmodes.analysis.line.tables import LineTables
-from tmodes.analysis.line.vectors import about, applied, back, cross
-from tmodes.chain.chain import Beam, Joint, JointKind, RigidLink, Segment
+from tmodes.analysis.line.vectors import applied, back, cross
+from tmodes.chain.chain import Beam, Joint, RigidLink, Segment
 from tmodes.model.model import Model
 
 __all__ = ["Frame", "Walked", "info_places", "walk"]
@@ -72,8 +73,8 @@ def walk(
     start = _base(base)
     for part, table in zip(model.parts.nodes, tables, strict=True):
         before = found[part.node.parent].tip if part.node.parent >= 0 else start
-        angle = [np.zeros(len(q)) if part.angle < 0 else x[:, part.angle] for x in (q, v, a)]
-        root = _jointed(part.node.joint, before, *angle)
+        place = slice(part.angle, part.angle + part.size) if part.axes else slice(0)
+        root = _jointed(part.node.joint, before, q[:, place], v[:, place], a[:, place])
         own = part.link.own if part.link else slice(0)
         found.append(_walked(part.node.link, table, asked, root, q[:, own], v[:, own], a[:, own]))
     return found
@@ -85,21 +86,27 @@ def _base(base: Array) -> Frame:
     return Frame(rotation, base[:, 18:21], rate, turning, acceleration)
 
 
-def _jointed(joint: Joint, before: Frame, angle: Array, speed: Array, gain: Array) -> Frame:
-    """The root of the link that a joint on the frame ``before`` carries."""
-    rotation = before.rotation @ joint.placement.rotation
-    arm, rate, turning = before.rotation @ joint.placement.position, before.rate, before.turning
-    extra = np.zeros_like(arm)
-    axis = rotation @ joint.axis
-    if joint.kind is JointKind.REVOLUTE:
-        rotation = rotation @ about(joint.axis, angle)
-        turning = turning + gain[:, None] * axis + cross(rate, speed[:, None] * axis)
-        rate = rate + speed[:, None] * axis
-    elif joint.kind is JointKind.PRISMATIC:
-        arm = arm + angle[:, None] * axis
-        extra = 2 * cross(rate, speed[:, None] * axis) + gain[:, None] * axis
-    moved = cross(before.turning, arm) + cross(before.rate, cross(before.rate, arm)) + extra
-    return Frame(rotation, before.position + arm, rate, turning, before.acceleration + moved)
+def _jointed(joint: Joint, before: Frame, q: Array, v: Array, a: Array) -> Frame:
+    """The root of the link that a joint on ``before`` carries, at coordinates, rates and accelerations (n, k)."""
+    n, numbers, moved = len(before.position), joint.numbers, (list(q.T), list(v.T))
+    turned, shifted = joint.kind.place(moved[0], numbers)
+    frame = before.rotation @ joint.placement.rotation
+    rotation = frame @ _stacked([each for row in turned for each in row], n).reshape(n, 3, 3)
+    arm = before.rotation @ joint.placement.position + applied(frame, _stacked(shifted, n))
+    columns = [_stacked(each.packed(), n) for each in joint.kind.subspace(moved[0], numbers)]
+    bias = _stacked(joint.kind.bias(*moved, numbers).packed(), n) if joint.moves else np.zeros((n, 6))
+    speed = sum((v[:, k, None] * each for k, each in enumerate(columns)), np.zeros((n, 6)))
+    gain = sum((a[:, k, None] * each for k, each in enumerate(columns)), bias)
+    (turn, slide), (spin, push) = ((applied(rotation, x[:, :3]), applied(rotation, x[:, 3:])) for x in (speed, gain))
+    turning = before.turning + spin + cross(before.rate, turn)
+    extra = 2 * cross(before.rate, slide) + push
+    moving = cross(before.turning, arm) + cross(before.rate, cross(before.rate, arm)) + extra
+    return Frame(rotation, before.position + arm, before.rate + turn, turning, before.acceleration + moving)
+
+
+def _stacked(entries: list[Any], count: int) -> Array:
+    """(n, entries) of entries that are numbers or arrays (n,)."""
+    return np.stack([np.broadcast_to(np.asarray(each, dtype=float), (count,)) for each in entries], axis=1)
 
 
 def _walked(

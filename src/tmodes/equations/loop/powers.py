@@ -95,7 +95,7 @@ class Powers:
         (force,) = self._call(times_kernel(), hung[0], root, hung[1])
         way = self.way.ways[driver.index]
         along = self._call(way.joint.load(), force, way.hinge, way.axis, self.none[FORCE])[1]
-        return self._added(forces.part(0, 1), along), None
+        return self._added(forces.part(0, 1), along.part(part.place, 1)), None
 
     def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
@@ -113,13 +113,14 @@ class Powers:
 
     def _lose(self) -> None:
         """Losses of what no drive of the plan moves: locked springs, and the links."""
-        driven = {driver.index for driver in self.loop.drivers}
-        for index, part in enumerate(self.parts.nodes):
-            if part.drive and part.drive_numbers and index not in driven:
-                blocks = (part.drive_numbers, *self.way.motor(part), *self.way.angle(part))
-                lost = self._call(part.drive.elastic(), *blocks)[2]
-                self.powers["gear_damping"].append(lost.part(0, 1))
-                self.powers["friction"].append(lost.part(1, 1))
+        driven = {driver.part.angle for driver in self.loop.drivers}
+        for part in self.parts.nodes:
+            for axis in part.axes:
+                if axis.drive and axis.drive_numbers and axis.angle not in driven:
+                    blocks = (axis.drive_numbers, *self.way.motor(axis), *self.way.angle(axis))
+                    lost = self._call(axis.drive.elastic(), *blocks)[2]
+                    self.powers["gear_damping"].append(lost.part(0, 1))
+                    self.powers["friction"].append(lost.part(1, 1))
             if part.link:
                 link = part.link
                 blocks = (

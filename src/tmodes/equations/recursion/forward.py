@@ -3,8 +3,9 @@
 from __future__ import annotations
 
 from tmodes.equations.recursion.ahead import Ahead
+from tmodes.equations.recursion.general_joint import GeneralJoint
 from tmodes.equations.recursion.hinge import Hinge
-from tmodes.equations.recursion.parts import NodePart, Parts
+from tmodes.equations.recursion.parts import AxisPart, NodePart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.equations.recursion.screw import Screw
 from tmodes.kinds.kernel.kernel import Kernel
@@ -48,7 +49,7 @@ class Recursion:
     ) -> None:
         """``start``: coordinates and rates from which springs, dampers and friction start; those of ``way`` place all.
 
-        ``feedback`` (2 per effort): see :meth:`DriveKind.forward`.
+        ``feedback`` (2 per effort): see :meth:`DriveKernels.forward`.
         """
         self.way, self.effort, self.given, self.step, self.feedback = way, effort, given, step, feedback
         self.start = start
@@ -59,7 +60,7 @@ class Recursion:
         self.tips: list[Slot] = []
         self.schedule, self.parts = way.schedule, way.parts
         self.loads: dict[int, tuple[Slot, Slot]] = {}
-        self.joints: dict[int, Hinge | Screw] = {}
+        self.joints: dict[int, Hinge | GeneralJoint | Screw] = {}
         self.held: dict[int, Slot] = {}
         self.solved: dict[int, Slot] = {}
         self.motor_terms: dict[int, Slot] = {}
@@ -74,8 +75,8 @@ class Recursion:
         self._couple_motors()
         return self._outwards()
 
-    def _given(self, part: NodePart) -> Slot:
-        return self.given.part(part.given, 1) if part.given >= 0 else self.way.none[1]
+    def _given(self, axis: AxisPart) -> Slot:
+        return self.given.part(axis.given, 1) if axis.given >= 0 else self.way.none[1]
 
     def _inwards(self, index: int) -> None:
         part, way = self.parts.nodes[index], self.way.ways[index]
@@ -87,7 +88,8 @@ class Recursion:
             blocks = (terms, way.tip, inertia, bias, link.stiffness, link.damping, q, v, self.step)
             inertia, bias, self.solved[index] = self.schedule.call(link.kernels.outward(), *blocks)
         self.hung[index] = (inertia, bias)
-        effort, own = self._drive(index, part)
+        drives = [self._drive(axis) for axis in part.axes]
+        effort, own = (self.way.packed([drive[k] for drive in drives]) for k in range(2))
         parent = part.node.parent
         self.joints[index] = joint = self._joint(index, own)
         blocks = (inertia, bias, way.hinge, way.axis, effort, own)
@@ -123,7 +125,7 @@ class Recursion:
         more = pushed or index in self.loads or index in self.way.attached
         return None if more or body is None or push is None else (body, push)
 
-    def _joint(self, index: int, own: Slot) -> Hinge | Screw:
+    def _joint(self, index: int, own: Slot) -> Hinge | GeneralJoint | Screw:
         joint = self.way.ways[index].joint
         return joint.as_free() if isinstance(joint, Screw) and own is self.way.none[1] else joint
 
@@ -132,34 +134,35 @@ class Recursion:
         none = self.way.none[1]
         return (none, none) if index < 0 else (self.start[0].part(index, 1), self.start[1].part(index, 1))
 
-    def _drive(self, index: int, part: NodePart) -> tuple[Slot, Slot]:
+    def _drive(self, axis: AxisPart) -> tuple[Slot, Slot]:
+        """Effort on a coordinate of a joint (its acceleration where that is given) and inertia of its own."""
         none = self.way.none[1]
-        if part.drive is None or part.drive_numbers is None:
-            return self._given(part), none
-        if part.drive.bare and not self.feedback:
-            return self.effort.part(part.effort, 1), none
-        if part.motor in self.coupled:
-            blocks = (part.drive_numbers, *self.coupled[part.motor], *self.way.angle(part))
-            effort, self.torques[part.motor] = self.schedule.call(part.drive.coupled(), *blocks)
+        if axis.drive is None or axis.drive_numbers is None:
+            return self._given(axis), none
+        if axis.drive.bare and not self.feedback:
+            return self.effort.part(axis.effort, 1), none
+        if axis.motor in self.coupled:
+            blocks = (axis.drive_numbers, *self.coupled[axis.motor], *self.way.angle(axis))
+            effort, self.torques[axis.motor] = self.schedule.call(axis.drive.coupled(), *blocks)
             return effort, none
-        if part.motor in self.followed:
-            blocks = (part.drive_numbers, *self._start(part.motor), *self._start(part.angle), self.step)
-            effort, own = self.schedule.call(part.drive.followed(), *blocks)
+        if axis.motor in self.followed:
+            blocks = (axis.drive_numbers, *self._start(axis.motor), *self._start(axis.angle), self.step)
+            effort, own = self.schedule.call(axis.drive.followed(), *blocks)
             return effort, own
-        effort = self.effort.part(part.effort, 1) if part.effort >= 0 else none
-        feedback = self.feedback.part(2 * part.effort, 2) if self.feedback and part.effort >= 0 else self.way.none[2]
-        angles = (*self._start(part.motor), *self._start(part.angle))
-        blocks = (part.drive_numbers, *angles, effort, feedback, self.step)
-        effort, own, self.motor_terms[index] = self.schedule.call(part.drive.forward(), *blocks)
+        effort = self.effort.part(axis.effort, 1) if axis.effort >= 0 else none
+        feedback = self.feedback.part(2 * axis.effort, 2) if self.feedback and axis.effort >= 0 else self.way.none[2]
+        angles = (*self._start(axis.motor), *self._start(axis.angle))
+        blocks = (axis.drive_numbers, *angles, effort, feedback, self.step)
+        effort, own, self.motor_terms[axis.angle] = self.schedule.call(axis.drive.forward(), *blocks)
         return effort, own
 
     def _couple_motors(self) -> None:
         self.coupled_loads = loads = self.way.coupled_loads(self.torques)
-        for index, part in enumerate(self.parts.nodes):
-            if part.motor in loads and part.drive and part.drive_numbers:
-                effort = self.effort.part(part.effort, 1)
-                blocks = (part.drive_numbers, self.way.motor(part)[1], effort, loads[part.motor])
-                self.motor_terms[index] = self.schedule.call(part.drive.coupled_motor(), *blocks)[0]
+        for axis in self.parts.axes:
+            if axis.motor in loads and axis.drive and axis.drive_numbers:
+                effort = self.effort.part(axis.effort, 1)
+                blocks = (axis.drive_numbers, self.way.motor(axis)[1], effort, loads[axis.motor])
+                self.motor_terms[axis.angle] = self.schedule.call(axis.drive.coupled_motor(), *blocks)[0]
 
     def _outwards(self) -> list[Slot]:
         motors: dict[int, Slot] = dict(self.followed)
@@ -168,15 +171,22 @@ class Recursion:
         for index, (part, way) in enumerate(zip(self.parts.nodes, self.way.ways, strict=True)):
             parent = part.node.parent
             before = self.tips[parent] if parent >= 0 else self.way.base.part(0, FORCE)
-            blocks = (before, way.hinge, way.axis, self.held[index], self._given(part))
+            given = self.way.packed([self._given(axis) for axis in part.axes])
+            blocks = (before, way.hinge, way.axis, self.held[index], given)
             root, joint = self.schedule.call(self.joints[index].onward(), *blocks)
-            if part.angle >= 0:
-                joints[part.angle] = joint
-            if part.motor >= 0 and part.motor not in self.followed and part.drive:
-                (motors[part.motor],) = self.schedule.call(part.drive.motor(), self.motor_terms[index], joint)
+            joints |= self._moved(part, joint, motors)
             self.roots.append(root)
             if part.link and way.tip:
                 found = self.schedule.call(part.link.kernels.onward(), root, self.solved[index], way.tip)
                 links[part.link.first], root = found
             self.tips.append(root)
         return self.way.by_coordinate(motors, joints, links)
+
+    def _moved(self, part: NodePart, joint: Slot, motors: dict[int, Slot]) -> dict[int, Slot]:
+        """Accelerations of a joint's coordinates; those of its motors are put among ``motors``."""
+        found: dict[int, Slot] = {}
+        for axis in part.axes:
+            found[axis.angle] = moved = joint.part(axis.place, 1)
+            if axis.motor >= 0 and axis.motor not in self.followed and axis.drive:
+                (motors[axis.motor],) = self.schedule.call(axis.drive.motor(), self.motor_terms[axis.angle], moved)
+        return found

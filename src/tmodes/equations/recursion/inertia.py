@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from tmodes.equations.recursion.body_kernels import body_moment_kernel, point_kernel, times_kernel
-from tmodes.equations.recursion.hinge import HELD
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.schedule import Schedule, Slot
@@ -42,9 +41,8 @@ def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
             force, links[part.link.first] = schedule.call(part.link.kernels.load(), *blocks)
         parent = part.node.parent
         total = loads[parent] if parent >= 0 else at_base
-        total, along = schedule.call(part.hinge.load(), force, found.hinge, part.axis, total)
-        if part.angle >= 0:
-            joints[part.angle] = along
+        total, along = schedule.call(part.hinge.load(), force, found.hinge, found.axis, total)
+        joints |= {axis.angle: along.part(axis.place, 1) for axis in part.axes}
         if parent >= 0:
             loads[parent] = total
         else:
@@ -58,11 +56,11 @@ def _accelerations(way: Passes, a: Slot) -> tuple[list[Slot], list[Slot]]:
     """Accelerations of the roots and of the tips when all coordinates accelerate as given."""
     roots: list[Slot] = []
     tips: list[Slot] = []
-    held = way.parts.none[HELD]
     for part, found in zip(way.parts.nodes, way.ways, strict=True):
         before = tips[part.node.parent] if part.node.parent >= 0 else way.base.part(0, FORCE)
-        given = a.part(part.angle, 1) if part.angle >= 0 else way.none[1]
-        root, _ = way.schedule.call(part.hinge.as_driven().onward(), before, found.hinge, part.axis, held, given)
+        given = a.part(part.angle, part.size) if part.axes else way.none[1]
+        hinge = part.hinge.as_driven()
+        root, _ = way.schedule.call(hinge.onward(), before, found.hinge, found.axis, way.none[hinge.held], given)
         roots.append(root)
         if part.link and found.tip:
             (root,) = way.schedule.call(part.link.kernels.motion(), root, found.tip, way.bend(part.link, a))

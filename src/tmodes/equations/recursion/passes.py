@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
 
 import numpy as np
@@ -10,8 +11,9 @@ from numpy.typing import NDArray
 from tmodes.chain.chain import Chain
 from tmodes.equations.recursion.body_kernels import body_inertia_kernel, body_kernel, push_kernel, sum_kernel
 from tmodes.equations.recursion.drive_kernels import mixing_kernel
+from tmodes.equations.recursion.general_joint import GeneralJoint, packed_kernel
 from tmodes.equations.recursion.hinge import POSE, Hinge
-from tmodes.equations.recursion.parts import LinkPart, NodePart, Parts
+from tmodes.equations.recursion.parts import AxisPart, LinkPart, NodePart, Parts
 from tmodes.equations.recursion.screw import TURN, Screw, turn_kernel
 from tmodes.equations.recursion.screw_rates import rates_kernel
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
@@ -34,9 +36,12 @@ def resting_base(chain: Chain, factor: float = 1.0) -> NDArray[np.float64]:
 
 @dataclass
 class Way:
-    """What the outward pass found of a node: ``joint``, the kernels of its joint, to be called with ``axis``."""
+    """What the outward pass found of a node: ``joint``, the kernels of its joint, to be called with ``axis``.
 
-    joint: Hinge | Screw
+    ``axis`` are the numbers of a joint's axis or of its short way, or the columns of its motion.
+    """
+
+    joint: Hinge | GeneralJoint | Screw
     axis: Slot
     hinge: Slot
     root_rate: Slot
@@ -99,16 +104,24 @@ class Passes:
             block = self.schedule.input("wrenches", 6 * len(self.parts.points))
             self.wrenches = {k: block.part(6 * k, 6) for k in range(len(self.parts.points))}
 
-    def angle(self, part: NodePart) -> tuple[Slot, Slot]:
-        """Coordinate and rate of a joint."""
-        return self._pair(part.angle)
+    def angle(self, axis: AxisPart) -> tuple[Slot, Slot]:
+        """A coordinate of a joint and its rate."""
+        return self._pair(axis.angle)
 
-    def motor(self, part: NodePart) -> tuple[Slot, Slot]:
+    def motor(self, axis: AxisPart) -> tuple[Slot, Slot]:
         """Angle and rate of a motor."""
-        return self._pair(part.motor)
+        return self._pair(axis.motor)
 
-    def _pair(self, index: int) -> tuple[Slot, Slot]:
-        return (self.none[1], self.none[1]) if index < 0 else (self.q.part(index, 1), self.v.part(index, 1))
+    def _pair(self, index: int, size: int = 1) -> tuple[Slot, Slot]:
+        return (self.none[1], self.none[1]) if index < 0 else (self.q.part(index, size), self.v.part(index, size))
+
+    def packed(self, slots: Sequence[Slot]) -> Slot:
+        """One number for each coordinate of a joint as one block; zero for a joint that does not move."""
+        if len(slots) < 2:
+            return slots[0] if slots else self.none[1]
+        if all(slot is self.none[1] for slot in slots):
+            return self.none[len(slots)]
+        return self.schedule.call(packed_kernel(len(slots)), *slots)[0]
 
     def bend(self, link: LinkPart, block: Divisible) -> Slot:
         """The link's part of a block of all coordinates."""
@@ -124,7 +137,7 @@ class Passes:
         for part in self.parts.nodes:
             parent = self.parent(part)
             rate = parent.tip_rate if parent else self.base.part(FORCE, 3)
-            angle, speed = self.angle(part)
+            angle, speed = self._pair(part.angle, part.size)
             tip = parent.tip.part(0, 9) if parent and parent.tip else self.none[9]
             if self.short and part.screw and part.way:
                 blocks, body = (part.way, rate, self._turn(part.angle), speed), part.tip_body
@@ -132,8 +145,9 @@ class Passes:
                 hinge, root_rate, *push = call(inward, *blocks, *([body] if body else []))
                 way = Way(part.screw, part.way, hinge, root_rate, root_rate, push=push[0] if push else None)
             else:
-                hinge, root_rate = call(part.hinge.inward(), part.placement, tip, part.axis, rate, angle, speed)
-                way = Way(part.hinge, part.axis, hinge, root_rate, root_rate)
+                blocks = (part.placement, tip, part.axis, rate, angle, speed)
+                hinge, root_rate, *columns = call(part.hinge.inward(), *blocks)
+                way = Way(part.hinge, columns[0] if columns else part.axis, hinge, root_rate, root_rate)
             if self.posed:
                 pose = parent.carried_pose if parent else self.base.part(FORCE + 3, POSE)
                 assert pose is not None  # noqa: S101
