@@ -12,7 +12,7 @@ from tmodes.analysis.line.segment import planes
 from tmodes.analysis.line.tables import pieces_at
 from tmodes.analysis.range import bent
 from tmodes.chain.chain import Beam, Segment
-from tmodes.equations.recursion.beam_tables import beam_tables, section_edges
+from tmodes.kinds.links.beam_tables import beam_tables, section_edges
 from tmodes.kinds.links.material import find_material
 from tmodes.model.model import Model
 from tmodes.sheet import Robot

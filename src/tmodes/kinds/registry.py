@@ -1,7 +1,7 @@
 """Members of a package of kinds by name: those of tmodes, and those that a user registers.
 
-A kind is found only after its module has been imported: by the user's script, or by :func:`load_entry_points`. A data
-sheet names kinds and never causes an import.
+A kind is found only after its module has been imported: by the user's script, or by
+:func:`tmodes.kinds.schema.kind.load_entry_points`. A data sheet names kinds and never causes an import.
 """
 
 from __future__ import annotations
@@ -11,14 +11,10 @@ import marshal
 import sys
 from difflib import get_close_matches
 from functools import cached_property
-from importlib.metadata import entry_points
 from pathlib import Path
 from typing import ClassVar, Generic, TypeVar
 
-__all__ = ["ENTRY_POINTS", "Kind", "Registry", "UnknownKindError", "load_entry_points"]
-
-ENTRY_POINTS = "tmodes.kinds"
-"""Group of entry points of installed packages; each names a module that registers kinds when it is imported."""
+__all__ = ["NamedKind", "Registry", "UnknownKindError"]
 
 
 class UnknownKindError(KeyError):
@@ -28,7 +24,7 @@ class UnknownKindError(KeyError):
         return str(self.args[0])
 
 
-class Kind:
+class NamedKind:
     """A stateless object that holds all that one kind of joint, drive, ... is; two of one class are equal."""
 
     name: ClassVar[str]
@@ -62,7 +58,7 @@ def _digest(cls: type) -> str:
     return hashlib.sha256(b"".join(map(marshal.dumps, codes))).hexdigest()[:16]
 
 
-Member = TypeVar("Member", bound=Kind)
+Member = TypeVar("Member", bound=NamedKind)
 
 
 class Registry(Generic[Member]):
@@ -110,11 +106,3 @@ class Registry(Generic[Member]):
     def members(self) -> tuple[Member, ...]:
         """All kinds."""
         return tuple(self._members.values())
-
-
-def load_entry_points() -> list[str]:
-    """Import the kinds of installed packages (entry points ``tmodes.kinds``); the names of the entry points."""
-    found = list(entry_points(group=ENTRY_POINTS))
-    for point in found:
-        point.load()
-    return [point.name for point in found]

@@ -13,10 +13,11 @@ from arm.statics.beams import clamped
 from arm.statics.test_elements import ROD, geared, on_joint
 from tmodes.analysis.modes.modes import MotorState, Servo, _undamped, arm_modes
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, JointKind, Motor, Node, Segment
+from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, Motor, Node, Segment
 from tmodes.errors import SimulationError
+from tmodes.kinds.contacts.registry import Contact
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
-from tmodes.sheet.contact import ContactLaw, ContactSheet, Plane
 
 INERTIA, ROTOR, STIFFNESS = 0.1 + 2 * 0.25, 0.1, 300.0
 NONE = np.zeros(3)
@@ -122,10 +123,9 @@ def test_a_buckled_arm_is_unstable():
 def test_a_surface_brings_its_mass_and_damper(ratio):
     """Tip on a spring of 100 EI/L^3 and a mass of ``ratio`` times the beam's: EI w3 = (k - m W^2) w there, w2 = 0."""
     stiffness, damping = 100.0, 0.02
-    floor = Plane(type="plane", position=(0.0, 0.0, 0.0), normal=(0.0, 0.0, 1.0))
-    surface = ContactSheet(
-        shape=floor, law=ContactLaw.BILATERAL, stiffness=stiffness, damping=damping, mass=ratio or 0.0
-    )
+    floor = {"type": "plane", "position": [0.0, 0.0, 0.0], "normal": [0.0, 0.0, 1.0]}
+    law = {"law": "bilateral", "stiffness": stiffness, "damping": damping, "mass": ratio or 0.0}
+    surface = Contact.of({"shape": floor, **law})
     modes = arm_modes(equilibrium(clamped(bend_y=8), contact=surface))
 
     def determinant(b: float) -> float:
@@ -172,7 +172,7 @@ def test_growth_time():
 def test_of_a_large_arm_the_lowest_modes_are_reported():
     """A pile of 70 segments: the first modes are those that all of them together have."""
     segment = Segment(1 / 70, 3e4, 3e4, 0.3, 0.3, bodies=(Body(0.01, NONE, np.zeros((3, 3))),))
-    joints = [Joint(f"j{k}", JointKind.FIXED) for k in range(70)]
+    joints = [Joint(f"j{k}", joint_kind("fixed")) for k in range(70)]
     nodes = tuple(Node(f"n{k}", k - 1, joint, segment) for k, joint in enumerate(joints))
     rest = equilibrium(Model(Chain("pile", nodes, NONE)))
     modes = arm_modes(rest)

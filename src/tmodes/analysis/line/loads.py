@@ -73,7 +73,7 @@ def node_loads(
 
 
 def _tip_bodies(node: Node) -> tuple[Body, ...]:
-    return tuple(body for s, body in node.link.bodies if s >= 1.0) if isinstance(node.link, Beam) else node.link.bodies
+    return node.link.bodies_at(1.0)
 
 
 def _fixed(bodies: tuple[Body, ...], frame: Frame) -> Load:

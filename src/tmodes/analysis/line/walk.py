@@ -12,7 +12,7 @@ from tmodes.analysis.line.segment import segment_line, segment_tip
 from tmodes.analysis.line.strain import Sections, strain_motion
 from tmodes.analysis.line.tables import LineTables
 from tmodes.analysis.line.vectors import applied, back, cross
-from tmodes.chain.chain import Beam, Joint, RigidLink, Segment
+from tmodes.chain.chain import Joint, Link, Segment
 from tmodes.model.model import Model
 
 __all__ = ["Frame", "Walked", "info_places", "walk"]
@@ -109,9 +109,7 @@ def _stacked(entries: list[Any], count: int) -> Array:
     return np.stack([np.broadcast_to(np.asarray(each, dtype=float), (count,)) for each in entries], axis=1)
 
 
-def _walked(
-    link: RigidLink | Beam | Segment, table: LineTables | None, asked: Array, root: Frame, q: Array, v: Array, a: Array
-) -> Walked:
+def _walked(link: Link, table: LineTables | None, asked: Array, root: Frame, q: Array, v: Array, a: Array) -> Walked:
     if isinstance(link, Segment):
         s = info_places(asked)
         return Walked(root, root.outer(segment_tip(link, root.inner(), q, v, a), 0), s, *segment_line(link, q, s))

@@ -9,6 +9,7 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 from functools import cached_property
 
+from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.plan import DrivePlan, LoopPlan, StateLayout
 from tmodes.equations.loop.powers import Powers
@@ -105,7 +106,7 @@ class ClosedLoop:
 
     @cached_property
     def observe(self) -> Schedule:
-        """(time, state, row, step) -> q, v, a, drives (4 each), gear, contact (6), the base's row, powers."""
+        """(time, state, row, step) -> q, v, a, drives (4 each), gear, contact (6), fold, the base's row, powers."""
         instant = Instant(self)
         powers, drives = Powers(instant), range(len(self.drivers))
         shown = {
@@ -115,6 +116,7 @@ class ClosedLoop:
             "drives": [powers.info[k] for k in drives],
             "gear": [powers.gear[k] for k in drives],
             "contact": [powers.contact],
+            "contact_fold": [contact_fold(instant.solution, instant.begin)],
             "base": [instant.way.base],
             "powers": powers.works,
         }

@@ -10,7 +10,7 @@ from abc import abstractmethod
 from typing import Any, ClassVar, NamedTuple
 
 from tmodes.kinds.drives.laws import DriveLaw
-from tmodes.kinds.registry import Kind
+from tmodes.kinds.registry import NamedKind
 
 __all__ = ["Angles", "DriveKind", "Elastic", "Forward"]
 
@@ -46,7 +46,7 @@ class Elastic(NamedTuple):
     lost_in_friction: Any = 0.0
 
 
-class DriveKind(Kind):
+class DriveKind(NamedKind):
     """A kind of drive of one coordinate of a joint."""
 
     summary: ClassVar[str]

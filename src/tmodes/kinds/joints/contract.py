@@ -18,7 +18,7 @@ from numpy.typing import NDArray
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.jets import Jet, jet
 from tmodes.kinds.kernel.spatial import Force
-from tmodes.kinds.registry import Kind
+from tmodes.kinds.registry import NamedKind
 from tmodes.kinds.schema.quantity import DataSheet
 
 __all__ = ["Coordinate", "JointKind"]
@@ -53,7 +53,7 @@ class Coordinate:
         return f"{joint}.{self.name}" if self.name else joint
 
 
-class JointKind(Kind):
+class JointKind(NamedKind):
     """A kind of joint.
 
     ``numbers`` of a formula: the joint's axis (3, a unit vector in the joint frame), then the values of ``schema`` in

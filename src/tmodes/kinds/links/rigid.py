@@ -1,0 +1,42 @@
+"""The rigid link: bodies in one frame."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+from tmodes.kinds.links.contract import Body, Link, LinkNumbers
+
+__all__ = ["RigidLink"]
+
+
+@dataclass(frozen=True, eq=False)
+class RigidLink(Link):
+    """A link that does not bend; ``bodies`` in its link frame, which is also its tip frame."""
+
+    kind: ClassVar[str] = "rigid"
+
+    bodies: tuple[Body, ...] = ()
+    length: float = field(default=0.0, init=False)
+
+    @property
+    def bends(self) -> bool:
+        """Never."""
+        return False
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """None."""
+        return ()
+
+    def bodies_at(self, s: float) -> tuple[Body, ...]:  # noqa: ARG002
+        """All bodies: the link has only one place."""
+        return self.bodies
+
+    def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
+        """None."""
+        return ()
+
+    def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
+        """A rigid link has no equations of its own."""
+        raise NotImplementedError
