@@ -158,7 +158,7 @@ class Joint:
 
     def placed(self, q: Sequence[float]) -> Placement:
         """The link's frame in the joint's at coordinates q."""
-        return Placement(*self.kind.placement(q, self.numbers))
+        return Placement(*self.kind.placement(q, [*map(float, self.numbers)]))
 
 
 @dataclass(frozen=True, eq=False)

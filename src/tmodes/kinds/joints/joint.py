@@ -92,7 +92,7 @@ class JointSheet(DataSheet):
     @classmethod
     def _parameters_of_type(cls, data: Any) -> Any:
         """The parameters are those of the schema of the joint's kind."""
-        if not isinstance(data, Mapping) or data.get("type") not in JOINTS:
+        if not isinstance(data, Mapping) or str(data.get("type")) not in JOINTS:
             return data
         schema, given = JOINTS.get(data["type"]).schema, data.get("parameters")
         if schema is not None:
