@@ -12,7 +12,7 @@ All numbers are SI and reflected to the joint side of the reducer. Everything he
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field, replace
 from functools import partial
 from typing import NamedTuple
@@ -186,6 +186,7 @@ class Chain:
     """The whole tree. ``base`` places it in the world; ``gravity`` (3,) [m/s^2] in world axes; ``tip`` is a Point.
 
     ``couplings`` (square, one row per elastic drive): gear inputs = couplings @ motor angles; None: each its own.
+    ``equations``: which ones move it, with ``parameters`` of their own.
     """
 
     name: str
@@ -194,6 +195,8 @@ class Chain:
     base: Placement = field(default_factory=Placement)
     points: tuple[Point, ...] = ()
     couplings: Array | None = None
+    equations: str = "recursion"
+    parameters: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def axes(self) -> list[Axis]:

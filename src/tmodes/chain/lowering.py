@@ -63,6 +63,8 @@ def lowered(arm: Robot) -> Chain:
         base=placed(arm.base),
         points=tuple(_points(arm, hung)),
         couplings=_couplings(arm, nodes),
+        equations=arm.equations,
+        parameters=dict(arm.parameters),
     )
 
 
@@ -109,7 +111,7 @@ def _joint(sheet: JointSheet, placement: Placement, arm: Robot) -> Joint:
 
 def _drive(sheet: JointSheet, coordinate: str, arm: Robot) -> DriveKind:
     if not sheet.is_active:
-        return drive_kind("spring")
+        return drive_kind("spring" if sheet.is_elastic else "free")
     if sheet.is_elastic:
         return drive_kind("elastic")
     commands = [drive.command for drive in arm.drives if drive.joint == coordinate]

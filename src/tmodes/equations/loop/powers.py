@@ -93,11 +93,7 @@ class Powers:
             return forces.part(1, 1), self._gear_torque(driver, forces)
         if part.given < 0:
             return forces.part(0, 1), None
-        root, hung = self.solution.root(driver.index), self.solution.hung(driver.index)
-        (force,) = self._call(times_kernel(), hung[0], root, hung[1])
-        way = self.way.ways[driver.index]
-        along = self._call(way.joint.load(), force, way.hinge, way.axis, self.none[FORCE])[1]
-        return self._added(forces.part(0, 1), along.part(part.place, 1)), None
+        return self._added(forces.part(0, 1), self.solution.force_along(part)), None
 
     def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
@@ -116,22 +112,13 @@ class Powers:
     def _lose(self) -> None:
         """Losses of what no drive of the plan moves: locked springs, and the links."""
         driven = {driver.part.angle for driver in self.loop.drivers}
-        for part in self.parts.nodes:
-            for axis in part.axes:
-                if axis.drive and axis.drive_numbers and axis.angle not in driven:
-                    blocks = (axis.drive_numbers, *self.way.motor(axis), *self.way.angle(axis))
-                    lost = self._call(axis.drive.elastic(), *blocks)[2]
-                    self.powers["gear_damping"].append(lost.part(0, 1))
-                    self.powers["friction"].append(lost.part(1, 1))
-            if part.link:
-                link = part.link
-                blocks = (
-                    link.stiffness,
-                    link.damping,
-                    self.way.bend(link, self.way.q),
-                    self.way.bend(link, self.way.v),
-                )
-                self.powers["link_damping"].append(self._call(link.kernels.elastic(), *blocks)[2])
+        for axis in self.parts.axes:
+            if axis.drive and axis.drive_numbers and axis.angle not in driven:
+                blocks = (axis.drive_numbers, *self.way.motor(axis), *self.way.angle(axis))
+                lost = self._call(axis.drive.elastic(), *blocks)[2]
+                self.powers["gear_damping"].append(lost.part(0, 1))
+                self.powers["friction"].append(lost.part(1, 1))
+        self.powers["link_damping"] += self.way.link_losses()
 
     def _power_of_loads(self) -> Slot:
         """Powers of loads and contact; what is told of the contact."""

@@ -3,9 +3,11 @@
 from __future__ import annotations
 
 from tmodes.equations.recursion.ahead import Ahead
+from tmodes.equations.recursion.body_kernels import point_kernel, times_kernel
+from tmodes.equations.recursion.driven import Driven
 from tmodes.equations.recursion.general_joint import GeneralJoint
 from tmodes.equations.recursion.hinge import Hinge
-from tmodes.equations.recursion.parts import AxisPart, NodePart, Parts
+from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.equations.recursion.screw import Screw
 from tmodes.kinds.kernel.kernel import Kernel
@@ -31,12 +33,14 @@ def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
     return schedule
 
 
-class Recursion:
+class Recursion(Driven):
     """The way in and the way out again of the articulated-body recursion.
 
     After the run: ``roots`` and ``tips``, accelerations of both ends of each link; ``hung``, inertia and bias force at
     each root.
     """
+
+    way: Passes
 
     def __init__(
         self,
@@ -47,36 +51,24 @@ class Recursion:
         start: tuple[Divisible, Slot],
         feedback: Slot | None = None,
     ) -> None:
-        """``start``: coordinates and rates from which springs, dampers and friction start; those of ``way`` place all.
-
-        ``feedback`` (2 per effort): see :meth:`DriveKernels.forward`.
-        """
-        self.way, self.effort, self.given, self.step, self.feedback = way, effort, given, step, feedback
-        self.start = start
-        self.followed: dict[int, Slot] = {}  # index of a motor that keeps a given motion -> its acceleration
+        """As :class:`Driven`."""
+        super().__init__(way, effort, given, step, start, feedback)
         self.hung: dict[int, tuple[Slot, Slot]] = {}
         self.on_base: list[tuple[Kernel, tuple[Slot, ...]]] = []
         self.roots: list[Slot] = []
         self.tips: list[Slot] = []
-        self.schedule, self.parts = way.schedule, way.parts
         self.loads: dict[int, tuple[Slot, Slot]] = {}
         self.joints: dict[int, Hinge | GeneralJoint | Screw] = {}
         self.held: dict[int, Slot] = {}
         self.solved: dict[int, Slot] = {}
-        self.motor_terms: dict[int, Slot] = {}
-        self.coupled = way.coupled_inputs()
-        self.torques: dict[int, Slot] = {}
-        self.coupled_loads: dict[int, Slot] = {}
 
     def run(self) -> list[Slot]:
         """Add all calls; the accelerations of the coordinates, in their order."""
         for index in reversed(range(len(self.parts.nodes))):
             self._inwards(index)
-        self._couple_motors()
-        return self._outwards()
-
-    def _given(self, axis: AxisPart) -> Slot:
-        return self.given.part(axis.given, 1) if axis.given >= 0 else self.way.none[1]
+        self.couple_motors()
+        self.accelerations = self._outwards()
+        return self.accelerations
 
     def _inwards(self, index: int) -> None:
         part, way = self.parts.nodes[index], self.way.ways[index]
@@ -88,7 +80,7 @@ class Recursion:
             blocks = (terms, way.tip, inertia, bias, link.stiffness, link.damping, q, v, self.step)
             inertia, bias, self.solved[index] = self.schedule.call(link.kernels.outward(), *blocks)
         self.hung[index] = (inertia, bias)
-        drives = [self._drive(axis) for axis in part.axes]
+        drives = [self.drive(axis) for axis in part.axes]
         effort, own = (self.way.packed([drive[k] for drive in drives]) for k in range(2))
         parent = part.node.parent
         self.joints[index] = joint = self._joint(index, own)
@@ -129,64 +121,40 @@ class Recursion:
         joint = self.way.ways[index].joint
         return joint.as_free() if isinstance(joint, Screw) and own is self.way.none[1] else joint
 
-    def _start(self, index: int) -> tuple[Slot, Slot]:
-        """Where a coordinate and its rate start from; zero without one."""
-        none = self.way.none[1]
-        return (none, none) if index < 0 else (self.start[0].part(index, 1), self.start[1].part(index, 1))
-
-    def _drive(self, axis: AxisPart) -> tuple[Slot, Slot]:
-        """Effort on a coordinate of a joint (its acceleration where that is given) and inertia of its own."""
-        none = self.way.none[1]
-        if axis.drive is None or axis.drive_numbers is None:
-            return self._given(axis), none
-        if axis.drive.bare and not self.feedback:
-            return self.effort.part(axis.effort, 1), none
-        if axis.motor in self.coupled:
-            blocks = (axis.drive_numbers, *self.coupled[axis.motor], *self.way.angle(axis))
-            effort, self.torques[axis.motor] = self.schedule.call(axis.drive.coupled(), *blocks)
-            return effort, none
-        if axis.motor in self.followed:
-            blocks = (axis.drive_numbers, *self._start(axis.motor), *self._start(axis.angle), self.step)
-            effort, own = self.schedule.call(axis.drive.followed(), *blocks)
-            return effort, own
-        effort = self.effort.part(axis.effort, 1) if axis.effort >= 0 else none
-        feedback = self.feedback.part(2 * axis.effort, 2) if self.feedback and axis.effort >= 0 else self.way.none[2]
-        angles = (*self._start(axis.motor), *self._start(axis.angle))
-        blocks = (axis.drive_numbers, *angles, effort, feedback, self.step)
-        effort, own, self.motor_terms[axis.angle] = self.schedule.call(axis.drive.forward(), *blocks)
-        return effort, own
-
-    def _couple_motors(self) -> None:
-        self.coupled_loads = loads = self.way.coupled_loads(self.torques)
-        for axis in self.parts.axes:
-            if axis.motor in loads and axis.drive and axis.drive_numbers:
-                effort = self.effort.part(axis.effort, 1)
-                blocks = (axis.drive_numbers, self.way.motor(axis)[1], effort, loads[axis.motor])
-                self.motor_terms[axis.angle] = self.schedule.call(axis.drive.coupled_motor(), *blocks)[0]
-
     def _outwards(self) -> list[Slot]:
-        motors: dict[int, Slot] = dict(self.followed)
         joints: dict[int, Slot] = {}
         links: dict[int, Slot] = {}
         for index, (part, way) in enumerate(zip(self.parts.nodes, self.way.ways, strict=True)):
             parent = part.node.parent
             before = self.tips[parent] if parent >= 0 else self.way.base.part(0, FORCE)
-            given = self.way.packed([self._given(axis) for axis in part.axes])
+            given = self.way.packed([self.given_acceleration(axis) for axis in part.axes])
             blocks = (before, way.hinge, way.axis, self.held[index], given)
             root, joint = self.schedule.call(self.joints[index].onward(), *blocks)
-            joints |= self._moved(part, joint, motors)
+            joints |= {axis.angle: joint.part(axis.place, 1) for axis in part.axes}
             self.roots.append(root)
             if part.link and way.tip:
                 found = self.schedule.call(part.link.kernels.onward(), root, self.solved[index], way.tip)
                 links[part.link.first], root = found
             self.tips.append(root)
-        return self.way.by_coordinate(motors, joints, links)
+        return self.way.by_coordinate(self.motor_accelerations(joints), joints, links)
 
-    def _moved(self, part: NodePart, joint: Slot, motors: dict[int, Slot]) -> dict[int, Slot]:
-        """Accelerations of a joint's coordinates; those of its motors are put among ``motors``."""
-        found: dict[int, Slot] = {}
-        for axis in part.axes:
-            found[axis.angle] = moved = joint.part(axis.place, 1)
-            if axis.motor >= 0 and axis.motor not in self.followed and axis.drive:
-                (motors[axis.motor],) = self.schedule.call(axis.drive.motor(), self.motor_terms[axis.angle], moved)
-        return found
+    def force_along(self, axis: AxisPart) -> Slot:
+        """Force along a joint's coordinate by all that hangs on the joint, after the run."""
+        way, hung = self.way.ways[axis.index], self.hung[axis.index]
+        (force,) = self.schedule.call(times_kernel(), hung[0], self.roots[axis.index], hung[1])
+        along = self.schedule.call(way.joint.load(), force, way.hinge, way.axis, self.way.none[FORCE])[1]
+        return along.part(axis.place, 1)
+
+    def point(self, k: int) -> tuple[Slot, ...]:
+        """Pose, rate and acceleration (less gravity) of a point in the world, after the run."""
+        point = self.parts.points[k]
+        way, number, link = self.way.ways[point.node], self.parts.station(point), self.parts.nodes[point.node].link
+        pose, section, motion = way.tip_pose, way.tip, self.tips[point.node]
+        if number is not None and link:
+            pose, section = way.section_poses[number], way.sections[number]
+            own = self.packed().part(link.first, link.kernels.n)
+            (motion,) = self.schedule.call(link.kernels.motion(), self.roots[point.node], section, own)
+        assert pose is not None  # noqa: S101
+        rate = section.part(12, 3) if section else way.tip_rate
+        kernel = point_kernel(on_section=section is not None)
+        return self.schedule.call(kernel, pose, self.way.frame(section), rate, motion, self.parts.offsets[k])

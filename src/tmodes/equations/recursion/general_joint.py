@@ -17,7 +17,7 @@ from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 from tmodes.kinds.kernel.triangular import factor, forward_substitution
 
-__all__ = ["GeneralJoint", "packed_kernel"]
+__all__ = ["GeneralJoint", "held_numbers"]
 
 
 @dataclass(frozen=True)
@@ -206,12 +206,3 @@ def _combined(columns: list[Force], factors: list[Any]) -> Force:
     for column, each in zip(columns, factors, strict=True):
         total = total + column.scaled(each)
     return total
-
-
-def packed_kernel(count: int) -> Kernel:
-    """Single numbers -> one block of them."""
-
-    def build(*values: Any) -> list[list[Any]]:
-        return [[value[0] for value in values]]
-
-    return Kernel(f"packed {count}", (1,) * count, (count,), build, plain=True)

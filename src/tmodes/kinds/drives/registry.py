@@ -5,6 +5,7 @@ from __future__ import annotations
 from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.effort import Effort
 from tmodes.kinds.drives.elastic import ElasticDrive
+from tmodes.kinds.drives.free import Free
 from tmodes.kinds.drives.prescribed import Prescribed
 from tmodes.kinds.drives.spring import Spring
 from tmodes.kinds.registry import Registry
@@ -12,12 +13,12 @@ from tmodes.kinds.registry import Registry
 __all__ = ["DRIVES", "drive_kind", "register"]
 
 DRIVES: Registry[DriveKind] = Registry("drive", DriveKind)
-"""Effort, elastic, spring, prescribed, and what a user registers."""
+"""Effort, elastic, spring, free, prescribed, and what a user registers."""
 
 register = DRIVES.register
 """Decorator of a user's kind of drive."""
 
-for _kind in (Effort, ElasticDrive, Spring, Prescribed):
+for _kind in (Effort, ElasticDrive, Spring, Free, Prescribed):
     register(_kind)
 
 

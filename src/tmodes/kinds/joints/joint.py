@@ -28,10 +28,11 @@ JointType = Annotated[str, NameOf(JOINTS)]
 
 
 class JointState(StrEnum):
-    """Whether a joint's motor moves, or is locked."""
+    """Whether a joint's motor moves, or is locked; a free joint has none, and nothing holds it."""
 
     ACTIVE = "active"
     LOCKED = "locked"
+    FREE = "free"
 
 
 class MeasuredFrom(StrEnum):
@@ -81,7 +82,7 @@ class JointSheet(DataSheet):
     parameters: SerializeAsAny[DataSheet] | None = Field(
         default=None, description="further numbers of its type; none: it has none"
     )
-    state: JointState = Field(default=JointState.ACTIVE, strict=False, description="active, or locked")
+    state: JointState = Field(default=JointState.ACTIVE, strict=False, description="active, locked, or free")
     locked_at: float = any_sign("rad|m", "q_0", "position at which it is locked", default=0.0, plausible=(-6.3, 6.3))
     limits: Limits | None = Field(default=None, description="what it may do")
     friction: FrictionSheet | None = Field(default=None, description="friction at the joint; none: no friction")
@@ -135,6 +136,10 @@ class JointSheet(DataSheet):
         if active and self.locked_at:
             hint = "write `state: locked`, or give the position under `initial`"
             yield Issue("locked_at", repr(self.locked_at), "0 for an active joint", hint)
+        for name in ("motor", "gear", "locked_at") if self.state is JointState.FREE else ():
+            if getattr(self, name):
+                hint = f"remove `{name}`, or take another `state`"
+                yield Issue(name, f"`{name}` of a free joint", "none: nothing drives or holds it", hint)
 
     @property
     def kind(self) -> JointKind:
@@ -158,7 +163,7 @@ class JointSheet(DataSheet):
 
     @property
     def is_active(self) -> bool:
-        """True when its motor is not locked."""
+        """True when it is neither locked nor free."""
         return self.state is JointState.ACTIVE
 
     @property
@@ -169,7 +174,7 @@ class JointSheet(DataSheet):
     @property
     def is_locked(self) -> bool:
         """True when it does not move at all: fixed, or locked behind a rigid gear."""
-        return not self.kind.moves or (not self.is_active and not self.is_elastic)
+        return not self.kind.moves or (self.state is JointState.LOCKED and not self.is_elastic)
 
     def notice(self) -> str:
         """What was put right in reading its axis; empty when nothing was."""
