@@ -36,7 +36,7 @@ def driven_by(regime: RunSetup) -> RunSetup:
     """The regime with the efforts of its servos taken from the rows."""
     plan = regime.planned.plan
     drives = tuple(
-        replace(drive, servo=Servo(controlled=False, driven=False, winding=drive.winding)) if drive.servo else drive
+        replace(drive, servo=Servo(None, driven=False, winding=drive.winding)) if drive.servo else drive
         for drive in plan.drives
     )
     own = replace(plan, drives=drives)

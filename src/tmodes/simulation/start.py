@@ -68,6 +68,8 @@ def first_state(arm: Robot, plan: Planned, model: LoopModel) -> Array:
     """The state at time 0: at rest under the first commands, or undeformed; given coordinates and rates on top."""
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)
+    state[layout.controls] = model.plan.controls
+    _refuse_unknown_feedback(model)
     held: dict[str, float] = {}
     for driver in model.loop.drivers:
         held[names[driver.coordinate]] = initial_value(arm, driver.plan.joint)
@@ -93,6 +95,16 @@ def _rest(arm: Robot, plan: Planned, held: Mapping[str, float]) -> Array:
     from tmodes.analysis.statics.rest import arm_rest
 
     return arm_rest(arm, model=Model(plan.chain), held=held).q
+
+
+def _refuse_unknown_feedback(model: LoopModel) -> None:
+    for drive in model.plan.drives:
+        law = drive.servo.controller if drive.servo else None
+        unknown = law.unknown(model.coordinates) if law else []
+        if unknown:
+            known = ", ".join(model.coordinates[:8]) + ("..." if len(model.coordinates) > 8 else "")
+            which = f"controller of {drive.joint}"
+            raise InputError(which, f"the unknown coordinate {unknown[0]!r}", f"one of {known}", "correct it")
 
 
 def _undeformed(names: tuple[str, ...], held: Mapping[str, float]) -> Array:

@@ -33,6 +33,8 @@ class Driver:
     kind: DriveKind
     kind_numbers: Slot
     current: int
+    controls: int
+    """Where its controller's own states begin among those of all."""
 
     @property
     def coordinate(self) -> int:
@@ -52,7 +54,8 @@ class ClosedLoop:
         plan, chain = self.plan, self.plan.chain
         self.parts = Parts(chain)
         numbers = self.parts.numbers
-        self.drivers = tuple(self._driver(drive) for drive in plan.drives)
+        begin = [sum(d.servo.states for d in plan.drives[:k] if d.servo) for k in range(len(plan.drives))]
+        self.drivers = tuple(self._driver(drive, first) for drive, first in zip(plan.drives, begin, strict=True))
         self.loads = [numbers.block(load.wrench) for load in plan.loads]
         self.always = numbers.block([1.0, 0.0, 0.0])
         self.touch = numbers.block(plan.touch.numbers) if plan.touch else None
@@ -60,7 +63,7 @@ class ClosedLoop:
         moved = [*placed.rotation.ravel(), *placed.position, *chain.gravity]
         self.base = numbers.block(moved if plan.base else resting_base(chain))
 
-    def _driver(self, plan: DrivePlan) -> Driver:
+    def _driver(self, plan: DrivePlan, controls: int) -> Driver:
         names = [part.node.joint.name for part in self.parts.nodes]
         index = names.index(plan.joint)
         part = self.parts.nodes[index]
@@ -70,12 +73,12 @@ class ClosedLoop:
             kind, slot = drive_kind(free), self.parts.numbers.block(drive_numbers(free))
         currents = self.plan.currents
         current = currents.index(plan.joint) if plan.joint in currents else -1
-        return Driver(plan, part, index, self.parts.numbers.block(plan.numbers), kind, slot, current)
+        return Driver(plan, part, index, self.parts.numbers.block(plan.numbers), kind, slot, current, controls)
 
     @property
     def layout(self) -> StateLayout:
         """Where the state holds what."""
-        return StateLayout.of(self.parts.size, len(self.plan.currents))
+        return StateLayout.of(self.parts.size, len(self.plan.currents), len(self.plan.controls))
 
     @cached_property
     def rate(self) -> Schedule:
@@ -101,9 +104,10 @@ class ClosedLoop:
 
     def _rate(self, instant: Instant) -> Schedule:
         currents = [instant.change[k] for k in sorted(instant.change)]
+        controls = [instant.controls[k] for k in sorted(instant.controls)]
         works = Powers(instant).works
         instant.schedule.often = True
-        instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *works)
+        instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *controls, *works)
         return instant.schedule
 
     @cached_property

@@ -8,7 +8,7 @@ from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 
-__all__ = ["Ahead"]
+__all__ = ["Ahead", "packing_kernel"]
 
 _GROUP = 8
 """Motors or joints that go in one call; so the code is no longer for a longer arm."""
@@ -36,6 +36,12 @@ class Ahead:
             (self.found[first],) = self.way.schedule.call(_ahead_kernel(count), *blocks)
         return self.found[first].part(start - first, size)
 
+    def whole(self) -> Slot:
+        """All of them in one block."""
+        ends = zip(self.firsts, self.firsts[1:], strict=False)
+        blocks = [self.part(first, end - first) for first, end in ends]
+        return self.way.schedule.call(packing_kernel(tuple(block.size for block in blocks)), *blocks)[0]
+
 
 def _ahead_kernel(size: int) -> Kernel:
     """(q, v, h) -> q + h v."""
@@ -44,3 +50,12 @@ def _ahead_kernel(size: int) -> Kernel:
         return [[q[i] + step[0] * v[i] for i in range(size)]]
 
     return Kernel(f"ahead {size}", (size, size, 1), (size,), build, plain=True)
+
+
+def packing_kernel(sizes: tuple[int, ...]) -> Kernel:
+    """Blocks one after the other in one block."""
+
+    def build(*blocks: Any) -> list[list[Any]]:
+        return [[block[i] for block, size in zip(blocks, sizes, strict=True) for i in range(size)]]
+
+    return Kernel(f"packing {sizes}", sizes, (sum(sizes),), build)
