@@ -86,7 +86,7 @@ def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
     key = str(steps[-1])
     close = nearest(key, known)
     hint = f"did you mean `{close}`?" if close else _elsewhere(key)
-    return InputError("", f"the unknown key {shown(key)}", f"one of {', '.join(known) or 'the known keys'}", hint)
+    return InputError("", "an unknown key", f"one of {', '.join(known) or 'the known keys'}", hint)
 
 
 def _elsewhere(key: str) -> str:
@@ -147,7 +147,7 @@ def _magnitude(bound: Any) -> float:
 def _hint(place: ChainPlace, value: Any) -> str:
     """How a value of the right kind or of the wrong one is put right."""
     if place.unit is not None and isinstance(value, (int, float)) and not isinstance(value, bool):
-        return f"correct the sign, the size or the unit of the {place.meaning}"
+        return "check sign, size and unit"
     if place.unit is not None:
         return f"write {place.expected}"
     if isinstance(value, str) and (close := nearest(value, _choices(place))):

@@ -18,7 +18,6 @@ from tmodes.model.passes import ArmPasses
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
-from tmodes.sheet.parts import Command
 from tmodes.simulation.plan import Follow, planned
 
 __all__ = ["Blocks", "arm_numbers", "follow_of", "has_reference", "robot_numbers", "whole", "whole_moves"]
@@ -55,7 +54,7 @@ def has_reference(nominal: Robot) -> bool:
 
 
 def _commanded(nominal: Robot) -> bool:
-    return any(drive.command is Command.POSITION for drive in nominal.drives)
+    return any(drive.command.is_controlled for drive in nominal.drives)
 
 
 def arm_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:

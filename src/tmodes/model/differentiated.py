@@ -220,8 +220,8 @@ class DifferentiatedModel:
         parts, first = self.passes.parts, padded(len(right))
         if failed:
             raise SimulationError(
-                f"mass matrix: not positive definite in coordinate {parts.names[failed - 1]}; expected a body with "
-                "mass behind each coordinate. Mend: give what it moves a mass and an inertia"
+                f"the mass matrix is not positive definite in coordinate {parts.names[failed - 1]}; give what it "
+                "moves a mass and an inertia"
             )
         q, v = (_shifted(columns.place[name], -first) for name in ("q", "v"))
         return AccelerationDerivatives(right[:, q], right[:, v], right[:, 2 * first : 2 * first + len(parts.driven)])

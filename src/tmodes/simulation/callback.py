@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.equations.loop.control_kernels import Servo
+from tmodes.equations.loop.control_kernels import WINDING, Servo
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
 from tmodes.simulation.callback_stops import SetIn
@@ -36,14 +36,19 @@ def driven_by(regime: RunSetup) -> RunSetup:
     """The regime with the efforts of its servos taken from the rows."""
     plan = regime.planned.plan
     drives = tuple(
-        replace(drive, servo=Servo(None, driven=False, winding=drive.winding)) if drive.servo else drive
+        replace(
+            drive, servo=Servo(None, driven=False, winding=drive.winding), numbers=drive.numbers[:WINDING], noise=-1
+        )
+        if drive.servo
+        else drive
         for drive in plan.drives
     )
     own = replace(plan, drives=drives)
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
     start[: 2 * len(model.coordinates)] = regime.start[: 2 * len(model.coordinates)]
-    return RunSetup(regime.arm, replace(regime.planned, plan=own), model, start)
+    planned = replace(regime.planned, plan=own)
+    return replace(regime, planned=planned, model=model, start=start, callback=True)
 
 
 @dataclass
@@ -75,7 +80,7 @@ class _Guarded:
 
     def _failed(self, time: float, got: str, expected: str) -> SimulationError:
         return SimulationError(
-            f"controller {self.name} at t = {time:.6g} s: got {got}; expected {expected}. Mend: correct the function"
+            f"controller {self.name} at t = {time:.6g} s must return {expected}, got {got}; correct the function"
         )
 
 

@@ -142,7 +142,7 @@ def _refuse_huge(numbers: int) -> None:
     if numbers > _MOST_NUMBERS:
         raise SimulationError(
             f"the elastic lines would take {numbers * 8 / 1e9:.1f} GB; expected at most "
-            f"{_MOST_NUMBERS * 8 / 1e9:.0f} GB. Mend: ask fewer samples at once, or fewer stations"
+            f"{_MOST_NUMBERS * 8 / 1e9:.0f} GB. Ask fewer samples at once, or fewer stations"
         )
 
 

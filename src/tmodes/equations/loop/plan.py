@@ -30,8 +30,8 @@ BROUGHT_IN = 3
 class DrivePlan:
     """What moves one joint: a servo, or nothing but its signal, which it then follows exactly (``servo`` None).
 
-    ``numbers``: R, CE, CM, L, then those of the controller; ``noise``: the signal of the error with which the controller
-    sees its wanted value, -1 for none.
+    ``numbers``: R, CE, CM, L, then those of the controller; ``noise``: the signal of the error with which the
+    controller sees its wanted value, -1 for none.
     """
 
     joint: str
@@ -92,6 +92,13 @@ class LoopPlan:
     def currents(self) -> tuple[str, ...]:
         """Joints whose motor current is a state."""
         return tuple(drive.joint for drive in self.drives if drive.has_current)
+
+    @property
+    def further_states(self) -> tuple[str, ...]:
+        """Names of the states between the rates and the works."""
+        own = [(drive.joint, drive.servo.states) for drive in self.drives if drive.servo]
+        names = (f"{joint}.controller{k + 1}" for joint, count in own for k in range(count))
+        return (*(f"{name}.current" for name in self.currents), *names)
 
     @property
     def controls(self) -> tuple[float, ...]:
