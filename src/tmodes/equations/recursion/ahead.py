@@ -8,7 +8,7 @@ from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 
-__all__ = ["Ahead", "packing_kernel"]
+__all__ = ["Ahead", "ahead_kernel"]
 
 _GROUP = 8
 """Motors or joints that go in one call; so the code is no longer for a longer arm."""
@@ -33,29 +33,14 @@ class Ahead:
         if first not in self.found:
             count = min(other for other in self.firsts if other > first) - first
             blocks = self.way.q.part(first, count), self.way.v.part(first, count), self.step
-            (self.found[first],) = self.way.schedule.call(_ahead_kernel(count), *blocks)
+            (self.found[first],) = self.way.schedule.call(ahead_kernel(count), *blocks)
         return self.found[first].part(start - first, size)
 
-    def whole(self) -> Slot:
-        """All of them in one block."""
-        ends = zip(self.firsts, self.firsts[1:], strict=False)
-        blocks = [self.part(first, end - first) for first, end in ends]
-        return self.way.schedule.call(packing_kernel(tuple(block.size for block in blocks)), *blocks)[0]
 
-
-def _ahead_kernel(size: int) -> Kernel:
+def ahead_kernel(size: int) -> Kernel:
     """(q, v, h) -> q + h v."""
 
     def build(q: Any, v: Any, step: Any) -> list[list[Any]]:
         return [[q[i] + step[0] * v[i] for i in range(size)]]
 
     return Kernel(f"ahead {size}", (size, size, 1), (size,), build, plain=True)
-
-
-def packing_kernel(sizes: tuple[int, ...]) -> Kernel:
-    """Blocks one after the other in one block."""
-
-    def build(*blocks: Any) -> list[list[Any]]:
-        return [[block[i] for block, size in zip(blocks, sizes, strict=True) for i in range(size)]]
-
-    return Kernel(f"packing {sizes}", sizes, (sum(sizes),), build)
