@@ -5,6 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
+from tmodes.equations.line.beam import BeamLine
+from tmodes.equations.line.link import LineOfLink
+from tmodes.equations.line.segment import SegmentLine
 from tmodes.equations.recursion.segment_link import segment_link
 from tmodes.equations.recursion.strain_link import strain_link
 from tmodes.equations.recursion.strain_shape import StrainShape
@@ -46,6 +49,10 @@ class SegmentKind:
         """No inertia terms of its own, and the section at the tip."""
         return [0.0], [segment_link(self.bend_y, self.bend_z, tables[0], rate, q, qd)]
 
+    def line(self, link: Any, stations: tuple[float, ...], s: Any) -> LineOfLink:  # noqa: ARG002
+        """The elastic line of such a link of a chain at the places ``s``."""
+        return SegmentLine(link, s)
+
 
 @dataclass(frozen=True)
 class StrainKind:
@@ -61,3 +68,7 @@ class StrainKind:
     def sections(self, tables: Any, rate: Any, q: Any, qd: Any) -> tuple[list[Any], list[list[Any]]]:
         """Inertia terms, and the sections at the tip and the stations."""
         return strain_link(self.shape, tables, rate, q, qd)
+
+    def line(self, link: Any, stations: tuple[float, ...], s: Any) -> LineOfLink:
+        """The elastic line of such a link of a chain at the places ``s``; ``stations``: those of the model."""
+        return BeamLine(link, stations, s)
