@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 
 from io_cases import bad_numbers
+from tmodes.analysis.spectrum import MotorState, Spectrum
 from tmodes.analysis.stability import step_size_verdict, step_times_eigenvalue
 from tmodes.analysis.validity import jam_warnings
 from tmodes.equations.lagrange.coordinates import deformations
@@ -15,7 +16,7 @@ from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.integrate.settings import Integration, Method
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
-from tmodes.paper.modes import MotorState, Spectrum, all_modes, vibration_modes
+from tmodes.paper.modes import all_modes, vibration_modes
 from tmodes.paper.regime import run_paper
 from tmodes.paper.sheet import PaperPair, PaperRobot
 from tmodes.paper.simulate import simulate

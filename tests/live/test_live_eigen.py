@@ -12,7 +12,7 @@ import pytest
 from numpy.typing import NDArray
 from scipy.optimize import linear_sum_assignment
 
-from tmodes.paper.modes import damped_motions
+from tmodes.analysis.spectrum import damped_motions
 
 from .node import ESBUILD, WEB
 

@@ -5,7 +5,8 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
-from tmodes.paper.modes import MotorState, vibration_modes
+from tmodes.analysis.spectrum import MotorState
+from tmodes.paper.modes import vibration_modes
 from tmodes.paper.simulate import simulate
 
 

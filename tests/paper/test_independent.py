@@ -8,8 +8,9 @@ import pytest
 from oracle.oracle import contact_map, oracle
 from oracle.parameters import with_equivalents
 from paper.conftest import PATHS
+from tmodes.analysis.spectrum import MotorState
 from tmodes.paper.mechanism import Drive, Reading
-from tmodes.paper.modes import MotorState, vibration_modes
+from tmodes.paper.modes import vibration_modes
 from tmodes.paper.regime import run_paper
 from tmodes.paper.simulate import simulate
 

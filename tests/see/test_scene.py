@@ -150,7 +150,8 @@ def test_modes_are_those_of_the_result(made: Any) -> None:
 
 
 def test_the_tip_of_a_mode_moves_by_the_jacobian() -> None:
-    from tmodes.paper.modes import MotorState, shaped_modes
+    from tmodes.analysis.spectrum import MotorState
+    from tmodes.paper.modes import shaped_modes
 
     result = robot_result()
     robot = real_robot(result)

@@ -8,10 +8,10 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.analysis.spectrum import GROWING, Spectrum
 from tmodes.errors import SimulationError
 from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration, Method
-from tmodes.paper.modes import GROWING, Spectrum
 
 __all__ = ["StepVerdict", "chosen_settings", "growth_warnings", "step_size_verdict", "step_times_eigenvalue"]
 
@@ -38,7 +38,7 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
     """
     eigenvalues = spectrum.eigenvalues
     highest = spectrum.highest
-    coordinate = spectrum.homes[int(np.argmax(np.abs(eigenvalues)))] if highest else "none"
+    coordinate = spectrum.dominant[int(np.argmax(np.abs(eigenvalues)))] if highest else "none"
     if settings.method is Method.MIDPOINT:
         return StepVerdict(highest, settings.step * highest, True)
     if settings.method is not Method.RK4:
@@ -73,15 +73,15 @@ def step_times_eigenvalue(verdict: StepVerdict, statistics: dict[str, Any]) -> f
 
 
 def growth_warnings(spectrum: Spectrum, whose: str, causes: str) -> list[str]:
-    """A robot that is unstable at its start: the fastest growth, where it lives, and what may cause it."""
+    """A robot that is unstable at its start: the fastest growth, in which coordinate, and what may cause it."""
     growing = spectrum.eigenvalues.real > GROWING * np.abs(spectrum.eigenvalues)
     if not growing.any():
         return []
     fastest = int(np.argmax(np.where(growing, spectrum.eigenvalues.real, -np.inf)))
     rate = spectrum.eigenvalues[fastest].real
     return [
-        f"the {whose} is unstable at its start: a motion in coordinate {spectrum.homes[fastest]} grows at {rate:.3g} "
-        f"1/s ({causes})"
+        f"the {whose} is unstable at its start: a motion in coordinate {spectrum.dominant[fastest]} grows at "
+        f"{rate:.3g} 1/s ({causes})"
     ]
 
 

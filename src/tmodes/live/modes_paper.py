@@ -8,11 +8,12 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.analysis.spectrum import MotorState
 from tmodes.compile.wasm.wasm_parts import sample_part
 from tmodes.equations.lagrange.coordinates import basis, deformations, free_columns
 from tmodes.live.module import Functions
 from tmodes.paper.mechanism import Drive, Mechanism
-from tmodes.paper.modes import ELEMENTS, MotorState
+from tmodes.paper.modes import ELEMENTS
 from tmodes.paper.sheet import PaperRobot
 
 __all__ = ["add_modes", "robot_modes"]

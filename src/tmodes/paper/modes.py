@@ -4,12 +4,12 @@ from __future__ import annotations
 
 import math
 from dataclasses import asdict, dataclass
-from enum import StrEnum
 from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.spectrum import GROWING, RINGS, MotorState, Spectrum, damped_motions
 from tmodes.equations.lagrange.coordinates import basis, deformations, free_columns
 from tmodes.equations.lagrange.layout import COORDINATES
 from tmodes.paper.mechanism import Drive, Mechanism, Parameters
@@ -38,18 +38,7 @@ ELEMENTS = {
 }
 """Where a deformation sits, in words."""
 
-GROWING = 1e-7
-"""Real over absolute value of an eigenvalue above which its motion grows, and is not just undamped."""
-
 Matrices = tuple[NDArray[np.float64], NDArray[np.float64], NDArray[np.float64]]
-
-
-class MotorState(StrEnum):
-    """What the motor does while the arm rings: it stands still, turns without current, or is controlled."""
-
-    LOCKED = "locked"
-    FREE = "free"
-    CONTROLLED = "controlled"
 
 
 @dataclass(frozen=True)
@@ -131,8 +120,8 @@ def _partners(undamped: NDArray[Any], damped: NDArray[np.complex128], eigenvalue
     """
     norms = np.outer(np.linalg.norm(undamped, axis=0), np.linalg.norm(damped, axis=0))
     alike = np.abs(undamped.conj().T @ damped) / norms
-    rings = eigenvalues.imag > _STILL * np.abs(eigenvalues)
-    still = np.abs(eigenvalues.imag) <= _STILL * np.abs(eigenvalues)
+    rings = eigenvalues.imag > RINGS * np.abs(eigenvalues)
+    still = np.abs(eigenvalues.imag) <= RINGS * np.abs(eigenvalues)
     partners = [-1] * undamped.shape[1]
 
     def open_modes() -> list[int]:
@@ -147,28 +136,6 @@ def _partners(undamped: NDArray[Any], damped: NDArray[np.complex128], eigenvalue
     for k in slowest_first[: len(open_modes())]:
         partners[max(open_modes(), key=lambda i: alike[i, k])] = k
     return partners
-
-
-_STILL = 1e-9
-"""Imaginary over absolute value of an eigenvalue below which its motion does not ring."""
-
-
-@dataclass(frozen=True)
-class Spectrum:
-    """Eigenvalues [1/s] of the equations, linear about rest, and the coordinate in which each lives."""
-
-    eigenvalues: NDArray[np.complex128]
-    homes: tuple[str, ...]
-
-    @property
-    def highest(self) -> float:
-        """The largest absolute value of all [1/s]; 0 where nothing moves."""
-        return float(np.abs(self.eigenvalues).max(initial=0.0))
-
-    @property
-    def ringing(self) -> NDArray[np.complex128]:
-        """The eigenvalues whose motion rings, both of each pair."""
-        return self.eigenvalues[np.abs(self.eigenvalues.imag) > _STILL * np.abs(self.eigenvalues)]
 
 
 def closed_loop_spectrum(robot: PaperRobot, *, drive: Drive) -> Spectrum:
@@ -201,25 +168,10 @@ def _matrices(
     return mass, damping, stiffness
 
 
-def damped_motions(
-    mass: NDArray[np.float64], damping: NDArray[np.float64], stiffness: NDArray[np.float64]
-) -> tuple[NDArray[np.complex128], NDArray[np.complex128]]:
-    """Eigenvalues [1/s] and the coordinates' part of the eigenvectors of the first-order system."""
-    size = len(mass)
-    dynamics = np.block(
-        [
-            [np.zeros((size, size)), np.eye(size)],
-            [-np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)],
-        ]
-    )
-    eigenvalues, vectors = np.linalg.eig(dynamics)
-    return eigenvalues.astype(complex), vectors[:size].astype(complex)
-
-
 def _mode(robot: PaperRobot, undamped: float, eigenvalue: complex, shape: NDArray[Any]) -> VibrationMode:
     element, share = _home(robot, shape)
     size = abs(eigenvalue)
-    rings = eigenvalue.imag > _STILL * size
+    rings = eigenvalue.imag > RINGS * size
     ratio = float(-eigenvalue.real / size) if size else 0.0
     damped = float(eigenvalue.imag) / (2 * np.pi) if rings else None
     return VibrationMode(float(undamped), damped, ratio, element, share, bool(eigenvalue.real <= GROWING * size))

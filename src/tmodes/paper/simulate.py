@@ -9,10 +9,11 @@ from collections.abc import Callable, Mapping, Sequence
 from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
+from tmodes.analysis.spectrum import Spectrum
 from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict
 from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.modes import Spectrum, all_modes, closed_loop_spectrum
+from tmodes.paper.modes import all_modes, closed_loop_spectrum
 from tmodes.paper.quantities import robot_stops
 from tmodes.paper.regime import PaperRun, run_paper
 from tmodes.paper.settling import settling

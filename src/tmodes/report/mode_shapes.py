@@ -9,8 +9,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.modes.modes import ArmMode
+from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import SimulationError
-from tmodes.paper.modes import MotorState, VibrationMode, shaped_modes
+from tmodes.paper.modes import VibrationMode, shaped_modes
 from tmodes.report.scene_chain import drawn_links, lines_at, real_arm_of
 from tmodes.report.scene_meshes import carriers
 from tmodes.report.scene_paper import line_at, real_robot

@@ -7,15 +7,14 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any
 
 import numpy as np
 
+from tmodes.analysis.spectrum import Spectrum, spectrum_of
 from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict, step_times_eigenvalue
 from tmodes.errors import InputError
 from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.integrate.settings import Integration, refuse_too_large
-from tmodes.paper.modes import Spectrum
 from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
 from tmodes.simulation.callback import Controller, driven_by, run_with_controller
@@ -33,12 +32,6 @@ Progress = Callable[[str, float], None]
 
 _CAUSES = "an equilibrium above the horizontal that tips over, buckling, a loose joint that falls, or the controller"
 """What makes a start unstable."""
-
-_UNDAMPED = 1e-9
-"""Real over absolute value of an eigenvalue below which it is taken as undamped."""
-
-_MOST_WHOLE = 500
-"""Size of a state up to which all its eigenvalues are found; of a larger one only the largest."""
 
 
 def simulate_motion(
@@ -133,27 +126,11 @@ def _until(reference: RunData, end: float) -> RunData:
     return replace(run, warnings=tuple(run_warnings(run)))
 
 
-def closed_loop_spectrum(regime: RunSetup) -> Spectrum:
-    """Eigenvalues of the arm under its drives at its start, exact derivatives, and the coordinate where each lives."""
-    model = regime.model
-    matrix = model.jacobian(0.0, regime.start, regime.first_row)
-    if not len(matrix) or not np.isfinite(matrix).all():
-        return Spectrum(np.zeros(0, dtype=complex), ())
-    if len(matrix) <= _MOST_WHOLE:
-        values, shapes = np.linalg.eig(matrix)
-    else:
-        from scipy.sparse.linalg import eigs
-
-        found: Any = eigs(matrix, k=6, which="LM", v0=np.ones(len(matrix)))
-        values, shapes = found
-    # Rounding must not make what rings without damping look as if it grew.
-    rising, turning = np.real(values), np.imag(values)
-    values = np.where(np.abs(rising) <= _UNDAMPED * np.abs(values), 0.0, rising) + 1j * turning
-    n = len(model.coordinates)
-    # A fast motion is large in the rates; currents follow the coordinates and rates in a state.
-    homes = [*model.coordinates, *model.coordinates, *(f"{name}.current" for name in model.plan.currents)]
-    largest = np.abs(shapes[n:]).argmax(axis=0) + n if n else np.zeros(0, dtype=int)
-    return Spectrum(values.astype(complex), tuple(homes[int(k)] for k in largest))
+def closed_loop_spectrum(setup: RunSetup) -> Spectrum:
+    """Eigenvalues of the robot under its drives at its start, by exact derivatives, and their dominant coordinates."""
+    model = setup.model
+    matrix = model.jacobian(0.0, setup.start, setup.first_row)
+    return spectrum_of(matrix, model.coordinates, [f"{name}.current" for name in model.plan.currents])
 
 
 def _with_method(regime: RunSetup, pair: RobotPair, spectrum: Spectrum) -> tuple[RunSetup, RobotPair, str]:

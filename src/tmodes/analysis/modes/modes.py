@@ -9,21 +9,18 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.spectrum import GROWING, RINGS, MotorState, damped_motions
 from tmodes.analysis.statics.compliance import Spring, springs_of
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.held import driven
 from tmodes.analysis.statics.stability import mass_root
 from tmodes.chain.chain import Chain, Drive, Friction
 from tmodes.model.model import Model
-from tmodes.paper.modes import GROWING, MotorState, damped_motions
 
 __all__ = ["ArmMode", "MotorState", "Servo", "arm_modes", "moving_coordinates", "without_dry_friction"]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
-
-RINGS = 1e-9
-"""Imaginary over absolute value of an eigenvalue above which its motion rings."""
 
 ROUNDING = 1e-13
 """Real over absolute value of an eigenvalue below which its motion is undamped."""

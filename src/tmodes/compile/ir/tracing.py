@@ -108,6 +108,50 @@ class _Number:
             return 0.0
         return self.trace.number("inv", (self.index,)) if _is(other, 1) else self.trace.of(other) / self
 
+    def __pow__(self, exponent: int) -> Any:
+        value: Any = self
+        for _ in range(exponent - 1):
+            value = value * self
+        return value
+
+    def __lt__(self, other: Any) -> Any:
+        return self.trace.number("lt", (self.index, self.trace.of(other).index))
+
+    def __gt__(self, other: Any) -> Any:
+        return self.trace.of(other) < self
+
+    def __le__(self, other: Any) -> Any:
+        return self.trace.number("le", (self.index, self.trace.of(other).index))
+
+    def __ge__(self, other: Any) -> Any:
+        return self.trace.of(other) <= self
+
+    def _function(self, kind: str) -> Any:
+        return self.trace.number(kind, (self.index,))
+
+    def sin(self) -> Any:
+        """Sine."""
+        return self._function("sin")
+
+    def cos(self) -> Any:
+        """Cosine."""
+        return self._function("cos")
+
+    def sqrt(self) -> Any:
+        """Square root."""
+        return self._function("sqrt")
+
+    def fabs(self) -> Any:
+        """Absolute value."""
+        return self._function("fabs")
+
+    def if_else(self, then: Any, otherwise: Any) -> Any:
+        """``then`` where this is not 0, else ``otherwise``."""
+        return self._where(then) + self._function("not")._where(otherwise)
+
+    def _where(self, value: Any) -> Any:
+        return 0.0 if _is(value, 0) else self.trace.number("if_else_zero", (self.index, self.trace.of(value).index))
+
 
 def _is(value: Any, known: int) -> bool:
     return not isinstance(value, _Number) and value == known

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-import casadi as ca
+from tmodes.kinds.kernel.functions import fabs, sqrt
 
 __all__ = ["FRICTION", "DriveLaw"]
 
@@ -50,7 +50,7 @@ class DriveLaw:
         x, _ = self._free(deflection)
         energy = self.stiffness[0] * x * x / 2
         for end, step in self._steps():
-            over = ca.fabs(x) - end
+            over = fabs(x) - end
             energy = energy + (over > 0) * step * over * over / 2
         return energy
 
@@ -63,7 +63,7 @@ class DriveLaw:
         if not self._dead_zone:
             return deflection, 1.0
         ahead, behind = deflection - self.backlash, deflection + self.backlash
-        near, far = ca.sqrt(ahead**2 + self.rounding**2), ca.sqrt(behind**2 + self.rounding**2)
+        near, far = sqrt(ahead**2 + self.rounding**2), sqrt(behind**2 + self.rounding**2)
         return deflection + (near - far) / 2, 1 + (ahead / near - behind / far) / 2
 
 
@@ -72,7 +72,7 @@ def _friction(p: list[Any], rate: Any, *, dry: bool) -> tuple[Any, Any]:
     viscous, coulomb, extra, stribeck, smoothing = p
     if not dry:
         return viscous * rate, viscous
-    root = ca.sqrt(rate * rate + smoothing * smoothing)
+    root = sqrt(rate * rate + smoothing * smoothing)
     side = rate / root
     ratio = rate / stribeck
     fall = 1 / (1 + ratio * ratio)

@@ -11,10 +11,9 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-import casadi as ca
-
 from tmodes.chain.chain import JointKind
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 
@@ -184,7 +183,7 @@ class Hinge:
 
 def _about(axis: int | None, e: v.Vector, angle: Any) -> v.Matrix:
     """Rotation by an angle about an axis of the frame, or about any unit vector (Rodrigues)."""
-    c, s = ca.cos(angle), ca.sin(angle)
+    c, s = cos(angle), sin(angle)
     if axis is None:
         part = v.outer(v.scale(1 - c, e), e)
         lever = v.skew(e)

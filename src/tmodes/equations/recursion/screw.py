@@ -10,13 +10,12 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-import casadi as ca
-
 from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.framing import STRAIGHT, ScrewWay
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.equations.recursion.spin import Spin
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_inertia
 
@@ -214,7 +213,7 @@ def turn_kernel(count: int) -> Kernel:
     def build(angles: Any, phases: Any) -> list[list[Any]]:
         info: list[Any] = []
         for i in range(count):
-            c, s, phase_c, phase_s = ca.cos(angles[i]), ca.sin(angles[i]), phases[2 * i], phases[2 * i + 1]
+            c, s, phase_c, phase_s = cos(angles[i]), sin(angles[i]), phases[2 * i], phases[2 * i + 1]
             info += [phase_c * c - phase_s * s, phase_s * c + phase_c * s]
         return [info]
 
