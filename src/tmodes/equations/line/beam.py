@@ -55,7 +55,7 @@ class BeamLine(LineOfLink):
         return BeamKernels(self._tables.shape, fibre)
 
     def places(self, moved: Moved) -> list[Slot]:
-        """Sections of the model from root to tip, then what its points push, then each place from the section before."""
+        """Sections of the model from root to tip, what its points push, then each place from the section before."""
         own, shape, kernels = self._tables, self._tables.shape, self._kernels
         edges = section_edges(shape, own.points, self.stations)
         before = np.maximum(np.searchsorted(edges, self.s, side="left") - 1, 0)

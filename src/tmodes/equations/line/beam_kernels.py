@@ -6,12 +6,11 @@ from collections.abc import Callable, Mapping
 from dataclasses import dataclass, replace
 from typing import Any
 
-import casadi as ca
-
-from tmodes.equations.line.place import PLACE, STRESS, Shape, Stressed, angle_of, packed_place
+from tmodes.equations.line.place import PLACE, STRESS, Shape, Stressed, packed_place
 from tmodes.equations.recursion.strain_line import curvature_sums, magnus_turn
 from tmodes.equations.recursion.strain_shape import StrainShape
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import atan2, cos, sin
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 
@@ -62,8 +61,8 @@ class BeamKernels:
     def pushes(self) -> dict[str, int]:
         """What the points give to the places.
 
-        ``lines``: derivative of the position by x; ``push``: less the acceleration; ``pairs``: levers times pushes of two
-        points, both ways; ``spins``: what a unit of section inertia about each axis asks of the section.
+        ``lines``: derivative of the position by x; ``push``: less the acceleration; ``pairs``: levers times pushes of
+        two points, both ways; ``spins``: what a unit of section inertia about each axis asks of the section.
         """
         g = self.shape.points
         return {"lines": 3 * g, "push": 3 * g, "pairs": 3 * g * (g + 1) // 2, "spins": 3 * g * self.shape.rotary}
@@ -100,7 +99,7 @@ class BeamKernels:
         a, b = self._sums(given, given["q"]) if self.shape.turning else (v.zero(), v.zero())
         if self.shape.planar is not None:
             axis = self.shape.planar
-            return v.matmul(rotation, v.about(axis, ca.cos(a[axis]), ca.sin(a[axis])))
+            return v.matmul(rotation, v.about(axis, cos(a[axis]), sin(a[axis])))
         a = self._with_rest(given, a)
         return magnus_turn(rotation, v.zero(), v.zero(), v.add(a, v.cross(a, b)), v.zero(), v.zero()).rotation
 
@@ -175,7 +174,7 @@ class BeamKernels:
         answers = [k * (x + own[0] * rate) for k, x, rate in zip(
             stiffness, [*bent, longer], [*speed, growing], strict=True)]  # fmt: skip
         total = v.add(bent, [own[1], own[2], own[3]])
-        slope = [angle_of(tangent[k], tangent[0]) for k in (1, 2)]
+        slope = [atan2(tangent[k], tangent[0]) for k in (1, 2)]
         return Shape(slope, total[1:], total[0], longer, answers[:3], answers[3])
 
 

@@ -6,11 +6,10 @@ from dataclasses import dataclass
 from itertools import accumulate
 from typing import Any
 
-import casadi as ca
-
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import fabs, sqrt
 
-__all__ = ["LOADS", "PLACE", "Shape", "Stressed", "angle_of", "layout", "packed_place"]
+__all__ = ["LOADS", "PLACE", "Shape", "Stressed", "layout", "packed_place"]
 
 PLACE = {
     "position": 3, "rotation": 9, "deflection": 2, "slope": 2, "moment": 3, "shear": 2, "axial": 1, "curvature": 2,
@@ -64,11 +63,11 @@ class Stressed:
     def packed(self, moment: v.Vector, axial: Any) -> list[Any]:
         """Strain, von Mises stress, normal and shear stress."""
         young, per_y, per_z, per_force, per_torsion = (self.per[k] for k in range(5))
-        about_y, about_z = ca.fabs(moment[1]) * per_y, ca.fabs(moment[2]) * per_z
-        bending = ca.sqrt(about_y * about_y + about_z * about_z) if self.ring else about_y + about_z
-        strain = bending + ca.fabs(axial) * per_force
-        normal, shear = young * strain, ca.fabs(moment[0]) * per_torsion
-        return [strain, ca.sqrt(normal * normal + 3 * shear * shear), normal, shear]
+        about_y, about_z = fabs(moment[1]) * per_y, fabs(moment[2]) * per_z
+        bending = sqrt(about_y * about_y + about_z * about_z) if self.ring else about_y + about_z
+        strain = bending + fabs(axial) * per_force
+        normal, shear = young * strain, fabs(moment[0]) * per_torsion
+        return [strain, sqrt(normal * normal + 3 * shear * shear), normal, shear]
 
 
 def packed_place(
@@ -77,8 +76,8 @@ def packed_place(
 ) -> list[Any]:  # fmt: skip
     """All quantities of a place.
 
-    ``pose`` of the root in the world; in the axes of the root ``rotation`` and ``position`` of the section, ``force`` and
-    ``moment`` by the outboard part on the inboard one.
+    ``pose`` of the root in the world; in the axes of the root ``rotation`` and ``position`` of the section, ``force``
+    and ``moment`` by the outboard part on the inboard one.
     """
     world, across = v.tri(pose), v.transpose(rotation)
     force, moment = v.matvec(across, force), v.matvec(across, moment)
@@ -88,24 +87,3 @@ def packed_place(
         place, v.matmul(world, rotation), position[1:], shape.slope, moment, force[1:], force[0], shape.curvature,
         shape.twist, shape.stretch, shape.elastic_moment, shape.elastic_force, stress,
     )  # fmt: skip
-
-
-_HALVINGS = 4
-_TERMS = 8
-_TINY = 1e-300
-
-
-def angle_of(y: Any, x: Any) -> Any:
-    """The angle atan2(y, x) by sums, products and roots, exact to a few roundings; 0 where both are zero.
-
-    Halved until its tangent is below 0.1, where eight terms of the series are exact.
-    """
-    tangent = y / (ca.sqrt(x * x + y * y) + ca.fabs(x) + _TINY)
-    for _ in range(_HALVINGS - 1):
-        tangent = tangent / (1 + ca.sqrt(1 + tangent * tangent))
-    square, value = tangent * tangent, 0.0
-    for k in reversed(range(_TERMS)):
-        value = value * square + (-1) ** k / (2 * k + 1)
-    acute = 2**_HALVINGS * tangent * value
-    half_turn = ca.if_else(y < 0, -ca.pi, ca.pi)
-    return ca.if_else(x < 0, half_turn - acute, acute)

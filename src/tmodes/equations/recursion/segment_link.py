@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import Any
 
-import casadi as ca
-
 from tmodes.equations.recursion.link_terms import Section
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.spatial import Force
 
 __all__ = ["segment_link", "turned_axes"]
@@ -36,7 +35,7 @@ def segment_link(bend_y: bool, bend_z: bool, length: Any, rate: Any, q: Any, qd:
 
 def turned_axes(about_y: Any, about_z: Any) -> v.Matrix:
     """Axes turned about z, then about the turned y: Rz Ry."""
-    cy, sy, cz, sz = ca.cos(about_y), ca.sin(about_y), ca.cos(about_z), ca.sin(about_z)
+    cy, sy, cz, sz = cos(about_y), sin(about_y), cos(about_z), sin(about_z)
     return [[cz * cy, -sz, cz * sy], [sz * cy, cz, sz * sy], [-sy, 0.0, cy]]
 
 
