@@ -14,7 +14,6 @@ from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import arm_numbers, whole_moves
-from tmodes.live.surface import surface_info, surface_numbers
 from tmodes.report.meshes import with_shapes
 from tmodes.report.pack import pack
 from tmodes.report.scene_chain import arm_scene
@@ -146,7 +145,7 @@ def test_the_surface_follows_its_slider(live: LiveMap, runs: list[dict[str, Any]
     for values, run in zip([unchanged(live), *drawn(live)], runs, strict=True):
         contact = two_links().with_(live.changes(values)).contact
         assert contact is not None
-        shown, true = run["scene"]["contact"]["surface"], surface_info(contact.shape)
+        shown, true = run["scene"]["contact"]["surface"], contact.shape.drawing()
         assert shown["kind"] == true["kind"] == "plane"
         assert np.allclose(shown["position"], true["position"], rtol=1e-12)
     places = {tuple(run["scene"]["contact"]["surface"]["position"]) for run in runs}
@@ -190,7 +189,7 @@ def test_every_kind_of_surface_has_a_slider(shape: dict[str, Any], path: str) ->
     assert live.changes(values) == {path: slider.high}
     assert moved.contact is not None
     numbers = live.numbers(values, "real")
-    assert numbers["surface"] == pytest.approx(surface_numbers(moved.contact.shape), rel=1e-12)
+    assert numbers["surface"] == pytest.approx(moved.contact.shape.moving_numbers(), rel=1e-12)
     true = arm_numbers(moved.pair().real, Follow.SHEET, whole_moves(arm, 2.5), (0.0, 1.0))
     assert numbers["parameters"] == pytest.approx(true["parameters"], rel=1e-12)
 

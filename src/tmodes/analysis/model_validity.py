@@ -10,8 +10,8 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.analysis.line.line import LinkLine, LinkLines
 from tmodes.analysis.range import bent
 from tmodes.chain.chain import Beam, Segment
-from tmodes.equations.recursion.beam_functions import pieces_at
-from tmodes.equations.recursion.beam_tables import beam_tables, section_edges
+from tmodes.kinds.links.beam_functions import pieces_at
+from tmodes.kinds.links.beam_tables import beam_tables, section_edges
 from tmodes.kinds.links.material import find_material
 from tmodes.model.model import Model
 from tmodes.sheet import Robot

@@ -9,9 +9,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.line.line import LinkLine, elastic_line
 from tmodes.chain.chain import Beam, Segment
-from tmodes.equations.recursion.beam_functions import interval_integrals
-from tmodes.equations.recursion.beam_rule import beam_rule
 from tmodes.equations.recursion.parts import LinkPart, NodePart
+from tmodes.kinds.links.beam_functions import interval_integrals
+from tmodes.kinds.links.beam_rule import beam_rule
 from tmodes.model.model import Model
 
 __all__ = ["LIMITS", "LinkRange", "bent", "link_angles", "link_ranges"]

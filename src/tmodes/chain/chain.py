@@ -19,6 +19,10 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.frame import Placement
+from tmodes.kinds.links.contract import Body, Link
+from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.links.segment import Segment
+from tmodes.kinds.links.strain import Beam, BeamPiece
 
 __all__ = [
     "Beam",
@@ -30,6 +34,7 @@ __all__ = [
     "Gear",
     "Joint",
     "JointKind",
+    "Link",
     "Motor",
     "Node",
     "Placement",
@@ -39,15 +44,6 @@ __all__ = [
 ]
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True, eq=False)
-class Body:
-    """A rigid body in its frame's axes; ``inertia`` (3, 3) [kg*m^2] is about its center of mass."""
-
-    mass: float
-    center: Array = field(default_factory=lambda: np.zeros(3))
-    inertia: Array = field(default_factory=lambda: np.zeros((3, 3)))
 
 
 @dataclass(frozen=True)
@@ -131,82 +127,13 @@ class Joint:
 
 
 @dataclass(frozen=True, eq=False)
-class RigidLink:
-    """A link that does not bend; ``bodies`` in its link frame, which is also its tip frame."""
-
-    bodies: tuple[Body, ...] = ()
-
-
-@dataclass(frozen=True)
-class BeamPiece:
-    """A piece of a beam that ends at s = ``end``; each quantity is (at its start, at its end), linear between.
-
-    Bending stiffness about y and z [N*m^2], torsional GJ [N*m^2], axial EA [N], mass per length [kg/m], and inertia
-    per length about x, y and z [kg*m].
-    """
-
-    end: float
-    bend_y: tuple[float, float]
-    bend_z: tuple[float, float]
-    torsion: tuple[float, float]
-    axial: tuple[float, float]
-    mass: tuple[float, float]
-    inertia: tuple[tuple[float, float], tuple[float, float], tuple[float, float]] = ((0.0, 0.0), (0.0, 0.0), (0.0, 0.0))
-
-
-@dataclass(frozen=True, eq=False)
-class Beam:
-    """A ``strain`` link: its moments are polynomials, curvature, twist and stretch follow, the line is their integral.
-
-    ``twist``, ``bend_y``, ``bend_z``, ``stretch``: numbers of functions. ``basis`` of bending: ``legendre`` (P_j) or
-    ``tip_weighted`` ((1 - s) P_j, for a free end on which no moment acts). ``points``: Gauss points between jumps of
-    the section, 0 for the default. ``damping_time`` [s] Kelvin-Voigt. ``rest_curvature`` (3,) [1/m]: twist,
-    y, z of the unloaded line. ``bodies``: (s, body) in section axes at s in 0..1. ``outer`` (2,): distance of the
-    outer fibre along y and z [m], for stress; ``young`` and ``shear`` modulus [Pa], 0 where not known.
-    """
-
-    length: float
-    pieces: tuple[BeamPiece, ...]
-    twist: int = 0
-    bend_y: int = 0
-    bend_z: int = 0
-    stretch: int = 0
-    basis: str = "legendre"
-    points: int = 0
-    damping_time: float = 0.0
-    rest_curvature: Array = field(default_factory=lambda: np.zeros(3))
-    bodies: tuple[tuple[float, Body], ...] = ()
-    outer: tuple[float, float] = (0.0, 0.0)
-    young: float = 0.0
-    shear: float = 0.0
-
-
-@dataclass(frozen=True, eq=False)
-class Segment:
-    """The paper's mode as a link: a chord of fixed length with the mass of Eq. (13) at its tip (LMA).
-
-    The chord turns by th about z, then about y (``bend_y``, ``bend_z``: which are free), the tip's tangent by 3/2 th.
-    ``stiffness`` Cs [N/m] and ``damping`` Bs [N*s/m] act on the tip's deflection; ``bodies`` in the tip frame.
-    """
-
-    length: float
-    stiffness_y: float
-    stiffness_z: float
-    damping_y: float = 0.0
-    damping_z: float = 0.0
-    bend_y: bool = True
-    bend_z: bool = True
-    bodies: tuple[Body, ...] = ()
-
-
-@dataclass(frozen=True, eq=False)
 class Node:
     """A joint and the link it carries; ``parent`` is an index of an earlier node, -1 for the base."""
 
     name: str
     parent: int
     joint: Joint
-    link: RigidLink | Beam | Segment
+    link: Link
 
 
 @dataclass(frozen=True, eq=False)

@@ -9,10 +9,10 @@ from typing import NamedTuple
 import numpy as np
 
 from tmodes.chain.chain import Beam, BeamPiece, Body, Joint, JointKind, Node, Placement, RigidLink, Segment
-from tmodes.chain.rigid import rigid_body
 from tmodes.kinds.links.beam import Basis, BeamModel, BeamSheet, Functions, RotaryInertia
 from tmodes.kinds.links.beam_pieces import Piece
 from tmodes.kinds.links.body import BodySheet
+from tmodes.kinds.links.rigid_beam import rigid_body
 from tmodes.kinds.schema.axes import bent_line
 from tmodes.kinds.schema.frames import Origin
 from tmodes.sheet.parts import LinkSheet

@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Node, Placement
 from tmodes.chain.lowering import lowered
 from tmodes.kinds.schema.axes import cross_matrix, rotation_about
 from tmodes.kinds.schema.quantity import Issue
@@ -70,31 +70,11 @@ def _carried(chain: Chain) -> list[Array]:
 
 
 def _own(node: Node) -> Array:
-    link = node.link
-    if isinstance(link, RigidLink):
-        return sum((_spatial(body) for body in link.bodies), np.zeros((6, 6)))
-    if isinstance(link, Beam):
-        bodies = [
-            Body(body.mass, body.center + np.array([s * link.length, 0.0, 0.0]), body.inertia)
-            for s, body in link.bodies
-        ]
-        return sum((_spatial(body) for body in bodies), _beam(link))
-    tip = np.array([link.length, 0.0, 0.0])
-    return sum((_spatial(Body(body.mass, body.center + tip, body.inertia)) for body in link.bodies), np.zeros((6, 6)))
-
-
-def _beam(beam: Beam) -> Array:
-    """A rough inertia of the beam as a straight rod: its mean mass per length."""
-    mass = beam.length * float(np.mean([number for piece in beam.pieces for number in piece.mass]))
-    polar = beam.length * float(np.mean([number for piece in beam.pieces for number in piece.inertia[0]]))
-    across = mass * beam.length**2 / 12
-    return _spatial(Body(mass, np.array([beam.length / 2, 0.0, 0.0]), np.diag([polar, across, across])))
+    return sum((_spatial(body) for body in node.link.unbent_bodies()), np.zeros((6, 6)))
 
 
 def _length(node: Node) -> Placement:
     """The chain's tip frame of a node in its link's frame, unbent."""
-    if isinstance(node.link, RigidLink):
-        return Placement()
     return Placement(position=np.array([node.link.length, 0.0, 0.0]))
 
 

@@ -10,6 +10,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
 __all__ = ["bounds", "expected_kind", "fields", "first_line", "is_group", "kind_of", "members_of", "own_unit"]
@@ -22,6 +23,8 @@ def members_of(annotation: Any) -> list[Any]:
         return members_of(get_args(annotation)[0])
     if origin in {Union, UnionType}:
         return [member for one in get_args(annotation) if one is not NoneType for member in members_of(one)]
+    if inspect.isclass(annotation) and issubclass(annotation, Kind):
+        return list(annotation.members())
     return [annotation]
 
 

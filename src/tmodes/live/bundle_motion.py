@@ -13,7 +13,6 @@ from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.chain.chain import Chain, JointKind, RigidLink, Segment
 from tmodes.live.loads import joint_limits, load_places, packed_loads, yield_strengths
 from tmodes.live.numbers import follow_of
-from tmodes.live.surface import surface_info
 from tmodes.live.vibrations import arm_vibrations
 from tmodes.live.wasm_motion import ModelFunctions, arm_module
 from tmodes.model.model import Model
@@ -65,7 +64,7 @@ def arm_bundle(
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
         "carried": _carried(pair, real, stations),
-        "surface": pair.real.contact and surface_info(pair.real.contact.shape),
+        "surface": pair.real.contact and pair.real.contact.shape.drawing(),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
         **arm_vibrations(pair.real, real.planned.plan, model),

@@ -15,8 +15,8 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Beam
-from tmodes.equations.recursion.beam_functions import function_values, interval_integrals, pieces_at
-from tmodes.equations.recursion.beam_tables import BeamTables, beam_tables, section_edges
+from tmodes.kinds.links.beam_functions import function_values, interval_integrals, pieces_at
+from tmodes.kinds.links.beam_tables import BeamTables, beam_tables, section_edges
 
 __all__ = ["PLANAR_TERMS", "TERMS", "Interval", "LineTables", "info_places", "line_tables", "pieces_at"]
 

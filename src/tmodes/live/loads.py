@@ -92,11 +92,7 @@ def _node(into: PackedLoads, part: NodePart, places: Array) -> dict[str, Any]:
 
 def _bodies(into: PackedLoads, node: Node, s: float | None = None) -> int:
     """Where the bodies at a station of a link, or at its tip, begin: mass, first moment, inertia; -1: none there."""
-    link = node.link
-    if isinstance(link, Beam):
-        bodies = tuple(body for at, body in link.bodies if (at >= 1.0 if s is None else at == s))
-    else:
-        bodies = link.bodies
+    bodies = node.link.bodies_at(1.0 if s is None else s)
     return into.put(packed_bodies(bodies)) if bodies else -1
 
 

@@ -11,7 +11,6 @@ from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.recursion.parts import Parts
 from tmodes.kinds.signals.signals import Quintic, Trapezoid
 from tmodes.live.loads import load_places, packed_loads
-from tmodes.live.surface import surface_numbers
 from tmodes.live.vibrations import vibration_numbers
 from tmodes.live.wasm_motion import stationed
 from tmodes.model.model import Model
@@ -82,7 +81,7 @@ def arm_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float,
         found |= vibration_numbers(arm, plan.plan, model)
         found["carried"] = packed_loads(plan.plan, loop.parts, load_places(arm.integration.line_points)).numbers
         if arm.contact:
-            found["surface"] = surface_numbers(arm.contact.shape)
+            found["surface"] = np.array(arm.contact.shape.moving_numbers(), dtype=float)
     for k, signal in enumerate(plan.each):
         schedule = signal.schedule(until if isinstance(signal, (Quintic, Trapezoid)) else arm.integration.duration)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}

@@ -9,7 +9,7 @@ from dataclasses import dataclass
 from typing import Any, NamedTuple
 
 from tmodes.live.sheet_numbers import SheetNumber, real_entry, sheet_numbers
-from tmodes.live.surface import steepest, stretched_length
+from tmodes.live.surface import stretched_length
 from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 
@@ -139,7 +139,7 @@ def _useful(sheet: PaperRobot | Robot, number: SheetNumber, rule: _Rule) -> bool
     if not math.isfinite(number.value):
         return False
     if isinstance(sheet, Robot) and number.kind == "contact.shape.position.*":
-        return int(number.path[-1]) == steepest(sheet)
+        return sheet.contact is not None and int(number.path[-1]) == sheet.contact.shape.steep_axis
     if isinstance(sheet, Robot) and number.kind == "links.*.bodies.*.mass":
         tip = sheet.tip.link if sheet.tip else sheet.links[-1].name if sheet.links else ""
         return number.owner == tip and number.value > 0

@@ -16,9 +16,9 @@ from tmodes.analysis.statics.rest import arm_rest
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.equations.recursion.drive_law import FRICTION
 from tmodes.errors import SimulationError
+from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
-from tmodes.sheet.contact import Ball, ContactLaw, ContactSheet, Plane, Wall
 
 __all__ = ["arm_vibrations", "vibration_numbers"]
 
@@ -35,7 +35,8 @@ def vibration_numbers(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Arr
     ``model``: the chain without drives. ``touch``: mass, damping, stiffness, preload of the surface.
     """
     sheet = arm.contact
-    touch = [sheet.mass, sheet.damping, sheet.stiffness, sheet.preload] if sheet else []
+    stiffness, damping, preload = (sheet and sheet.spring()) or (0.0, 0.0, 0.0)
+    touch = [sheet.moving_mass, damping, stiffness, preload] if sheet and sheet.spring() else []
     return {
         "servos": np.array([*servos_of(arm, model).values()], dtype=float).reshape(-1, 2),
         "loads": np.array([load.wrench for load in plan.loads], dtype=float).reshape(-1, 6),
@@ -61,6 +62,8 @@ def arm_vibrations(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Any]:
 
 def _modes(arm: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
     """``ArmModes``, or why there are none."""
+    if arm.contact and arm.contact.spring() is None:
+        return None, f"of the contact law `{arm.contact.name_of_kind()}`, which is no spring, modes are found natively"
     if model.nq > MOST_WHOLE:
         return None, f"of {model.nq} coordinates modes are found natively alone"
     try:
@@ -100,13 +103,13 @@ def _dry(model: Model) -> list[int]:
     return [slot.start + k for slot in slots for k in _DRY]
 
 
-def _surface(sheet: ContactSheet, point: int) -> dict[str, Any]:
+def _surface(sheet: Contact, point: int) -> dict[str, Any] | None:
     """``Surface`` of the page: a plane by its normal towards the free, or a ball by its center."""
-    shape: Plane | Ball | Wall = sheet.shape
-    info = {"point": point, "radius": 0.0, "inside": False, "bilateral": sheet.law is ContactLaw.BILATERAL}
-    if isinstance(shape, Ball):
-        return info | {"axis": [*shape.center], "distance": 0.0, "radius": shape.radius, "inside": shape.inside}
-    if isinstance(shape, Wall):
-        return info | {"axis": [-np.cos(shape.heading), -np.sin(shape.heading), 0.0], "distance": shape.distance}
-    normal = np.array(shape.normal) / np.linalg.norm(shape.normal)
-    return info | {"axis": normal.tolist(), "distance": -float(normal @ np.array(shape.position))}
+    if sheet.spring() is None:
+        return None
+    drawn = sheet.shape.drawing()
+    info = {"point": point, "radius": 0.0, "inside": False, "bilateral": not sheet.unilateral}
+    if "radius" in drawn:
+        return info | {"axis": drawn["center"], "distance": 0.0, "radius": drawn["radius"], "inside": drawn["inside"]}
+    normal = np.array(drawn["normal"]) / np.linalg.norm(drawn["normal"])
+    return info | {"axis": normal.tolist(), "distance": -float(normal @ np.array(drawn["position"]))}

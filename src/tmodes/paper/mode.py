@@ -1,83 +1,14 @@
-"""A mode of the flexible link, in the paper's sense: a cantilever segment with the shape of a tip load (LMA)."""
+"""The flexible link of the 2010 robot: two modes."""
 
 from __future__ import annotations
 
-from typing import Any
-
 from pydantic import Field
 
-from tmodes.kinds.schema.quantity import DataSheet, dissipation, positive
+from tmodes.kinds.links.modes_sheet import Mode as FlexibleMode
+from tmodes.kinds.links.modes_sheet import shape_angle, shape_deflection, shape_slope
+from tmodes.kinds.schema.quantity import DataSheet
 
 __all__ = ["FlexibleLink", "FlexibleMode", "shape_angle", "shape_deflection", "shape_slope"]
-
-
-def shape_deflection(s: Any) -> Any:
-    """Deflection at s = x/l over the tip's deflection: a cantilever under a tip force, (3 s^2 - s^3)/2; 1 at the tip.
-
-    Eq. (2) [stated]: y(x, t) = X(x) T(t); this is X, the one static shape of a mode. {test_mode_shape}
-    """
-    return s**2 * (3 - s) / 2
-
-
-def shape_angle(s: Any) -> Any:
-    """Angle of the chord from the root to the point s over the tip's chord angle: shape_deflection(s)/s."""
-    return s * (3 - s) / 2
-
-
-def shape_slope(s: Any) -> Any:
-    """Slope of the line at s over the tip's chord angle: the derivative of shape_deflection; 3/2 at the tip."""
-    return 3 * s * (2 - s) / 2
-
-
-class FlexibleMode(DataSheet):
-    """One elastic segment, bending in the horizontal and in the vertical plane with the same stiffness.
-
-    Its bending angle ``th`` is the angle of the chord from root to tip against the root's tangent; the tip's tangent
-    turns by ``omega = th/2`` more.
-
-    Eq. (6) [stated]: omega_q = th_q/2, horizontal plane: tip slope 3/2 r/l less the chord r/l. {test_mode_shape}
-    Eq. (7) [stated]: omega_m = th_m/2, vertical plane: the same. {test_mode_shape}
-    """
-
-    length: float = positive("m", "l", "length of the mode", plausible=(1e-3, 50.0))
-    bending_stiffness: float = positive(
-        "N*m^2", "EI", "bending stiffness E*I of the section, both planes", rigid=True, plausible=(1e-6, 1e10)
-    )
-    mass_per_length: float = positive("kg/m", "w", "mass per length", plausible=(1e-5, 1e4))
-    damping_time: float = dissipation("s", "eta", "Kelvin-Voigt damping over stiffness: Bs = eta Cs", most=0.1)
-
-    @property
-    def tip_stiffness(self) -> Any:
-        """Cs = 3 EI/l^3 [N/m]: tip force over tip deflection of the cantilever."""
-        return 3 * self.bending_stiffness / self.length**3
-
-    @property
-    def tip_damping(self) -> Any:
-        """Bs = eta Cs [N*s/m]."""
-        return self.damping_time * self.tip_stiffness
-
-    @property
-    def tip_mass(self) -> Any:
-        """Equivalent mass at the tip [kg].
-
-        Eq. (13) [stated]: mel = 33/140 w l, Jel = mel (l/2)^2, kept as printed. {test_slip_13_mass}
-        Slip (13): 33/140 already holds the rotation of the static shape, so Jel counts it twice; and gravity's
-        equivalent mass would be 3/8 w l {test_slip_13_mass}
-        """
-        return 33 / 140 * self.mass_per_length * self.length
-
-    @property
-    def tip_inertia(self) -> Any:
-        """Equivalent rotary inertia at the tip Jel = mel (l/2)^2 [kg*m^2], Eq. (13)."""
-        return self.tip_mass * (self.length / 2) ** 2
-
-    def flexibility_moment(self, angle: Any, rate: Any, lever: Any, s: Any = 0.0) -> Any:
-        """Moment beta (y + eta y')'' at s from the curvature of the line [N*m]: (Cs th + Bs th') lever^2 (1 - s).
-
-        ``angle`` th [rad] and ``rate`` th' [rad/s] of one plane; ``lever`` [m] turns the angle into the deflection;
-        ``s`` [-] from 0, the root, to 1, the tip.
-        """
-        return (self.tip_stiffness * angle + self.tip_damping * rate) * lever**2 * (1 - s)
 
 
 class FlexibleLink(DataSheet):

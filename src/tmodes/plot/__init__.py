@@ -1,69 +1,65 @@
 """Figures of a result: ``tmodes.plot.tip_tracking(result)`` returns matplotlib axes, ``save_figures`` writes them all.
 
-Every figure takes ``(result, ax=None)`` and returns its axes; ``all_figures`` is the table of those that a result can
-fill, ``left_out`` tells why the others are not in it.
+Every figure takes ``(result, ax=None)`` and returns its axes. ``FIGURES`` holds them by name, ``all_figures`` gives
+those that a result can fill, ``left_out`` the reasons of the others; ``register`` adds a :class:`Figure` of your own.
 """
 
-from importlib import import_module
-from typing import TYPE_CHECKING, Any
-
-if TYPE_CHECKING:
-    from tmodes.plot.paper.angles import deformations
-    from tmodes.plot.paper.contact import contact_force
-    from tmodes.plot.paper.energy import energies
-    from tmodes.plot.paper.figures import FIGURES, all_figures, drawings, left_out, save_figures
-    from tmodes.plot.paper.load import bending_load
-    from tmodes.plot.paper.motor import drive
-    from tmodes.plot.paper.shape import elastic_line, mode_deflection
-    from tmodes.plot.paper.split import stationary_oscillatory
-    from tmodes.plot.paper.tip import tip_tracking
-    from tmodes.plot.paper.vibration import spectrum
-    from tmodes.plot.style import house_style
+from tmodes.plot.contract import Figure
+from tmodes.plot.figures.contact_force import ContactForce
+from tmodes.plot.figures.deformations import Deformations
+from tmodes.plot.figures.elastic_line import ElasticLine
+from tmodes.plot.figures.energies import Energies
+from tmodes.plot.figures.gear_deflections import GearDeflections
+from tmodes.plot.figures.joint_efforts import JointEfforts
+from tmodes.plot.figures.joint_tracking import JointTracking
+from tmodes.plot.figures.link_coordinates import LinkCoordinates
+from tmodes.plot.figures.link_deflection import LinkDeflection
+from tmodes.plot.figures.link_loads import LinkLoads
+from tmodes.plot.figures.link_tips import LinkTips
+from tmodes.plot.figures.spectrum import Spectrum
+from tmodes.plot.figures.tip_path import TipPath
+from tmodes.plot.figures.tip_tracking import TipTracking
+from tmodes.plot.registry import FIGURES, register
+from tmodes.plot.saving import all_figures, drawings, left_out, save_figures
+from tmodes.plot.style import house_style
 
 __all__ = [
     "FIGURES",
+    "Figure",
     "all_figures",
-    "bending_load",
     "contact_force",
     "deformations",
     "drawings",
-    "drive",
     "elastic_line",
     "energies",
+    "gear_deflections",
     "house_style",
+    "joint_efforts",
+    "joint_tracking",
     "left_out",
-    "mode_deflection",
+    "link_coordinates",
+    "link_deflection",
+    "link_loads",
+    "link_tips",
+    "register",
     "save_figures",
     "spectrum",
-    "stationary_oscillatory",
+    "tip_path",
     "tip_tracking",
 ]
 
-_HOMES = {
-    "FIGURES": "figures",
-    "all_figures": "figures",
-    "bending_load": "load",
-    "contact_force": "contact",
-    "deformations": "angles",
-    "drawings": "figures",
-    "drive": "motor",
-    "elastic_line": "shape",
-    "energies": "energy",
-    "house_style": "style",
-    "left_out": "figures",
-    "mode_deflection": "shape",
-    "save_figures": "figures",
-    "spectrum": "vibration",
-    "stationary_oscillatory": "split",
-    "tip_tracking": "tip",
-}
-
-
-def __getattr__(name: str) -> Any:
-    if name not in _HOMES:
-        raise AttributeError(f"module 'tmodes.plot' has no attribute {name!r}")
-    return getattr(import_module(f"tmodes.plot.{_HOMES[name]}"), name)
-
-
-def __dir__() -> list[str]:
-    return sorted([*globals(), *__all__])
+# In the order of the report.
+tip_tracking = register(TipTracking())
+tip_path = register(TipPath())
+elastic_line = register(ElasticLine())
+joint_tracking = register(JointTracking())
+deformations = register(Deformations())
+gear_deflections = register(GearDeflections())
+link_coordinates = register(LinkCoordinates())
+link_tips = register(LinkTips())
+link_deflection = register(LinkDeflection())
+spectrum = register(Spectrum())
+link_loads = register(LinkLoads())
+joint_efforts = register(JointEfforts())
+contact_force = register(ContactForce())
+energies = register(Energies())

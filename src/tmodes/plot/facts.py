@@ -1,4 +1,4 @@
-"""What figures of arms need to know, from the dataset of a result: commands, units, and which of many to show."""
+"""What figures need to know, from the dataset of a result: commands, units, instants, and which of many to show."""
 
 from __future__ import annotations
 
@@ -8,9 +8,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.plot.style import INSTANTS
+
 __all__ = [
-    "MOST_ROWS", "after_move", "command_of", "deformation_unit", "drive_unit", "drives_by", "effort_unit", "largest",
-    "motor_of", "move_end", "plain", "rows_height",
+    "MOST_ROWS", "command_of", "deformation_unit", "drive_unit", "drives_by", "effort_unit", "instant_looks",
+    "instants", "largest", "motor_of", "move_end", "plain", "rows_height", "spectral_part",
 ]  # fmt: skip
 
 MOST_ROWS = 8
@@ -21,6 +23,12 @@ def rows_height(rows: int) -> float:
     """Height of a figure of so many rows [in]: few rows are higher."""
     return 0.8 + max(0.95, 1.7 - 0.2 * rows) * rows
 
+
+_SETTLED = 0.05
+"""Share of the largest distance from the final position within which the robot counts as having arrived."""
+
+_KEEPS_RATE = 1e-6
+"""Second difference of a setpoint, over its largest, that counts as a constant rate."""
 
 _LONGEST = 30
 """Letters of a name in a figure."""
@@ -78,13 +86,65 @@ def deformation_unit(data: Any, name: str) -> str:
 
 
 def move_end(data: Any) -> float | None:
-    """When what moves the arm stops changing [s]; None where it does so up to the end."""
+    """When the signals that move the robot stop changing [s]; None where they change up to the end."""
     return json.loads(data.attrs["move_end"])
 
 
-def after_move(data: Any, least: int) -> tuple[Any, bool]:
-    """The part of the run after its move if that has so many samples, else the whole; and whether it is that part."""
-    end, time = move_end(data), data["time"].values
+def instants(data: Any, most: int = len(INSTANTS)) -> NDArray[np.intp]:
+    """At most ``most`` samples spread evenly from the start until the links stay near where they are at the end."""
+    tip = data["tip"].transpose("time", "axis").values
+    ends = data["line"].isel(s=-1).transpose("time", "link", "axis").values if "line" in data else tip[:, None]
+    away = np.linalg.norm(ends - ends[-1], axis=-1).max(axis=1)
+    moving = np.flatnonzero(away > _SETTLED * away.max()) if away.max() > 0 else np.zeros(1, dtype=int)
+    last = min(int(moving[-1]) + 1, len(ends) - 1)
+    return np.unique(np.linspace(0, last, most).round().astype(int))
+
+
+def instant_looks(count: int) -> list[dict[str, Any]]:
+    """Looks of so many instants, early to late."""
+    return [INSTANTS[k] for k in np.linspace(0, len(INSTANTS) - 1, count).round().astype(int)]
+
+
+def spectral_part(data: Any, least: int) -> Any:
+    """The part of a run whose spectrum shows its vibration, without a last sample that is off the even grid.
+
+    The time after the move where it has ``least`` samples; else the longest part in which no setpoint accelerates,
+    where that has so many; else the whole run.
+    """
+    even = _even(data)
+    end, time = move_end(data), even["time"].values
     first = len(time) if end is None else int(np.searchsorted(time, end * (1 + 1e-9)))
-    rest = len(time) - first
-    return (data.isel(time=slice(first, None)), True) if rest >= least else (data, False)
+    if len(time) - first >= least:
+        return even.isel(time=slice(first, None))
+    first, last = _longest(_coasting(even))
+    return even.isel(time=slice(first, last)) if last - first >= least else even
+
+
+def _even(data: Any) -> Any:
+    time = data["time"].values
+    odd = len(time) > 2 and abs((time[-1] - time[-2]) / (time[1] - time[0]) - 1) > 1e-6
+    return data.isel(time=slice(None, -1)) if odd else data
+
+
+def _coasting(data: Any) -> NDArray[np.bool_]:
+    """Samples at which every position setpoint keeps its rate; none where there is no such setpoint."""
+    time = data["time"].values
+    drives = [str(name) for name in data["drive"].values] if "drive" in data.dims else []
+    known = [name for name in drives if command_of(data, name) in ("position", "prescribed")]
+    inside = np.zeros(len(time), dtype=bool)
+    if len(time) < 3 or not known:
+        return inside
+    setpoints = data["wanted"].sel(drive=known).transpose("time", "drive").values
+    bends = np.abs(np.diff(setpoints, 2, axis=0)).max(axis=1)
+    inside[1:-1] = bends <= _KEEPS_RATE * max(bends.max(), np.finfo(float).tiny)
+    return inside
+
+
+def _longest(inside: NDArray[np.bool_]) -> tuple[int, int]:
+    """First sample of the longest stretch that is inside, and the one after its last."""
+    edges = np.flatnonzero(np.diff(np.concatenate([[False], inside, [False]]).astype(int)))
+    if not len(edges):
+        return 0, 0
+    first, last = edges[::2], edges[1::2]
+    longest = int(np.argmax(last - first))
+    return int(first[longest]), int(last[longest])

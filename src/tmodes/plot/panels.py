@@ -14,7 +14,9 @@ from tmodes.plot.units import readable
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["AxesLike", "letter", "panels", "shared_legend", "side_legend", "time_axis"]
+__all__ = [
+    "AxesLike", "last_times", "letter", "panels", "shared_legend", "side_legend", "time_axis", "widest_legend",
+]  # fmt: skip
 
 ROUNDING = 1e-9
 """A change below this share of the value, and a value below this in its unit, is not worth an axis of its own."""
@@ -70,6 +72,17 @@ def time_axis(panel: Axes, times: Any, label: bool = True) -> None:
     panel.xaxis.set_major_formatter(FuncFormatter(lambda time, _: f"{time * unit.factor:.6g}"))
     if label:
         panel.set_xlabel(f"time $t$ [{unit.name}]")
+
+
+def last_times(axes: Sequence[Axes], times: Any, columns: int) -> None:
+    """Time along x of all panels, labelled below those of the last row of ``columns``."""
+    for k, panel in enumerate(axes):
+        time_axis(panel, times, label=k >= len(axes) - columns)
+
+
+def widest_legend(axes: Sequence[Axes]) -> None:
+    """The legend of the panel with most curves, for all."""
+    shared_legend(max(axes, key=lambda panel: len(panel.get_legend_handles_labels()[1])))
 
 
 def side_legend(panel: Axes) -> None:

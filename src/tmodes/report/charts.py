@@ -10,7 +10,7 @@ import numpy as np
 from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit
 from tmodes.report.common_charts import contact_parts, energy_charts, tip_charts
 from tmodes.report.drafts import Draft, Line, line_of
-from tmodes.report.spectra import arm_spectra
+from tmodes.report.spectra import run_spectra
 
 __all__ = ["arm_charts"]
 
@@ -27,7 +27,7 @@ def arm_charts(data: Any) -> Iterator[Draft]:
     yield from _deformations(data)
     yield from _joints(data)
     yield from energy_charts(data)
-    yield from arm_spectra(data)
+    yield from run_spectra(data)
 
 
 def _contact(data: Any) -> Iterator[Draft]:

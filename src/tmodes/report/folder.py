@@ -146,7 +146,7 @@ class RunFolder:
         return simulate(self.robot, progress=progress, journals=self._journal)
 
     def _drawn(self, result: Any) -> dict[str, Drawing]:
-        from tmodes.plot import drawings
+        from tmodes.plot.paper.figures import drawings
 
         return drawings(result)
 

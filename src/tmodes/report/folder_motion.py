@@ -59,9 +59,9 @@ class MotionFolder(RunFolder):
         return with_shapes(assemble_result(run, self.robot, progress=progress), self._shapes)
 
     def _drawn(self, result: Any) -> dict[str, Drawing]:
-        from tmodes.plot.figures import arm_drawings
+        from tmodes.plot import drawings
 
-        return arm_drawings(result)
+        return drawings(result)
 
     def _write_report(self, result: Any, pictures: dict[str, Drawing]) -> None:
         from tmodes.report.write_motion import write_arm_report

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING, Any, cast
 
 from tmodes.plot.paper.figures import FIGURES, left_out
 from tmodes.report.data import facts_of, live_page
@@ -39,7 +39,7 @@ def page(result: PaperResult, figures: Mapping[str, Drawing], *, live: bool = Tr
         warnings(result),
         application(live_page(result, live=live)),
         _numbers(result),
-        figures_section(figures, FIGURES, left_out(result)),
+        figures_section(figures, cast("Any", FIGURES), left_out(result)),
         section("robot", data_sheet(sheet, json.loads(result.data.attrs["parameters"]))),
         _provenance(result, sheet),
     )

@@ -6,7 +6,7 @@ import json
 from collections.abc import Mapping
 from typing import TYPE_CHECKING, Any
 
-from tmodes.plot.figures import ARM_FIGURES, arm_left_out
+from tmodes.plot import FIGURES, left_out
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
 from tmodes.report.markup import Markup, tag
@@ -45,7 +45,7 @@ def arm_page(result: Result, figures: Mapping[str, Drawing], *, live: bool = Tru
         warnings(result),
         application(live_page(result, live=live)),
         _numbers(result),
-        figures_section(figures, ARM_FIGURES, arm_left_out(result)),
+        figures_section(figures, FIGURES, left_out(result)),
         section("robot", *_sheet(arm)),
         _provenance(result, arm),
     )

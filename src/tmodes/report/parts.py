@@ -11,7 +11,7 @@ from tmodes.report.markup import Markup, tag
 from tmodes.report.picture import picture
 
 if TYPE_CHECKING:
-    from tmodes.plot.paper.figures import FigureEntry
+    from tmodes.plot import Figure
     from tmodes.plot.save import Drawing
     from tmodes.result.record import RunRecord
 
@@ -82,9 +82,7 @@ def warnings(result: RunRecord) -> Markup | None:
     return tag("div", tag("strong", "Warnings"), sentences, class_="status warning", role="note")
 
 
-def figures_section(
-    figures: Mapping[str, Drawing], table: Mapping[str, FigureEntry], left_out: Mapping[str, str]
-) -> Markup:
+def figures_section(figures: Mapping[str, Drawing], table: Mapping[str, Figure], left_out: Mapping[str, str]) -> Markup:
     """The figures of a table, numbered, folded until they are wanted, and why others are left out."""
     shown = [_figure(number, table[name], drawing) for number, (name, drawing) in enumerate(figures.items(), 1)]
     words = f"Show {len(shown)} figures as they stand in print"
@@ -93,7 +91,7 @@ def figures_section(
     )
 
 
-def _figure(number: int, entry: FigureEntry, drawing: Drawing) -> Markup:
+def _figure(number: int, entry: Figure, drawing: Drawing) -> Markup:
     place = tag(
         "div",
         picture(drawing, entry.name, f"{entry.title}. {entry.caption}"),
@@ -106,7 +104,7 @@ def _figure(number: int, entry: FigureEntry, drawing: Drawing) -> Markup:
     return tag("figure", place, caption, id=entry.name)
 
 
-def _left_out(table: Mapping[str, FigureEntry], reasons: Mapping[str, str]) -> Markup | None:
+def _left_out(table: Mapping[str, Figure], reasons: Mapping[str, str]) -> Markup | None:
     if not reasons:
         return None
     lines = (tag("li", tag("strong", f"{table[name].title}: "), reason, ".") for name, reason in reasons.items())

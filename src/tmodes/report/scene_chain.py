@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
 from tmodes.chain.chain import JointKind, RigidLink
-from tmodes.live.surface import surface_info
 from tmodes.model.model import Model
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
 from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
@@ -192,4 +191,4 @@ def _contact(data: Any, arm: Robot) -> dict[str, Any] | None:
         return None
     place = data["position"].sel(point=arm.contact.point).transpose("time", "axis").values
     force = data["contact_force"].transpose("time", "axis").values
-    return {"force": force, "at": place, "surface": surface_info(arm.contact.shape)}
+    return {"force": force, "at": place, "surface": arm.contact.shape.drawing()}

@@ -10,13 +10,13 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.facts import after_move, deformation_unit
+from tmodes.plot.amplitude import amplitude_spectrum
+from tmodes.plot.facts import deformation_unit, spectral_part
 from tmodes.plot.frequency_marks import NO_PEAK
 from tmodes.plot.paper.facts import move_duration, steady_part
-from tmodes.plot.paper.vibration import amplitude_spectrum
 from tmodes.report.drafts import Draft, Line, line_of
 
-__all__ = ["arm_spectra", "own_frequencies", "robot_spectra", "spectrum_draft"]
+__all__ = ["own_frequencies", "robot_spectra", "run_spectra", "spectrum_draft"]
 
 LEAST_SAMPLES = 32
 """A spectrum of fewer tells nothing."""
@@ -40,20 +40,19 @@ def robot_spectra(data: Any) -> Iterator[Draft]:
     time = data["time"].values
     low, high = (share * move_duration(data) for share in steady_part(data))
     slack = 1e-9 * move_duration(data)
-    yield from _spectra(data, (time >= low - slack) & (time <= high + slack), ["rad"] * data.sizes["deformation_kind"])
+    inside = np.flatnonzero((time >= low - slack) & (time <= high + slack))
+    yield from _spectra(data, _even(data.isel(time=inside)), ["rad"] * data.sizes["deformation_kind"])
 
 
-def arm_spectra(data: Any) -> Iterator[Draft]:
-    """Of the time after the move, where the run goes on long enough, else of the whole run."""
+def run_spectra(data: Any) -> Iterator[Draft]:
+    """Of the part of a run that :func:`tmodes.plot.facts.spectral_part` gives."""
     units = []
     if "deformation_kind" in data.dims:
         units = [deformation_unit(data, str(name)) for name in data["deformation_kind"].values]
-    start = after_move(data, LEAST_SAMPLES)[0]["time"].values[0]
-    yield from _spectra(data, data["time"].values >= start, units)
+    yield from _spectra(data, spectral_part(data, LEAST_SAMPLES), units)
 
 
-def _spectra(data: Any, inside: NDArray[np.bool_], units: Sequence[str]) -> Iterator[Draft]:
-    part = _even(data.isel(time=np.flatnonzero(inside)))
+def _spectra(data: Any, part: Any, units: Sequence[str]) -> Iterator[Draft]:
     if part.sizes["time"] < LEAST_SAMPLES:
         return
     marks = own_frequencies(data)

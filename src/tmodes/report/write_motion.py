@@ -7,7 +7,7 @@ from pathlib import Path
 from typing import TYPE_CHECKING
 
 from tmodes.io.atomic import atomic_write
-from tmodes.plot.figures import arm_drawings
+from tmodes.plot import drawings
 from tmodes.report.page_motion import arm_page
 
 if TYPE_CHECKING:
@@ -22,11 +22,11 @@ def write_arm_report(
 ) -> Path:
     """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
 
-    ``figures`` are drawings from :func:`tmodes.plot.figures.arm_drawings` (all, or a part of them), None draws them
+    ``figures`` are drawings from :func:`tmodes.plot.drawings` (all, or a part of them), None draws them
     all. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
     ``live``: with the robot's equations.
     """
-    text = arm_page(result, arm_drawings(result) if figures is None else figures, live=live)
+    text = arm_page(result, drawings(result) if figures is None else figures, live=live)
     with atomic_write(path) as temporary:
         temporary.write_text(text, encoding="utf-8", newline="\n")
     return Path(path)

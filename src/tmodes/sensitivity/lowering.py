@@ -12,6 +12,7 @@ from tmodes.analysis.stability import chosen_settings
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
+from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive, Mechanism
 from tmodes.paper.model import PaperModel
@@ -19,7 +20,6 @@ from tmodes.paper.model_schedules import implicit_schedule, rate_schedule
 from tmodes.paper.modes import closed_loop_spectrum as robot_spectrum
 from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
-from tmodes.sheet.contact import ContactLaw, ContactSheet
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 from tmodes.simulation.recording import MOST_BYTES, record
@@ -48,7 +48,7 @@ class Lowered:
     start: Array
     settings: Integration
     regime: RunSetup | None = None
-    contact: ContactSheet | None = None
+    contact: Contact | None = None
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.
@@ -57,7 +57,7 @@ class Lowered:
         the jump moves with the numbers is part of the derivative, and not seen.
         """
         done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
-        if done.contact_changes and self.contact and _jumps(self.contact):
+        if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(
                 "derivatives of a run: contact set in or ended on a unilateral surface with a damper or a preload, "
                 "whose force jumps there; expected a force without jumps. Mend: end the run before, or set "
@@ -79,11 +79,6 @@ def lowered(sheet: Robot | PaperRobot) -> Lowered:
     model = regime.model
     rates = model.loop.euler_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
     return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime, real.contact)
-
-
-def _jumps(contact: ContactSheet) -> bool:
-    """Whether the push of a surface sets in at once: its damper's by the speed of impact, or a preload."""
-    return contact.law is ContactLaw.UNILATERAL and (contact.damping > 0 or contact.preload > 0)
 
 
 def _of_robot(robot: PaperRobot) -> Lowered:

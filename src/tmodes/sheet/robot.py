@@ -16,10 +16,10 @@ from pydantic import Field, field_validator, model_validator
 
 from tmodes import upward
 from tmodes.integrate.settings import RobotIntegration
+from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, refuse
-from tmodes.sheet.contact import ContactSheet
 from tmodes.sheet.parts import BaseMotion, DriveSheet, Initial, LinkSheet, LoadSheet, PointSheet, TipSheet
 
 __all__ = ["ARM_FORMAT", "MOST_JOINTS", "Robot", "RobotPair"]
@@ -71,7 +71,7 @@ class Robot(DataSheet):
         default=(), strict=False, max_length=MOST_JOINTS, description="what moves the joints in a run"
     )
     base_motion: BaseMotion | None = Field(default=None, description="prescribed motion of the base; none: it stands")
-    contact: ContactSheet | None = Field(default=None, description="what a point touches; none: free space")
+    contact: Contact | None = Field(default=None, description="what a point touches; none: free space")
     initial: Initial = Field(default_factory=Initial, description="state at time 0")
     real: dict[str, Annotated[float, _FACTOR]] = Field(
         default_factory=dict,

@@ -10,13 +10,12 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmodes.chain.chain import Beam, Chain, Drive, Joint, JointKind, Motor
-from tmodes.equations.loop.contact_kernels import Surface, Touch
+from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, Winding
 from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.kinds.signals.signals import Constant, MergedSchedule, merge
-from tmodes.sheet.contact import Ball, ContactLaw, Plane
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 
 if TYPE_CHECKING:
@@ -166,29 +165,14 @@ def _touch(arm: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
         return None
     point = names.index(sheet.point)
     info = chain.points[point]
-    unilateral = sheet.law is ContactLaw.UNILATERAL
-    if sheet.mass > 0:
-        hint = "remove `mass`, or take the law `bilateral`"
-        if unilateral:
-            raise InputError("contact.mass", f"{sheet.mass:g} kg", "no mass of a surface that only pushes", hint)
+    if sheet.moving_mass > 0:
+        got, hint = f"{sheet.moving_mass:g} kg", "remove `mass`, or take a law that holds the point"
+        if sheet.unilateral:
+            raise InputError("contact.mass", got, "no mass of a surface that only pushes", hint)
         if info.s < 1 and isinstance(chain.nodes[info.node].link, Beam):
             raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", hint)
-    surface, first, reach = _surface(sheet.shape)
-    law = (sheet.mass, sheet.damping, sheet.stiffness, sheet.preload, sheet.friction, sheet.friction_velocity or 1.0)
-    numbers = (*first, reach, *law, *map(float, chain.gravity))
-    kind = Touch(surface, unilateral, rough=sheet.friction > 0)
-    return TouchPlan(point, kind, tuple(map(float, numbers)), has_mass=sheet.mass > 0)
-
-
-def _surface(shape: Any) -> tuple[Surface, tuple[float, ...], float]:
-    """Kind, direction into it or center, and distance from the origin along the direction or radius."""
-    if isinstance(shape, Ball):
-        return (Surface.BOWL if shape.inside else Surface.BALL), tuple(shape.center), shape.radius
-    if isinstance(shape, Plane):
-        normal = np.array(shape.normal, dtype=float)
-        into = -normal / np.linalg.norm(normal)
-        return Surface.PLANE, tuple(into), float(into @ np.array(shape.position))
-    return Surface.PLANE, (float(np.cos(shape.heading)), float(np.sin(shape.heading)), 0.0), shape.distance
+    touch = Touch(sheet)
+    return TouchPlan(point, touch, touch.numbers(chain.gravity))
 
 
 def starts_at_rest(arm: Robot) -> bool:

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.validity import energy_sentence
-from tmodes.sheet.contact import ContactLaw, ContactSheet
+from tmodes.kinds.contacts.registry import Contact
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.start import RunSetup
 
@@ -23,9 +23,6 @@ _SLOW = 1e-3
 """Largest rate times the time of the run, over the largest position, below which a rate may be nothing but rounding:
 a formula is fitted to 1e-12 of its value by at least 16 pieces of degree 7, its rate so to about 1e-9."""
 
-_OFF = 1e-3
-"""Distance [m] from a surface that holds a point, from which on it is told."""
-
 
 def start_warnings(regime: RunSetup) -> list[str]:
     """What is odd before anything moves."""
@@ -38,15 +35,9 @@ def start_warnings(regime: RunSetup) -> list[str]:
     return info
 
 
-def _touching(regime: RunSetup, sheet: ContactSheet) -> Iterator[str]:
+def _touching(regime: RunSetup, sheet: Contact) -> Iterator[str]:
     seen = regime.model.observe(np.zeros(1), regime.start, regime.first_row)["contact"][0]
-    if sheet.mass > 0 and sheet.friction > 0:
-        yield "friction of the contact is taken from its spring, damper and preload, without the surface's inertia"
-    normal, depth = seen[3], seen[4]
-    if sheet.law is ContactLaw.UNILATERAL and depth > 0:
-        yield f"the point starts {depth:.3g} m inside of the surface, which pushes it with {normal:.3g} N"
-    if sheet.law is ContactLaw.BILATERAL and abs(depth) > _OFF:
-        yield f"the point starts {depth:.3g} m off the surface that holds it: a force of {normal:.3g} N at once"
+    yield from sheet.start_notices(float(seen[3]), float(seen[4]))
 
 
 def jumps(regime: RunSetup) -> str:

@@ -15,8 +15,8 @@ from tmodes.analysis.modes.modes import MotorState, Servo, _undamped, arm_modes
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, JointKind, Motor, Node, Segment
 from tmodes.errors import SimulationError
+from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
-from tmodes.sheet.contact import ContactLaw, ContactSheet, Plane
 
 INERTIA, ROTOR, STIFFNESS = 0.1 + 2 * 0.25, 0.1, 300.0
 NONE = np.zeros(3)
@@ -122,10 +122,9 @@ def test_a_buckled_arm_is_unstable():
 def test_a_surface_brings_its_mass_and_damper(ratio):
     """Tip on a spring of 100 EI/L^3 and a mass of ``ratio`` times the beam's: EI w3 = (k - m W^2) w there, w2 = 0."""
     stiffness, damping = 100.0, 0.02
-    floor = Plane(type="plane", position=(0.0, 0.0, 0.0), normal=(0.0, 0.0, 1.0))
-    surface = ContactSheet(
-        shape=floor, law=ContactLaw.BILATERAL, stiffness=stiffness, damping=damping, mass=ratio or 0.0
-    )
+    floor = {"type": "plane", "position": [0.0, 0.0, 0.0], "normal": [0.0, 0.0, 1.0]}
+    law = {"law": "bilateral", "stiffness": stiffness, "damping": damping, "mass": ratio or 0.0}
+    surface = Contact.of({"shape": floor, **law})
     modes = arm_modes(equilibrium(clamped(bend_y=8), contact=surface))
 
     def determinant(b: float) -> float:

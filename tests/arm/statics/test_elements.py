@@ -28,8 +28,8 @@ from tmodes.chain.chain import (
     Point,
     RigidLink,
 )  # fmt: skip
+from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
-from tmodes.sheet.contact import ContactLaw, ContactSheet
 
 LENGTH, BENDING = 1.2, 7.466666666666667
 TORSION = 26e9 * 3.728854453606258e-10
@@ -108,7 +108,7 @@ def test_pressing_a_wall(turn, near):
     piece = BeamPiece(1.0, (7.4667, 7.4667), (7.4667, 7.4667), (1.0, 1.0), (0.0, 0.0), (0.2, 0.2))
     model = on_joint(geared(axis=(0.0, 0.0, 1.0)), Beam(1.2, (piece,), bend_z=3), gravity=np.zeros(3))
     wall = {"type": "plane", "position": [0.0, 0.0, 0.0], "normal": [0.0, -1.0, 0.0]}
-    sheet = ContactSheet(shape=wall, law="unilateral", stiffness=5000.0, damping=0.0)  # pyright: ignore
+    sheet = Contact.of({"shape": wall, "law": "unilateral", "stiffness": 5000.0, "damping": 0.0})
     rest = equilibrium(model, held={"hinge.motor": turn}, contact=sheet)
     assert rest.wrenches is not None
     assert -rest.wrenches[0, 1] == pytest.approx(0.7304378449897161 * turn / 0.05, rel=near)
@@ -120,9 +120,9 @@ def test_a_wall_only_pushes():
     """A unilateral surface out of reach does nothing; a bilateral one holds the point back."""
     model = on_joint(geared(), ROD, gravity=np.zeros(3), tip=(1.0, 0.0, 0.0))
     away = {"type": "plane", "position": [0.0, 0.0, -0.01], "normal": [0.0, 0.0, 1.0]}
-    sheet = ContactSheet(shape=away, law="unilateral", stiffness=1000.0, damping=0.0)  # pyright: ignore
+    sheet = Contact.of({"shape": away, "law": "unilateral", "stiffness": 1000.0, "damping": 0.0})
     assert np.abs(equilibrium(model, contact=sheet).q).max() == 0.0
-    held = equilibrium(model, contact=sheet.model_copy(update={"law": ContactLaw.BILATERAL}))
+    held = equilibrium(model, contact=Contact.of(sheet.model_dump() | {"law": "bilateral"}))
     assert held.named["hinge"] == pytest.approx(0.01 * 1000 / (300 + 1000), rel=1e-3)
 
 
@@ -184,7 +184,7 @@ def test_slope_is_the_difference_quotient():
     """Dead and following loads, a ball that is pressed, weight: every entry of K, in space."""
     model = strip(bend_y=3, bend_z=3)
     ball = {"type": "ball", "center": [1.0, 0.3, 0.5], "radius": 0.8}
-    sheet = ContactSheet(shape=ball, law="bilateral", stiffness=40.0, damping=0.0, preload=0.5)  # pyright: ignore
+    sheet = Contact.of({"shape": ball, "law": "bilateral", "stiffness": 40.0, "damping": 0.0, "preload": 0.5})
     loads = [Load("tip", (0.3, -0.2, 0.4), (0.1, 0.2, -0.3)), Load("tip", (0.2, 0.5, 0.1), (0.3, -0.1, 0.2), True)]
     acts = [*acts_of(model, loads), surface_act(model, sheet)]
     system = StaticSystem(model, acts, free_coordinates(model, {}, []))

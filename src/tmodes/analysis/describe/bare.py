@@ -9,7 +9,7 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Beam
-from tmodes.equations.recursion.beam_functions import fine_rule, pieces_at
+from tmodes.kinds.links.beam_functions import fine_rule, pieces_at
 
 __all__ = ["BareBeam", "bare_beam"]
 

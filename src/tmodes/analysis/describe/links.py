@@ -68,7 +68,7 @@ def _link_row(arm: Robot, chain: Chain, name: str) -> dict[str, Any]:
 
 
 def _bodies(node: Node) -> list[Body]:
-    return [body for _, body in node.link.bodies] if isinstance(node.link, Beam) else list(node.link.bodies)
+    return list(node.link.all_bodies)
 
 
 def _beam_numbers(beam: Beam, bodies: float) -> dict[str, Any]:

@@ -15,9 +15,11 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.equations.line.place import layout
-from tmodes.equations.line.schedule import RIGID, Lines
+from tmodes.chain.chain import Node
+from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
+from tmodes.kinds.links.line import LineOfLink
+from tmodes.kinds.links.line_place import layout
 from tmodes.model.evaluator import Rows
 from tmodes.model.model import Model
 
@@ -145,8 +147,8 @@ def elastic_line(
     lines = model.passes.lines(tuple(asked), loaded=wrenches is not None)
     _refuse_huge(len(q) * lines.schedule.output_size)
     found = model.passes.on_lines(lines, Rows(q, v, model.nq), a, base, wrenches)
-    named = {node.name: _line(model, index, asked, lines, found) for index, node in enumerate(model.chain.nodes)}
-    return LinkLines(named, found["roots"].reshape(len(q), -1, 6))
+    named = [line for index in range(len(model.chain.nodes)) for line in _lines(model, index, asked, lines, found)]
+    return LinkLines({line.name: line for line in named}, found[ROOTS].reshape(len(q), -1, 6))
 
 
 def _asked(stations: int | Sequence[float]) -> Array:
@@ -165,11 +167,15 @@ def _refuse_huge(numbers: int) -> None:
         )
 
 
-def _line(model: Model, index: int, asked: Array, lines: Lines, found: dict[str, Array]) -> LinkLine:
-    node, line = model.chain.nodes[index], lines.links[index]
-    if line is None:
-        return _straight(node.name, index, asked, lines.ends[index], found[str(index)])
-    rows = found[str(index)].reshape(len(found["roots"]), len(asked), -1)
+def _lines(model: Model, index: int, asked: Array, lines: Lines, found: dict[str, Array]) -> list[LinkLine]:
+    node = model.chain.nodes[index]
+    if not lines.links[index]:
+        return [_straight(node.name, index, asked, lines.ends[index], found[node.name])]
+    return [_bent(node, index, line, found[node.name + line.suffix]) for line in lines.links[index]]
+
+
+def _bent(node: Node, index: int, line: LineOfLink, found: Array) -> LinkLine:
+    rows = found.reshape(len(found), len(line.s), -1)
     places = {name: rows[..., part] for name, part in layout(stressed=line.stressed).items()}
     values = {name: part[..., 0] if part.shape[-1] == 1 else part for name, part in places.items()}
     rotation = places["rotation"].reshape(*rows.shape[:2], 3, 3)
@@ -178,8 +184,9 @@ def _line(model: Model, index: int, asked: Array, lines: Lines, found: dict[str,
         return {field.name: values[field.name] for field in fields(kind)}
 
     return LinkLine(
-        node.name, index, line.kind, line.length, asked, values["position"], rotation, values["moment"],
-        values["shear"], values["axial"], Shape(**owned(Shape)), Stress(**owned(Stress)) if line.stressed else None,
+        node.name + line.suffix, index, node.link.kind, line.length, line.s, values["position"], rotation,
+        values["moment"], values["shear"], values["axial"], Shape(**owned(Shape)),
+        Stress(**owned(Stress)) if line.stressed else None,
     )  # fmt: skip
 
 

@@ -13,8 +13,8 @@ from tmodes.analysis.statics.loads import Load, acts_of
 from tmodes.analysis.statics.path import LoadPath, Progress, follow
 from tmodes.analysis.statics.surface import surface_act
 from tmodes.analysis.statics.system import StaticSystem
+from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
-from tmodes.sheet.contact import ContactSheet
 
 __all__ = ["Equilibrium", "Load", "UnstableMode", "equilibrium"]
 
@@ -78,7 +78,7 @@ def equilibrium(
     held: Mapping[str, float] | None = None,
     free: Sequence[str] = (),
     start: Mapping[str, float] | None = None,
-    contact: ContactSheet | None = None,
+    contact: Contact | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Equilibrium:
     """The pose in which an arm rests under its weight and ``loads``, reached from the unloaded arm.

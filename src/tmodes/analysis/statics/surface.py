@@ -2,15 +2,18 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.statics.loads import Act, Pose, point_index
+from tmodes.equations.loop.contact_law import LawAt, contact_law
+from tmodes.kinds.contacts.registry import Contact, Surface
 from tmodes.model.model import Model
-from tmodes.sheet.contact import Ball, ContactLaw, ContactSheet, Plane, Wall
 
 __all__ = ["Touch", "surface_act"]
 
@@ -28,56 +31,51 @@ class Touch(NamedTuple):
     curvature: Array
 
 
-def touch(shape: Plane | Ball | Wall, position: Array) -> Touch:
+def touch(shape: Surface, position: Array) -> Touch:
     """Where a position (3,) [m] is with regard to a surface."""
-    if isinstance(shape, Ball):
-        away = position - np.array(shape.center)
-        distance = float(np.linalg.norm(away)) or 1e-300
-        outward, side = away / distance, -1.0 if shape.inside else 1.0
-        curvature = (np.eye(3) - np.outer(outward, outward)) / distance
-        return Touch(side * (distance - shape.radius), side * outward, side * curvature)
-    if isinstance(shape, Wall):
-        normal = -np.array([np.cos(shape.heading), np.sin(shape.heading), 0.0])
-        return Touch(float(normal @ position) + shape.distance, normal, np.zeros((3, 3)))
-    normal = np.array(shape.normal) / np.linalg.norm(shape.normal)
-    return Touch(float(normal @ (position - np.array(shape.position))), normal, np.zeros((3, 3)))
+    numbers, place = shape.numbers(), [float(x) for x in position]
+    still = shape.meet(numbers, place, [0.0, 0.0, 0.0])
+    # The second derivative of the penetration along a velocity is a quadratic form of it: the surface's curvature.
+    along = [[float(shape.meet(numbers, place, list(a + b)).curving) for b in np.eye(3)] for a in np.eye(3)]
+    own = [along[i][i] / 4 for i in range(3)]
+    bent = np.array([[(along[i][j] - own[i] - own[j]) / 2 for j in range(3)] for i in range(3)])
+    return Touch(-float(still.depth), -np.array(still.direction, dtype=float), -bent)
 
 
 @dataclass(frozen=True, eq=False)
 class _Surface:
-    """Force (preload + stiffness * penetration) along the normal; friction holds nothing at rest.
+    """Normal force of the law at rest; friction holds nothing there.
 
-    Where it acts, the surface moves with the point along the normal: its mass and its damper are then the arm's too.
+    Where it acts, the surface moves with the point along the normal: its mass and its damper are then the robot's too.
     """
 
     point: int
-    sheet: ContactSheet
+    sheet: Contact
 
-    def _push(self, gap: float) -> tuple[float, float]:
-        """Force [N] and its stiffness [N/m]."""
-        force = self.sheet.preload - self.sheet.stiffness * gap
-        pushes = self.sheet.law == ContactLaw.BILATERAL or (gap <= 0 and force > 0)
-        return (force, self.sheet.stiffness) if pushes else (0.0, 0.0)
+    @cached_property
+    def _law(self) -> Callable[[float, float], LawAt]:
+        return contact_law(self.sheet)
 
     def wrench(self, pose: Pose) -> Array:
         found = touch(self.sheet.shape, pose.position)
-        return np.concatenate([self._push(found.gap)[0] * found.normal, np.zeros(3)])
+        return np.concatenate([self._law(-found.gap, 0.0).force * found.normal, np.zeros(3)])
 
     def stiffness(self, pose: Pose) -> Array:
         found = touch(self.sheet.shape, pose.position)
-        force, stiffness = self._push(found.gap)
-        block = stiffness * np.outer(found.normal, found.normal) - force * found.curvature
+        law = self._law(-found.gap, 0.0)
+        block = law.stiffness * np.outer(found.normal, found.normal) - law.force * found.curvature
         return pose.jacobian[:3].T @ block @ pose.jacobian[:3]
 
     def carried(self, pose: Pose) -> tuple[Array, Array] | None:
         found = touch(self.sheet.shape, pose.position)
-        if not self._push(found.gap)[1]:
+        law = self._law(-found.gap, 0.0)
+        if self.sheet.unilateral and not law.force:
             return None
         along = found.normal @ pose.jacobian[:3]
         moved = np.outer(along, along)
-        return self.sheet.mass * moved, self.sheet.damping * moved
+        return self.sheet.moving_mass * moved, law.damping * moved
 
 
-def surface_act(model: Model, sheet: ContactSheet) -> Act:
+def surface_act(model: Model, sheet: Contact) -> Act:
     """The surface as an act on its point. Raises :class:`tmodes.errors.InputError` for an unknown point."""
     return _Surface(point_index(model, sheet.point), sheet)

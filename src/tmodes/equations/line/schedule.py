@@ -1,7 +1,7 @@
 """The schedule of the elastic lines: inverse dynamics from the base to the tips and back, then the places of each link.
 
 What a link carries at its tip and how its root moves are those of the recursion, whatever joints and bodies there are;
-a kind of bending link adds the calls for its own places, see :class:`tmodes.equations.line.link.LineOfLink`.
+a kind of bending link adds the calls for its own places, see :class:`tmodes.kinds.links.line.LineOfLink`.
 """
 
 from __future__ import annotations
@@ -13,8 +13,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import RigidLink
-from tmodes.equations.line.link import LineOfLink, Moved
 from tmodes.equations.recursion.body_kernels import body_kernel, times_kernel
 from tmodes.equations.recursion.inertia import Balance, balance
 from tmodes.equations.recursion.parts import NodePart, Parts
@@ -24,29 +22,31 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Numbers, Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
+from tmodes.kinds.links.line import POSE, LineOfLink, Moved
 
-__all__ = ["RIGID", "Lines", "line_schedule"]
+__all__ = ["RIGID", "ROOTS", "Lines", "line_schedule"]
 
 Array = NDArray[np.float64]
+
+ROOTS = " roots"
+"""Name of an output that no link has."""
 
 RIGID = {"rotation": slice(0, 9), "position": slice(9, 12), "end": slice(12, 15)}
 """What is computed of a rigid link, in the world: its axes, and where it begins and ends."""
 
-_POSE = 15
-
 
 @dataclass(frozen=True, eq=False)
 class Lines:
-    """``schedule``: (q, v, base, wrenches, a) -> an output for each node by its index, all places one after the other,
-    and ``roots`` (6 each: force, moment about the node's root, in the world, by what it carries on what holds it).
+    """``schedule``: (q, v, base, wrenches, a) -> an output for each line by its name, all places one after the other,
+    and ``ROOTS`` (6 each: force, moment about the node's root, in the world, by what it carries on what holds it).
 
-    ``numbers``: its parameters, which begin with those of the chain; ``links``: the line of each node, None of a rigid
+    ``numbers``: its parameters, which begin with those of the chain; ``links``: the lines of each node, none of a rigid
     one, whose output is :data:`RIGID`; ``ends``: where rigid links end, in their own frames.
     """  # noqa: D205
 
     schedule: Schedule
     numbers: Array
-    links: tuple[LineOfLink | None, ...]
+    links: tuple[tuple[LineOfLink, ...], ...]
     ends: tuple[Array, ...]
 
 
@@ -56,19 +56,23 @@ def line_schedule(parts: Parts, s: Array, *, loaded: bool = False) -> Lines:
     way.take_wrenches()
     found = balance(way, way.schedule.input("a", parts.size))
     numbers = Numbers(parts.numbers.size)
-    links: list[LineOfLink | None] = []
+    links: list[tuple[LineOfLink, ...]] = []
     ends: list[Array] = []
     roots: list[Slot] = []
     for index, part in enumerate(parts.nodes):
         stations = tuple(station for station, _ in part.link.stations) if part.link else ()
-        line: LineOfLink | None = part.link.kernels.kind.line(part.node.link, stations, s) if part.link else None
-        end = np.zeros(3) if line else _far_end(parts, index)
-        places = line.places(_moved(way, found, numbers, index)) if line else _rigid(way, numbers, index, end)
-        way.schedule.output(str(index), *places)
+        lines = tuple(part.node.link.lines(stations, s)) if part.link else ()
+        moved = _moved(way, found, numbers, index) if part.link else None
+        for line in lines:
+            assert moved is not None  # noqa: S101
+            way.schedule.output(part.node.name + line.suffix, *line.places(moved))
+        end = np.zeros(3) if lines else _far_end(parts, index)
+        if not lines:
+            way.schedule.output(part.node.name, *_rigid(way, numbers, index, end))
         roots.append(_root(way, found, numbers, index))
-        links.append(line)
+        links.append(lines)
         ends.append(end)
-    way.schedule.output("roots", *roots)
+    way.schedule.output(ROOTS, *roots)
     way.schedule.parameters = numbers.size
     return Lines(way.schedule, np.concatenate([parts.numbers.vector, numbers.vector]), tuple(links), tuple(ends))
 
@@ -78,10 +82,11 @@ def _moved(way: Passes, found: Balance, numbers: Numbers, index: int) -> Moved:
     link = part.link
     assert link is not None  # noqa: S101
     assert here.root_pose is not None  # noqa: S101
+    assert here.tip is not None  # noqa: S101
     q, rates, a = (way.bend(link, block) for block in (way.q, way.v, found.a))
     return Moved(
-        way.schedule.call, numbers, link.tables, q, rates, a, here.root_pose, here.root_rate, found.roots[index],
-        _outer(way, found, index),
+        way.schedule.call, numbers, link.tables, link.stiffness, link.damping, q, rates, a, here.root_pose,
+        here.root_rate, found.roots[index], here.tip, _outer(way, found, index), found.forces[index],
     )  # fmt: skip
 
 
@@ -134,7 +139,7 @@ def _root(way: Passes, found: Balance, numbers: Numbers, index: int) -> Slot:
         about = v.sub(needed.angular, v.cross(v.vec(origin), needed.linear))
         return [v.scale(-1.0, v.matvec(world, needed.linear)) + v.scale(-1.0, v.matvec(world, about))]
 
-    kernel = Kernel("line root", (_POSE, 3, FORCE), (FORCE,), build)
+    kernel = Kernel("line root", (POSE, 3, FORCE), (FORCE,), build)
     return way.schedule.call(kernel, pose, numbers.block(origin), found.forces[index])[0]
 
 
@@ -150,7 +155,7 @@ def _rigid(way: Passes, numbers: Numbers, index: int, end: Array) -> Sequence[Sl
         ends = [v.add(place, v.matvec(world, arm)) for arm in (v.vec(start, 9), v.vec(far))]
         return [v.flat(v.matmul(world, v.tri(start)), ends)]
 
-    kernel = Kernel("line rigid", (_POSE, 12, 3), (15,), build)
+    kernel = Kernel("line rigid", (POSE, 12, 3), (15,), build)
     block = numbers.block([*start.rotation.ravel(), *start.position])
     return way.schedule.call(kernel, pose, block, numbers.block(far))
 
@@ -161,7 +166,7 @@ def _far_end(parts: Parts, index: int) -> Array:
     link = nodes[index].node.link
     joints = [other.node.joint.placement.position for other in nodes if other.node.parent == index]
     points = [point.offset.position for point in parts.points if point.node == index]
-    bodies = [body.center for body in link.bodies] if isinstance(link, RigidLink) else []
+    bodies = [body.center for body in link.bodies_at(1.0)]
     for places in (joints, points, bodies):
         if places:
             return np.asarray(max(places, key=lambda place: float(np.linalg.norm(place))), dtype=float)

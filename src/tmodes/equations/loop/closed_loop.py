@@ -10,6 +10,7 @@ from dataclasses import dataclass, field, replace
 from functools import cached_property
 
 from tmodes.chain.chain import Drive
+from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.plan import DrivePlan, LoopPlan, StateLayout
 from tmodes.equations.loop.powers import Powers
@@ -107,7 +108,7 @@ class ClosedLoop:
 
     @cached_property
     def observe(self) -> Schedule:
-        """(time, state, row, step) -> q, v, a, drives (4 each), gear, contact (6), the base's row, powers."""
+        """(time, state, row, step) -> q, v, a, drives (4 each), gear, contact (6), fold, the base's row, powers."""
         instant = Instant(self)
         powers, drives = Powers(instant), range(len(self.drivers))
         shown = {
@@ -117,6 +118,7 @@ class ClosedLoop:
             "drives": [powers.info[k] for k in drives],
             "gear": [powers.gear[k] for k in drives],
             "contact": [powers.contact],
+            "contact_fold": [contact_fold(instant.solution, instant.begin)],
             "base": [instant.way.base],
             "powers": powers.works,
         }

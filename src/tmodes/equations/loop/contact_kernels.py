@@ -1,96 +1,111 @@
-"""Kernels of loads and of contact: forces on a point, and the mass of a surface that moves with it.
+"""Kernels of contact: forces on a point, and the mass of a surface that moves with it.
 
-Contact force along the direction d into the surface, by the point on it, with the penetration x: Fc = me x'' + be x'
-+ ka x + F0 (Filipovic & Djuric 2010, Eq. (36), with the signs of the 2010 robot's environment). The acceleration's part
-is an inertia me d d^T on the point: exact, and nothing is differentiated. Friction acts along the surface and is mu
-times the force of spring, damper and preload.
+A surface says where the point stands with regard to it, a contact law which force that takes. A moving mass me acts
+along the direction d into the surface: an inertia me d d^T on the point, exact, and nothing is differentiated in time.
 """
 
 from __future__ import annotations
 
 from dataclasses import dataclass
-from enum import StrEnum
 from typing import Any
 
 import casadi as ca
 
 from tmodes.equations.recursion.hinge import PLACEMENT, POSE
+from tmodes.kinds.contacts.registry import Contact, Meeting
+from tmodes.kinds.contacts.surface import SURFACE
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 
-__all__ = ["CONTACT_TOLD", "TOUCH", "Surface", "Touch", "load_kernel", "power_kernel"]
-
-TOUCH = 13
-"""Numbers of a contact: direction or center (3), distance or radius, me, be, ka, F0, mu, veps, gravity (3)."""
+__all__ = ["CONTACT_TOLD", "Touch"]
 
 CONTACT_TOLD = 6
-"""What is told of a contact: force by the point on the surface (3), its normal part, penetration and its rate."""
+"""What is known of a contact: force by the point on the surface (3), its normal part, penetration and its rate."""
 
-
-class Surface(StrEnum):
-    """The shape of a surface; a wall is a plane."""
-
-    PLANE = "plane"
-    BALL = "ball"  # the arm is outside
-    BOWL = "bowl"  # the arm is inside of a ball, and presses outwards
-
-
-@dataclass(frozen=True)
-class _Meeting:
-    """A point and a surface: direction into it, penetration, its rate, and its acceleration but for the point's own."""
-
-    direction: v.Vector
-    depth: Any
-    rate: Any
-    curving: Any
+_LEAST = 1e-30
+"""Least depth [m] that the law of a surface sees that only pushes: laws may take roots of it."""
 
 
 @dataclass(frozen=True)
 class Touch:
-    """Structure of a contact."""
+    """The kernels of a contact.
 
-    surface: Surface
-    unilateral: bool = False
-    rough: bool = False
+    Its numbers: those of the surface (4), the moving mass, gravity (3), and those of the law.
+    """
+
+    sheet: Contact
 
     @property
     def key(self) -> str:
         """The structure in words."""
-        return f"{self.surface}{' unilateral' * self.unilateral}{' rough' * self.rough}"
+        law = self.sheet
+        return f"{law.shape.shape} {law.structure}{' unilateral' * law.unilateral}"
 
-    def _meeting(self, p: Any, place: v.Vector, velocity: v.Vector) -> _Meeting:
-        if self.surface is Surface.PLANE:
-            direction = v.vec(p)
-            return _Meeting(direction, v.dot(direction, place) - p[3], v.dot(direction, velocity), 0.0)
-        arm = v.sub(place, v.vec(p))
-        distance = ca.sqrt(v.dot(arm, arm))
-        side = 1.0 if self.surface is Surface.BOWL else -1.0
-        direction = v.scale(side / distance, arm)
-        rate = v.dot(direction, velocity)
-        curving = side * (v.dot(velocity, velocity) - rate * rate) / distance
-        return _Meeting(direction, side * (distance - p[3]), rate, curving)
+    @property
+    def size(self) -> int:
+        """How many numbers it has."""
+        return SURFACE + 4 + len(self.sheet.numbers())
 
-    def _push(self, p: Any, met: _Meeting) -> Any:
-        """Force of spring, damper and preload."""
-        return p[5] * met.rate + p[6] * met.depth + p[7]
+    def numbers(self, gravity: Any) -> tuple[float, ...]:
+        """The numbers, for ``gravity`` (3,) [m/s^2]."""
+        law = self.sheet
+        return (*map(float, law.shape.numbers()), float(law.moving_mass), *map(float, gravity), *law.numbers())
 
-    def _force(self, p: Any, met: _Meeting, velocity: v.Vector) -> tuple[Any, v.Vector]:
-        """Normal force of spring, damper and preload, and the force by the point on the surface."""
-        normal = self._push(p, met)
-        if self.unilateral:
-            normal = (met.depth > 0) * (normal > 0) * normal
+    @property
+    def has_mass(self) -> bool:
+        """Whether a mass moves with the point."""
+        return self.sheet.moving_mass > 0
+
+    @property
+    def rubs_with_mass(self) -> bool:
+        """Whether friction asks for the accelerations, so that both are found together."""
+        return self.sheet.rubs_with_mass and self.sheet.is_rough
+
+    def _meeting(self, p: Any, place: v.Vector, velocity: v.Vector) -> Meeting:
+        return self.sheet.shape.meet(p, place, velocity)
+
+    def _law(self, p: Any) -> list[Any]:
+        return [p[SURFACE + 4 + k] for k in range(len(self.sheet.numbers()))]
+
+    def _push(self, p: Any, met: Meeting) -> Any:
+        """Force of the law, before a surface that only pushes limits it."""
+        depth = ca.if_else(met.depth > _LEAST, met.depth, _LEAST) if self.sheet.unilateral else met.depth
+        return self.sheet.normal_force(self._law(p), depth, met.rate)
+
+    def _acts(self, met: Meeting, push: Any) -> Any:
+        return (met.depth > 0) * (push > 0) if self.sheet.unilateral else 1.0
+
+    def slopes(self, p: Any, met: Meeting) -> tuple[Any, Any]:
+        """Derivatives of the law's force by penetration [N/m] and by its rate [N*s/m]; zero where none acts."""
+        depth, rate = ca.SX.sym("depth"), ca.SX.sym("rate")
+        push = ca.SX(self._push(p, Meeting(met.direction, depth, rate, 0.0)))
+        slopes = ca.jacobian(push, ca.vertcat(depth, rate))
+        here = ca.substitute(slopes, ca.vertcat(depth, rate), ca.vertcat(met.depth, met.rate))
+        acts = self._acts(met, self._push(p, met))
+        return acts * here[0], acts * here[1]
+
+    def _rub(self, p: Any, normal: Any, met: Meeting, velocity: v.Vector) -> v.Vector:
+        slip = v.sub(velocity, v.scale(met.rate, met.direction))
+        return self.sheet.friction_force(self._law(p), normal, slip, velocity)
+
+    def normal(self, p: Any, met: Meeting) -> tuple[Any, Any]:
+        """Normal force of the law, and the same before a surface that only pushes limits it."""
+        push = self._push(p, met)
+        return self._acts(met, push) * push, push
+
+    def _force(self, p: Any, met: Meeting, velocity: v.Vector) -> tuple[Any, v.Vector]:
+        """Normal force of the law, and the force by the point on the surface, but for what waits for the mass."""
+        normal, _ = self.normal(p, met)
         force = v.scale(normal, met.direction)
-        if self.rough:
-            slip = v.sub(velocity, v.scale(met.rate, met.direction))
-            speed = ca.sqrt(v.dot(slip, slip) + p[9] * p[9])
-            force = v.add(force, v.scale(p[8] * ca.fabs(normal) / speed, slip))
+        if self.sheet.is_rough and not self.rubs_with_mass:
+            force = v.add(force, self._rub(p, normal, met, velocity))
         return normal, force
 
     def wrench(self) -> Kernel:
         """(pose of the frame, pose of the link's axes, rate in them, offset, numbers, sum of wrenches) -> (sum, gate).
 
-        The sum has the surface's push in it then; the gate is the penetration, and the push without its limits.
+        The sum includes the surface's push; the gate is the penetration, and the push without its limits.
         """
 
         def build(pose: Any, axes: Any, rate: Any, offset: Any, p: Any, sum_: Any) -> list[list[Any]]:
@@ -100,7 +115,12 @@ class Touch:
             pushed = [*(sum_[i] - force[i] for i in range(3)), *(sum_[3 + i] for i in range(3))]
             return [pushed, [met.depth, self._push(p, met)]]
 
-        return Kernel(f"touch {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH, FORCE), (FORCE, 2), build)
+        return Kernel(f"touch {self.key}", (POSE, POSE, 3, PLACEMENT, self.size, FORCE), (FORCE, 2), build)
+
+    def _mass(self, p: Any, met: Meeting, step: Any) -> Any:
+        """Moving mass, and h be + h^2 ka of a spring and a damper that are taken at the end of a step h."""
+        stiffness, damping = self.slopes(p, met)
+        return p[SURFACE] + step[0] * (damping + step[0] * stiffness)
 
     def inertia(self) -> Kernel:
         """(pose of the frame, pose of the link's axes, rate in them, offset, numbers, step h) -> (inertia, bias force).
@@ -113,61 +133,93 @@ class Touch:
         def build(pose: Any, axes: Any, rate: Any, offset: Any, p: Any, step: Any) -> list[list[Any]]:
             place, velocity, arm, spin = _point(pose, axes, rate, offset)
             met, back = self._meeting(p, place, velocity), v.transpose(v.tri(axes))
-            added = step[0] * (p[5] + step[0] * p[6])
-            if self.unilateral:
-                added = (met.depth > 0) * (self._push(p, met) > 0) * added
-            mass = p[4] + added
+            mass = self._mass(p, met, step)
             direction, lever = v.matvec(back, met.direction), v.matvec(back, arm)
             none = [[0.0] * 3 for _ in range(3)]
             inertia = Inertia(none, none, v.outer(v.scale(mass, direction), direction)).at(lever)
-            drift = v.add(v.cross(spin, v.cross(spin, arm)), v.vec(p, 10))
+            drift = v.add(v.cross(spin, v.cross(spin, arm)), v.vec(p, SURFACE + 1))
             push = mass * (met.curving + v.dot(met.direction, drift))
             return [inertia.packed(), Force(v.zero(), v.scale(push, direction)).force_at(lever).packed()]
 
-        return Kernel(f"touch mass {self.key}", (POSE, POSE, 3, PLACEMENT, TOUCH, 1), (INERTIA, FORCE), build)
+        inputs = (POSE, POSE, 3, PLACEMENT, self.size, 1)
+        return Kernel(f"touch mass {self.key}", inputs, (INERTIA, FORCE), build)
+
+    def trial(self) -> Kernel:
+        """(pose of the point, its acceleration less gravity, numbers, h, sum of wrenches) -> (normal forces (2), sum).
+
+        Normal force without friction, and a trial force; the sum with the trial's friction. The trial is a normal force
+        of the same sign, of whose friction the accelerations are found next.
+        """
+
+        def build(pose: Any, motion: Any, p: Any, step: Any, sum_: Any) -> list[list[Any]]:
+            met, velocity, change = self._change(pose, motion, p)
+            normal = self._force(p, met, velocity)[0] + self._mass(p, met, step) * change
+            trial = ca.if_else(normal >= 0, 1.0, -1.0) * (ca.fabs(normal) + 1.0)
+            rub = self._rub(p, trial, met, velocity)
+            return [[normal, trial], [*(sum_[i] - rub[i] for i in range(3)), *(sum_[3 + i] for i in range(3))]]
+
+        inputs = (POSE, FORCE, self.size, 1, FORCE)
+        return Kernel(f"touch trial {self.key}", inputs, (2, FORCE), build)
+
+    def share(self) -> Kernel:
+        """(pose, acceleration without and with the trial's friction, numbers, h, normal forces (2)) -> (share, fold).
+
+        ``share``: how much of the trial's friction acts: the normal force with a share s of the trial N1 is
+        N0 - s (N0 - N(1)), and shall be s N1. ``fold`` is 1 plus the mass times the point's mobility along the normal
+        under friction: where it is not positive, the contact jams.
+        """
+
+        def build(pose: Any, before: Any, after: Any, p: Any, step: Any, trial: Any) -> list[list[Any]]:
+            met, _, change = self._change(pose, before, p)
+            slower = self._mass(p, met, step) * (change - self._change(pose, after, p)[2])
+            return [[trial[0] / (trial[1] + slower)], [1 + slower / trial[1]]]
+
+        inputs = (POSE, FORCE, FORCE, self.size, 1, 2)
+        return Kernel(f"touch share {self.key}", inputs, (1, 1), build)
+
+    def unit_push(self) -> Kernel:
+        """(pose of the point, numbers, sum of wrenches) -> sum with 1 N more along the normal, on the surface."""
+
+        def build(pose: Any, p: Any, sum_: Any) -> list[list[Any]]:
+            met = self._meeting(p, v.vec(pose, 9), v.vec(pose, 12))
+            return [[*(sum_[i] - met.direction[i] for i in range(3)), *(sum_[3 + i] for i in range(3))]]
+
+        return Kernel(f"touch unit {self.key}", (POSE, self.size, FORCE), (FORCE,), build)
+
+    def fold(self) -> Kernel:
+        """(pose of the point, its acceleration without and with 1 N more, numbers, fold of friction) -> fold of all.
+
+        1 plus the mass times the mobility, of the robot without that mass, along the push of normal force and friction.
+        """
+
+        def build(pose: Any, before: Any, after: Any, p: Any, rubbing: Any) -> list[list[Any]]:
+            slower = p[SURFACE] * (self._change(pose, before, p)[2] - self._change(pose, after, p)[2])
+            return [[rubbing[0] / (1 - slower)]]
+
+        return Kernel(f"touch fold {self.key}", (POSE, FORCE, FORCE, self.size, 1), (1,), build)
+
+    def _change(self, pose: Any, motion: Any, p: Any) -> tuple[Meeting, v.Vector, Any]:
+        """Meeting, velocity, and second derivative of the penetration."""
+        velocity = v.vec(pose, 12)
+        met = self._meeting(p, v.vec(pose, 9), velocity)
+        return met, velocity, met.curving + v.dot(met.direction, v.add(v.vec(motion), v.vec(p, SURFACE + 1)))
 
     def info(self) -> Kernel:
-        """(pose of the point, its [linear; angular] acceleration less gravity, numbers) -> (told (6), power taken)."""
+        """(pose of the point, its acceleration less gravity, numbers) -> (CONTACT_TOLD numbers, power taken [W])."""
 
         def build(pose: Any, motion: Any, p: Any) -> list[list[Any]]:
-            place, velocity = v.vec(pose, 9), v.vec(pose, 12)
-            met = self._meeting(p, place, velocity)
+            met, velocity, change = self._change(pose, motion, p)
             normal, force = self._force(p, met, velocity)
-            change = met.curving + v.dot(met.direction, v.add(v.vec(motion), v.vec(p, 10)))
-            inertial = p[4] * change
+            inertial = p[SURFACE] * change
             force = v.add(force, v.scale(inertial, met.direction))
+            if self.rubs_with_mass:
+                force = v.add(force, self._rub(p, normal + inertial, met, velocity))
             return [[*force, normal + inertial, met.depth, met.rate], [v.dot(force, velocity)]]
 
-        return Kernel(f"touch told {self.key}", (POSE, FORCE, TOUCH), (CONTACT_TOLD, 1), build)
+        return Kernel(f"touch told {self.key}", (POSE, FORCE, self.size), (CONTACT_TOLD, 1), build)
 
 
 def _point(pose: Any, axes: Any, rate: Any, offset: Any) -> tuple[v.Vector, v.Vector, v.Vector, v.Vector]:
     """Position and velocity of a point of a frame, its arm, and the frame's rate, all in world axes."""
     arm, spin = v.matvec(v.tri(pose), v.vec(offset, 9)), v.matvec(v.tri(axes), v.vec(rate))
     return v.add(v.vec(pose, 9), arm), v.add(v.vec(pose, 12), v.cross(spin, arm)), arm, spin
-
-
-def load_kernel(*, follower: bool) -> Kernel:
-    """(pose of the frame, offset, force and moment, signal, sum of wrenches) -> sum with the load, in world axes.
-
-    The force and moment of a follower are in the point's own axes.
-    """
-
-    def build(pose: Any, offset: Any, load: Any, signal: Any, sum_: Any) -> list[list[Any]]:
-        force, moment = v.vec(load), v.vec(load, 3)
-        if follower:
-            world = v.matmul(v.tri(pose), v.tri(offset))
-            force, moment = v.matvec(world, force), v.matvec(world, moment)
-        both = [*force, *moment]
-        return [[sum_[i] + signal[0] * both[i] for i in range(FORCE)]]
-
-    return Kernel(f"load{' follower' * follower}", (POSE, PLACEMENT, FORCE, 3, FORCE), (FORCE,), build)
-
-
-def power_kernel() -> Kernel:
-    """(wrench, pose and rate of its point, all in world axes) -> power [W]."""
-
-    def build(wrench: Any, pose: Any, rate: Any) -> list[list[Any]]:
-        return [[v.dot(v.vec(wrench), v.vec(pose, 12)) + v.dot(v.vec(wrench, 3), v.vec(rate))]]
-
-    return Kernel("power", (FORCE, POSE, 3), (1,), build)

@@ -5,9 +5,11 @@ The calls of a schedule, in the order in which one thing follows from another.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from typing import TYPE_CHECKING
 
-from tmodes.equations.loop.contact_kernels import load_kernel
+from tmodes.equations.loop.friction import solved
+from tmodes.equations.loop.load_kernels import load_kernel
 from tmodes.equations.loop.signals_kernels import base_kernel, packing_kernel, replacing_kernel, signal_kernel
 from tmodes.equations.recursion.ahead import Ahead
 from tmodes.equations.recursion.forward import Recursion
@@ -25,7 +27,7 @@ __all__ = ["Instant"]
 class Instant:
     """Blocks of one schedule by what they mean.
 
-    ``way`` and ``recursion`` have what the passes found; ``accelerations`` are blocks in the order of the coordinates.
+    ``way`` and ``solution`` have what the passes found; ``accelerations`` are blocks in the order of the coordinates.
     By the number of a drive: ``efforts`` of servos, and ``told`` (4); by the number of a current: its ``change``.
     ``dead``: wrenches on points but for the contact's.
     """
@@ -49,9 +51,11 @@ class Instant:
         self.info: dict[int, Slot] = {}
         self.change: dict[int, Slot] = {}
         self.dead: dict[int, Slot] = {}
+        self.mass_step = self.none[1]
         self._push()
-        self.recursion = self._drive()
-        self.accelerations = self.recursion.run()
+        self.begin = self._drive()
+        self.solution = solved(self, self.begin)
+        self.recursion, self.accelerations = self.solution.first, self.solution.accelerations
 
     def call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
         """Call a kernel; its outputs are new blocks."""
@@ -120,15 +124,15 @@ class Instant:
             blocks = (*self._frame(touch.point), self.parts.offsets[touch.point], self.loop.touch)
             before = wrenches.get(touch.point, self.none[FORCE])
             wrenches[touch.point], gate = self.call(touch.touch.wrench(), *blocks, before)
-            self.schedule.gate = gate if touch.touch.unilateral else None
+            self.schedule.gate = gate if touch.touch.sheet.unilateral else None
             info = self.parts.points[touch.point]
             if touch.has_mass or (self.euler and self.parts.station(info) is None):
-                step = self.step if self.euler else self.none[1]
-                inertia, bias = self.call(touch.touch.inertia(), *blocks, step)
+                self.mass_step = self.step if self.euler else self.none[1]
+                inertia, bias = self.call(touch.touch.inertia(), *blocks, self.mass_step)
                 self.way.attached[info.node] = (inertia, bias)
 
-    def _drive(self) -> Recursion:
-        """Efforts of the servos, and the motions that are given."""
+    def _drive(self) -> Callable[[], Recursion]:
+        """Efforts of the servos, and the motions that are given: the start of a recursion, as often as asked."""
         efforts: dict[str, Slot] = {}
         feedback: dict[str, Slot] = {}
         given: dict[str, Slot] = {}
@@ -152,9 +156,13 @@ class Instant:
         effort = self.pack(*(efforts.get(name, none[1]) for name in parts.efforts))
         swing = self.pack(*(feedback.get(name, none[2]) for name in parts.efforts))
         moved = self.pack(*(given[name] for name in parts.given))
-        recursion = Recursion(self.way, effort, moved, self.step, self.start, feedback=swing)
-        recursion.followed = followed
-        return recursion
+
+        def start() -> Recursion:
+            recursion = Recursion(self.way, effort, moved, self.step, self.start, feedback=swing)
+            recursion.followed = followed
+            return recursion
+
+        return start
 
     def _serve(self, driver: Driver, q: Divisible, rates: Slot) -> tuple[Slot, ...]:
         """The servo's effort, feedback, rate of the current, and what is told, at coordinates and rates."""

@@ -62,7 +62,11 @@ class TouchPlan:
     point: int
     touch: Touch
     numbers: tuple[float, ...]
-    has_mass: bool
+
+    @property
+    def has_mass(self) -> bool:
+        """Whether a mass moves with the point."""
+        return self.touch.has_mass
 
 
 @dataclass(frozen=True, eq=False)

@@ -4,11 +4,12 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tmodes.equations.loop.contact_kernels import CONTACT_TOLD, power_kernel
+from tmodes.equations.loop.contact_kernels import CONTACT_TOLD
 from tmodes.equations.loop.control_kernels import needed_kernel
 from tmodes.equations.loop.instant import Instant
+from tmodes.equations.loop.load_kernels import power_kernel
 from tmodes.equations.loop.plan import WORKS
-from tmodes.equations.recursion.body_kernels import point_kernel, times_kernel
+from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
@@ -27,6 +28,7 @@ class Powers:
     def __init__(self, instant: Instant) -> None:
         self.instant, self.loop, self.plan, self.parts = instant, instant.loop, instant.plan, instant.parts
         self.way, self.recursion, self.none = instant.way, instant.recursion, instant.none
+        self.solution = instant.solution
         self.powers: dict[str, list[Slot]] = {name: [] for name in WORKS}
         self.info = dict(instant.info)
         self.gear: dict[int, Slot] = {}
@@ -91,7 +93,7 @@ class Powers:
             return forces.part(1, 1), self._gear_torque(driver, forces)
         if part.given < 0:
             return forces.part(0, 1), None
-        root, hung = self.recursion.roots[driver.index], self.recursion.hung[driver.index]
+        root, hung = self.solution.root(driver.index), self.solution.hung(driver.index)
         (force,) = self._call(times_kernel(), hung[0], root, hung[1])
         way = self.way.ways[driver.index]
         along = self._call(way.joint.load(), force, way.hinge, way.axis, self.none[FORCE])[1]
@@ -130,29 +132,15 @@ class Powers:
                 )
                 self.powers["link_damping"].append(self._call(link.kernels.elastic(), *blocks)[2])
 
-    def _point(self, k: int) -> tuple[Slot, ...]:
-        """Pose, rate and acceleration (less gravity) of a point in the world."""
-        point = self.parts.points[k]
-        way, number, link = self.way.ways[point.node], self.parts.station(point), self.parts.nodes[point.node].link
-        pose, section, motion = way.tip_pose, way.tip, self.recursion.tips[point.node]
-        if number is not None and link:
-            pose, section = way.section_poses[number], way.sections[number]
-            own = self.instant.pack(*self.instant.accelerations).part(link.first, link.kernels.n)
-            (motion,) = self._call(link.kernels.motion(), self.recursion.roots[point.node], section, own)
-        assert pose is not None  # noqa: S101
-        rate = section.part(12, 3) if section else way.tip_rate
-        kernel = point_kernel(on_section=section is not None)
-        return self._call(kernel, pose, self.way.frame(section), rate, motion, self.parts.offsets[k])
-
     def _power_of_loads(self) -> Slot:
         """Powers of loads and contact; what is told of the contact."""
         for k, wrench in self.instant.dead.items():
-            pose, rate, _ = self._point(k)
+            pose, rate, _ = self.solution.point(k)
             self.powers["loads"] += self._call(power_kernel(), wrench, pose, rate)
         touch = self.plan.touch
         if not (touch and self.loop.touch):
             return self.instant.pack(*(self.none[1],) * CONTACT_TOLD)
-        pose, _, motion = self._point(touch.point)
+        pose, _, motion = self.solution.point(touch.point)
         info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch)
         self.powers["contact"].append(power)
         return info
@@ -161,7 +149,7 @@ class Powers:
         """Power of what moves the base."""
         if not self.plan.base:
             return
-        inertia, bias = self.recursion.at_base()
+        inertia, bias = self.solution.at_base()
         (force,) = self._call(times_kernel(), inertia, self.way.base.part(0, FORCE), bias)
 
         def build(push: Any, rate: Any, pose: Any) -> list[list[Any]]:

@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Body, Chain, JointKind, Node, RigidLink
+from tmodes.chain.chain import Body, Chain, JointKind, Node
 from tmodes.frame import Placement
 
 __all__ = ["STRAIGHT", "Framing", "ScrewWay", "moved_body"]
@@ -107,7 +107,7 @@ class Framing:
 
     def _screw(self, index: int) -> ScrewWay | None:
         node = self.chain.nodes[index]
-        on_section = node.parent >= 0 and not isinstance(self.chain.nodes[node.parent].link, RigidLink)
+        on_section = node.parent >= 0 and self.chain.nodes[node.parent].link.bends
         if not _turns(node) or on_section:
             return None
         return ScrewWay.of(self.placements[index], heir=self.heirs.get(node.parent) == index)
@@ -129,7 +129,7 @@ def moved_body(body: Body, placement: Placement) -> Body:
 
 
 def _turns(node: Node) -> bool:
-    return node.joint.kind is JointKind.REVOLUTE and isinstance(node.link, RigidLink)
+    return node.joint.kind is JointKind.REVOLUTE and not node.link.bends
 
 
 def _unit(cosine: float, sine: float) -> tuple[float, float]:

@@ -11,22 +11,21 @@ from typing import Any
 
 from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.hinge import POSE
-from tmodes.equations.recursion.link_kinds import SegmentKind, StrainKind
-from tmodes.equations.recursion.link_terms import LinkTerms, Section
-from tmodes.equations.recursion.strain_shape import frame_size
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
 from tmodes.kinds.kernel.triangular import factor, forward_substitution
+from tmodes.kinds.links.contract import LinkStructure, Row
+from tmodes.kinds.links.terms import LinkTerms, Section, frame_size
 
 __all__ = ["BendingLink"]
 
 
 @dataclass(frozen=True)
 class BendingLink:
-    """The kernels of one kind of bending link."""
+    """The kernels of bending links of one structure."""
 
-    kind: SegmentKind | StrainKind
+    kind: LinkStructure
 
     @property
     def n(self) -> int:
@@ -35,8 +34,8 @@ class BendingLink:
 
     @property
     def long(self) -> bool:
-        """Whether its line is integrated point by point, in thousands of operations."""
-        return isinstance(self.kind, StrainKind)
+        """Whether its line takes thousands of operations."""
+        return self.kind.long
 
     @property
     def frame(self) -> int:
@@ -75,28 +74,6 @@ class BendingLink:
         sizes = (self.kind.terms_size, self.frame, BODY, FORCE)
         return Kernel(f"station load {self.kind.key}", sizes, (self.kind.terms_size,), build)
 
-    def _spring(self, packed: Any, q: Any) -> list[Any]:
-        """K q of the packed stiffness."""
-        return [v.total([k * q[j] for j, k in row]) for row in self._rows(packed)]
-
-    def _rows(self, packed: Any) -> list[list[tuple[int, Any]]]:
-        """Rows of the packed stiffness, each with the columns that it has."""
-        rows: list[list[tuple[int, Any]]] = []
-        first = entry = 0
-        for n in self.kind.stiffness_sizes:
-            if not self.kind.full:
-                rows += [[(first + i, packed[entry + i])] for i in range(n)]
-                entry += n
-            else:
-                place = {}
-                for i in range(n):
-                    for j in range(i + 1):
-                        place[i, j] = place[j, i] = packed[entry]
-                        entry += 1
-                rows += [[(first + j, place[i, j]) for j in range(n)] for i in range(n)]
-            first += n
-        return rows
-
     def outward(self) -> Kernel:
         """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia, as an implicit step wants it.
 
@@ -109,14 +86,9 @@ class BendingLink:
             section, h = Section.of(tip, self.n), step[0]
             link = LinkTerms.of(terms, self.n) if self.kind.own_terms else LinkTerms.nothing(self.n)
             mass, coupling, base, bias_q, bias_b = link.with_load(section, Inertia.of(inertia), Force.of(bias))
-            spring, damper = (
-                self._spring(m, [x[j] for j in range(self.n)]) for m, x in ((stiffness, q), (damping, qd))
-            )
+            spring, damper, _, _ = self.kind.elastic(stiffness, damping, q, qd)
             free = [-s - d - p for s, d, p in zip(spring, damper, bias_q, strict=True)]
-            for i, (k_row, d_row) in enumerate(zip(self._rows(stiffness), self._rows(damping), strict=True)):
-                for (j, k), (_, d) in zip(k_row, d_row, strict=True):
-                    if j <= i:
-                        mass[i][j] = mass[i][j] + h * (d + h * k)
+            _add_tangents(mass, h, *self.kind.tangents(stiffness, damping, q, qd))
             lower, share = factor(mass)
             columns = forward_substitution(lower, [[*c.packed(), f] for c, f in zip(coupling, free, strict=True)])
             parts = [Force.of(column) for column in columns]
@@ -128,8 +100,8 @@ class BendingLink:
             )
             return [root.packed(), bias_b.packed(), kept]
 
-        k, n = self.kind.stiffness_size, self.n
-        inputs = (self.kind.terms_size, self.frame, INERTIA, FORCE, k, k, n, n, 1)
+        n, sizes = self.n, (self.kind.stiffness_size, self.kind.damping_size)
+        inputs = (self.kind.terms_size, self.frame, INERTIA, FORCE, *sizes, n, n, 1)
         return Kernel(f"outward {self.kind.key}", inputs, (INERTIA, FORCE, self.solved_size), build, self.long)
 
     def onward(self) -> Kernel:
@@ -160,7 +132,7 @@ class BendingLink:
     def load(self) -> Kernel:
         """(terms, section at the tip, acceleration of the root, qdd, force on the tip) -> (force on the root, on q).
 
-        Forces of inertia alone: springs and dampers are told apart from them.
+        Forces of inertia only, without springs and dampers.
         """
 
         def build(terms: Any, tip: Any, root: Any, qdd: Any, force: Any) -> list[list[Any]]:
@@ -199,14 +171,11 @@ class BendingLink:
         """(stiffness, damping, q, qd) -> (spring and damper forces on the coordinates, energy [J], power lost [W])."""
 
         def build(stiffness: Any, damping: Any, q: Any, qd: Any) -> list[list[Any]]:
-            here, rates = [q[j] for j in range(self.n)], [qd[j] for j in range(self.n)]
-            spring, damper = self._spring(stiffness, here), self._spring(damping, rates)
-            energy = v.total([s * x for s, x in zip(spring, here, strict=True)]) / 2
-            loss = v.total([d * x for d, x in zip(damper, rates, strict=True)])
+            spring, damper, energy, loss = self.kind.elastic(stiffness, damping, q, qd)
             return [[s + d for s, d in zip(spring, damper, strict=True)], [energy], [loss]]
 
-        k, n = self.kind.stiffness_size, self.n
-        return Kernel(f"elastic {self.kind.key}", (k, k, n, n), (n, 1, 1), build)
+        n, sizes = self.n, (self.kind.stiffness_size, self.kind.damping_size)
+        return Kernel(f"elastic {self.kind.key}", (*sizes, n, n), (n, 1, 1), build)
 
     def moment(self) -> Kernel:
         """(terms, pose of the root, sum) -> sum of mass times position [kg*m], in the world."""
@@ -223,3 +192,12 @@ def _tip_motion(section: Section, root: Force, qdd: list[Any]) -> Force:
     for column, acceleration in zip(section.columns, qdd, strict=True):
         motion = motion + column.scaled(acceleration)
     return motion
+
+
+def _add_tangents(mass: list[list[Any]], step: Any, stiffness: list[Row], damping: list[Row]) -> None:
+    """Add h D + h^2 K to the lower triangle of M_qq."""
+    for i, (k_row, d_row) in enumerate(zip(stiffness, damping, strict=True)):
+        d_of = dict(d_row)
+        for j, k in k_row:
+            if j <= i:
+                mass[i][j] = mass[i][j] + step * (d_of.get(j, 0.0) + step * k)

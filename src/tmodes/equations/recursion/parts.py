@@ -8,14 +8,12 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Point, RigidLink, Segment
-from tmodes.equations.recursion.beam_tables import beam_tables, stations_of
+from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Link, Node, Point
 from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.drive_kernels import DriveKind, drive_kind, drive_numbers
 from tmodes.equations.recursion.framing import STRAIGHT, Framing
 from tmodes.equations.recursion.hinge import HELD, Hinge
 from tmodes.equations.recursion.link_kernels import BendingLink
-from tmodes.equations.recursion.link_kinds import SegmentKind, StrainKind
 from tmodes.equations.recursion.screw import Screw, screw_numbers
 from tmodes.kinds.kernel.schedule import Numbers, Slot
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA
@@ -125,7 +123,7 @@ class Parts:
         along = self.framing.axis(index)
         axis = _axis_of(along)
         moves = joint.kind is not JointKind.FIXED
-        on_section = node.parent >= 0 and not isinstance(self.chain.nodes[node.parent].link, RigidLink)
+        on_section = node.parent >= 0 and self.chain.nodes[node.parent].link.bends
         placed, screw = self.framing.placements[index], self.framing.screws[index]
         driven, aside = joint.drive is Drive.PRESCRIBED and moves, bool(np.any(placed.position))
         hinge = Hinge(joint.kind, axis if moves else 2, driven, aside, on_section)
@@ -138,7 +136,7 @@ class Parts:
             angle=angle,
             motor=self._motor(joint) if moves else -1,
             effort=effort, given=given,
-            link=None if isinstance(link, RigidLink) else self._link(index, node.name, link),
+            link=self._link(index, node.name, link) if link.bends else None,
             tip_body=self._tip_body(index, link),
             screw=Screw.of(screw, driven=driven) if screw else None,
             way=self.numbers.block(screw_numbers(screw)) if screw else None,
@@ -148,33 +146,16 @@ class Parts:
         name = f"{joint.name}.motor"
         return self._places[0][name] if joint.drive is Drive.ELASTIC else -1
 
-    def _link(self, index: int, name: str, link: Beam | Segment) -> LinkPart:
-        first = len(self.names)
-        if isinstance(link, Segment):
-            return self._segment(name, link, first)
-        stations = stations_of(link, tuple(point.s for point in self.points if point.node == index))
-        tables = beam_tables(link, stations)
-        info = (("twist", link.twist), ("bend_y", link.bend_y), ("bend_z", link.bend_z), ("stretch", link.stretch))
-        names = tuple(f"{name}.{kind}{k + 1}" for kind, count in info for k in range(count))
+    def _link(self, index: int, name: str, link: Link) -> LinkPart:
+        first, block = len(self.names), self.numbers.block
+        stations = link.stations(tuple(point.s for point in self.points if point.node == index))
+        numbers = link.numbers(stations)
+        names = tuple(f"{name}.{coordinate}" for coordinate in link.coordinates)
         self.names += names
-        bodies = []
-        for s in stations:
-            there = tuple(body for at, body in link.bodies if at == s)
-            bodies.append((s, self.numbers.block(packed_bodies(there)) if there else None))
-        block = self.numbers.block
-        blocks = (block(tables.packed), block(tables.stiffness), block(tables.damping))
-        return LinkPart(BendingLink(StrainKind(tables.shape)), *blocks, tuple(bodies), first, names)
-
-    def _segment(self, name: str, link: Segment, first: int) -> LinkPart:
-        planes = ((link.bend_y, "bend_y", link.stiffness_y, link.damping_y),
-                  (link.bend_z, "bend_z", link.stiffness_z, link.damping_z))  # fmt: skip
-        free = [plane for plane in planes if plane[0]]
-        names = tuple(f"{name}.{plane[1]}" for plane in free)
-        self.names += names
-        square, block = link.length**2, self.numbers.block
-        springs, dampers = [plane[2] * square for plane in free], [plane[3] * square for plane in free]
-        blocks = (block([link.length]), block(springs), block(dampers))
-        return LinkPart(BendingLink(SegmentKind(link.bend_y, link.bend_z)), *blocks, (), first, names)
+        bodies = [(s, link.bodies_at(s)) for s in stations]
+        at_stations = tuple((s, block(packed_bodies(there)) if there else None) for s, there in bodies)
+        blocks = (block(numbers.tables), block(numbers.stiffness), block(numbers.damping))
+        return LinkPart(BendingLink(numbers.structure), *blocks, at_stations, first, names)
 
     def _phases(self) -> list[tuple[float, float]]:
         """Cosine and sine of what each joint's angle is told from in its short way, in the order of the joints."""
@@ -182,9 +163,8 @@ class Parts:
         phases = {part.angle: screw.phase for part, screw in screws if screw}
         return [phases.get(angle, STRAIGHT) for angle in self.joints]
 
-    def _tip_body(self, index: int, link: RigidLink | Beam | Segment) -> Slot | None:
-        bodies = tuple(body for s, body in link.bodies if s >= 1.0) if isinstance(link, Beam) else link.bodies
-        bodies = self.framing.bodies(index, bodies)
+    def _tip_body(self, index: int, link: Link) -> Slot | None:
+        bodies = self.framing.bodies(index, link.bodies_at(1.0))
         return self.numbers.block(packed_bodies(bodies)) if bodies else None
 
     def _offset(self, point: Point) -> Slot:

@@ -72,6 +72,9 @@ class Schedule:
     """Parameters that are zero whatever the robot's numbers."""
     often: bool = False
     """Called so often that much work for its code pays."""
+    _known: dict[tuple[str, tuple[Slot, ...], tuple[int, ...]], tuple[Slot, ...]] = field(
+        default_factory=dict, repr=False, compare=False
+    )
 
     def input(self, name: str, size: int) -> Slot:
         """A block that the caller fills."""
@@ -79,12 +82,14 @@ class Schedule:
         return self.inputs[name]
 
     def call(self, kernel: Kernel, *inputs: Slot) -> tuple[Slot, ...]:
-        """Call a kernel; its outputs are new blocks."""
+        """Call a kernel; its outputs are new blocks, those of an earlier call of the same where there is one."""
         sizes = tuple(slot.size for slot in inputs)
         assert sizes == kernel.inputs, f"{kernel.key}: blocks of {sizes} for inputs of {kernel.inputs}"  # noqa: S101
-        outputs = tuple(self._block(size) for size in kernel.outputs)
-        self.calls.append((kernel, inputs, outputs))
-        return outputs
+        same = (kernel.key, inputs, kernel.outputs)
+        if same not in self._known:
+            self._known[same] = tuple(self._block(size) for size in kernel.outputs)
+            self.calls.append((kernel, inputs, self._known[same]))
+        return self._known[same]
 
     def output(self, name: str, *slots: Slot) -> None:
         """Blocks that make an output, one after the other."""

@@ -1,0 +1,98 @@
+"""What a contact law is: normal force, moving mass and friction of a surface that a point of a robot touches.
+
+A law of a user's own is a class with the field ``law`` and two methods::
+
+    @Contact.register()
+    class Soil(Contact):
+        law: Literal["soil"] = Field(description="contact law")
+        modulus: float = positive("N/m^1.5", "k", "Hertz stiffness")
+
+        def numbers(self) -> tuple[float, ...]:
+            return (self.modulus,)
+
+        def normal_force(self, p, depth, rate):
+            return p[0] * depth * functions.sqrt(depth)
+
+Laws are written in an arithmetic that is passed in (numbers or symbols): sums, products, quotients, and the functions
+of :mod:`tmodes.kinds.kernel.functions`. They run in native code, in batches, in derivatives and in WebAssembly.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any, ClassVar
+
+from pydantic import Field
+
+from tmodes.kinds.contacts.surface import Surface
+from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.schema.kind import Kind
+
+__all__ = ["Contact"]
+
+_OFF = 1e-3
+"""Distance [m] from a surface that holds a point, from which on a run reports it."""
+
+
+class Contact(Kind, family="contact law", key="law"):
+    """Contact of one point with one surface."""
+
+    unilateral: ClassVar[bool] = True
+    """Whether the surface only pushes: no force where the point is outside, or where the law would pull."""
+
+    rubs_with_mass: ClassVar[bool] = False
+    """Whether friction is taken from the whole normal force, that of the moving mass included."""
+
+    point: str = Field(default="tip", min_length=1, max_length=100, description="which point touches")
+    shape: Surface
+
+    def numbers(self) -> tuple[float, ...]:
+        """Numbers of the law, which its methods read as ``p``."""
+        raise NotImplementedError
+
+    def normal_force(self, p: Any, depth: Any, rate: Any) -> Any:
+        """Normal force [N] by penetration [m] and its rate [m/s], but for the moving mass.
+
+        The depth of a law that only pushes is greater than zero; where the result is negative, there is no force.
+        """
+        raise NotImplementedError
+
+    @property
+    def moving_mass(self) -> float:
+        """Mass of the surface [kg] that moves with the point along the normal."""
+        return 0.0
+
+    @property
+    def is_rough(self) -> bool:
+        """Whether there is friction."""
+        return False
+
+    def friction_force(self, p: Any, normal: Any, slip: v.Vector, velocity: v.Vector) -> v.Vector:
+        """Friction by the point on the surface [N]; ``normal`` [N], the force's own sign, enters as a factor.
+
+        ``velocity`` is the point's [m/s], ``slip`` its part along the surface. Proportional to the value of ``normal``
+        or to its magnitude.
+        """
+        del p, normal, slip, velocity
+        return v.zero()
+
+    def spring(self) -> tuple[float, float, float] | None:
+        """Stiffness [N/m], damping [N*s/m] and preload [N] of a law that is linear in these, else None."""
+        return None
+
+    @property
+    def jumps(self) -> bool:
+        """Whether the force starts or ends with a jump, so that derivatives of a run do not exist there."""
+        return self.unilateral
+
+    @property
+    def structure(self) -> str:
+        """The law's compiled form: two contacts of the same structure share their code."""
+        return f"{self.fingerprint()}{' rough' * self.is_rough} {len(self.numbers())}"
+
+    def start_notices(self, normal: float, depth: float) -> Iterator[str]:
+        """What a user should know of a start with this penetration [m] and normal force [N]."""
+        if self.unilateral and depth > 0:
+            yield f"the point starts {depth:.3g} m inside of the surface, which pushes it with {normal:.3g} N"
+        if not self.unilateral and abs(depth) > _OFF:
+            yield f"the point starts {depth:.3g} m off the surface that holds it: a force of {normal:.3g} N at once"

@@ -1,0 +1,53 @@
+"""The rigid link: bodies in one frame."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from dataclasses import dataclass, field
+from typing import ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.kinds.links.contract import Body, Link, LinkNumbers
+from tmodes.kinds.links.line import LineOfLink
+
+__all__ = ["RigidLink"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class RigidLink(Link):
+    """A link that does not bend; ``bodies`` in its link frame, which is also its tip frame."""
+
+    kind: ClassVar[str] = "rigid"
+
+    bodies: tuple[Body, ...] = ()
+    length: float = field(default=0.0, init=False)
+
+    @property
+    def bends(self) -> bool:
+        """Never."""
+        return False
+
+    @property
+    def coordinates(self) -> tuple[str, ...]:
+        """None."""
+        return ()
+
+    def bodies_at(self, s: float) -> tuple[Body, ...]:  # noqa: ARG002
+        """All bodies: the link has only one place."""
+        return self.bodies
+
+    def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
+        """None."""
+        return ()
+
+    def lines(self, stations: tuple[float, ...], s: Array) -> Sequence[LineOfLink]:  # noqa: ARG002
+        """None: where its far end is, is a matter of the chain."""
+        return []
+
+    def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
+        """A rigid link has no equations of its own."""
+        raise NotImplementedError

@@ -1,0 +1,53 @@
+"""The elastic coordinates next to those of the reference."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+from tmodes.plot.contract import Figure
+from tmodes.plot.decomposition import coordinate_names, largest_coordinates
+from tmodes.plot.facts import deformation_unit, plain
+from tmodes.plot.panels import AxesLike, letter, panels, shared_legend, time_axis
+from tmodes.plot.style import REAL, REFERENCE
+from tmodes.plot.units import readable
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["Deformations"]
+
+_MOST_GEARS, _MOST_COORDINATES = 4, 6
+
+
+class Deformations(Figure):
+    """Elastic coordinates of links and gears [rad, m], actual and reference: the largest six and four.
+
+    ``ax``: one axes for each, or None.
+    """
+
+    name = "deformations"
+    title = "Elastic deformations"
+    caption = "Actual and reference deformation of links and gears; note the scales, and the sag at the start."
+    needs: ClassVar = {"deformation_reference": "the run has no reference, or nothing of this robot is elastic"}
+
+    def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
+        """One panel for each coordinate, two in a row."""
+        data = result.data
+        names = largest_coordinates(data, coordinate_names(data, gears=False), _MOST_COORDINATES)
+        names += largest_coordinates(data, coordinate_names(data, gears=True), _MOST_GEARS)
+        rows = [names[k : k + 2] for k in range(0, len(names), 2)]
+        axes = panels(ax, [row if len(row) == 2 else row * 2 for row in rows], 0.8 + 1.6 * len(rows))
+        for panel, name in zip(axes, names, strict=True):
+            _coordinate(panel, data, name)
+        shared_legend(axes[0])
+        letter(axes, map(plain, names))
+        return axes
+
+
+def _coordinate(panel: Axes, data: Any, name: str) -> None:
+    actual, planned = (data[key].sel(deformation_kind=name).values for key in ("deformation", "deformation_reference"))
+    unit, time = readable(deformation_unit(data, name), actual, planned), data["time"].values
+    panel.plot(time, unit.of(actual), label="actual", **REAL)
+    panel.plot(time, unit.of(planned), label="reference", **REFERENCE)
+    panel.set_ylabel(f"[{unit.name}]")
+    time_axis(panel, time)

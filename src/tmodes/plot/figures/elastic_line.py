@@ -1,0 +1,117 @@
+"""The elastic line of the links at several instants: to scale, and with the deflection magnified."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.plot.contract import Figure
+from tmodes.plot.facts import instant_looks, instants
+from tmodes.plot.figures.tip_path import PLANES, views
+from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
+from tmodes.plot.style import QUIET
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+__all__ = ["ElasticLine", "round_factor"]
+
+VISIBLE = 0.1
+"""The largest deflection is drawn about this large, as a share of the robot's reach."""
+
+_INSTANTS = 4
+_TOUCHING = 1e-6
+"""Distance of two links over the robot's reach below which nothing need join them."""
+
+Array = NDArray[Any]
+
+
+def round_factor(wanted: float) -> float:
+    """The largest of 1, 2, 5, 10, 20, 50, ... that is not above ``wanted``; never below 1."""
+    if not 1.0 < wanted < 1e12:
+        return 1.0
+    power = 10.0 ** np.floor(np.log10(wanted))
+    return float(max(step * power for step in (1, 2, 5) if step * power <= wanted * (1 + 1e-9)))
+
+
+class ElasticLine(Figure):
+    """The links at several instants [m]: left to scale, right with their deflection ``exaggerate`` times as large.
+
+    The deflection is that from the robot without elasticity at the same motor angles (thin, dashed). None chooses a
+    round factor, which the title states; where it is 1, there is no magnified picture. From one side where the robot
+    stays in a plane, else from two. ``ax``: one axes for each picture, or None.
+    """
+
+    name = "elastic_line"
+    title = "The elastic line"
+    caption = (
+        "The links at several instants, and the robot without elasticity at the same motor angles (thin, dashed); the "
+        "titles state how much the deflection is magnified."
+    )
+    needs: ClassVar = {"line": "no link of this robot has a length"}
+
+    def draw(self, result: Any, ax: AxesLike = None, *, exaggerate: float | None = None) -> list[Axes]:
+        """One or two panels for each view."""
+        data = result.data
+        chosen = instants(data, _INSTANTS)
+        dims = ("time", "link", "s", "axis")
+        line, rigid = (data[name].transpose(*dims).values[chosen] for name in ("line", "line_rigid"))
+        factor = _factor(rigid, line) if exaggerate is None else exaggerate
+        sides, factors = views(np.concatenate([rigid, line])), [1.0] if factor == 1 else [1.0, factor]
+        layout = [["".join(pair) + str(k) for k in range(len(factors))] for pair in sides]
+        axes = panels(ax, layout, 0.5 + 3.0 * len(sides))
+        shown = [(pair, size) for pair in sides for size in factors]
+        joins = _joins(data, rigid[0])
+        for panel, (pair, size) in zip(axes, shown, strict=True):
+            columns = ["xyz".index(name) for name in pair]
+            magnified = (rigid + size * (line - rigid))[..., columns]
+            _draw(panel, magnified, rigid[..., columns], data["time"].values[chosen], joins)
+            panel.set(xlabel=f"${pair[0]}$ [m]", ylabel=f"${pair[1]}$ [m]")
+            panel.set_aspect("equal", adjustable="datalim")
+            panel.locator_params(nbins=5)
+        shared_legend(axes[0])
+        letter(axes, (f"{PLANES[pair].capitalize()}, {_scale(size)}" for pair, size in shown))
+        return axes
+
+
+def _scale(factor: float) -> str:
+    return "to scale" if factor == 1 else f"deflection × {factor:g}"
+
+
+def _factor(rigid: Array, bent: Array) -> float:
+    largest = float(np.max(np.linalg.norm(bent - rigid, axis=-1)))
+    reach = float(np.linalg.norm(np.ptp(rigid.reshape(-1, 3), axis=0)))
+    return round_factor(VISIBLE * reach / largest) if largest > 0 else 1.0
+
+
+def _joins(data: Any, rigid: Array) -> list[tuple[int, int, int]]:
+    """Each link that starts away from its parent: its index, its parent's, and the nearest station of the parent."""
+    names = [str(name) for name in data["link"].values]
+    reach = float(np.linalg.norm(np.ptp(rigid.reshape(-1, 3), axis=0)))
+    found = []
+    for k, parent in enumerate(map(str, data["link_parent"].values)):
+        if parent in names:
+            distance = np.linalg.norm(rigid[names.index(parent)] - rigid[k, 0], axis=-1)
+            if distance.min() > _TOUCHING * reach:
+                found.append((k, names.index(parent), int(np.argmin(distance))))
+    return found
+
+
+def _draw(panel: Axes, bent: Array, rigid: Array, times: Array, joins: list[tuple[int, int, int]]) -> None:
+    """Every link with a gap after it; one that starts away from its parent is joined to it by a thin line."""
+    for curve, straight, look, time in zip(bent, rigid, instant_looks(len(times)), times, strict=True):
+        panel.plot(*_parted(straight).T, color=QUIET, linewidth=0.5, linestyle=(0, (4, 3)))
+        for link, parent, station in joins:
+            panel.plot(*np.stack([curve[parent, station], curve[link, 0]]).T, color=look["color"], linewidth=0.7)
+        panel.plot(*_parted(curve).T, label=f"{time:.3g} s", **look)
+        panel.plot(*curve[:, 0].T, "o", markersize=1.8, color=look["color"])
+        panel.plot(*curve[-1, -1], "o", markersize=3.5, color=look["color"])
+    panel.margins(0.06)
+
+
+def _parted(links: Array) -> Array:
+    gap = np.full((len(links), 1, links.shape[2]), np.nan)
+    return np.concatenate([links, gap], axis=1).reshape(-1, links.shape[2])

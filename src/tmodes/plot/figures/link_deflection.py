@@ -1,0 +1,60 @@
+"""The deflection along each elastic link at several instants."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+
+from tmodes.plot.contract import Figure
+from tmodes.plot.facts import instant_looks, instants, largest, plain
+from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
+from tmodes.plot.style import QUIET
+from tmodes.plot.units import readable
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["LinkDeflection"]
+
+_MOST = 4
+
+
+class LinkDeflection(Figure):
+    """Deflection [m] along each elastic link from the tangent at its root, along y and z, at several instants.
+
+    Of more than four links, those that bend most. ``ax``: two axes for each link, or None.
+    """
+
+    name = "link_deflection"
+    title = "Shape of the elastic links"
+    caption = "Deflection from the tangent at the root; where curves coincide, the shape hardly changes."
+    needs: ClassVar = {"bending_link": "no link of this robot is elastic"}
+
+    def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
+        """Two panels for each link: along y and along z of its root."""
+        data = result.data
+        bent = data["deflection"].transpose("bending_link", "time", "s", "plane")
+        names = [str(name) for name in data["bending_link"].values]
+        names = largest(names, np.abs(bent.values).max(axis=(1, 2, 3)), _MOST)
+        chosen = instants(data)
+        layout = [[f"{k} left", f"{k} right"] for k in range(len(names))]
+        axes = panels(ax, layout, 0.8 + 1.75 * len(names), sharex=ax is None)
+        shown = [(name, plane) for name in names for plane in ("y", "z")]
+        for panel, (name, plane) in zip(axes, shown, strict=True):
+            curves = bent.sel(bending_link=name, plane=plane).values[chosen]
+            _curves(panel, data["s"].values, curves, data["time"].values[chosen])
+        for panel in axes[-2:]:
+            panel.set_xlabel("along the link $s$ [–]")
+        shared_legend(axes[0])
+        letter(axes, (f"{plain(name)}, along {plane}" for name, plane in shown))
+        return axes
+
+
+def _curves(panel: Axes, s: Any, curves: Any, times: Any) -> None:
+    unit = readable("m", curves)
+    for curve, look, time in zip(curves, instant_looks(len(times)), times, strict=True):
+        panel.plot(s, unit.of(curve), label=f"{time:.3g} s", **look)
+    panel.axhline(0.0, color=QUIET, linewidth=0.5)
+    panel.set_xlim(0.0, 1.0)
+    panel.set_ylabel(f"deflection [{unit.name}]")

@@ -1,0 +1,92 @@
+"""Section loads along the links when each is loaded most, and their range over the run."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any, ClassVar
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.plot.contract import Figure
+from tmodes.plot.facts import largest, plain
+from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
+from tmodes.plot.style import BAND, BLUE, COMPONENTS, QUIET, RED
+from tmodes.plot.units import Unit, readable
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+
+__all__ = ["LinkLoads"]
+
+_MOST_LINKS = 6
+_KINDS = {"torsion": "torsion", "y": "bending about y", "z": "bending about z"}
+
+Array = NDArray[Any]
+
+
+class LinkLoads(Figure):
+    """Left, moments [N m] along each link when its bending moment is largest; right, stress [Pa], or shear force [N].
+
+    The band is the range over the run. Of more than six links, those with the largest moments. ``ax``: two axes for
+    each link, or None.
+    """
+
+    name = "link_loads"
+    title = "Moments and stress along the links"
+    caption = (
+        "The section loads of each link when its bending moment is largest, from its root (0) to its tip (1); the band "
+        "is the range over the run."
+    )
+    needs: ClassVar = {"bending_link": "no link of this robot is elastic"}
+
+    def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
+        """Two panels for each link."""
+        data = result.data
+        names = [str(name) for name in data["bending_link"].values]
+        moments = data["moment"].transpose("bending_link", "time", "s", "moment_kind").values
+        bending = np.linalg.norm(moments[..., 1:], axis=-1)
+        shown = largest(names, bending.max(axis=(1, 2)), _MOST_LINKS)
+        layout = [[f"{k} left", f"{k} right"] for k in range(len(shown))]
+        axes = panels(ax, layout, 0.8 + 1.6 * len(shown), sharex=ax is None)
+        titles = []
+        for k, name in enumerate(shown):
+            index = names.index(name)
+            sample = int(np.unravel_index(np.argmax(bending[index]), bending[index].shape)[0])
+            _moments(axes[2 * k], data, moments[index, sample])
+            titles += [f"{plain(name)} at {float(data['time'][sample]):.3g} s", _right(axes[2 * k + 1], data, name)]
+        for panel in axes[-2:]:
+            panel.set_xlabel("along the link $s$ [–]")
+        shared_legend(axes[0])
+        shared_legend(axes[1], place="lower left")
+        letter(axes, titles)
+        return axes
+
+
+def _moments(panel: Axes, data: Any, moments: Array) -> None:
+    unit, s = readable("N m", moments), data["s"].values
+    for label, values, look in zip(_KINDS.values(), moments.T, COMPONENTS, strict=False):
+        panel.plot(s, unit.of(values), label=label, **look)
+    panel.axhline(0.0, color=QUIET, linewidth=0.6)
+    panel.set_xlim(0.0, 1.0)
+    panel.set_ylabel(f"moment [{unit.name}]")
+
+
+def _right(panel: Axes, data: Any, name: str) -> str:
+    """Stress where it is known, else the size of the shear force; returns the panel's title."""
+    known = "stressed_link" in data.dims and name in data["stressed_link"].values
+    if known:
+        values = data["stress"].sel(stressed_link=name).transpose("time", "s").values
+        words, unit = "stress", Unit("MPa", 1e-6)
+    else:
+        shear = data["shear_force"].sel(bending_link=name).transpose("time", "s", "plane").values
+        values = np.linalg.norm(shear, axis=-1)
+        words, unit = "shear force", readable("N", values)
+    s = data["s"].values
+    sample = int(np.unravel_index(np.argmax(values), values.shape)[0])
+    low, high, worst = (unit.of(line) for line in (values.min(axis=0), values.max(axis=0), values[sample]))
+    panel.fill_between(s, low, high, facecolor=BAND, edgecolor=BLUE, linewidth=0.6, label="range over the run")
+    panel.plot(s, worst, color=RED, linewidth=1.2, linestyle=(0, (5, 1.5)), label="when it is largest")
+    panel.set_xlim(0.0, 1.0)
+    panel.set_ylabel(f"{words} [{unit.name}]")
+    return f"{words.capitalize()}, worst at {float(data['time'][sample]):.3g} s"

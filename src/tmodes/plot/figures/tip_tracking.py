@@ -1,0 +1,66 @@
+"""Tip position and its deviation from the reference."""
+
+from __future__ import annotations
+
+from typing import TYPE_CHECKING, Any
+
+from tmodes.plot.contract import Figure
+from tmodes.plot.panels import AxesLike, letter, panels, shared_legend, time_axis
+from tmodes.plot.style import COMPONENTS, INK, REAL, REFERENCE
+from tmodes.plot.units import readable
+
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+__all__ = ["TipTracking"]
+
+
+class TipTracking(Figure):
+    """Tip x, y, z [m]; where there is a reference, that too, and the deviation from it [m]: distance and components.
+
+    ``ax``: four axes, without a reference three, or None.
+    """
+
+    name = "tip_tracking"
+    title = "Tip position"
+    caption = "Position of the tip; with a reference, (d) shows by how much and in which direction the tip leaves it."
+
+    def draw(self, result: Any, ax: AxesLike = None) -> list[Axes]:
+        """One panel for each axis, and one of the deviation."""
+        data = result.data
+        planned = "tip_reference" in data
+        if planned:
+            axes = panels(ax, [["x", "y", "z"], ["deviation"] * 3], 4.4, height_ratios=[1, 1.25])
+        else:
+            axes = panels(ax, [["x", "y", "z"]], 2.3)
+        for panel, axis in zip(axes, "xyz", strict=False):
+            _coordinate(panel, data, axis)
+        if planned:
+            _deviation(axes[3], data)
+            shared_legend(axes[0])
+            shared_legend(axes[3], place="lower left")
+        titles = "Tip x", "Tip y", "Tip z", "Deviation, actual − reference"
+        letter(axes, titles[: len(axes)])
+        return axes
+
+
+def _coordinate(panel: Axes, data: Any, axis: str) -> None:
+    time = data["time"].values
+    curves = {"actual": ("tip", REAL), "reference": ("tip_reference", REFERENCE)}
+    shown = {label: (data[name].sel(axis=axis).values, look) for label, (name, look) in curves.items() if name in data}
+    unit = readable("m", *(values for values, _ in shown.values()))
+    for label, (values, look) in shown.items():
+        panel.plot(time, unit.of(values), label=label, **look)
+    panel.set_ylabel(f"{axis} [{unit.name}]")
+    time_axis(panel, time)
+
+
+def _deviation(panel: Axes, data: Any) -> None:
+    time, total = data["time"].values, data["deviation"].values
+    difference = data["tip"] - data["tip_reference"]
+    unit = readable("m", total)
+    panel.plot(time, unit.of(total), color=INK, linewidth=1.5, label="distance")
+    for axis, look in zip("xyz", COMPONENTS, strict=False):
+        panel.plot(time, unit.of(difference.sel(axis=axis)), label=f"Δ{axis}", **look)
+    panel.set_ylabel(f"deviation [{unit.name}]")
+    time_axis(panel, time)
