@@ -16,9 +16,9 @@ if TYPE_CHECKING:
     from tmodes.paper.mechanism import Drive, Mechanism, Parameters, Reading
     from tmodes.paper.model import PaperModel
     from tmodes.paper.sheet import PaperPair, PaperRobot
-    from tmodes.paper.simulate import simulate as run
     from tmodes.result.record import PaperResult
     from tmodes.result.result import Result
+    from tmodes.result.run import run
     from tmodes.robots import load_robot
     from tmodes.robots.load import load_sheet
     from tmodes.sensitivity.functional import Functional, tracking_error
@@ -72,7 +72,7 @@ _HOMES = {
     "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",
     "load_robot": "tmodes.robots.load_robot",
     "load_sheet": "tmodes.robots.load.load_sheet",
-    "run": "tmodes.paper.simulate.simulate",
+    "run": "tmodes.result.run.run",
     "show": "tmodes.notebook.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
     "simulate_motion": "tmodes.simulation.simulate.simulate_motion",
@@ -82,6 +82,7 @@ _HOMES = {
 
 _UPWARD = {
     "Model.static": "tmodes.analysis.statics.equilibrium.equilibrium",
+    "Result.figures": "tmodes.plot.saving.all_figures",
     "Result.show": "tmodes.notebook.show",
     "Robot.chain": "tmodes.chain.lowering.lowered",
     "Robot.from_data": "tmodes.io.sheet_check.sheet_from_data",

@@ -1,11 +1,11 @@
-"""Everything tmodes raises on purpose.
+"""The exceptions that tmodes raises on purpose.
 
 TmodesError                    every error of ours; ``exit_code`` is what the command line returns
-├── InputError                 one wrong value: which, got, expected, mend
-├── InputErrors                all the wrong values of one file, told in one go
-├── SimulationError            a run that cannot start or may not go on
+├── InputError                 one wrong value: which, got, expected, hint
+├── InputErrors                all the wrong values of one file, reported together
+├── SimulationError            a run that cannot start or cannot continue
 ├── ResultFileError            a result that cannot be read, or cannot be written
-└── CompileError               an equation that could not be made native code
+└── CompileError               equations that could not be compiled
 """
 
 from __future__ import annotations
@@ -20,9 +20,42 @@ class TmodesError(Exception):
     exit_code = 1
 
 
+_MUST = (
+    "a number",
+    "a whole number",
+    "a list of",
+    "a magnitude",
+    "one of",
+    "between",
+    "text",
+    "true or false",
+    "finite",
+)
+"""Beginnings of an expectation after which ``must be`` reads well."""
+
+_UNKNOWN = ("an unknown key", "an unknown path")
+
+
+def sentence(which: str, got: str, expected: str, hint: str) -> str:
+    """One wrong value in plain words: ``gear.stiffness must be a number greater than 0, got -5; check sign``."""
+    if got in _UNKNOWN:
+        issue = f"unknown key `{which}`" + ("" if "did you mean" in hint else f", expected {expected}")
+    elif got.startswith("the unknown "):
+        issue = f"{which}: {got.removeprefix('the ')}" + ("" if "did you mean" in hint else f", expected {expected}")
+    elif got == "nothing":
+        issue = f"{which} is missing, expected {expected}"
+    elif expected.startswith(_MUST):
+        issue = f"{which} must be {expected}, got {got}"
+    else:
+        issue = f"{which}: got {got}, expected {expected}"
+    if hint.startswith("did you mean"):
+        return f"{issue}. D{hint[1:]}"
+    return f"{issue}; {hint}" if hint else issue
+
+
 @dataclass(eq=False)
 class InputError(TmodesError):
-    """One wrong value. Errors tell four things: which, got, expected, mend.
+    """One wrong value: which it is, what was given, what is expected, and a hint how to correct it.
 
     ``where`` is the place as a person finds it (``robot.yaml:12``), empty when there is no file.
     """
@@ -37,11 +70,11 @@ class InputError(TmodesError):
 
     def __str__(self) -> str:
         place = f"{self.where}: " if self.where else ""
-        return f"{place}{self.which}: got {self.got}; expected {self.expected}. Mend: {self.hint}"
+        return place + sentence(self.which, self.got, self.expected, self.hint)
 
 
 class InputErrors(TmodesError):
-    """All the wrong values of one input, told in one go; ``errors`` keeps each :class:`InputError`."""
+    """All the wrong values of one input, reported together; ``errors`` holds each :class:`InputError`."""
 
     exit_code = 2
 
@@ -51,7 +84,7 @@ class InputErrors(TmodesError):
 
 
 class SimulationError(TmodesError):
-    """A run that cannot start or may not go on; the message names the quantity and the mend."""
+    """A run that cannot start or cannot continue; the message names the quantity and what helps."""
 
     exit_code = 3
 
@@ -63,6 +96,6 @@ class ResultFileError(TmodesError):
 
 
 class CompileError(TmodesError):
-    """An equation that could not be made native code."""
+    """Equations that could not be compiled."""
 
     exit_code = 5

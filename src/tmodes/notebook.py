@@ -14,10 +14,11 @@ from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
 from tmodes.paper.sheet import PaperRobot
 from tmodes.report.data import live_page, page_data, robot_name
-from tmodes.report.folder_motion import movable_joints, ready_to_run
 from tmodes.report.viewer import viewer_document
-from tmodes.result import Result, assemble_result
+from tmodes.result import Result
+from tmodes.result.ready import movable_joints
 from tmodes.result.record import PaperResult, RunRecord
+from tmodes.result.run import run
 from tmodes.sheet import Robot
 
 __all__ = ["Shown", "rest_page", "show"]
@@ -96,13 +97,8 @@ def _standing(robot: PaperRobot | Robot) -> PaperResult | Result:
     still = {"integration.duration": STILL, "integration.output_step": STILL, "integration.stop": []}
     still |= {"integration.method": "auto"}  # a fixed step may be longer than that
     if isinstance(robot, PaperRobot):
-        from tmodes.paper.simulate import simulate
-
-        return simulate(robot.with_(still))
-    from tmodes.simulation.simulate import simulate_motion
-
-    arm = ready_to_run((robot if robot.drives else _held(robot)).with_(still))
-    return assemble_result(simulate_motion(arm), arm)
+        return run(robot.with_(still))
+    return run((robot if robot.drives else _held(robot)).with_(still))
 
 
 def _held(arm: Robot) -> Robot:

@@ -90,5 +90,5 @@ def test_a_start_that_is_no_number_has_no_sample(seed):
 def test_a_method_that_a_model_does_not_have_is_refused():
     """In words that name those it has."""
     explicit: Any = SimpleNamespace(loops={}, lane_loops={})
-    with pytest.raises(InputError, match=r"integration.method: got rosenbrock; expected one of .*dop853"):
+    with pytest.raises(InputError, match=r"integration.method must be one of .*dop853"):
         prepare_loops(explicit, Method.ROSENBROCK)

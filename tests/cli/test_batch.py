@@ -69,7 +69,7 @@ WRONG = {
     "whole COUNT": ["--vary", "payload.mass=1:2:2.5"],
     "at most 1000000": ["--vary", "payload.mass=1:2:1001", "--vary", "gravity=9:10:1001"],
     "lane 0: payload.mass: got -1.0": ["--vary", "payload.mass=-1:2:2"],
-    "did you mean": ["--draw", "payload.mas=1:2"],
+    "Did you mean": ["--draw", "payload.mas=1:2"],
     "payload.mass twice": ["--vary", "payload.mass=1:2:2", "--vary", "payload.mass=3:4:2"],
     "lane 2: payload.mass: got -1.0": ["--vary", "payload.mass=1:-1:3"],
     "one integration": ["--vary", "integration.duration=1:2:3"],

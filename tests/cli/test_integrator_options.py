@@ -45,8 +45,8 @@ def test_check_error(tmp_path):
 
 def test_limits_of_a_robot_that_has_none(tmp_path):
     info = tmodes("run", "filipovic2010", "--stop-at-limits", "--out", tmp_path, code=2).stderr
-    assert "--stop-at-limits: got the robot filipovic2010, which has none; expected an arm" in info
-    assert "Mend: leave it out; --stop ends a run" in info
+    assert "--stop-at-limits: got the robot filipovic2010, which has none, expected an arm" in info
+    assert "leave it out; --stop ends a run" in info
 
 
 def test_unknown_integrator(tmp_path):

@@ -119,7 +119,7 @@ def test_damaged_results_are_refused(robot_run, tmp_path, hurt):
     content[len(content) // 2] ^= 1
     broken = {"cut": content[:-100], "bit": content, "foreign": b"GIF89a" * 100, "empty": b""}[hurt]
     (tmp_path / "result.nc").write_bytes(broken)
-    assert "Mend:" in info(tmp_path, code=4).stderr
+    assert "use a whole copy" in info(tmp_path, code=4).stderr
 
 
 def test_what_is_no_result(tmp_path):

@@ -116,7 +116,7 @@ def test_rest_on_a_surface_that_hardly_gives(robot, stiffness):
 def test_tolerances_below_the_rounding_of_extrapolation(robot):
     """Named it is refused in words; chosen by the stiffness it is not."""
     stiff = {"gear.stiffness": 1e9, "gear.damping": 1e3, "integration.relative_tolerance": 1e-11}
-    with pytest.raises(InputErrors, match=r"relative_tolerance: got 1e-11; expected at least 1e-10 for extrapolation"):
+    with pytest.raises(InputErrors, match=r"relative_tolerance.*expected at least 1e-10 for extrapolation"):
         robot.with_({**stiff, "integration.method": "extrapolation"})
     done = simulate(robot.with_({**stiff, "integration.duration": 0.5}))
     assert "by dormand_prince, because extrapolation rounds above its tolerance" in done.message

@@ -70,7 +70,7 @@ def test_every_name_gives_a_number(robot):
 
 @pytest.mark.parametrize(
     ("stop", "error", "info"),
-    [("theta.positoin > 1", InputError, "did you mean `theta.position`"),
+    [("theta.positoin > 1", InputError, "Did you mean `theta.position`"),
      ("contact.force < 5 Nm", InputError, "another dimension|unknown"),
      ("contact.force > 1 N", SimulationError, "holds at the start already")],
 )  # fmt: skip
@@ -115,7 +115,7 @@ def test_a_wrong_name_is_reported_by_check(name, tmp_path):
     sheet = load_sheet(name, {"integration.stop": ["tip.q < 1"]})
     written = robot_to_yaml(sheet) if isinstance(sheet, PaperRobot) else arm_to_yaml(sheet)
     (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
-    with pytest.raises(InputError, match=r"integration.stop.0: got the unknown name 'tip.q'.*did you mean `tip.z`"):
+    with pytest.raises(InputError, match=r"integration.stop.0: got the unknown name 'tip.q'.*Did you mean `tip.z`"):
         app(["check", str(tmp_path / "sheet.yaml")], standalone_mode=False)
 
 

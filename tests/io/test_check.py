@@ -1,4 +1,4 @@
-"""All that is wrong with a data sheet is told in one go, with line, unit and mend."""
+"""All that is wrong with a data sheet is reported together, with line, unit and hint."""
 
 from __future__ import annotations
 
@@ -54,9 +54,9 @@ def test_published_sheet_is_right() -> None:
 
 def test_message_reports_place_value_rule_unit_and_hint() -> None:
     assert problem("stiffness: 4700.0", "stiffness: -3.0") == (
-        f"my.yaml:{line_of('gear.stiffness')}: gear.stiffness: got -3.0; "
-        "expected a number greater than 0 [N*m/rad], or .inf for rigid. "
-        "Mend: correct the sign, the size or the unit of the torsional stiffness of the gear, after the reducer"
+        f"my.yaml:{line_of('gear.stiffness')}: gear.stiffness must be "
+        "a number greater than 0 [N*m/rad], or .inf for rigid, got -3.0; "
+        "check sign, size and unit"
     )
 
 
@@ -81,15 +81,15 @@ def test_all_errors_are_reported_in_the_order_of_the_file() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "hint"),
     [
-        ("stiffness: 4700.0", "stifness: 4700.0", "did you mean `stiffness`?"),
-        ("  resistance: 0.299", "  Resistance: 0.299", "did you mean `resistance`?"),
-        ("back_emf_constant", "back-EMF-constant", "did you mean `back_emf_constant`?"),
-        ("  velocity_gain: 20.0", "  velocity_gain: 20.0\n  Klp: 3.0", "did you mean `controller.position_gain`?"),
-        ("gravity: 9.81", "gravity: 9.81\nlength: 3.0", "did you mean `link.modes.0.length`? Write it there"),
+        ("stiffness: 4700.0", "stifness: 4700.0", "Did you mean `stiffness`?"),
+        ("  resistance: 0.299", "  Resistance: 0.299", "Did you mean `resistance`?"),
+        ("back_emf_constant", "back-EMF-constant", "Did you mean `back_emf_constant`?"),
+        ("  velocity_gain: 20.0", "  velocity_gain: 20.0\n  Klp: 3.0", "Did you mean `controller.position_gain`?"),
+        ("gravity: 9.81", "gravity: 9.81\nlength: 3.0", "Did you mean `link.modes.0.length`? Write it there"),
         ("gravity: 9.81", "gravity: 9.81\ngear.stiffness: 3.0", "put the key `stiffness` inside the group `gear`"),
         ("  damping: 2.0 ", "  damping: 2.0\n  zzz: 1.0", "remove it"),
-        ("  gear.stiffness: 0.2", "  gear.stifness: 0.2", "did you mean `gear.stiffness`?"),
-        ("reading: consistent", "reading: consistant", "did you mean `consistent`?"),
+        ("  gear.stiffness: 0.2", "  gear.stifness: 0.2", "Did you mean `gear.stiffness`?"),
+        ("reading: consistent", "reading: consistant", "Did you mean `consistent`?"),
     ],
 )
 def test_the_name_that_was_meant_is_reported(old: str, new: str, hint: str) -> None:
@@ -98,7 +98,7 @@ def test_the_name_that_was_meant_is_reported(old: str, new: str, hint: str) -> N
 
 def test_a_missing_key_is_reported_with_meaning_unit_and_the_line_of_its_group() -> None:
     message = problem("  inertia: 0.175", "  # inertia: 0.175")
-    assert message.startswith(f"my.yaml:{line_of('motor')}: motor.inertia: got nothing; ")
+    assert message.startswith(f"my.yaml:{line_of('motor')}: motor.inertia is missing, ")
     assert "[kg*m^2]: rotor inertia, reflected after the reducer" in message
     assert message.endswith("add the line `inertia: ...` inside `motor`")
 
@@ -108,7 +108,7 @@ def test_the_link_has_exactly_two_modes() -> None:
     second, end = SHEET.index("    - length: 0.3"), SHEET.index("\npayload:")
     one, three = SHEET[:second] + SHEET[end:], SHEET[:end] + SHEET[first:second] + SHEET[end:]
     for text, got in ((one, "a list of 1"), (three, "a list of 3")):
-        with pytest.raises(InputErrors, match=f"link.modes: got {got}; expected a list of exactly 2 groups") as caught:
+        with pytest.raises(InputErrors, match=rf"link\.modes must be a list of exactly 2 groups, got {got}") as caught:
             read(text)
         assert caught.value.errors[0].where == f"my.yaml:{line_of('link.modes')}"
 
@@ -119,13 +119,13 @@ def test_the_link_has_exactly_two_modes() -> None:
 )
 def test_another_format_is_reported_alone(version: str, words: str) -> None:
     message = problem("format: 1", f"format: {version}", "stiffness: 4700.0", "rigidity: 4700.0")
-    assert message.startswith("my.yaml:5: format: got ")
+    assert message.startswith("my.yaml:5: format")
     assert words in message
 
 
 @pytest.mark.parametrize("data", [None, [], 3, "robot", {1: 2}, {"gear": 5}, {"real": {3: 4}}, {None: None}])
 def test_data_of_another_shape_is_reported(data: Any) -> None:
-    with pytest.raises(InputErrors, match="Mend: "):
+    with pytest.raises(InputErrors, match=r"must be|expected|unknown"):
         robot_from_data(data)
 
 
@@ -146,13 +146,13 @@ def test_data_is_not_changed() -> None:
 def test_numbers_of_numpy_are_numbers() -> None:
     robot = changed(gear__stiffness=np.float64(900), payload__mass=np.float32(0.5), integration__max_steps=np.int64(9))
     assert (robot.gear.stiffness, robot.payload.mass, robot.integration.max_steps) == (900.0, 0.5, 9)
-    with pytest.raises(InputErrors, match=r"gear\.stiffness: got "):
+    with pytest.raises(InputErrors, match=r"gear\.stiffness must be"):
         changed(gear__stiffness=np.array([900.0, 901.0]))
 
 
 def test_whole_numbers_may_be_written_with_an_exponent() -> None:
     assert changed(integration__max_steps=1e6).integration.max_steps == 1_000_000
-    with pytest.raises(InputErrors, match=r"max_steps: got 10\.5; expected a whole number"):
+    with pytest.raises(InputErrors, match=r"max_steps must be a whole number"):
         changed(integration__max_steps=10.5)
 
 
@@ -160,14 +160,12 @@ class TestRealRobot:
     def test_a_factor_of_zero_takes_a_damping_away_but_no_stiffness(self) -> None:
         assert read(sheet("gear.damping: 0.2", "gear.damping: 0.0")).pair().real.gear.damping == 0.0
         message = problem("gear.stiffness: 0.2", "gear.stiffness: 0.0")
-        assert message.startswith(
-            f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness: got 0.0 times 4700.0"
-        )
+        assert message.startswith(f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness must be")
 
     @pytest.mark.parametrize("factor", ["-1.0", ".nan", ".inf", "1.0e308", "some", "true"])
     def test_a_factor_is_a_number_from_zero(self, factor: str) -> None:
         message = problem("gear.stiffness: 0.2", f"gear.stiffness: {factor}")
-        assert message.startswith(f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness: got ")
+        assert message.startswith(f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness must be ")
 
     def test_an_unknown_path_is_reported_once(self) -> None:
         message = problem("gear.stiffness: 0.2", "gear.siffness: 0.2")
@@ -179,7 +177,7 @@ class TestRealRobot:
 
     def test_a_rigid_gear_has_no_factor_of_zero(self) -> None:
         message = problem("stiffness: 4700.0", "stiffness: .inf", "gear.stiffness: 0.2", "gear.stiffness: 0")
-        assert "real.gear.stiffness: got 0.0 times .inf" in message
+        assert "real.gear.stiffness must be" in message
 
 
 class TestWhatMustFitTogether:
@@ -191,25 +189,25 @@ class TestWhatMustFitTogether:
         assert changed(integration__output_step=5.55e-6).integration.output_step == 5.55e-6
 
     def test_a_sample_after_the_end_is_refused(self) -> None:
-        with pytest.raises(InputErrors, match=r"integration.output_step: got 0.001; expected at most integration.dur"):
+        with pytest.raises(InputErrors, match=r"integration.output_step.*expected at most integration.dur"):
             changed(integration__duration=1e-4)
 
     def test_fixed_steps_are_bounded_where_they_are_taken(self) -> None:
         assert changed(integration__step=3.0).integration.step == 3.0
-        with pytest.raises(InputErrors, match=r"integration.step: got 3.0; expected at most integration.duration"):
+        with pytest.raises(InputErrors, match=r"integration.step.*expected at most integration.duration"):
             changed(integration__step=3.0, integration__method="rk4")
-        with pytest.raises(InputErrors, match=r"integration.step: got 1e-09, that is 2e\+09 steps; .* raise max_steps"):
+        with pytest.raises(InputErrors, match=r"integration.step must be"):
             changed(integration__step=1e-9, integration__method="rk4")
 
     @pytest.mark.parametrize("duration", [0.0, -1.0, math.nan, math.inf, 1e9])
     def test_the_simulated_time_is_positive_and_bounded(self, duration: float) -> None:
-        with pytest.raises(InputErrors, match=r"integration\.duration: got "):
+        with pytest.raises(InputErrors, match=r"integration\.duration must be"):
             changed(integration__duration=duration)
 
 
 @pytest.mark.parametrize("value", [1e13, 1e308, 1e-13, 5e-324])
 def test_a_size_beyond_arithmetic_is_refused_with_its_bounds(value: float) -> None:
-    with pytest.raises(InputErrors, match=r"expected a magnitude from 1e-12 to 1e\+12 \[N\*m/rad\].*\.inf makes it"):
+    with pytest.raises(InputErrors, match=r"must be a magnitude from 1e-12 to 1e\+12 \[N\*m/rad\].*\.inf makes it"):
         changed(gear__stiffness=value)
 
 

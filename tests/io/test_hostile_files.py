@@ -99,7 +99,7 @@ JUNK = {
 def test_junk_is_refused(content: bytes, tmp_path: Path) -> None:
     file = tmp_path / "junk.yaml"
     file.write_bytes(content)
-    with pytest.raises(InputError, match=r"junk\.yaml.*expected .*Mend: "):
+    with pytest.raises(InputError, match=r"junk\.yaml.*must be"):
         load_robot(file)
 
 
@@ -156,7 +156,7 @@ def test_scalars_are_those_of_yaml_1_2() -> None:
 
 def test_a_place_that_is_no_file_is_refused(tmp_path: Path) -> None:
     for path in (tmp_path, tmp_path / "absent.yaml", tmp_path / ("x" * 400), tmp_path / "\0"):
-        with pytest.raises(InputError, match="Mend: "):
+        with pytest.raises(InputError, match=r"must be|expected|unknown"):
             read_yaml(path)
 
 

@@ -21,7 +21,7 @@ def test_published_robots_are_listed_and_read() -> None:
 
 @pytest.mark.parametrize("wrong", ["filipovic", "Filipovic2010", "filipovic2010.yaml", "no/such/filipovic2010.yml"])
 def test_the_nearest_published_name_is_reported(wrong: str) -> None:
-    with pytest.raises(InputError, match="did you mean `filipovic2010`"):
+    with pytest.raises(InputError, match="Did you mean `filipovic2010`"):
         load_robot(wrong)
 
 
@@ -39,7 +39,9 @@ def test_a_file_is_read_and_its_lines_are_reported(tmp_path: Path) -> None:
     file.write_text(SHEET.replace("gravity: 9.81", "gravity: -9.81"), encoding="utf-8")
     with pytest.raises(InputErrors) as caught:
         load_robot(str(file))
-    assert str(caught.value).startswith(f"{file}:{line_of('gravity')}: gravity: got -9.81")
+    assert str(caught.value).startswith(
+        f"{file}:{line_of('gravity')}: gravity must be a number not less than 0 [m/s^2], got -9.81"
+    )
     assert load_robot(file, {"gravity": 9.81}) == load_robot("filipovic2010")
 
 

@@ -69,7 +69,7 @@ def test_each_number_of_the_robot_has_its_path() -> None:
     ],
 )
 def test_an_unknown_path_is_reported_with_the_nearest(path: str, meant: str) -> None:
-    with pytest.raises(InputError, match="an unknown path") as caught:
+    with pytest.raises(InputError, match="unknown key") as caught:
         set_paths(sheet(), {path: 1.0})
     assert meant in caught.value.hint
 

@@ -117,7 +117,7 @@ def test_places_that_cannot_be_written(tmp_path: Path) -> None:
     (tmp_path / "folder").mkdir()
     places = [tmp_path / "file" / "x", tmp_path / "no" / "x", tmp_path / ("x" * 300), tmp_path / "folder", "a\0b"]
     for place in places:
-        with pytest.raises(ResultFileError, match="Mend"), atomic_write(place) as temporary:
+        with pytest.raises(ResultFileError, match=r"expected|must be"), atomic_write(place) as temporary:
             temporary.write_text("x")
     assert sorted(path.name for path in tmp_path.iterdir()) == ["file", "folder"]
 
@@ -127,7 +127,7 @@ import os, random, signal, sys, time
 from pathlib import Path
 from result.synthetic import synthetic_result
 from tmodes.io import resultfile
-from tmodes.result.record import Result
+from tmodes.result.record import PaperResult
 path, random = Path(sys.argv[1]), random.Random(5)
 results = [synthetic_result(samples=1000 + 50 * k) for k in (0, 1)]
 for result in results:
@@ -149,7 +149,7 @@ for _ in range(20):
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)
     os.close(reader), os.close(writer)
-    back = Result.load(path)
+    back = PaperResult.load(path)
     which = results[back.data.sizes["time"] != 1000]
     assert back.data.identical(which.data), back
     orphans = len(list(path.parent.glob(".tmodes-*.tmp")))
@@ -341,7 +341,7 @@ def test_a_name_too_long(tmp_path: Path) -> None:
 
 def test_a_disk_too_small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("shutil.disk_usage", lambda _: type("Usage", (), {"free": 10**6})())
-    with pytest.raises(ResultFileError, match="1,000,000 bytes free; expected at least 5,000,000 bytes"):
+    with pytest.raises(ResultFileError, match=r"1,000,000 bytes free.*expected at least 5,000,000 bytes"):
         check_writable(tmp_path / "new", 5_000_000)
     assert not (tmp_path / "new").exists()
 

@@ -186,7 +186,7 @@ def test_what_is_no_result_is_refused_with_the_reason(case: str, good: bytes, tm
     path.write_bytes(make(good))
     with pytest.raises(ResultFileError, match=reason) as caught:
         read_sealed(path)
-    assert all(word in str(caught.value) for word in ("bad.nc", "got", "expected", "Mend"))
+    assert all(word in str(caught.value) for word in ("bad.nc", "got", "expected"))
 
 
 def test_a_foreign_hdf5_file_is_refused(tmp_path: Path) -> None:
@@ -277,6 +277,6 @@ def test_a_full_disk_is_reported_in_bytes(data: xr.Dataset, tmp_path: Path, monk
     path = tmp_path / "run.nc"
     path.write_bytes(b"old")
     monkeypatch.setattr("shutil.disk_usage", lambda _: type("Usage", (), {"free": 1234})())
-    with pytest.raises(ResultFileError, match=r"1,234 bytes free; expected at least [\d,]+ bytes"):
+    with pytest.raises(ResultFileError, match=r"1,234 bytes free.*expected at least [\d,]+ bytes"):
         write_sealed(data, path)
     assert path.read_bytes() == b"old"

@@ -244,7 +244,7 @@ def test_a_folder_that_cannot_be_written(studio, sheet):
         pytest.skip("root may write everywhere")
     studio.folder.chmod(0o500)
     try:
-        assert "Mend" in studio.put("/api/studies/x.yaml", json={"sheet": sheet}, code=409)["errors"][0]["message"]
+        assert "expected" in studio.put("/api/studies/x.yaml", json={"sheet": sheet}, code=409)["errors"][0]["message"]
     finally:
         studio.folder.chmod(0o700)
 

@@ -91,8 +91,8 @@ def _refuse_too_stiff(settings: Integration, highest: float, coordinate: str) ->
     if steps <= settings.max_steps:
         return
     raise SimulationError(
-        f"the equations are too stiff for {settings.method}: got an eigenvalue of {highest:.3g} 1/s in coordinate "
-        f"{coordinate}, which takes about {steps:.1e} steps; expected at most integration.max_steps = "
-        f"{settings.max_steps}. Mend: lower the stiffness or damping that acts there (.inf makes an element rigid), "
+        f"the equations are too stiff for {settings.method}: an eigenvalue of {highest:.3g} 1/s in coordinate "
+        f"{coordinate} takes about {steps:.1e} steps, more than integration.max_steps = "
+        f"{settings.max_steps}; lower the stiffness or damping that acts there (.inf makes an element rigid), "
         "raise the friction velocity, shorten the run, or raise integration.max_steps"
     )

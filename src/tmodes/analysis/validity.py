@@ -13,6 +13,7 @@ from tmodes.paper.sheet import PaperRobot
 __all__ = [
     "BENDING_LIMIT",
     "deflection_warnings",
+    "energy_lost",
     "energy_sentence",
     "energy_warnings",
     "first_energy_error",
@@ -46,7 +47,12 @@ def deflection_warnings(data: Any) -> list[str]:
 def first_energy_error(data: Any, tolerance: float) -> int | None:
     """Index of the first sample at which the balance is off by more than ``tolerance`` of the energy moved, or None."""
     moved = largest_flow(data["energy"].values, data["work"].values)
-    return _first_beyond(np.abs(data["energy_balance"].values), moved, tolerance)
+    return energy_lost(data["energy_balance"].values, moved, tolerance)
+
+
+def energy_lost(residual: NDArray[np.float64], moved: float, tolerance: float) -> int | None:
+    """First sample whose residual [J] is more than ``tolerance`` of the energy moved [J]; None where none is."""
+    return _first_beyond(np.abs(residual), moved, tolerance)
 
 
 def _first_beyond(off: NDArray[np.float64], moved: float, tolerance: float) -> int | None:

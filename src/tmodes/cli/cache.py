@@ -46,7 +46,7 @@ def _clear(place: Path | None, refusal: str, *, as_json: bool) -> None:
 
     if place is None or refusal:
         hint = "name a folder of your own: TMODES_CACHE=FOLDER"
-        raise ResultFileError(f"cache: got {place or 'no folder'}; expected one that is used: {refusal}. Mend: {hint}")
+        raise ResultFileError(f"no cache is used ({place or 'no folder'}): {refusal}; {hint}")
     count, size = clear(place)
     if as_json:
         print_json({"folder": str(place), "removed": count, "bytes": size})

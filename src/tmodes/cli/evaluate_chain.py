@@ -96,7 +96,7 @@ def _check_finite(name: str, values: Any) -> None:
     if not finite.all():
         raise SimulationError(
             f"states[{int(np.argmin(finite))}]: {name} is not finite there; expected a state at which the equations "
-            "hold. Mend: keep q and v within what an arm can do, and give what moves a mass"
+            "hold. Keep q and v within what an arm can do, and give what moves a mass"
         )
 
 

@@ -86,10 +86,10 @@ def main() -> None:
         # The reader of our output went away (| head), of which rich and typer make an exit: nothing to say, no fault.
         code = 0
     except OSError as error:
-        _say(f"tmodes: the output cannot be written: {error.strerror}. Mend: free some space, or send it elsewhere")
+        _say(f"tmodes: the output cannot be written: {error.strerror}; free some space, or send it elsewhere")
         code = 4
     except MemoryError:
-        _say("tmodes: the memory is used up. Mend: raise integration.output_step or shorten integration.duration")
+        _say("tmodes: out of memory; raise integration.output_step or shorten integration.duration")
         code = 3
     except Exception as error:
         if os.environ.get("TMODES_DEBUG"):

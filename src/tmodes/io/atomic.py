@@ -13,7 +13,7 @@ from contextlib import contextmanager, suppress
 from pathlib import Path
 from typing import NamedTuple, Self
 
-from tmodes.errors import ResultFileError
+from tmodes.errors import ResultFileError, sentence
 from tmodes.io.processes import place as _place
 from tmodes.io.processes import state as _process
 from tmodes.io.words import shown_path
@@ -25,8 +25,8 @@ YOUNG = 10.0  # age [s] below which a lock without content is believed to be one
 
 
 def file_error(which: object, got: str, expected: str, hint: str) -> ResultFileError:
-    """The error of this floor; it tells four things: which, got, expected, mend."""
-    return ResultFileError(f"{shown_path(str(which))}: got {got}; expected {expected}. Mend: {hint}")
+    """The error of a file: which, what was found, what is expected, and a hint."""
+    return ResultFileError(sentence(shown_path(str(which)), got, expected, hint))
 
 
 @contextmanager

@@ -115,7 +115,7 @@ def _located(errors: list[InputError], positions: Mapping[str, int], source: str
     lines = {id(error): nearest_line(error.which, positions) for error in errors}
     errors = sorted(errors, key=lambda error: lines[id(error)])
     if len(errors) > MOST_ERRORS:
-        got, hint = f"{len(errors)} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
+        got, hint = f"{len(errors)} wrong values", f"correct the first {MOST_ERRORS}, which are listed"
         errors = [*errors[:MOST_ERRORS], InputError("the file", got, "a data sheet of this format", hint)]
     for error in errors:
         line = lines.get(id(error), 0)

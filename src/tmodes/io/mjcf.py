@@ -75,7 +75,7 @@ def _compiled(path: str | os.PathLike[str], source: str, folders: Folders) -> An
         return mujoco.MjModel.from_xml_path(str(folders.home / os.path.basename(path)))  # noqa: PTH119 (bytes paths)
     except ValueError as error:
         got = f"a model that MuJoCo refuses ({shown(' '.join(str(error).split()))})"
-        raise InputError("the model", got, "a valid MJCF", "mend what MuJoCo tells", source) from None
+        raise InputError("the model", got, "a valid MJCF", "correct what MuJoCo reports", source) from None
 
 
 def _refuse_more(model: Any, source: str) -> None:

@@ -91,9 +91,11 @@ def _put(inner: Any, key: str, value: Any, path: str) -> None:
 
 def _index(items: list[Any], step: str, path: str) -> int:
     if int(step) >= len(items):
-        raise InputError(path, f"a list of {len(items)}", f"an entry number {step}", "mend the list in the file first")
+        raise InputError(
+            path, f"a list of {len(items)}", f"an entry number {step}", "correct the list in the file first"
+        )
     return int(step)
 
 
 def _not_a_group(inner: Any, path: str) -> InputError:
-    return InputError(path, f"{shown(inner)} around it", "a group", "mend the group in the file first")
+    return InputError(path, f"{shown(inner)} around it", "a group", "correct the group in the file first")

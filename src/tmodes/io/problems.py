@@ -94,7 +94,7 @@ def _wrong(path: str, kind: str, detail: ErrorDetails) -> InputError:
 def _hint(place: Place, value: Any) -> str:
     """How a value of the right kind or of the wrong one is put right."""
     if place.unit is not None and isinstance(value, (int, float)):
-        return f"correct the sign, the size or the unit of the {place.meaning}"
+        return "check sign, size and unit"
     if place.unit is not None:
         return f"write a number in {place.unit}"
     if isinstance(value, str) and (close := nearest(value, _choices(place))):

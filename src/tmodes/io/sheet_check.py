@@ -184,6 +184,6 @@ def _located(info: list[Complaint], data: Any, positions: Mapping[str, int], sou
         error.where = f"{source}:{line}" if source and line else source
     errors = [error for _, error in sorted(info, key=lambda one: lines[id(one[1])])]
     if len(errors) > MOST_ERRORS:
-        got, hint = f"more than {MOST_ERRORS} wrong values", f"mend the first {MOST_ERRORS}, which are listed"
+        got, hint = f"more than {MOST_ERRORS} wrong values", f"correct the first {MOST_ERRORS}, which are listed"
         errors = [*errors[:MOST_ERRORS], InputError("the file", got, "a data sheet of this format", hint, source)]
     return InputErrors(errors)

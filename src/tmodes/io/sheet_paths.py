@@ -41,7 +41,7 @@ def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple
         *groups, key = steps = steps_of(path, changed)
         inner = entered(changed, groups, path)
         if not isinstance(inner, (dict, list)):
-            raise InputError(path, f"{shown(inner)} around it", "a group", "mend the group first")
+            raise InputError(path, f"{shown(inner)} around it", "a group", "correct the group first")
         inner[key] = copy.deepcopy(value)  # pyright: ignore[reportCallIssue, reportArgumentType]
         places.append(".".join(map(str, steps)))
     return changed, places
@@ -55,7 +55,7 @@ def entered(data: Any, steps: Sequence[Step], path: str) -> Any:
         if value is None:
             value = {}
         if not isinstance(inner, (dict, list)):
-            raise InputError(path, f"{shown(inner)} around it", "a group", "mend the group first")
+            raise InputError(path, f"{shown(inner)} around it", "a group", "correct the group first")
         inner[step] = value  # pyright: ignore[reportCallIssue, reportArgumentType]
         inner = value
     return inner

@@ -65,7 +65,7 @@ def _steps(loc: tuple[Step, ...], data: Any) -> tuple[Step, ...]:
     for step in loc:
         if step == "[key]":
             continue
-        if place is not None and len(place.members) > 1 and not skipped:
+        if place is not None and place.tagged and not skipped:
             skipped = True
             continue
         skipped = False
@@ -86,7 +86,7 @@ def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
     key = str(steps[-1])
     close = nearest(key, known)
     hint = f"did you mean `{close}`?" if close else _elsewhere(key)
-    return InputError("", f"the unknown key {shown(key)}", f"one of {', '.join(known) or 'the known keys'}", hint)
+    return InputError("", "an unknown key", f"one of {', '.join(known) or 'the known keys'}", hint)
 
 
 def _elsewhere(key: str) -> str:
@@ -113,7 +113,8 @@ def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
 def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
     """A group that does not say, or says wrongly, of which of several kinds it is."""
     place, value = place_of(steps, data), at(data, *steps)
-    kinds = [(key, str(kind)) for key, kind, _ in map(kind_of, place.members if place else []) if kind]
+    members = place.members if place else []
+    kinds = [(key, str(kind)) for key, words, _ in map(kind_of, members) for kind in words]
     key, names = kinds[0][0] if kinds else "type", [kind for _, kind in kinds]
     if not isinstance(value, Mapping):
         return steps, InputError("", shown(value), place.expected if place else "a group", f"write `{key}: ...` in it")
@@ -147,7 +148,7 @@ def _magnitude(bound: Any) -> float:
 def _hint(place: ChainPlace, value: Any) -> str:
     """How a value of the right kind or of the wrong one is put right."""
     if place.unit is not None and isinstance(value, (int, float)) and not isinstance(value, bool):
-        return f"correct the sign, the size or the unit of the {place.meaning}"
+        return "check sign, size and unit"
     if place.unit is not None:
         return f"write {place.expected}"
     if isinstance(value, str) and (close := nearest(value, _choices(place))):

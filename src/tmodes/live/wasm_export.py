@@ -25,7 +25,6 @@ from tmodes.paper.model import PaperModel
 from tmodes.paper.modes import closed_loop_spectrum
 from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
-from tmodes.simulation import simulate as arm_simulation
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import run_setup
 
@@ -87,7 +86,7 @@ def _of_arm(arm: Robot) -> tuple[LiveModule, dict[str, Any]]:
             which, follow = follows[name]
             moved = run_setup(which, follow)
             runs[name] = _run(moved.model.numbers.vector, moved.planned.schedule, moved.start, which.integration)
-    info = _settings(pair.real.integration, arm_simulation.closed_loop_spectrum(regime).highest)
+    info = _settings(pair.real.integration, regime.spectrum.highest)
     return arm_module(functions, [info["method"]], slopes=False), info | {"runs": runs}
 
 

@@ -53,7 +53,7 @@ def _check_distance(tip: Any, reading: Reading) -> None:
         return
     raise SimulationError(
         f"states[{index}]: the tip is {distance[index]:.1g} m from the base; expected more than {NEAREST:g} m, for the "
-        "contact force has no direction there. Mend: change phi, or leave --contact out"
+        "contact force has no direction there. Change phi, or leave --contact out"
     )
 
 
@@ -63,6 +63,6 @@ def _check_finite(name: str, values: Any) -> None:
         return
     index = int(np.argmin(finite))
     raise SimulationError(
-        f"states[{index}]: {name} is not finite there; expected a state at which the equations hold. Mend: keep phi "
+        f"states[{index}]: {name} is not finite there; expected a state at which the equations hold. Keep phi "
         "and phid within what a robot can do"
     )

@@ -100,7 +100,7 @@ class PaperModel:
         if not found.all():
             raise SimulationError(
                 f"static deflection: got no equilibrium within {_NEWTON_STEPS} Newton steps; expected a link that "
-                "carries its own load. Mend: raise gear.stiffness or the bending_stiffness of the modes, or lower "
+                "carries its own load. Raise gear.stiffness or the bending_stiffness of the modes, or lower "
                 "payload.mass, gravity or environment.preload"
             )
         state = np.zeros(STATE_SIZE)
@@ -154,7 +154,7 @@ class PaperModel:
         name = COORDINATES[int(np.argmax(np.abs(directions @ (vectors[:, 0] / scale))))]
         raise SimulationError(
             f"mass matrix: singular in coordinate {name} (condition number above 1e13); expected a positive definite "
-            "matrix. Mend: give the parts that move with it a mass (mass_per_length, payload.mass, payload.inertia)"
+            "matrix. Give the parts that move with it a mass (mass_per_length, payload.mass, payload.inertia)"
         )
 
     def linearised(self, phi: ArrayLike, parameters: Parameters) -> tuple[Array, Array, Array]:

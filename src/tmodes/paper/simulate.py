@@ -6,7 +6,6 @@ pair -> reference regime (nominal robot, motor follows theta_o exactly) -> contr
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 from tmodes.analysis.spectrum import Spectrum
@@ -81,7 +80,8 @@ def simulate(
     result = with_headline_errors(assemble(pair, reference, real, info, verdict), reference, real)
     progress("gathering", 1.0)
     runs = {"reference": reference, "real": real}
-    return replace(result, timing={name: regime.trajectory.seconds for name, regime in runs.items()})
+    result.timing = {name: regime.trajectory.seconds for name, regime in runs.items()}
+    return result
 
 
 def _as_far_as(reference: PaperRun) -> float | None:

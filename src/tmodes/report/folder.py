@@ -64,7 +64,7 @@ class RunFolder:
             if place.exists() and place.is_dir() != wanted:
                 got, expected = ("a file", "a folder") if wanted else ("a folder", "a file")
                 raise ResultFileError(
-                    f"{place}: got {got}; expected {expected}, or nothing. Mend: remove it, or name another --out"
+                    f"{place} must be {expected} or not exist, got {got}; remove it, or name another --out"
                 )
 
     def _look_at_what_is_there(self) -> None:
@@ -83,8 +83,7 @@ class RunFolder:
             self.continues, self._done = True, earlier
         else:
             raise ResultFileError(
-                f"{self.result_file}: got a result that exists; expected a folder without one. Mend: --overwrite "
-                "replaces it, --out names another folder"
+                f"{self.result_file} exists already; --overwrite replaces it, --out names another folder"
             )
 
     def _earlier(self) -> Any:

@@ -1,4 +1,4 @@
-"""The result of an arm's run: its series and lines with units, and what they say."""
+"""The result of a run: its series and lines with units, and what is asked of it."""
 
 from tmodes.result.result import Result, assemble_result, load_result
 

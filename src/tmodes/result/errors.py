@@ -1,4 +1,4 @@
-"""The estimated error of the headline figures of an arm's run."""
+"""The estimated errors of the numbers of a run's summary."""
 
 from __future__ import annotations
 
@@ -15,22 +15,22 @@ from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.trajectory import Trajectory
 
-__all__ = ["arm_figure_errors"]
+__all__ = ["summary_errors"]
 
 Array = NDArray[np.float64]
 
 _MOST = 40
-"""Deformations whose error is told, the largest ones."""
+"""Deformations whose error is estimated, the largest ones."""
 
 
-def arm_figure_errors(run: RunData, stations: Array, variables: Variables, names: dict[str, Any]) -> dict[str, Any]:
-    """``how`` the run tells its error, and ``figures``: the error of each headline figure by its path in the summary.
+def summary_errors(run: RunData, stations: Array, variables: Variables, names: dict[str, Any]) -> dict[str, Any]:
+    """``how`` errors are estimated, and ``figures``: the error of each number by its path in the summary.
 
     ``tip_m`` is that of the tip's position [m], the largest of some samples over the run. The error of the reference
-    counts too. ``names``: the labels along the dimensions of ``variables``. Empty where the run tells no error.
+    counts too. ``names``: the labels along the dimensions of ``variables``. Empty where no error is known.
     """
     runs = [one for one in (run, run.reference) if one is not None]
-    estimates = [one.error for one in runs if one.error and one.regime]
+    estimates = [one.error for one in runs if one.error and one.setup]
     if len(estimates) < len(runs):
         return {}
     rows = rows_each(estimates)
@@ -45,7 +45,7 @@ def arm_figure_errors(run: RunData, stations: Array, variables: Variables, names
 def _disturbed(run: RunData, samples: list[int], rows: int, turn: int) -> RunData:
     states = disturbed_rows(run.states, run.error, samples, rows, turn)
     times = run.times[np.repeat(samples, rows)]
-    return gathered(cast("RunSetup", run.regime), Trajectory(times, states, run.status, run.message))
+    return gathered(cast("RunSetup", run.setup), Trajectory(times, states, run.status, run.message))
 
 
 def _figures(variables: Variables, names: dict[str, Any], rows: int) -> list[Figure]:

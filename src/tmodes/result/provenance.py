@@ -1,4 +1,4 @@
-"""What a result tells beside its series: how it ended, how the arm vibrates, where all came from."""
+"""How a run ended, when its signals stop changing, and where its numbers come from."""
 
 from __future__ import annotations
 
@@ -9,15 +9,12 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.errors import SimulationError
 from tmodes.result.record import RESULT_FORMAT, STATUSES
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.plan import Planned
 
-__all__ = ["ending", "info_of", "move_end", "provenance"]
-
-_MODE = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "element", "share", "stable")
+__all__ = ["ending", "move_end", "provenance"]
 
 _STILL = 1e-9
 """Change of a signal within a piece, over its largest value, that is rounding."""
@@ -28,28 +25,7 @@ def ending(run: RunData) -> tuple[str, str]:
     planned_run = run.reference
     if planned_run is not None and planned_run.status != "finished":
         return planned_run.status, f"reference: {planned_run.message}"
-    return run.status, run.message if run.status in STATUSES[:2] else f"real arm: {run.message}"
-
-
-def info_of(run: RunData, known: Robot) -> dict[str, Any]:
-    """Frequencies and warnings, plain data that is kept as JSON."""
-    from tmodes.io.sheet_plausible import arm_notices, implausible_arm
-
-    warnings = [*implausible_arm(known), *arm_notices(known)]
-    try:
-        frequencies = _frequencies(run.arm)
-    except SimulationError as error:
-        frequencies = {}
-        warnings.append(f"no frequencies are told: {error}")
-    return {"frequencies": frequencies, "warnings": warnings}
-
-
-def _frequencies(arm: Robot) -> dict[str, list[dict[str, Any]]]:
-    """Natural frequencies about the rest, in contact where the arm is; shapes and small shares are left out."""
-    from tmodes.analysis.modes.of_sheet import sheet_modes
-
-    found = sheet_modes(arm, contact=arm.contact is not None)
-    return {case: [{key: mode[key] for key in _MODE} for mode in modes] for case, modes in found.items()}
+    return run.status, run.message if run.status in STATUSES[:2] else f"real robot: {run.message}"
 
 
 def move_end(planned: Planned) -> float | None:

@@ -8,7 +8,7 @@ from __future__ import annotations
 
 import json
 import os
-from dataclasses import dataclass, field
+from functools import cached_property
 from pathlib import Path
 from typing import TYPE_CHECKING, Any, ClassVar, Self
 
@@ -30,7 +30,7 @@ _NEEDED = ("robot", "status", "message", "frequencies", "statistics", "warnings"
 _SERIES = ("time", "q", "v", "tip", "energy", "work", "energy_balance")
 """What every result of a run holds."""
 
-KINDS = {"robot": "the robot of the 2010 paper (Result.load)", "arm": "an arm (ArmResult.load)"}
+KINDS = {"robot": "the robot of the 2010 paper (PaperResult.load)", "arm": "a robot (Result.load)"}
 """The kinds of results, and who reads them; a result that does not tell its kind is of the first."""
 
 STATUSES = (
@@ -40,7 +40,6 @@ STATUSES = (
 """How a run ends: at its end, by a stop condition that was asked for, or without having come to either."""
 
 
-@dataclass(frozen=True, eq=False)
 class RunRecord:
     """What a run gave, as an xarray Dataset, whatever ran.
 
@@ -48,8 +47,15 @@ class RunRecord:
     part of the record and never stored: the same run gives the same bytes, on a slow machine too.
     """
 
-    data: Dataset
-    timing: dict[str, float] = field(default_factory=dict)
+    def __init__(self, data: Dataset | None = None, timing: dict[str, float] | None = None) -> None:
+        if data is not None:
+            self.__dict__["data"] = data
+        self.timing = timing or {}
+
+    @cached_property
+    def data(self) -> Dataset:
+        """The whole record: all series with their units, and as attributes where they come from and what they show."""
+        raise AttributeError("data")
 
     kind: ClassVar[str] = ""
     needed: ClassVar[tuple[str, ...]] = _NEEDED
@@ -155,7 +161,6 @@ class RunRecord:
                 raise file_error(f"variable {name}", "a number that is not finite", "finite numbers", hint)
 
 
-@dataclass(frozen=True, eq=False)
 class PaperResult(RunRecord):
     """What a run of the 2010 paper's robot gave: ``result.data["tip"].sel(axis="z")``."""
 

@@ -1,6 +1,6 @@
-"""ArmResult: the record of an arm's run as labelled series with units, from the arrays of numbers that the run gave.
+"""Result: the record of a run as labelled series with units, and what is asked of it.
 
-    ArmRun  --assemble_arm-->  ArmResult  ->  file, figures, report
+    RunData  --assemble_result-->  Result  ->  file, figures, report
 
 Dimensions: ``time``, ``coordinate``, ``deformation_kind`` (``joint.gear`` and the links' coordinates), ``drive``,
 ``point``, ``axis`` (x, y, z), ``link`` (all that are drawn), ``bending_link``, ``stressed_link``, ``plane`` and
@@ -11,61 +11,130 @@ from __future__ import annotations
 
 import json
 import os
-from collections.abc import Callable
-from dataclasses import dataclass
+from functools import cached_property
 from typing import TYPE_CHECKING, Any, ClassVar
 
-import numpy as np
-
-from tmodes.analysis.quasistatic import elastic_names
-from tmodes.result.errors import arm_figure_errors
-from tmodes.result.lines import line_series
-from tmodes.result.provenance import ending, info_of, move_end, provenance
+from tmodes import upward
+from tmodes.result.assemble import Assembly, frequencies_of_sheet
 from tmodes.result.record import PaperResult, RunRecord, kind_of, read_record
-from tmodes.result.series import coordinates_of, motion_series
+from tmodes.result.summary import summarise_result
+from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 
 if TYPE_CHECKING:
     from xarray import Dataset
 
-    from tmodes.sheet import Robot
-
 __all__ = ["Result", "assemble_result", "load_result"]
 
-Progress = Callable[[str, float], None]
 
-
-@dataclass(frozen=True, eq=False)
 class Result(RunRecord):
-    """What a run of an arm gave: ``result.data["tip"].sel(axis="z")``, ``result.data["q"].sel(coordinate="elbow")``."""
+    """What a run gave: ``result.data["tip"].sel(axis="z")``, ``result.data["q"].sel(coordinate="elbow")``.
+
+    What is computed from the trajectories (elastic lines, frequencies, settling, warnings, errors) is computed when it
+    is first asked for, and once. A result that was read from a file has it all already.
+    """
 
     kind: ClassVar[str] = "arm"
     series: ClassVar[tuple[str, ...]] = (*RunRecord.series, "a", "position")
 
+    def __init__(
+        self,
+        data: Dataset | None = None,
+        timing: dict[str, float] | None = None,
+        assembly: Assembly | None = None,
+    ) -> None:
+        super().__init__(data, timing)
+        self._assembly = assembly
+
+    @cached_property
+    def data(self) -> Dataset:
+        """The whole record: all series with their units, and as attributes where they come from and what they show."""
+        assert self._assembly is not None  # noqa: S101
+        return self._assembly.whole()
+
+    @property
+    def motion(self) -> Dataset:
+        """The series of motion, drives, points, contact and energies; elastic lines are not computed for it."""
+        return live.motion if (live := self._live) else self.data
+
+    @property
+    def status(self) -> str:
+        """How the run ended: one of :data:`tmodes.result.record.STATUSES`."""
+        return live.ending[0] if (live := self._live) else self._attribute("status")
+
+    @property
+    def message(self) -> str:
+        """How the run ended, in a sentence."""
+        return live.ending[1] if (live := self._live) else self._attribute("message")
+
+    @property
+    def robot(self) -> Robot:
+        """The robot that ran, as it is known; from a file, rebuilt from its data sheet and checked again."""
+        return live.known if (live := self._live) else self._sheet("robot")
+
     @property
     def arm(self) -> Robot:
-        """The arm that ran, as it is known, rebuilt from its data sheet and checked again."""
-        from tmodes.io.sheet_check import sheet_from_data
+        """The same as ``robot``."""
+        return self.robot
 
-        return sheet_from_data(self._json("robot"))
+    @property
+    def frequencies(self) -> dict[str, list[dict[str, Any]]]:
+        """Natural frequencies [Hz] and damping ratios [-] with the motors ``locked``, ``free`` and ``controlled``.
+
+        Of the actual robot about its rest, in contact where it is.
+        """
+        if live := self._live:
+            return live.frequencies
+        if "frequencies" in self.data.attrs:
+            return self._json("frequencies")
+        return self._frequencies_again
+
+    @cached_property
+    def _frequencies_again(self) -> dict[str, list[dict[str, Any]]]:
+        return frequencies_of_sheet(self._sheet("robot_real"))
+
+    @property
+    def settling(self) -> dict[str, Any] | None:
+        """When the tip stays within 5 % of its largest deviation, by continuing the run; None without a reference.
+
+        Of a file of an earlier version None too: then the summary looks at its samples alone.
+        """
+        return live.settling if (live := self._live) else json.loads(self.data.attrs.get("settling", "null"))
+
+    @property
+    def warnings(self) -> tuple[str, ...]:
+        """What the run has to say about itself, as sentences."""
+        return tuple(live.warnings) if (live := self._live) else super().warnings
 
     @property
     def move_end(self) -> float | None:
-        """When the last drive's signal stops changing [s]; None where it never does."""
-        return self._json("move_end")
+        """When the last signal stops changing [s]; None where one never does."""
+        return live.move_end if (live := self._live) else self._json("move_end")
 
     def summary(self, band: float = 0.05) -> dict[str, Any]:
         """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_result`.
 
         Raises :class:`tmodes.errors.InputError` for a ``band`` that is not between 0 and 1.
         """
-        from tmodes.result.summary import summarise_result
-
         return summarise_result(self.data, band)
+
+    def figures(self) -> dict[str, Any]:
+        """The figures that this result can fill: name -> function that draws it, ``figures()["tip_tracking"]()``."""
+        return upward("Result.figures")(self)
+
+    @property
+    def _live(self) -> Assembly | None:
+        """The run that was made just now, until its whole record was put together."""
+        return None if "data" in self.__dict__ else self._assembly
+
+    def _sheet(self, name: str) -> Robot:
+        from tmodes.io.sheet_check import sheet_from_data
+
+        return sheet_from_data(self._json(name))
 
 
 def load_result(path: str | os.PathLike[str]) -> PaperResult | Result:
-    """Read a result of either kind back, whole and checked.
+    """Read a result back, whole and checked.
 
     Raises :class:`tmodes.errors.ResultFileError` as :meth:`tmodes.result.record.RunRecord.load`.
     """
@@ -73,55 +142,7 @@ def load_result(path: str | os.PathLike[str]) -> PaperResult | Result:
     return (Result if kind_of(data) == "arm" else PaperResult).of(data, path)
 
 
-def assemble_result(
-    run: RunData, known: Robot | None = None, *, progress: Progress = lambda stage, share: None
-) -> Result:
-    """Gather all that a result shows.
-
-    ``known``: the arm as it is known, by whose sheet the run was planned; None: the one of the run. The time axis is
-    the real arm's, as far as its reference came too. Raises :class:`tmodes.errors.SimulationError` for elastic lines
-    that memory does not hold: sample more coarsely, or take fewer ``integration.line_points``.
-    """
-    import xarray as xr
-
-    known = known or run.arm
-    count = len(run.times) if run.reference is None else min(len(run.times), len(run.reference.times))
-    stations = np.linspace(0.0, 1.0, run.arm.integration.line_points)
-    progress("gathering", 0.0)
-    lines, names, notices = line_series(run, stations, count)
-    progress("gathering", 0.6)
-    variables = motion_series(run, count) | lines
-    data = xr.Dataset(
-        {
-            name: (dims, values, {"units": unit, "long_name": text})
-            for name, (dims, values, unit, text) in variables.items()
-        },
-        coords=coordinates_of(run, count, names, stations),
-    )
-    info = info_of(run, known)
-    labels = names | {"deformation_kind": list(elastic_names(run.model)), "drive": list(run.drives)}
-    info["errors"] = arm_figure_errors(run, stations, variables, labels)
-    info["warnings"] = [*run.warnings, *info["warnings"], *notices]
-    status, message = ending(run)
-    data, status, message = _stopped_by_energy(run, data, status, message)
-    data.attrs = provenance(run, known) | {
-        "status": status,
-        "message": message,
-        "move_end": json.dumps(move_end(run.planned)),
-    }
-    data.attrs |= {name: json.dumps(value) for name, value in info.items()}
-    progress("gathering", 1.0)
+def assemble_result(run: RunData, known: Robot | None = None) -> Result:
+    """The result of a run; ``known``: the robot by whose sheet it was planned, None: the one of the run."""
     timing = {"real": run.seconds} | ({"reference": run.reference.seconds} if run.reference else {})
-    return Result(data, timing)
-
-
-def _stopped_by_energy(run: RunData, data: Dataset, status: str, message: str) -> tuple[Dataset, str, str]:
-    """What is left of a run whose sheet asks to end it where its energy balance is lost."""
-    from tmodes.analysis.validity import first_energy_error
-
-    settings = run.arm.integration
-    bad = first_energy_error(data, settings.energy_tolerance) if settings.energy_stop else None
-    if bad is None:
-        return data, status, message
-    message = f"the energy balance was lost at t = {float(data['time'][bad]):.4g} s"
-    return data.isel(time=slice(0, max(bad, 1))), "stopped", message
+    return Result(timing=timing, assembly=Assembly(run, known or run.arm))

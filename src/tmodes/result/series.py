@@ -41,7 +41,7 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
     return {
         "time": ("time", run.times[:count], {"units": "s", "long_name": "time"}),
         "s": ("s", stations, info),
-        **_parents(run, names["link"]),
+        **_parents(run, names.get("link", [])),
         "coordinate_unit": ("coordinate", coordinate_units(run), {"long_name": "unit of each coordinate"}),
         **{
             name: (name, values, {"long_name": name.replace("_", " ")}) for name, values in labels.items() if values

@@ -32,7 +32,8 @@ MOST_ENTRIES = 40
 def summarise_result(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     """A plain dictionary of floats and words, ready for JSON; units are in the keys or beside. What is missing is None.
 
-    ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1.
+    ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1; for the
+    usual one the run itself was continued (:mod:`tmodes.result.settling`), for any other its samples are looked at.
     Raises :class:`tmodes.errors.InputError` for a band out of range.
     """
     if not 0 < band < 1:
@@ -55,6 +56,9 @@ def summarise_result(data: Dataset, band: float = 0.05) -> dict[str, Any]:
 def _settling(data: Dataset, time: Array, band: float) -> dict[str, Any] | None:
     if "deviation" not in data:
         return None
+    known = json.loads(data.attrs.get("settling", "null"))
+    if known and known["band"] == band:
+        return known
     return info_settling(data["deviation"].values, time, json.loads(data.attrs["move_end"]), band)
 
 

@@ -24,7 +24,6 @@ from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 from tmodes.simulation.recording import MOST_BYTES, record
 from tmodes.simulation.replay import Replay
-from tmodes.simulation.simulate import closed_loop_spectrum
 from tmodes.simulation.start import RunSetup, run_setup
 from tmodes.simulation.trajectory import Moving, Numbers
 
@@ -60,7 +59,7 @@ class Lowered:
         if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(
                 "derivatives of a run: contact set in or ended on a unilateral surface with a damper or a preload, "
-                "whose force jumps there; expected a force without jumps. Mend: end the run before, or set "
+                "whose force jumps there; expected a force without jumps. End the run before, or set "
                 "contact.damping and contact.preload to 0"
             )
         return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))
@@ -75,7 +74,7 @@ def lowered(sheet: Robot | PaperRobot) -> Lowered:
         return _of_robot(sheet.pair().real)
     real = sheet.pair().real
     regime = run_setup(real)
-    settings = chosen_settings(sheet.integration, lambda: closed_loop_spectrum(regime))
+    settings = chosen_settings(sheet.integration, lambda: regime.spectrum)
     model = regime.model
     rates = model.loop.euler_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
     return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime, real.contact)

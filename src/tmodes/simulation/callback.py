@@ -43,7 +43,8 @@ def driven_by(regime: RunSetup) -> RunSetup:
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
     start[: 2 * len(model.coordinates)] = regime.start[: 2 * len(model.coordinates)]
-    return RunSetup(regime.arm, replace(regime.planned, plan=own), model, start)
+    planned = replace(regime.planned, plan=own)
+    return replace(regime, planned=planned, model=model, start=start, callback=True)
 
 
 @dataclass
@@ -75,7 +76,7 @@ class _Guarded:
 
     def _failed(self, time: float, got: str, expected: str) -> SimulationError:
         return SimulationError(
-            f"controller {self.name} at t = {time:.6g} s: got {got}; expected {expected}. Mend: correct the function"
+            f"controller {self.name} at t = {time:.6g} s must return {expected}, got {got}; correct the function"
         )
 
 

@@ -21,7 +21,7 @@ from tmodes.simulation.trajectory import ErrorEstimate, Trajectory
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["RunData", "bytes_per_sample", "energies_of", "gathered"]
+__all__ = ["RunData", "bytes_per_sample", "energies_of", "gathered", "tip_positions"]
 
 Array = NDArray[np.float64]
 
@@ -41,7 +41,7 @@ class RunData:
     (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind: works of
     ``motor``, ``loads`` and ``base`` are brought in, the others taken out; ``energy_balance`` (n,): what is there less
     what came in, plus what went out. ``reference``: the same of the nominal arm whose motors are where they should be;
-    None where no such motion is possible. ``states`` (n, size) as they were integrated, by ``regime``, and their
+    None where no such motion is possible. ``states`` (n, size) as they were integrated, by ``setup``, and their
     ``error``; None where that is not known. ``seconds`` of computing for each simulated second.
     """
 
@@ -72,7 +72,7 @@ class RunData:
     statistics: dict[str, Any] = field(default_factory=dict)
     reference: RunData | None = None
     states: Array = field(default_factory=lambda: np.zeros((0, 0)))
-    regime: RunSetup | None = None
+    setup: RunSetup | None = None
     error: ErrorEstimate | None = None
     seconds: float = 0.0
 
@@ -101,13 +101,13 @@ def bytes_per_sample(model: LoopModel) -> int:
     return 8 * (2 * model.layout.size + 9 * n + 12 * drives + 60 * points + 80 + model.plan.row_size)
 
 
-def gathered(regime: RunSetup, trajectory: Trajectory, rows: Array | None = None) -> RunData:
+def gathered(setup: RunSetup, trajectory: Trajectory, rows: Array | None = None) -> RunData:
     """All that a run shows, of the samples of its trajectory; ``rows`` (n, row) where they are not the schedule's."""
-    plan, loop = regime.planned, regime.model
+    plan, loop = setup.planned, setup.model
     times, states = trajectory.times, trajectory.states
     rows = plan.schedule.rows_at(times) if rows is None else rows
     seen = _observed(loop, times, states, rows)
-    model = Model(plan.chain)
+    model = setup.mechanics
     q, v, a = seen["q"], seen["v"], seen["a"]
     drives = seen["drives"]
     gravity = np.asarray(plan.chain.gravity, dtype=float)
@@ -117,18 +117,26 @@ def gathered(regime: RunSetup, trajectory: Trajectory, rows: Array | None = None
     contact = seen["contact"] if plan.plan.touch else None
     works = states[:, loop.layout.works]
     return RunData(
-        arm=regime.arm, planned=plan, chain=plan.chain, model=model,
+        arm=setup.arm, planned=plan, chain=plan.chain, model=model,
         drives=tuple(drive.joint for drive in plan.plan.drives), times=times, q=q, v=v, a=a,
         effort=drives[:, :, 0], voltage=drives[:, :, 1], current=drives[:, :, 2], wanted=drives[:, :, 3],
         gear_torque=seen["gear"], points=model.points(q, v, a, base=moving),
         contact_force=None if contact is None else contact[:, :3],
         contact_normal=None if contact is None else contact[:, 3],
         penetration=None if contact is None else contact[:, 4],
-        base=base, energies=energies_of(regime, model, q, v, base),
+        base=base, energies=energies_of(setup, model, q, v, base),
         works={name: works[:, k] for k, name in enumerate(WORKS)},
         status=trajectory.status, message=trajectory.message, statistics=dict(trajectory.statistics),
-        states=states, regime=regime, error=trajectory.error, seconds=trajectory.seconds,
+        states=states, setup=setup, error=trajectory.error, seconds=trajectory.seconds,
     )  # fmt: skip
+
+
+def tip_positions(setup: RunSetup, times: Array, states: Array) -> Array:
+    """The tip in the world at n instants (n, 3) [m]."""
+    base = None
+    if setup.planned.plan.base:
+        base = setup.model.observe(times, states, setup.planned.schedule.rows_at(times))["base"]
+    return setup.mechanics.points(states[:, setup.model.layout.q], base=base).position[:, 0]
 
 
 def _observed(loop: LoopModel, times: Array, states: Array, rows: Array) -> dict[str, Array]:
@@ -139,12 +147,12 @@ def _observed(loop: LoopModel, times: Array, states: Array, rows: Array) -> dict
     return {name: np.concatenate([piece[name] for piece in pieces]) for name in pieces[0]}
 
 
-def energies_of(regime: RunSetup, model: Model, q: Array, v: Array, base: Array) -> dict[str, Array]:
+def energies_of(setup: RunSetup, model: Model, q: Array, v: Array, base: Array) -> dict[str, Array]:
     """Energies by kind [J]; the motion of the base and rotors that follow their signals have theirs too."""
     energies = model.energies(q, v)
-    if regime.planned.plan.base:
+    if setup.planned.plan.base:
         energies |= _moved(model, q, v, base)
-    for driver in regime.model.loop.drivers:
+    for driver in setup.model.loop.drivers:
         motor = driver.part.node.joint.motor
         if driver.part.given >= 0 and motor:
             energies["kinetic"] = energies["kinetic"] + motor.inertia * v[:, driver.part.angle] ** 2 / 2

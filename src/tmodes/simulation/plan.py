@@ -64,14 +64,14 @@ class _Signals:
         return len(self.schedules) - 1
 
 
-def planned(arm: Robot, follow: Follow = Follow.SHEET) -> Planned:
-    """The plan of an arm's run over ``integration.duration``.
+def planned(arm: Robot, follow: Follow = Follow.SHEET, like: Chain | None = None) -> Planned:
+    """The plan of an arm's run over ``integration.duration``; ``like``: the chain of another plan of the same arm.
 
     Raises :class:`tmodes.errors.InputError` for a signal without a value, and for a contact that cannot be.
     """
     signals = _Signals(arm.integration.duration, [])
     sheets = {drive.joint: (index, drive) for index, drive in enumerate(arm.drives)}
-    chain = arm.model_copy(update={"drives": ()}).chain()  # every joint with its motor, none prescribed
+    chain = like or arm.model_copy(update={"drives": ()}).chain()  # every joint with its motor, none prescribed
     drives, joints, undriven = [], {}, []
     for node in chain.nodes:
         joint = node.joint

@@ -46,7 +46,7 @@ def refuse_wrong_stops(arm: Robot) -> None:
     """
     if arm.integration.stop:
         plan = planned(arm)
-        arm_stops(RunSetup(arm, plan, LoopModel(plan.plan), np.zeros(0)))
+        arm_stops(RunSetup(arm, plan, LoopModel(plan.plan), np.zeros(0), Model(plan.chain)))
 
 
 def arm_quantities(regime: RunSetup) -> dict[str, Quantity]:
@@ -60,7 +60,7 @@ class _Seen:
 
     def __init__(self, regime: RunSetup) -> None:
         self.regime, self.loop = regime, regime.model
-        self.model = Model(regime.planned.chain)
+        self.model = regime.mechanics
         self._last: dict[str, tuple[Instants, object]] = {}
 
     def _once(self, name: str, at: Instants, make: Callable[[Instants], object]) -> object:

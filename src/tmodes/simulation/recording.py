@@ -77,7 +77,7 @@ def record(
     steps, every = _steps(run, settings, most_bytes)
     if run.status is not Status.FINISHED:
         reason = run.exhausted(0.0) if run.status is Status.RUNNING else run.end().message
-        raise SimulationError(f"derivatives of a run: it did not reach its end: {reason}. Mend: shorten it")
+        raise SimulationError(f"derivatives of a run: it did not reach its end: {reason}; shorten it")
     t, h = steps.t, np.diff(steps.t, append=run.times[-1])
     pieces = schedule.until(settings.duration)
     rows = np.ascontiguousarray(np.column_stack([pieces.knots[:-1], pieces.coefficients]))

@@ -1,25 +1,26 @@
-"""One arm in motion: as its drives are planned, or under control as it really is; from its first state on."""
+"""A robot in motion: as its drives are planned, or under control as it really is; from its first state on."""
 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping
-from dataclasses import dataclass
-from typing import TYPE_CHECKING
+from dataclasses import dataclass, replace
+from functools import cached_property
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.spectrum import Spectrum, spectrum_of
+from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.rest import arm_rest
 from tmodes.errors import InputError, SimulationError
+from tmodes.integrate.settings import Integration, Method
 from tmodes.model.model import Model
+from tmodes.sheet import Robot
 from tmodes.simulation.error_estimate import with_error
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, Planned, initial_value, planned, starts_at_rest
 from tmodes.simulation.stops import Stops
 from tmodes.simulation.trajectory import Journal, Trajectory, integrate
-
-if TYPE_CHECKING:
-    from tmodes.integrate.settings import Integration
-    from tmodes.sheet import Robot
 
 __all__ = ["RunSetup", "first_state", "run_setup", "run_trajectory"]
 
@@ -28,50 +29,106 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class RunSetup:
-    """An arm and all that moves it: its plan, its model in the run, and the state (size,) from which it starts.
+    """A robot and all that moves it, prepared once for all that a run and its analysis ask of it.
 
-    ``otherwise``: the settings to go on with where the motion turns out stiff; None: those of the arm to the end.
+    ``planned``: its chain, drives and signals; ``model``: its closed loop; ``mechanics``: the model of its chain alone;
+    ``rest``: the static equilibrium at the start, None where the run does not begin at rest; ``start`` (size,): the
+    first state. ``otherwise``: the settings with which to continue where the motion turns out stiff; None: those of the
+    robot to the end. ``callback``: a Python function takes the place of the sheet's controllers.
     """
 
     arm: Robot
     planned: Planned
     model: LoopModel
     start: Array
+    mechanics: Model
+    rest: Equilibrium | None = None
     otherwise: Integration | None = None
+    callback: bool = False
 
     @property
     def first_row(self) -> Array:
         """The row of the signals at time 0."""
         return self.planned.schedule.rows_at(np.zeros(1))[0]
 
+    @cached_property
+    def spectrum(self) -> Spectrum:
+        """Eigenvalues of the robot under its drives at its start, by exact derivatives."""
+        model = self.model
+        matrix = model.jacobian(0.0, self.start, self.first_row)
+        return spectrum_of(matrix, model.coordinates, [f"{name}.current" for name in model.plan.currents])
 
-def run_setup(arm: Robot, follow: Follow = Follow.SHEET) -> RunSetup:
-    """An arm ready to run.
+    def by(self, method: Method, otherwise: Integration | None) -> RunSetup:
+        """The same with an integrator chosen, and the settings with which to continue where the motion is stiff."""
+        arm = self.arm.model_copy(update={"integration": self.arm.integration.chosen(method)})
+        made = replace(self, arm=arm, otherwise=otherwise)
+        if "spectrum" in self.__dict__:
+            made.__dict__["spectrum"] = self.spectrum
+        return made
+
+
+def run_setup(arm: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None = None) -> RunSetup:
+    """A robot ready to run; ``like``: a setup whose chain and rest are taken where its robot is the same.
 
     Raises :class:`tmodes.errors.InputError` for what cannot be run, and :class:`tmodes.errors.SimulationError` where
     there is no static equilibrium to start from, or the mass matrix is singular.
     """
-    plan = planned(arm, follow)
-    model = LoopModel(plan.plan)
-    start = first_state(arm, plan, model)
+    like = like if like and _same(arm, like.arm) else None
+    plan = planned(arm, follow, like.planned.chain if like else None)
+    model, mechanics = LoopModel(plan.plan), Model(plan.chain)
+    held = _held(arm, model)
+    rest = None
+    if starts_at_rest(arm):
+        rest = _same_rest(like, mechanics, held) or arm_rest(arm, model=mechanics, held=held)
+    start = _first_state(arm, plan, model, held, rest)
     rate = model.rate([0.0], start, plan.schedule.rows_at(np.zeros(1)))[0]
     bad = np.flatnonzero(~np.isfinite(rate[model.layout.v]))
     if len(bad):
         raise SimulationError(
-            f"no acceleration at the start: got {rate[model.layout.v][bad[0]]} in coordinate "
-            f"{model.coordinates[bad[0]]}; expected a number. Mend: give what it moves a mass and an inertia"
+            f"the acceleration at the start is {rate[model.layout.v][bad[0]]} in coordinate "
+            f"{model.coordinates[bad[0]]}; give what it moves a mass and an inertia"
         )
-    return RunSetup(arm, plan, model, start)
+    return RunSetup(arm, plan, model, start, mechanics, rest)
+
+
+def _same(one: Robot, other: Robot) -> bool:
+    """Whether two sheets are of the same robot, whatever their `real` factors and settings say."""
+    return one is other or _plant(one) == _plant(other)
+
+
+def _plant(arm: Robot) -> Robot:
+    return arm.model_copy(update={"real": {}, "integration": None})
+
+
+def _same_rest(like: RunSetup | None, mechanics: Model, held: Mapping[str, float]) -> Equilibrium | None:
+    """The rest of another setup where it is the same in the same coordinates."""
+    if like is None or like.rest is None or like.mechanics.coordinates != mechanics.coordinates:
+        return None
+    return like.rest if _held(like.arm, like.model) == held else None
+
+
+def _held(arm: Robot, model: LoopModel) -> dict[str, float]:
+    """The coordinates that drives hold at the start, and where [rad, m]."""
+    drivers = model.loop.drivers
+    return {model.coordinates[driver.coordinate]: initial_value(arm, driver.plan.joint) for driver in drivers}
 
 
 def first_state(arm: Robot, plan: Planned, model: LoopModel) -> Array:
-    """The state at time 0: at rest under the first commands, or undeformed; given coordinates and rates on top."""
+    """The state (size,) at time 0: at rest under the first commands, or undeformed; given coordinates and rates on top.
+
+    Raises :class:`tmodes.errors.SimulationError` where there is no rest.
+    """
+    held = _held(arm, model)
+    rest = arm_rest(arm, model=Model(plan.chain), held=held) if starts_at_rest(arm) else None
+    return _first_state(arm, plan, model, held, rest)
+
+
+def _first_state(
+    arm: Robot, plan: Planned, model: LoopModel, held: Mapping[str, float], rest: Equilibrium | None
+) -> Array:
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)
-    held: dict[str, float] = {}
-    for driver in model.loop.drivers:
-        held[names[driver.coordinate]] = initial_value(arm, driver.plan.joint)
-    state[layout.q] = _rest(arm, plan, held) if starts_at_rest(arm) else _undeformed(names, held)
+    state[layout.q] = rest.q if rest else _undeformed(names, held)
     motors = {name.removesuffix(".motor"): name for name in names if name.endswith(".motor")}
     for group, block in (("coordinates", layout.q), ("rates", layout.v)):
         info: Mapping[str, float] = getattr(arm.initial, group)
@@ -89,32 +146,26 @@ def first_state(arm: Robot, plan: Planned, model: LoopModel) -> Array:
     return state
 
 
-def _rest(arm: Robot, plan: Planned, held: Mapping[str, float]) -> Array:
-    from tmodes.analysis.statics.rest import arm_rest
-
-    return arm_rest(arm, model=Model(plan.chain), held=held).q
-
-
 def _undeformed(names: tuple[str, ...], held: Mapping[str, float]) -> Array:
     """Each joint where its motor is, nothing bent."""
     return np.array([held.get(name, held.get(f"{name}.motor", 0.0)) for name in names])
 
 
 def run_trajectory(
-    regime: RunSetup,
+    setup: RunSetup,
     progress: Callable[[float], None] = lambda share: None,
     journal: Journal | None = None,
     until: float | None = None,
     stops: Stops | None = None,
 ) -> Trajectory:
-    """Integrate from the regime's start, until the first of ``stops`` sets in.
+    """Integrate from the start of a setup, until the first of ``stops`` triggers.
 
     ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
     """
-    settings, otherwise = regime.arm.integration, regime.otherwise
-    motion = (regime.model, regime.model.numbers, regime.planned.schedule, regime.start)
+    settings, otherwise = setup.arm.integration, setup.otherwise
+    motion = (setup.model, setup.model.numbers, setup.planned.schedule, setup.start)
     if until is not None and until <= 0:
-        return Trajectory(np.zeros(1), regime.start[None, :], "stopped", "not begun")
+        return Trajectory(np.zeros(1), setup.start[None, :], "stopped", "not begun")
     if until is not None:
         settings, journal = settings.model_copy(update={"duration": until}), None
     done = integrate(*motion, settings, progress, journal, otherwise, stops)

@@ -95,7 +95,7 @@ class Stops:
             if stop.beyond(value)[0] > 0:
                 raise SimulationError(
                     f"stop condition `{stop.text}`: it holds at the start already, where {stop.name} is "
-                    f"{stop.shown(value[0])}; expected one that sets in later. Mend: change its value, or the start"
+                    f"{stop.shown(value[0])}; change its value, or the start"
                 )
 
 

@@ -87,8 +87,7 @@ class WorkingFolder:
                 temporary.write_text(text, encoding="utf-8", newline="\n")
         except ResultFileError as error:
             if isinstance(error.__cause__, FileExistsError):
-                got, expected, hint = "a study that exists", "a new name", "replace it, or choose another name"
-                raise NameTaken(f"{name}: got {got}; expected {expected}. Mend: {hint}") from None
+                raise NameTaken(f"the study {name} exists already; replace it, or choose another name") from None
             raise ResultFileError(str(error).replace(shown_path(path), name)) from None
         return path
 

@@ -75,7 +75,7 @@ class Guard:
             return 403, info_error("sec-fetch-site", "a request of another page")
         if not (self._token_in_address(scope) or self._known(headers)):
             hint = "open the address that `tmodes studio` printed"
-            return 401, info_error("token", f"no token, or a wrong one. Mend: {hint}", hint=hint)
+            return 401, info_error("token", f"no token, or a wrong one; {hint}", hint=hint)
         return None
 
     def _token_in_address(self, scope: Mapping[str, Any]) -> bool:

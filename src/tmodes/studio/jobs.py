@@ -125,10 +125,10 @@ class JobBook:
         except WorkerLost:
             job.state = "error"
             hint = "simulate again; with fewer samples where the memory may have been too small"
-            job.errors = [info_error("", f"the process that simulated ended unexpectedly. Mend: {hint}", hint=hint)]
+            job.errors = [info_error("", f"the process that simulated ended unexpectedly; {hint}", hint=hint)]
         except OSError as error:
             job.state = "error"
-            job.errors = [info_error("", f"no process could be started: {error.strerror}. Mend: free some memory")]
+            job.errors = [info_error("", f"no process could be started: {error.strerror}; free some memory")]
         finally:
             job.asked = clock.monotonic()
             job.changed.set()

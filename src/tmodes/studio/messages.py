@@ -67,7 +67,7 @@ def as_sent(error: InputError, roots: Sequence[str]) -> InputError:
 
 
 def _info(error: InputError, data: Any) -> dict[str, Any]:
-    message = f"got {error.got}; expected {error.expected}"
+    message = f"got {error.got}, expected {error.expected}"
     info = info_error(error.which, message, error.got, error.expected, error.hint)
     return info | {"where": error.where, "steps": _steps(error.which, data)}
 

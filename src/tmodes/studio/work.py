@@ -85,13 +85,12 @@ class _Laps:
 
 def _simulated(sheet: PaperRobot | Robot, progress: Progress) -> PaperResult | Result:
     if isinstance(sheet, Robot):
-        from tmodes.report.folder_motion import ready_to_run, result_bytes
-        from tmodes.result import assemble_result
-        from tmodes.simulation.simulate import simulate_motion
+        from tmodes.result.ready import ready_to_run, result_bytes
+        from tmodes.result.run import run
 
         arm = ready_to_run(sheet)
         _refuse_large(result_bytes(arm))
-        return assemble_result(simulate_motion(arm, progress=progress), arm, progress=progress)
+        return run(arm, progress=progress)
     from tmodes.paper.simulate import simulate
     from tmodes.simulation.trajectory import sample_times
 

@@ -91,7 +91,7 @@ def _work(order: dict[str, Any], workshop: Any, orders: _Orders, answers: _Answe
         answers.send(job, "error", errors=info_errors(error, sheet))
     except MemoryError:
         hint = "sample more coarsely (integration.output_step), or simulate a shorter time"
-        answers.send(job, "error", errors=[info_error("", f"the memory is used up. Mend: {hint}", hint=hint)])
+        answers.send(job, "error", errors=[info_error("", f"out of memory; {hint}", hint=hint)])
     except Exception as error:
         message = f"a fault of tmodes itself, please report it: {type(error).__name__}: {error}"
         answers.send(job, "error", errors=[info_error("", message)])

@@ -45,7 +45,7 @@ def test_a_table_is_the_same_as_records(tmp_path):
     ("name", "content", "info"),
     [
         ("a.json", '[{"q": [1]}]', "2 numbers"),
-        ("a.json", '[{"q": {"jiont": 1}}]', "did you mean `joint`"),
+        ("a.json", '[{"q": {"jiont": 1}}]', "Did you mean `joint`"),
         ("a.json", '[{"q": [0, NaN]}]', "finite"),
         ("a.json", '[{"v": [0, 0]}]', "add `q`"),
         ("a.json", '{"q": [0, 0]}', "a list of records"),

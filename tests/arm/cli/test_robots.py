@@ -42,7 +42,7 @@ def test_an_unknown_name():
 )
 def test_what_was_meant(typed, meant):
     for command in ("robots", "check"):
-        assert f"did you mean `{meant}`?" in tmodes(command, typed, code=2).stderr
+        assert f"Did you mean `{meant}`?" in tmodes(command, typed, code=2).stderr
 
 
 def test_a_reader_that_goes_away():

@@ -78,7 +78,7 @@ def test_every_material_is_whole(name):
 
 
 def test_an_unknown_name_reports_the_nearest():
-    with pytest.raises(InputError, match=r"did you mean `aluminium_6061`\?"):
+    with pytest.raises(InputError, match=r"Did you mean `aluminium_6061`\?"):
         find_material("aluminum_6061")
     with pytest.raises(InputError, match="write its young, shear and density"):
         find_material("cheese")

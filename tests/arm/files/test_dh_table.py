@@ -82,12 +82,12 @@ def test_a_row_holds_what_a_joint_and_a_link_hold(tmp_path: Path) -> None:
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        ("convention: craig\nrows: [{a: 0, alpha: 0, d: 0, theta: 0}]\n", "table.yaml:2: convention: got 'craig'"),
-        ("convention: standard\n", "rows: got nothing"),
-        ("convention: standard\nrows: []\n", "rows: got a list of 0"),
-        ("convention: standard\nrows:\n  - {a: 0, alpha: 0, d: 0}\n", "table.yaml:4: rows.0.theta: got nothing"),
+        ("convention: craig\nrows: [{a: 0, alpha: 0, d: 0, theta: 0}]\n", "table.yaml:2: convention must be"),
+        ("convention: standard\n", "rows is missing"),
+        ("convention: standard\nrows: []\n", "rows must be"),
+        ("convention: standard\nrows:\n  - {a: 0, alpha: 0, d: 0}\n", "table.yaml:4: rows.0.theta is missing"),
         ("convention: standard\nrows:\n  - 5\n", "rows.0: got 5"),
-        ("convention: standard\nrows:\n  - {a: 0, alpha: 0, d: 0, theta: 0, alhpa: 1}\n", "did you mean `alpha`?"),
+        ("convention: standard\nrows:\n  - {a: 0, alpha: 0, d: 0, theta: 0, alhpa: 1}\n", "Did you mean `alpha`?"),
         ("convention: standard\njoints: []\nrows: [{a: 0, alpha: 0, d: 0, theta: 0}]\n", "joints beside `rows`"),
     ],
 )

@@ -148,9 +148,9 @@ def expand(inside: str, folder: Path) -> Element:
 
 
 REFUSED = {
-    "unknown macro": ("<xacro:leg/>", "<xacro:leg>: got <xacro:leg>; expected a macro"),
-    "misspelt command": ('<xacro:proprty name="a" value="1"/>', "did you mean <xacro:property>?"),
-    "unknown name": ('<a x="${lenght}"/>', "got the unknown name 'lenght'"),
+    "unknown macro": ("<xacro:leg/>", "<xacro:leg>: got <xacro:leg>, expected a macro"),
+    "misspelt command": ('<xacro:proprty name="a" value="1"/>', "Did you mean <xacro:property>?"),
+    "unknown name": ('<a x="${lenght}"/>', "unknown name 'lenght'"),
     "python": ('<a x="${__import__(1)}"/>', "which is not arithmetic"),
     "unfinished": ('<a x="${1 + 2"/>', "the unfinished formula"),
     "eval": ('<a x="$(eval 1+1)"/>', "got the command '$(eval 1+1)'"),
@@ -158,9 +158,9 @@ REFUSED = {
     "no argument": ('<a x="$(arg size)"/>', "got the argument 'size', which has no value"),
     "condition": ('<xacro:if value="maybe"><a/></xacro:if>', "got the condition 'maybe'"),
     "missing parameter": ('<xacro:macro name="m" params="a b:=1"/><xacro:m/>', "got no value for a"),
-    "unknown parameter": ('<xacro:macro name="m" params="side"/><xacro:m sid="1"/>', "did you mean 'side'?"),
-    "missing block": ('<xacro:macro name="m" params="*b"/><xacro:m/>', "got 0 elements inside; expected 1"),
-    "unknown block": ('<xacro:insert_block name="b"/>', "got the unknown block 'b'"),
+    "unknown parameter": ('<xacro:macro name="m" params="side"/><xacro:m sid="1"/>', "Did you mean 'side'?"),
+    "missing block": ('<xacro:macro name="m" params="*b"/><xacro:m/>', "got 0 elements inside, expected 1"),
+    "unknown block": ('<xacro:insert_block name="b"/>', "unknown block 'b'"),
     "scope": ('<xacro:property name="a" value="1" scope="global"/>', "got the attribute 'scope'"),
     "without prefix": ('<property name="a" value="1"/>', "write <xacro:property>"),
     "bad params": ('<xacro:macro name="m" params="a, b"/>', "got the parameters"),

@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cache
 from typing import Any
 
-from tmodes.report.folder_motion import ready_to_run
 from tmodes.result import Result, assemble_result
+from tmodes.result.ready import ready_to_run
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion

@@ -36,7 +36,7 @@ def test_the_robot_of_the_paper() -> None:
 
 
 def test_an_unknown_name() -> None:
-    with pytest.raises(InputError, match="did you mean `filipovic2010`"):
+    with pytest.raises(InputError, match="Did you mean `filipovic2010`"):
         load_sheet("filipovic2011")
 
 
@@ -84,7 +84,7 @@ def test_a_table_and_an_elasticity_file_want_the_ending_of_a_robot(tmp_path: Pat
 def test_the_text_of_a_sheet() -> None:
     assert sheet_text("filipovic2010") == text("filipovic2010")
     assert "\nkind: arm\n" in sheet_text("spong1987")
-    with pytest.raises(InputError, match="did you mean `spong1987`"):
+    with pytest.raises(InputError, match="Did you mean `spong1987`"):
         sheet_text("spong1988")
 
 

@@ -28,7 +28,7 @@ def test_an_inertia_that_no_mass_can_have(inertia, rule: str) -> None:
 
 def test_the_principal_moments_are_reported() -> None:
     said = problem(one_link({"bodies": [{"mass": 1, "inertia": {"xx": 1, "yy": 1, "zz": 1, "xy": 2}}]}))
-    assert "principal moments -1, 1, 3;" in said
+    assert "principal moments -1, 1, 3," in said
 
 
 @pytest.mark.parametrize(
@@ -100,7 +100,7 @@ def test_a_joint_side_motor_is_taken_as_it_is() -> None:
         ({"ratio": 9, "friction": {"viscous": 0, "static_extra": 1}}, "motor.friction.stribeck_rate"),
         ({"ratio": 9, "friction": {"viscous": 0, "coulomb": -1}}, "motor.friction.coulomb"),
         ({"ratio": 9, "inertia": 0}, "motor.inertia"),
-        ({"ratio": 9, "side": "Motor "}, "did you mean `motor`?"),
+        ({"ratio": 9, "side": "Motor "}, "Did you mean `motor`?"),
     ],
 )
 def test_motors_that_are_none(given, which: str) -> None:
@@ -226,13 +226,13 @@ BEAMS = [
     ({"section": {**SECTION, "bending_stiffness": 0}}, "bending_stiffness"),
     ({"section": {**SECTION, "mass_per_length": 0}}, "mass_per_length"),
     ({"section": {"shape": "tube", "outer_diameter": 0.05, "thickness": 0.03}, "material": "steel"}, "thickness"),
-    ({"section": {"shape": "tub", "outer_diameter": 0.05}}, "did you mean `tube`?"),
+    ({"section": {"shape": "tub", "outer_diameter": 0.05}}, "Did you mean `tube`?"),
     ({"section": {"shape": "round", "diameter": 0.05}}, "beam.material"),
-    ({"section": {"shape": "round", "diameter": 0.05}, "material": "stel"}, "did you mean `steel`?"),
+    ({"section": {"shape": "round", "diameter": 0.05}, "material": "stel"}, "Did you mean `steel`?"),
     ({"material": "steel"}, "beside given stiffnesses"),
     ({"section": None}, "beam.section"),
     ({"pieces": [{"end": 0.6, "section": SECTION}]}, "beside `pieces`"),
-    ({"section": None, "pieces": [{"end": 0.5, "section": SECTION}]}, "pieces.0.end: got 0.5; expected the length 0.6"),
+    ({"section": None, "pieces": [{"end": 0.5, "section": SECTION}]}, "pieces.0.end: got 0.5, expected the length 0.6"),
     ({"section": None, "pieces": [{"end": 0.6, "section": SECTION}] * 2}, "pieces.1.end"),
     ({"taper": {"section": {"shape": "round", "diameter": 0.1}}}, "another shape"),
     ({"taper": {"section": {"bending_stiffness": math.inf, "mass_per_length": 1}}}, "infinite at one end"),
@@ -246,9 +246,9 @@ BEAMS = [
     ({"functions": {"twist": 1}, "rotary_inertia": "none"}, "without rotary inertia"),
     ({"functions": {"twist": 1}, "section": {**SECTION, "polar_inertia_per_length": 0}}, "polar_inertia_per_length"),
     ({"model": "segments"}, "beam.segments"),
-    ({"model": "segments", "segments": 201}, "beam.segments: got 201; expected a whole number not less than 1"),
+    ({"model": "segments", "segments": 201}, "beam.segments must be a whole number not less than 1"),
     ({"model": "segments", "segments": 2, "rest_curvature": [0, 0, 1]}, "rest_curvature"),
-    ({"model": "stran"}, "did you mean `strain`?"),
+    ({"model": "stran"}, "Did you mean `strain`?"),
     ({"damping_time": None}, "beam.damping_time"),
     ({"damping_time": math.nan}, "beam.damping_time"),
     ({"points": 25}, "beam.points"),
@@ -268,7 +268,7 @@ def test_a_beam_rigid_in_some_pieces_only() -> None:
 
 def test_a_body_between_the_ends_of_segments() -> None:
     link = {"beam": beam(model="segments", segments=4), "bodies": [body(at=0.3)]}
-    assert "links.rod.bodies.0.at: got 0.3; expected an end of one of the 4 segments" in problem(one_link(link))
+    assert "links.rod.bodies.0.at: got 0.3, expected an end of one of the 4 segments" in problem(one_link(link))
     link["bodies"] = [body(at=0.75), body(at=0)]
     assert problem(one_link(link)) == ""
 

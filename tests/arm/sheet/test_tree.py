@@ -14,11 +14,11 @@ def said(*joints, links=LINKS, **more) -> str:
 
 
 def test_an_empty_robot() -> None:
-    assert "joints: got an empty robot" in said(links=[])
+    assert "joints must be" in said(links=[])
 
 
 def test_a_disconnected_link_is_named() -> None:
-    assert "links.b.name: got `b`, a disconnected link" in said(joint("j", "a"), links=LINKS[:2])
+    assert "links.b.name must be" in said(joint("j", "a"), links=LINKS[:2])
 
 
 def test_a_link_with_two_parents_names_the_joints() -> None:
@@ -45,7 +45,7 @@ def test_a_self_loop() -> None:
 
 def test_an_unknown_parent() -> None:
     info = said(joint("j", "a"), joint("k", "b", parent="aa"), links=LINKS[:2])
-    assert "joints.k.parent: got `aa`, which no joint carries; expected one of base, a, b" in info
+    assert "joints.k.parent must be one of base, a, b" in info
 
 
 def test_names_twice() -> None:
@@ -72,7 +72,7 @@ def test_a_fixed_joint_has_no_axis_and_no_motor() -> None:
 
 def test_limits_in_order() -> None:
     info = said(joint("j", "a", limits={"lower": 1, "upper": "-60 deg"}), links=LINKS[:1])
-    assert "joints.j.limits.lower: got 1.0; expected at most `upper`, -1.04" in info
+    assert "expected at most `upper`, -1.04" in info
 
 
 def test_a_massless_end_that_moves_is_named() -> None:

@@ -15,7 +15,10 @@ from tmodes.chain.chain import Motor
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
-__all__ = ["Vibrations", "servos_of", "sheet_modes", "vibrations"]
+__all__ = ["Vibrations", "frequencies_about", "servos_of", "sheet_frequencies", "sheet_modes", "vibrations"]
+
+_FREQUENCY = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "element", "share", "stable")
+"""What is kept of a mode where its shape does not matter."""
 
 
 class Vibrations(NamedTuple):
@@ -36,6 +39,22 @@ def sheet_modes(
     """
     rest = arm_rest(arm, contact=contact, progress=progress)
     return {state: [_plain(mode, rest) for mode in modes] for state, modes in _states(arm, rest, progress).items()}
+
+
+def frequencies_about(arm: Robot, rest: Equilibrium) -> dict[str, list[dict[str, Any]]]:
+    """Natural frequencies and damping about a known rest, for each state of the motors; shapes are left out."""
+    states = _states(arm, rest, lambda stage, share: None)
+    return {
+        state: [{key: getattr(mode, key) for key in _FREQUENCY} for mode in modes] for state, modes in states.items()
+    }
+
+
+def sheet_frequencies(arm: Robot, *, contact: bool) -> dict[str, list[dict[str, Any]]]:
+    """The same about the rest of a data sheet, which is solved for.
+
+    Errors as of :func:`tmodes.analysis.statics.rest.arm_rest`.
+    """
+    return frequencies_about(arm, arm_rest(arm, contact=contact))
 
 
 def vibrations(arm: Robot, *, contact: bool = False, progress: Progress = lambda stage, share: None) -> Vibrations:

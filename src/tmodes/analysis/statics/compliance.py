@@ -125,8 +125,7 @@ def point_compliance(rest: Equilibrium, point: int = 0) -> PointCompliance:
         flow = np.linalg.solve(tangent, jacobian.T)
     except np.linalg.LinAlgError:
         raise SimulationError(
-            "compliance: got an arm that gives way without force; expected springs along every free coordinate. Mend: "
-            "hold the loose joint, or lower the load that buckles it"
+            "compliance: the robot moves without force; hold the loose joint, or lower the load that buckles it"
         ) from None
     springs = springs_of(model, rest.q)
     parts = {name: (one.left[:, free] @ flow).T @ (one.right[:, free] @ flow) for name, one in springs.items()}

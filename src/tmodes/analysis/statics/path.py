@@ -131,8 +131,8 @@ def _first(system: StaticSystem, q: Array) -> Station:
         stiffness = np.abs(np.diagonal(system.stiffness(q, 0.0)[system.block]))
         loose = system.model.coordinates[system.free[int(stiffness.argmin())]]
         raise SimulationError(
-            f"static equilibrium: got coordinate {loose} that no spring holds and that comes to no rest; expected a "
-            "pose in which the loads balance. Mend: hold it, or give it a spring"
+            f"static equilibrium: coordinate {loose} has no spring and does not come to rest; hold it, or give it a "
+            "spring"
         )
     return _at(system, root, LITTLE)
 
@@ -166,8 +166,8 @@ def _crossing(system: StaticSystem, stable: Station, unstable: Station) -> float
 def _check_length(path: LoadPath) -> None:
     if len(path.stations) > MOST_STEPS:
         raise SimulationError(
-            f"static equilibrium: got to load factor {path.end.factor:.6g} in {MOST_STEPS} steps; expected the full "
-            "load. Mend: lower the load; the arm is wound up by it"
+            f"static equilibrium: only load factor {path.end.factor:.6g} of the full load was reached in {MOST_STEPS} "
+            "steps; lower the load"
         )
 
 
@@ -175,7 +175,7 @@ def _stopped(system: StaticSystem, here: Station) -> str:
     names = system.model.coordinates
     fastest = names[int(system.free[int(np.abs(here.tangent).argmax())])] if len(here.tangent) else "none"
     return (
-        f"static equilibrium: got no further than load factor {here.factor:.6g} of the full load, where coordinate "
-        f"{fastest} gives way; expected an arm that carries its whole load without snapping. Mend: keep the load below "
+        f"static equilibrium: the robot snaps through at load factor {here.factor:.6g} of the full load, in "
+        f"coordinate {fastest}; keep the load below "
         f"{here.factor:.4g} of the given one, raise the stiffness there, or start in the pose beyond the snap (start)"
     )

@@ -77,8 +77,8 @@ def mass_root(mass: Array) -> Array:
         return np.asarray(np.linalg.cholesky(mass), dtype=float)
     except np.linalg.LinAlgError:
         raise SimulationError(
-            "mass matrix: got one that is not positive definite; expected mass or inertia along every coordinate. "
-            "Mend: give the parts beyond the last joint a mass, and twisting beams a rotary inertia"
+            "the mass matrix is not positive definite: some coordinate moves no mass; give the parts beyond the last "
+            "joint a mass, and twisting beams a rotary inertia"
         ) from None
 
 

@@ -77,8 +77,8 @@ def write_rosenbrock_loop(
     """
     if columns > MOST_STATES:
         raise CompileError(
-            f"integration.method: got rosenbrock for a state of {columns} numbers, whose Jacobian would not fit; "
-            f"expected at most {MOST_STATES}. Mend: take method extrapolation, which needs no Jacobian"
+            f"integration.method: the Jacobian of rosenbrock does not fit for a state of {columns} numbers, only up to "
+            f"{MOST_STATES}; take extrapolation, which needs no Jacobian"
         )
     loop = TimeLoop(module, name, lowered, (*_STAGES, "probe", "by_time", "low", "new"), guarded)
     _Writer(loop, RateJacobian(module, schedule, columns, f"{name}.jacobian"), lowered, pairs).write()

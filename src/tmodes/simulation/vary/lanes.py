@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Callable, Hashable, Mapping
 from dataclasses import dataclass
+from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,15 +14,14 @@ from tmodes.analysis.stability import chosen_settings
 from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.model.model import Model
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
 from tmodes.paper.modes import closed_loop_spectrum as robot_spectrum
 from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.simulate import Batched
-from tmodes.simulation.simulate import closed_loop_spectrum
-from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.motion_run import tip_positions
+from tmodes.simulation.start import run_setup
 
 __all__ = ["Lane", "changed_sheet", "lane_of"]
 
@@ -83,18 +83,8 @@ def _robot_lane(robot: PaperRobot) -> Lane:
 
 def _arm_lane(arm: Robot) -> Lane:
     regime = run_setup(arm)
-    model, settings = regime.model, chosen_settings(arm.integration, lambda: closed_loop_spectrum(regime))
+    model, settings = regime.model, chosen_settings(arm.integration, lambda: regime.spectrum)
     key = (model.loop.rate.key, model.coordinates, settings.method)
     schedule = regime.planned.schedule
-    return Lane(key, model, model.numbers.vector, schedule, regime.start, settings, _tip_of(regime))
-
-
-def _tip_of(regime: RunSetup) -> Callable[[Array, Array], Array]:
-    def tip(times: Array, states: Array) -> Array:
-        chain, layout = regime.planned.chain, regime.model.layout
-        base = None
-        if regime.planned.plan.base:
-            base = regime.model.observe(times, states, regime.planned.schedule.rows_at(times))["base"]
-        return Model(chain).points(states[:, layout.q], base=base).position[:, 0]
-
-    return tip
+    start, numbers = regime.start, model.numbers.vector
+    return Lane(key, model, numbers, schedule, start, settings, partial(tip_positions, regime))

@@ -1,0 +1,159 @@
+"""What a run shows, from its trajectories: each part is computed once, when it is first asked for."""
+
+from __future__ import annotations
+
+import json
+from collections.abc import Callable, Mapping
+from functools import cached_property
+from typing import TYPE_CHECKING, Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
+from tmodes.analysis.quasistatic import elastic_names
+from tmodes.analysis.validity import energy_lost
+from tmodes.errors import SimulationError
+from tmodes.io.sheet_plausible import arm_notices, implausible_arm
+from tmodes.result.errors import summary_errors
+from tmodes.result.lines import line_series
+from tmodes.result.provenance import ending, move_end, provenance
+from tmodes.result.series import Variables, coordinates_of, motion_series
+from tmodes.result.settling import settling
+from tmodes.sheet import Robot
+from tmodes.simulation.motion_run import RunData
+
+if TYPE_CHECKING:
+    from xarray import Dataset
+
+__all__ = ["Assembly", "frequencies_of_sheet"]
+
+Progress = Callable[[str, float], None]
+Frequencies = dict[str, list[dict[str, Any]]]
+
+
+class Assembly:
+    """A run of a robot whose sheet as known is ``known``, and all that a result shows of it.
+
+    The time axis is that of the actual robot, as far as its reference came too.
+    """
+
+    def __init__(self, run: RunData, known: Robot) -> None:
+        self.run, self.known = run, known
+
+    @cached_property
+    def _whole(self) -> int:
+        """Samples that run and reference both have."""
+        reference = self.run.reference
+        return len(self.run.times) if reference is None else min(len(self.run.times), len(reference.times))
+
+    @cached_property
+    def _lost(self) -> int | None:
+        """The sample at which the energy balance is lost, of a run whose sheet asks to end there."""
+        run, settings, count = self.run, self.run.arm.integration, self._whole
+        if not settings.energy_stop:
+            return None
+        return energy_lost(run.energy_balance[:count], run.energy_moved, settings.energy_tolerance)
+
+    @property
+    def count(self) -> int:
+        """Samples of the result."""
+        return self._whole if self._lost is None else max(self._lost, 1)
+
+    @cached_property
+    def ending(self) -> tuple[str, str]:
+        """Status and message."""
+        if self._lost is None:
+            return ending(self.run)
+        return "stopped", f"the energy balance was lost at t = {self.run.times[self._lost]:.4g} s"
+
+    @cached_property
+    def stations(self) -> NDArray[np.float64]:
+        """Places along each link at which its line is kept [-]."""
+        return np.linspace(0.0, 1.0, self.run.arm.integration.line_points)
+
+    @cached_property
+    def _motion(self) -> Variables:
+        return motion_series(self.run, self.count)
+
+    @cached_property
+    def _lines(self) -> tuple[Variables, dict[str, list[str]], list[str]]:
+        return line_series(self.run, self.stations, self.count)
+
+    @cached_property
+    def motion(self) -> Dataset:
+        """Motion, drives, points, contact and energies, without the elastic lines."""
+        return _dataset(self._motion, coordinates_of(self.run, self.count, {}, self.stations))
+
+    @cached_property
+    def move_end(self) -> float | None:
+        """When the last signal stops changing [s]; None where one never does."""
+        return move_end(self.run.planned)
+
+    @cached_property
+    def _frequencies(self) -> tuple[Frequencies, list[str]]:
+        setup = self.run.setup
+        try:
+            if setup is None or setup.rest is None:
+                return frequencies_of_sheet(self.run.arm), []
+            return frequencies_about(self.run.arm, setup.rest), []
+        except SimulationError as error:
+            return {}, [f"no frequencies are computed: {error}"]
+
+    @property
+    def frequencies(self) -> Frequencies:
+        """Natural frequencies about the rest, by the state of the motors."""
+        return self._frequencies[0]
+
+    @cached_property
+    def settling(self) -> dict[str, Any] | None:
+        """When the tip has settled, by continuing the run."""
+        return settling(self.run, self.move_end)
+
+    @cached_property
+    def errors(self) -> dict[str, Any]:
+        """The estimated errors of the numbers of the summary."""
+        variables, (lines, names, _) = self._motion, self._lines
+        labels = names | {"deformation_kind": list(elastic_names(self.run.model)), "drive": list(self.run.drives)}
+        return summary_errors(self.run, self.stations, variables | lines, labels)
+
+    @cached_property
+    def warnings(self) -> list[str]:
+        """What a reader must know: of the run, of the sheet, and of what its models are good for."""
+        sheet = [*implausible_arm(self.known), *arm_notices(self.known)]
+        return [*self.run.warnings, *sheet, *self._frequencies[1], *self._lines[2]]
+
+    def attributes(self) -> dict[str, Any]:
+        """Where the record comes from, and what was computed of it, as plain data and JSON."""
+        status, message = self.ending
+        kept: Mapping[str, Any] = {
+            "frequencies": self.frequencies,
+            "settling": self.settling,
+            "warnings": self.warnings,
+            "errors": self.errors,
+            "move_end": self.move_end,
+        }
+        info = provenance(self.run, self.known) | {"status": status, "message": message}
+        return info | {name: json.dumps(value) for name, value in kept.items()}
+
+    def whole(self) -> Dataset:
+        """The whole record. Raises :class:`tmodes.errors.SimulationError` for lines that memory does not hold."""
+        lines, names, _ = self._lines
+        data = _dataset(self._motion | lines, coordinates_of(self.run, self.count, names, self.stations))
+        data.attrs = self.attributes()
+        return data
+
+
+def frequencies_of_sheet(robot: Robot) -> Frequencies:
+    """Natural frequencies of a robot about its rest, in contact where it is; solves for the rest."""
+    return sheet_frequencies(robot, contact=robot.contact is not None)
+
+
+def _dataset(variables: Variables, coordinates: dict[str, Any]) -> Dataset:
+    import xarray as xr
+
+    series = {
+        name: (dims, values, {"units": unit, "long_name": text})
+        for name, (dims, values, unit, text) in variables.items()
+    }
+    return xr.Dataset(series, coords=coordinates)

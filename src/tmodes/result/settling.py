@@ -1,0 +1,104 @@
+"""Settling: how long after the move the tip deviates from its reference; the run is continued until it is known."""
+
+from __future__ import annotations
+
+from dataclasses import replace
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.summary import info_settling
+from tmodes.integrate.settings import FIXED_STEP, Method
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.motion_run import RunData, tip_positions
+from tmodes.simulation.start import RunSetup
+from tmodes.simulation.trajectory import Trajectory, integrate
+
+__all__ = ["BAND", "settling"]
+
+Array = NDArray[np.float64]
+
+BAND = 0.05
+"""Share of the largest deviation within which the tip counts as settled."""
+
+_HORIZON, _SHORTEST = 30.0, 1e-3
+"""Longest and shortest continuation [s]."""
+
+_DECAYS = 4.0
+"""Decay times of the slowest vibration over which a run is continued."""
+
+_SAMPLES = 6000
+
+_LAST = 0.05
+"""Share of the continuation at its end in which a deviation out of the band means that the tip has not settled."""
+
+
+def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[str, Any] | None:
+    """Time from the end of the move [s] after which the deviation stays below ``band`` of its largest value.
+
+    All signals keep their last value, and the run and its reference are continued beyond their end, for some decay
+    times of their slowest vibration, and longer where the tip has not settled by then, up to 30 s. ``time_s`` is None,
+    with a ``reason``, where that is not enough. Only the samples
+    are looked at where a run did not reach its end, where its signals change up to its end, where a Python function
+    controls it, and where a vibration does not decay. None without a reference.
+    """
+    reference = run.reference
+    if reference is None:
+        return None
+    count = min(len(run.times), len(reference.times))
+    tips = [one.points.position[:count, 0] for one in (reference, run)]
+    time, deviation = run.times[:count], np.linalg.norm(tips[1] - tips[0], axis=1)
+    inside = info_settling(deviation, time, move_end, band)
+    setups = [one.setup for one in (reference, run) if one.setup]
+    finished = reference.status == run.status == "finished"
+    rates = [decay for setup in setups if (decay := setup.spectrum.slowest_decay) is not None]
+    fixed = len(setups) == 2 and not any(setup.callback for setup in setups)
+    if move_end is None or not finished or not fixed or min(rates, default=1.0) <= 0:
+        return inside
+    horizon = max(min(_HORIZON, _DECAYS / min(rates, default=1.0)), _SHORTEST)
+    info: dict[str, Any] = {"time_s": None, "band": band, "limit_m": inside["limit_m"], "reason": ""}
+    while True:
+        carried = [_continued(setup, one, horizon) for setup, one in zip(setups, (reference, run), strict=True)]
+        if lost := next((done for done, _ in carried if done.status != "finished"), None):
+            return info | {"reason": f"continued beyond its end, the run was lost: {lost.message}"}
+        later, afterwards = carried[1][0].times, np.linalg.norm(carried[1][1] - carried[0][1], axis=1)
+        times, far = np.append(time, time[-1] + later[1:]), np.append(deviation, afterwards[1:])
+        info["limit_m"] = limit = band * float(far.max())
+        outside = times[(far > limit) & (times > move_end)]
+        if not outside.size or outside[-1] <= times[-1] - _LAST * horizon:
+            return info | {"time_s": float(outside[-1] - move_end) if outside.size else 0.0}
+        if horizon >= _HORIZON:
+            return info | {"reason": f"the deviation is still {far[-1]:.3g} m {horizon:.3g} s after the end of the run"}
+        horizon = min(2 * horizon, _HORIZON)
+
+
+def _continued(setup: RunSetup, run: RunData, duration: float) -> tuple[Trajectory, Array]:
+    """The run from where it ended, all signals at rest, and its tip at each sample (n, 3) [m]."""
+    setup, state = at_rest_from(setup, float(run.times[-1]), run.states[-1], duration)
+    settings = setup.arm.integration.model_copy(update={"duration": duration, "output_step": duration / _SAMPLES})
+    if settings.method in FIXED_STEP:
+        settings = settings.chosen(Method.DORMAND_PRINCE)
+    later = setup.otherwise and setup.otherwise.model_copy(update={"duration": duration})
+    schedule = setup.planned.schedule
+    done = integrate(setup.model, setup.model.numbers, schedule, state, settings, otherwise=later)
+    if done.status == "interrupted":
+        raise KeyboardInterrupt
+    return done, tip_positions(setup, done.times, done.states)
+
+
+def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) -> tuple[RunSetup, Array]:
+    """The same robot with all signals at their values at a time [s], and the state from which it continues."""
+    plan, layout = setup.planned, setup.model.layout
+    values = plan.signals.at(time)
+    still = np.zeros((1, len(values), plan.signals.degree + 1))
+    still[0, :, 0] = values
+    knots = np.array([0.0, duration])
+    signals = replace(plan.signals, knots=knots, coefficients=still)
+    kept = state.copy()
+    for driver in setup.model.loop.drivers:
+        if driver.plan.servo is None:
+            kept[layout.q][driver.coordinate] = values[driver.plan.signal]
+            kept[layout.v][driver.coordinate] = 0.0
+    planned = replace(plan, schedule=Schedule(knots, still.reshape(1, -1)), signals=signals)
+    return replace(setup, planned=planned, start=kept), kept

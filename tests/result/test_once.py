@@ -1,0 +1,94 @@
+"""A run simulates and nothing else; what is asked of its result is computed when it is asked for, and once."""
+
+from __future__ import annotations
+
+from collections import Counter
+from typing import Any
+
+import pytest
+
+import tmodes
+import tmodes.analysis.statics.rest
+import tmodes.chain.lowering
+import tmodes.result.assemble
+import tmodes.simulation.start
+from arm.see.runs import swinging
+from tmodes.result import Result, load_result
+from tmodes.sheet import Robot
+
+
+@pytest.fixture
+def counts(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
+    """How often the rest is solved, a sheet is lowered, and each analysis is made."""
+    found: Counter[str] = Counter()
+
+    def counted(module: Any, name: str) -> None:
+        own = getattr(module, name)
+
+        def counting(*arguments: Any, **named: Any) -> Any:
+            found[name] += 1
+            return own(*arguments, **named)
+
+        monkeypatch.setattr(module, name, counting)
+
+    counted(tmodes.analysis.statics.rest, "equilibrium")
+    counted(tmodes.chain.lowering, "lowered")
+    for name in ("line_series", "frequencies_about", "settling", "summary_errors"):
+        counted(tmodes.result.assemble, name)
+    return found
+
+
+def short(**more: Any) -> Robot:
+    """An arm with an elastic gear, a link that bends, contact and a reference."""
+    return Robot.from_data(swinging() | more)
+
+
+def test_a_run_only_simulates(counts):
+    """One chain and one rest for the robot as known, one for the actual one where it differs; no analysis."""
+    same, differing = short(real={}), short()
+    counts.clear()  # a sheet is lowered where it is checked
+    result = tmodes.run(same)
+    assert counts == {"equilibrium": 1, "lowered": 1}
+    assert result.success
+    assert set(result.motion["tip"].dims) == {"time", "axis"}
+    assert counts == {"equilibrium": 1, "lowered": 1}
+    counts.clear()
+    pair = differing.pair()
+    counts.clear()
+    tmodes.run(pair)
+    assert counts == {"equilibrium": 2, "lowered": 2}
+
+
+def test_each_analysis_is_made_once(counts, tmp_path):
+    """Frequencies about the rest that the run had; what a file holds is not computed again."""
+    result = tmodes.run(short(real={}))
+    counts.clear()
+    first = result.frequencies
+    assert counts == {"frequencies_about": 1}
+    assert result.settling is not None
+    assert result.warnings == result.warnings
+    assert result.summary() == result.summary()
+    result.save(tmp_path / "result.nc")
+    assert result.frequencies == first
+    expected = {"frequencies_about": 1, "line_series": 1, "settling": 1, "summary_errors": 1}
+    assert counts == expected
+    back = load_result(tmp_path / "result.nc")
+    assert isinstance(back, Result)
+    assert back.summary() == result.summary()
+    assert back.settling == result.settling
+    assert back.frequencies == first
+    assert counts == expected
+
+
+def test_frequencies_missing_in_a_file_follow_from_its_sheet(counts):
+    """A record without them is completed from the data sheet of the actual robot."""
+    result = tmodes.run(short())
+    data = result.data.copy()
+    known = result.frequencies
+    data.attrs = {key: value for key, value in data.attrs.items() if key != "frequencies"}
+    again = Result(data).frequencies
+    assert again.keys() == known.keys()
+    for state, modes in known.items():
+        assert [mode["frequency_Hz"] for mode in again[state]] == pytest.approx(
+            [mode["frequency_Hz"] for mode in modes], rel=1e-9
+        )
