@@ -76,7 +76,7 @@ class LineOfLink(ABC):
         """Whether section and material are known."""
         return False
 
-    def borne(self) -> Array:
+    def borne(self) -> NDArray[np.intp]:
         """For each place, which of ``Moved.outer`` it bears: a place bears what is fixed to it."""
         return np.searchsorted(self.stations, self.s, side="left")
 
