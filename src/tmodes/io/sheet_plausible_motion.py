@@ -7,7 +7,6 @@ from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
 from tmodes.sheet.checks import coordinate_count
-from tmodes.sheet.parts import Command
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
@@ -54,7 +53,7 @@ def _limits(arm: Robot) -> Iterator[str]:
 def _signals(arm: Robot) -> Iterator[str]:
     units = {name: joint.unit for joint in arm.joints for name in joint.coordinates}
     for index, drive in enumerate(arm.drives):
-        if drive.command not in {Command.POSITION, Command.PRESCRIBED}:
+        if not drive.command.is_motion:
             continue
         path, slides = f"drives.{index} (`{drive.joint}`)", units[drive.joint] == "m"
         value = _largest(drive.signal)

@@ -107,4 +107,5 @@ def structure(of: Mechanism | ClosedLoop) -> object:
         return of
     drives = tuple(axis.drive for axis in of.parts.axes)
     nodes = tuple((part.hinge, part.link and part.link.kernels) for part in of.parts.nodes), drives
-    return nodes, tuple((drive.servo, drive.winding) for drive in of.plan.drives), of.parts.numbers.size
+    servos = tuple((drive.servo and drive.servo.key, drive.winding) for drive in of.plan.drives)
+    return nodes, servos, of.parts.numbers.size
