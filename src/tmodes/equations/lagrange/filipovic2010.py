@@ -1,8 +1,8 @@
 """The robot of Filipovic & Djuric (2010) by its energies, in both readings of the paper: two systems.
 
 One joint about z, one link of the kind ``modes`` with two modes and a payload at its tip. The energies are stated in
-the paper's coordinates [q, delta, gamma, vt, e]; a robot's own are its joint's angle and the modes' bending angles, from
-which the paper's follow by a constant map, Eq. (5). Motor, gear, control and contact are those of any robot.
+the paper's coordinates [q, delta, gamma, vt, e]; a robot's own are its joint's angle and the modes' bending angles,
+from which the paper's follow by a constant map, Eq. (5). Motor, gear, control and contact are those of any robot.
 """
 
 from __future__ import annotations
