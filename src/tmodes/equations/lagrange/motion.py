@@ -6,7 +6,7 @@ The bodies' coordinates are the joints' and the links'; motors behind elastic ge
 from __future__ import annotations
 
 from tmodes.equations.lagrange.chained import ChainedSystem
-from tmodes.equations.lagrange.solving import Solver, attached_kernel, push_rows_kernel
+from tmodes.equations.lagrange.solving import Solver, attached_kernel, push_rows_kernel, world_axes_kernel
 from tmodes.equations.recursion.coordinates import Coordinates
 from tmodes.equations.recursion.driven import Driven
 from tmodes.equations.recursion.parts import AxisPart
@@ -56,9 +56,9 @@ class LagrangeWay(Coordinates):
         return pose, rate
 
     def frame_of(self, k: int) -> tuple[Slot, Slot, Slot]:
-        """A point's own frame: its rate is not needed, because nothing is off its origin."""
+        """A point's own frame; what is attached to it is told in world axes, and nothing is off its origin."""
         pose = self.pose(k)[0]
-        return pose, pose, self.none[3]
+        return pose, self.call(world_axes_kernel(), pose)[0], self.none[3]
 
     def offset(self, k: int) -> Slot:
         """Points stand in their own frames."""
@@ -98,7 +98,7 @@ class LagrangeWay(Coordinates):
         for k, (inertia, bias) in self.attached.items():
             (drift,) = self.call(kernels.drift(self.chained.points[k]), *self.state, self.pull)
             levers = self.lever(k), self.lever(k, mapped=False)
-            return self.call(attached_kernel(own), *levers, self.pose(k)[0], drift, inertia, bias)
+            return self.call(attached_kernel(own), *levers, drift, inertia, bias)
         return ()
 
 
