@@ -12,7 +12,6 @@ from typing import Any
 
 from tmodes.paper.simulate import simulate
 from tmodes.report.write import write_report
-from tmodes.report.write import write_report
 from tmodes.result import assemble_result
 from tmodes.robots.load import load_sheet
 from tmodes.sheet import Robot
@@ -34,7 +33,7 @@ SWING = 0.25
 
 @contextmanager
 def progress(what: str) -> Iterator[None]:
-    """Tells what takes its time, and how long it took."""
+    """Prints the stages and how long each took."""
     began = time.perf_counter()
     print(f"{what} … ", end="", file=sys.stderr, flush=True)
     yield
@@ -70,10 +69,10 @@ ROBOTS: dict[str, tuple[str, Callable[[], Any]]] = {
 
 
 def result_of(sheet: Any) -> Any:
-    """Its run, with all that is told of it."""
+    """Its run, with all that is reported of it."""
     return assemble_result(simulate_motion(sheet), sheet) if isinstance(sheet, Robot) else simulate(sheet)
 
 
 def written(result: Any, path: Path) -> Path:
     """Its report, with figures and model, as ``tmodes run`` leaves it."""
-    return (write_report if result.kind == "arm" else write_report)(result, path)
+    return write_report(result, path)

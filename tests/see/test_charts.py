@@ -6,9 +6,9 @@ from typing import Any
 
 import numpy as np
 import pytest
-from tmodes.plot.amplitude import amplitude_spectrum
 
 from see.scenes import arm_result
+from tmodes.plot.amplitude import amplitude_spectrum
 from tmodes.report.charts import charts_of, drafts_of
 from tmodes.report.data import facts_of, page_data
 from tmodes.report.pack import Coarse, pack
