@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Literal, NamedTuple, Self
 
 from pydantic import Field, model_validator
 
@@ -11,11 +11,14 @@ from tmodes.kinds.links.beam import BeamSheet
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, quantity, refuse
+from tmodes.kinds.signals.command_noise import CommandNoise
+from tmodes.kinds.signals.schedule import Schedule
 from tmodes.kinds.signals.signals import Signal
 
 __all__ = [
     "BaseMotion",
     "Command",
+    "Disturbed",
     "DriveSheet",
     "Initial",
     "InitialState",
@@ -104,6 +107,17 @@ class PositionControl(DataSheet):
     velocity_gain: float = not_negative("gain*s", "Kv", "velocity gain")
 
 
+class Disturbed(NamedTuple):
+    """A signal with noise on it."""
+
+    signal: Any
+    noise: CommandNoise
+
+    def schedule(self, until: float) -> Schedule:
+        """The sum, up to ``until`` [s]."""
+        return self.noise.on(self.signal.schedule(until), until)
+
+
 class DriveSheet(DataSheet):
     """What moves a joint in a run."""
 
@@ -111,6 +125,12 @@ class DriveSheet(DataSheet):
     command: Command = Field(strict=False, description="what the signal is")
     signal: Signal
     controller: PositionControl | None = Field(default=None, description="what keeps a wanted position")
+    noise: CommandNoise | None = Field(default=None, description="noise on the reference; none: no noise")
+
+    @property
+    def received(self) -> Any:
+        """The signal as the controller receives it."""
+        return Disturbed(self.signal, self.noise) if self.noise and self.noise.deviation else self.signal
 
     @model_validator(mode="after")
     def _is_controlled(self) -> Self:

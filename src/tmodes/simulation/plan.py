@@ -120,7 +120,7 @@ def _drive(
     if sheet is None or follow is Follow.HELD:
         held = Constant(type="constant", value=initial_value(arm, joint.name))
         return DrivePlan(joint.name, signals.add(held, "initial"), None, winding, (0.0, 0.0, *numbers))
-    signal = signals.add(sheet.signal, f"drives.{index}.signal")
+    signal = signals.add(sheet.signal if exact else sheet.received, f"drives.{index}.signal")
     if exact:
         return DrivePlan(joint.name, signal, None, winding, (0.0, 0.0, *numbers))
     gains = (sheet.controller.position_gain, sheet.controller.velocity_gain) if sheet.controller else (0.0, 0.0)
