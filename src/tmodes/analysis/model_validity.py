@@ -13,7 +13,6 @@ from tmodes.analysis.line.tables import pieces_at
 from tmodes.analysis.range import bent
 from tmodes.chain.chain import Beam, Segment
 from tmodes.kinds.links.beam_tables import beam_tables, section_edges
-from tmodes.kinds.links.material import find_material
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -140,11 +139,7 @@ def yield_strength(arm: Robot, name: str) -> float | None:
     beam = arm.link(name if name in names else name.rpartition(".")[0]).beam if arm.links else None
     if beam is None:
         return None
-    choices = [beam.material, *(piece.material for piece in beam.pieces)]
-    info = [choice for choice in choices if choice is not None]
-    materials = [find_material(choice) if isinstance(choice, str) else choice for choice in info]
-    strengths = [material.yield_strength for material in materials if material.yield_strength is not None]
-    return min(strengths, default=None)
+    return min(beam.yield_strengths, default=None)
 
 
 def _buckling(model: Model, time: Array, line: LinkLine) -> Iterator[str]:

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Any, Self
+from typing import Annotated, Any, ClassVar, Self
 
 from pydantic import Discriminator, Field, Tag, field_validator, model_validator
 
@@ -13,10 +13,11 @@ from tmodes.kinds.links.beam_choices import Basis, BeamModel, RotaryInertia
 from tmodes.kinds.links.beam_pieces import Piece, tapered_pieces, uniform_piece
 from tmodes.kinds.links.material import Material, find_material
 from tmodes.kinds.links.section import GivenSection, Section
+from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import DataSheet, Issue, dissipation, positive, quantity, refuse
 
-__all__ = ["MOST_FUNCTIONS", "MOST_SEGMENTS", "Basis", "BeamModel", "BeamSheet", "Functions", "RotaryInertia"]
+__all__ = ["MOST_FUNCTIONS", "MOST_SEGMENTS", "Basis", "BeamData", "BeamModel", "Functions", "RotaryInertia"]
 
 MOST_FUNCTIONS = 12
 """Largest number of functions of a direction."""
@@ -60,8 +61,10 @@ class Taper(DataSheet):
     section: Section
 
 
-class BeamSheet(DataSheet):
-    """A beam along x of its root frame."""
+class BeamData(BendingSheet):
+    """A beam along x of its root frame: its fields, and how they fit together."""
+
+    words: ClassVar[tuple[str, ...]] = tuple(BeamModel)
 
     model: BeamModel = Field(strict=False, description="strain, segments or rigid")
     functions: Functions | None = Field(default=None, description="functions of each direction (strain)")
