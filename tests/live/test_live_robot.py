@@ -19,7 +19,7 @@ from tmodes.report.pack import pack
 from tmodes.report.scene_paper import line_at
 from tmodes.report.spectra import robot_spectra
 from tmodes.result.record import PaperResult
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 
 from .node import live_in_node, worst_difference
 
@@ -39,7 +39,7 @@ two runs are a small sample. Measured: 1.7 at most, at twenty settings."""
 
 @pytest.fixture(scope="module")
 def seed() -> PaperRobot:
-    sheet = load_sheet("filipovic2010")
+    sheet = load("filipovic2010")
     assert isinstance(sheet, PaperRobot)
     return sheet
 

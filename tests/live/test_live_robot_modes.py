@@ -16,7 +16,7 @@ from tmodes.report.facts import frequency_facts
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.spectra import robot_spectra
 from tmodes.result.record import PaperResult
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 
 from .node import live_in_node, worst_difference
 from .same_modes import SHAPE, assert_same_modes
@@ -29,7 +29,7 @@ COARSE = {"integration.method": "dormand_prince", "integration.relative_toleranc
 
 
 def seed(**changes: Any) -> PaperRobot:
-    sheet = load_sheet("filipovic2010", COARSE | changes)
+    sheet = load("filipovic2010", COARSE | changes)
     assert isinstance(sheet, PaperRobot)
     return sheet
 

@@ -10,7 +10,7 @@ from tmodes.live.numbers import arm_numbers, robot_numbers, whole, whole_moves
 from tmodes.live.sliders import MOST
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.sheet import PaperRobot
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
 
@@ -27,7 +27,7 @@ def drawn(live: LiveMap, generator: np.random.Generator) -> list[float]:
 @pytest.mark.parametrize("name", SHEETS)
 def test_numbers_are_those_of_the_changed_sheet(name: str) -> None:
     """Parameters and signals of every run, at random values of all sliders."""
-    sheet = load_sheet(name)
+    sheet = load(name)
     live = live_map(sheet.pair())
     generator = np.random.default_rng(3)
     for _ in range(3):
@@ -51,7 +51,7 @@ def test_numbers_are_those_of_the_changed_sheet(name: str) -> None:
 @pytest.mark.parametrize("name", SHEETS)
 def test_sliders_stay_within_the_checks_of_the_sheet(name: str) -> None:
     """All at their least, and all at their largest value; a label, a unit and a group each."""
-    sheet = load_sheet(name)
+    sheet = load(name)
     live = live_map(sheet.pair())
     assert 5 <= len(live.sliders) <= MOST
     for ends in zip(*((slider.low, slider.high) for slider in live.sliders), strict=True):
@@ -66,14 +66,14 @@ def test_sliders_stay_within_the_checks_of_the_sheet(name: str) -> None:
 
 def test_sliders_of_the_seed_are_what_one_wants_to_change() -> None:
     """Payload, gear and links as known and as they are, speed of the move, gains, environment."""
-    paths = {slider.path for slider in live_map(load_sheet("filipovic2010").pair()).sliders}
+    paths = {slider.path for slider in live_map(load("filipovic2010").pair()).sliders}
     assert {"payload.mass", "gear.stiffness", "real:gear.stiffness", "link.modes.1.bending_stiffness",
             "reference.duration", "controller.position_gain", "environment.stiffness"} <= paths  # fmt: skip
 
 
 def test_what_has_no_form_has_no_slider_and_says_so() -> None:
     """With noise on the reference its pieces are merged with those of the move: no power of its duration."""
-    noisy = load_sheet("filipovic2010", {"reference.noise.deviation": 1e-4})
+    noisy = load("filipovic2010", {"reference.noise.deviation": 1e-4})
     live = live_map(noisy.pair())
     assert "reference.duration" in live.left_out
     assert "reference.duration" not in {slider.path for slider in live.sliders}

@@ -12,7 +12,7 @@ from tmodes.live.module import LiveModule
 from tmodes.live.wasm_paper import robot_module
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.trajectory import integrate
 from wasm.node import in_node
@@ -33,7 +33,7 @@ Extrapolation adds up its rows with weights of thousands.
 
 
 def _robot(method: str = "dormand_prince") -> Any:
-    return load_sheet("filipovic2010").with_({"integration.method": method, "integration.duration": 0.1})
+    return load("filipovic2010").with_({"integration.method": method, "integration.duration": 0.1})
 
 
 @pytest.fixture(scope="module")

@@ -10,14 +10,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any, get_args, get_origin
 
 from tmodes.errors import InputError
-from tmodes.io.forms import robot_path, with_reach
+from tmodes.io.forms import ROBOT, form_of, robot_change, robot_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, root_of
 from tmodes.io.sheet_units import at
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.links.material import LIBRARY
-from tmodes.sheet import Robot
 
-__all__ = ["changed_places", "entered", "set_arm_paths", "steps_of"]
+__all__ = ["changed_places", "entered", "later_changes", "set_arm_paths", "steps_of"]
 
 LONGEST = 500
 
@@ -39,8 +38,9 @@ def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple
     """
     changed = copy.deepcopy(dict(data))
     places = []
-    for path, value in changes.items():
-        if path == "contact" and isinstance(value, bool) and root_of(changed).annotation is Robot:
+    for given, wish in changes.items():
+        path, value = robot_change(given, wish, changed)
+        if path == "contact" and isinstance(value, bool) and form_of(changed) is ROBOT:
             _switch_contact(changed, value)
             continue
         *groups, key = steps = steps_of(path, changed)
@@ -50,6 +50,16 @@ def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple
         inner[key] = copy.deepcopy(value)  # pyright: ignore[reportCallIssue, reportArgumentType]
         places.append(".".join(map(str, steps)))
     return with_reach(data, changed), places
+
+
+def later_changes(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Those of the changes that name a place of the robot, where the sheet is of another format."""
+    form = form_of(data)
+    if form is ROBOT:
+        return {}
+    own, others = keys(form.root), keys(ROBOT.root)
+    first = {path: str(path).partition(".")[0] for path in changes}
+    return {path: changes[path] for path, word in first.items() if word in others and word not in own}
 
 
 def _switch_contact(data: dict[str, Any], on: bool) -> None:

@@ -53,10 +53,10 @@ def checked_sheet(data: Any) -> PaperRobot | Robot:
 
 
 def loaded(name_or_path: str | Path, roots: tuple[Path, ...] = ()) -> PaperRobot | Robot:
-    """A published sheet, or that of a file; the errors are those of :func:`tmodes.robots.load.load_sheet`."""
-    from tmodes.robots.load import load_sheet
+    """A published sheet, or that of a file; the errors are those of :func:`tmodes.robots.load.load`."""
+    from tmodes.robots.load import load
 
-    return load_sheet(name_or_path, roots=roots)
+    return load(name_or_path, roots=roots)
 
 
 def plain_sheet(sheet: PaperRobot | Robot) -> dict[str, Any]:
