@@ -40,7 +40,9 @@ def modes(
     reading: ReadingOption = None,
     settings: Settings = None,
     contact: Annotated[bool, typer.Option("--contact", help="With the tip on the environment.")] = False,
-    angle: Annotated[float | None, typer.Option(help="Angle of the first drive's motor in rad; else the start of its move.")] = None,
+    angle: Annotated[
+        float | None, typer.Option(help="Angle of the first drive's motor in rad; else the start of its move.")
+    ] = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,

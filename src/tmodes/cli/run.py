@@ -53,7 +53,8 @@ def run(
         bool, typer.Option("--figures/--no-figures", help="Figures and report, or the data only.")
     ] = True,
     live: Annotated[
-        bool, typer.Option("--live/--no-live", help="Let the report simulate again; compiling takes some seconds, once.")
+        bool,
+        typer.Option("--live/--no-live", help="Let the report simulate again; compiling takes some seconds, once."),
     ] = True,
     as_json: AsJson = False,
 ) -> None:

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from tmodes.io.sheet_schema import arm_json_schema
 
 from arm.sheet.cases import sheet
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.sheet_schema import arm_json_schema
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import text

@@ -1,14 +1,14 @@
-// A run of an arm in the page: from values of the sliders to all that a page shows of it, as motion/simulate.py does.
+// A run in the page: from values of the sliders to all that a page shows of it, as tmodes/simulation/simulate.py does.
 
 import type { LiveRun } from "../contract_parts";
-import { factsOf } from "./arm_facts";
-import { limitFact, loadFacts } from "./arm_load_facts";
-import { linePanel, loadColours } from "./arm_load_picture";
-import { loadsOf } from "./arm_loads";
-import { moved, type Name, type Regime } from "./arm_regime";
-import { armScene } from "./arm_scene";
-import { compared, seenOf, seriesOf } from "./arm_series";
-import { framesOf, type ArmBundle } from "./bundle";
+import { factsOf } from "./run_facts";
+import { limitFact, loadFacts } from "./load_facts";
+import { linePanel, loadColours } from "./load_picture";
+import { loadsOf } from "./loads";
+import { moved, type Name, type Regime } from "./regime";
+import { sceneOf } from "./live_scene";
+import { compared, seenOf, seriesOf } from "./run_series";
+import { framesOf, type Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import type { Watch } from "./engine_run";
 import { brokenOff, type Facts } from "./facts";
@@ -23,8 +23,8 @@ const FEWEST = 32; // samples of a spectrum
  * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the real arm's
  * motion.
  */
-export async function runArm(
-  engine: Engine, bundle: ArmBundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
+export async function runOf(
+  engine: Engine, bundle: Bundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
   moving: (real: Regime) => void = () => undefined,
 ): Promise<LiveRun> {
   const began = performance.now();
@@ -55,11 +55,11 @@ export async function runArm(
   const colours = loadColours(bundle, loads.links, frames.length);
   return {
     status: failed ? failed.run.status : "finished",
-    message: failed ? `${failed === real ? "real arm" : "reference"}: ${failed.run.message}` : real.run.message,
+    message: failed ? `${failed === real ? "actual robot" : "reference"}: ${failed.run.message}` : real.run.message,
     seconds,
     times,
     series,
-    scene: armScene(engine, bundle, real.blocks, series, times, frames, colours),
+    scene: sceneOf(engine, bundle, real.blocks, series, times, frames, colours),
     line: linePanel(bundle, loads.links, frames.length),
     span: spanOf(times, end),
     facts: failed ? brokenOff(facts) : facts,

@@ -1,6 +1,6 @@
-// Stress at the outer fibre of a bending link, from what its sections carry, as tmodes/analysis/arm_line_stress.py.
+// Stress at the outer fibre of a bending link, from what its sections carry, as tmodes/analysis/line/stress.py.
 
-import type { Carried } from "./arm_balance";
+import type { Carried } from "./balance";
 import type { Reals } from "./space";
 
 const ROUND = 1e-9; // relative difference of stiffnesses below which a section is a circle or a ring

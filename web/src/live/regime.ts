@@ -1,7 +1,7 @@
-// One arm in motion, the reference or the real one: its numbers, its signals and its run.
+// One robot in motion, the nominal (reference) or the actual one: its numbers, its signals and its run.
 
-import { firstState } from "./arm_rest";
-import { doubles, type ArmBundle, type ArmRunInfo } from "./bundle";
+import { firstState } from "./rest";
+import { doubles, type Bundle, type RunInfo } from "./bundle";
 import type { Engine } from "./engine";
 import { integrate, type RunResult, type Watch } from "./engine_run";
 import type { Blocks } from "./map";
@@ -13,7 +13,7 @@ export type Name = "reference" | "real";
 /** One arm in motion, and what is observed of it. */
 export interface Regime {
   name: Name;
-  info: ArmRunInfo;
+  info: RunInfo;
   blocks: Blocks;
   schedule: signals.Schedule;
   run: RunResult;
@@ -21,7 +21,7 @@ export interface Regime {
 
 /** It in motion with these numbers; raises an error where it cannot start. */
 export async function moved(
-  engine: Engine, bundle: ArmBundle, values: readonly number[], name: Name, blocks: Blocks, watch: Watch,
+  engine: Engine, bundle: Bundle, values: readonly number[], name: Name, blocks: Blocks, watch: Watch,
 ): Promise<Regime> {
   const { settings } = bundle;
   const info = bundle.runs[name]!;

@@ -14,8 +14,8 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.compile.ir.calls import DIRECT
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.wasm.wasm_parts import schedule_samples
+from tmodes.live.functions import ModelFunctions, live_module, needed_for, stationed
 from tmodes.live.module import Functions, LiveModule
-from tmodes.live.wasm_motion import ModelFunctions, arm_module, needed_for, stationed
 from tmodes.model.evaluator import derivatives
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -23,8 +23,8 @@ from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
-from wasm.arms import two_links
 from wasm.node import in_node
+from wasm.sheets import two_links
 
 SAME = {"dormand_prince": 1e-11, "extrapolation": 1e-8}
 """By how much two engines differ over the largest number of a state, see test_robot.py; a contact adds to it."""
@@ -38,7 +38,7 @@ def _arm(method: str = "extrapolation") -> Robot:
 
 @pytest.fixture(scope="module")
 def module() -> LiveModule:
-    return arm_module(ModelFunctions(_arm().pair(), STATIONS), [*SAME])
+    return live_module(ModelFunctions(_arm().pair(), STATIONS), [*SAME])
 
 
 def _regimes(arm: Robot) -> dict[str, RunSetup]:

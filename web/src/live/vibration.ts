@@ -1,9 +1,9 @@
-// Small vibrations of an arm about its rest, as tmodes/analysis/arm_modes.py finds them.
+// Small vibrations of a robot about its rest, as tmodes/analysis/modes/ finds them.
 
-import { linearAtRest, type Linear } from "./arm_linear";
-import { restFor } from "./arm_rest";
-import { poseOf } from "./arm_scene";
-import { doubles, type ArmBundle } from "./bundle";
+import { linearAtRest, type Linear } from "./linear_model";
+import { restFor } from "./rest";
+import { poseOf } from "./live_scene";
+import { doubles, type Bundle } from "./bundle";
 import { damped, undamped } from "./eigen";
 import type { Engine } from "./engine";
 import type { Facts } from "./facts";
@@ -19,8 +19,8 @@ const FREE = "whole arm, free";
 const LOADS = "whole arm, in its weight and loads";
 
 /** Modes, marks and the first frequency for values of the sliders; a sentence where there are none. */
-export function armVibration(
-  engine: Engine, bundle: ArmBundle, values: readonly number[], blocks: Blocks, schedule: Schedule,
+export function vibrationOf(
+  engine: Engine, bundle: Bundle, values: readonly number[], blocks: Blocks, schedule: Schedule,
 ): { vibration: Vibration | string; facts: Facts } {
   if (!bundle.modes) return { vibration: bundle.noModes, facts: {} };
   try {
@@ -36,7 +36,7 @@ export function armVibration(
 
 function aboutRest(
   engine: Engine,
-  bundle: ArmBundle,
+  bundle: Bundle,
   values: readonly number[],
   schedule: Schedule,
 ): { rest: Float64Array; linear: Linear } {
@@ -48,7 +48,7 @@ function aboutRest(
   return last!;
 }
 
-function modesOf(bundle: ArmBundle, blocks: Blocks, linear: Linear, name: string, moving: number[]): Found[] {
+function modesOf(bundle: Bundle, blocks: Blocks, linear: Linear, name: string, moving: number[]): Found[] {
   const whole = Math.sqrt(linear.mass.length);
   const m = moving.length;
   if (!m) return [];
@@ -91,7 +91,7 @@ function modesOf(bundle: ArmBundle, blocks: Blocks, linear: Linear, name: string
 
 /** Twice the energy of a shape in each spring, and in the controllers. */
 function storedIn(
-  bundle: ArmBundle,
+  bundle: Bundle,
   blocks: Blocks,
   elastic: Float64Array,
   shape: Float64Array,

@@ -1,11 +1,11 @@
-// Headline numbers of an arm's run, but for those of its loads, by the ids and words of tmodes/report/facts.py.
+// Headline numbers of a run, but for those of its loads, by the ids and words of tmodes/report/run_facts.py.
 
-import type { ArmBundle } from "./bundle";
+import type { Bundle } from "./bundle";
 import { energyFacts, figures, meanOverTime, trackingFacts, type Facts } from "./facts";
 import { columns, worst, type SeriesOf } from "./series";
 
 /** `end`: when the move ends [s]; null where it never does. */
-export function factsOf(bundle: ArmBundle, times: Float64Array, series: SeriesOf, end: number | null): Facts {
+export function factsOf(bundle: Bundle, times: Float64Array, series: SeriesOf, end: number | null): Facts {
   const facts: Facts = { ...trackingFacts(times, series, end), ...energyFacts(series, times.length) };
   const every = bundle.deformations.flatMap((name, k) => (name.endsWith(".gear") ? [k] : []));
   const turning = every.filter((k) => bundle.turning.includes(bundle.deformations[k].replace(/\.gear$/, "")));

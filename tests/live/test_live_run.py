@@ -13,7 +13,7 @@ from tmodes.io.urdf_shapes import LinkShape
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.live.map import LiveMap, live_map
-from tmodes.live.numbers import arm_numbers, whole_moves
+from tmodes.live.numbers import run_numbers, whole_moves
 from tmodes.report.meshes import with_shapes
 from tmodes.report.pack import pack
 from tmodes.report.scene_chain import arm_scene
@@ -190,7 +190,7 @@ def test_every_kind_of_surface_has_a_slider(shape: dict[str, Any], path: str) ->
     assert moved.contact is not None
     numbers = live.numbers(values, "real")
     assert numbers["surface"] == pytest.approx(moved.contact.shape.moving_numbers(), rel=1e-12)
-    true = arm_numbers(moved.pair().real, Follow.SHEET, whole_moves(arm, 2.5), (0.0, 1.0))
+    true = run_numbers(moved.pair().real, Follow.SHEET, whole_moves(arm, 2.5), (0.0, 1.0))
     assert numbers["parameters"] == pytest.approx(true["parameters"], rel=1e-12)
 
 

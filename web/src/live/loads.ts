@@ -1,17 +1,17 @@
 // The loads along an arm's links over a run: what is largest of all samples, and all of it at the frames that are
 // shown.
 
-import { FRAME, GAIN, PLACE } from "./arm_frame";
-import { Balance, type Carried, type NodeInfo, type PointInfo } from "./arm_balance";
-import { fibreOf, stressed, type Fibre, type Stress } from "./arm_stress";
-import { WRENCH, wrenchAt, type LoadInfo } from "./arm_wrench";
-import { doubles, type ArmBundle } from "./bundle";
+import { FRAME, GAIN, PLACE } from "./frame";
+import { Balance, type Carried, type NodeInfo, type PointInfo } from "./balance";
+import { fibreOf, stressed, type Fibre, type Stress } from "./stress";
+import { WRENCH, wrenchAt, type LoadInfo } from "./wrench";
+import { doubles, type Bundle } from "./bundle";
 import type { Numbers } from "../pack";
 import type { SeriesOf } from "./series";
 import type { Schedule } from "./signals";
 import type { Reals } from "./space";
 
-/** As tmodes/live/arm_loads.py reports it; numbers say where in the block `carried` a table begins. */
+/** As tmodes/live/loads.py reports it; numbers say where in the block `carried` a table begins. */
 export interface LoadsInfo {
   places: Numbers;
   /** How many the result keeps: `places` are some of them where these are very many. */
@@ -76,7 +76,7 @@ interface Link {
 
 /** All loads of a run; `numbers`: the block `carried`. */
 export function loadsOf(
-  bundle: ArmBundle,
+  bundle: Bundle,
   numbers: Reals,
   series: SeriesOf,
   times: Reals,
@@ -111,7 +111,7 @@ export function loadsOf(
 }
 
 /** The frame on which the first joints stand: at rest, and held against gravity. */
-function standing({ base, gravity }: ArmBundle): Reals {
+function standing({ base, gravity }: Bundle): Reals {
   const frame = new Float64Array(FRAME);
   frame.set(Array.from(base.data).slice(9, 18));
   frame.set(Array.from(base.data).slice(18, 21), PLACE);
@@ -141,7 +141,7 @@ function linkOf(node: NodeInfo, carried: Carried, numbers: Reals, places: number
 
 /** Force and moment on each pushed point at a sample, world axes. */
 function push(
-  { carried: info }: ArmBundle,
+  { carried: info }: Bundle,
   numbers: Reals,
   series: SeriesOf,
   schedule: Schedule,

@@ -1,9 +1,9 @@
-// Motion of a bending link's sections: the steps of the model from root to tip, as tmodes/analysis/arm_line_strain.py.
+// Motion of a bending link's sections: the steps of the model from root to tip, as tmodes/analysis/line/strain.py.
 
-import { addMoved, FRAME, GAIN, PLACE, RATE, TURNING } from "./arm_frame";
+import { addMoved, FRAME, GAIN, PLACE, RATE, TURNING } from "./frame";
 import { add, addCross, addTurned, copy, type Reals } from "./space";
 
-/** A bending link as tmodes/live/arm_loads.py reports it; numbers of tables say where in the vector these begin. */
+/** A bending link as tmodes/live/loads.py reports it; numbers of tables say where in the vector these begin. */
 export interface BeamInfo {
   first: number;
   /** Component of curvature (0 twist, 1 about y, 2 about z) of each function that turns sections. */

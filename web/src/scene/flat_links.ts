@@ -4,7 +4,7 @@ import type { SceneLink } from "../contract";
 import type { Pen } from "./flat_pen";
 import type { Motion } from "./motion";
 import { SCALE, step } from "./palette";
-import { nearest, sizes, type Body, type Look, type Widths } from "./robot";
+import { nearest, sizes, type Body, type Look, type Widths } from "./links";
 import type { Range } from "./shown";
 import { sectionAxes, transport, type SectionSizes } from "./sweep";
 

@@ -19,7 +19,7 @@ from tmodes.simulation.simulate import simulate_motion
 
 from .node import live_in_node
 from .same_modes import SHAPE, assert_same_modes
-from .test_live_arm import two_links
+from .test_live_run import two_links
 
 SETTINGS = 2
 EQUAL = 1e-8

@@ -1,9 +1,9 @@
-// The picture of an arm at the display frames: where its links are, bent, without elasticity, and as planned.
+// The picture of the robot at the display frames: where its links are, bent, without elasticity, and as planned.
 
 import type { SceneContact } from "../contract";
 import type { LiveRun } from "../contract_parts";
 import type { Numbers } from "../pack";
-import { doubles, type Affine, type ArmBundle } from "./bundle";
+import { doubles, type Affine, type Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import type { Blocks } from "./map";
 import { rowsOf, sizes, type SeriesOf } from "./series";
@@ -33,9 +33,9 @@ interface Pose {
  * Scene of a run, whose numbers are those of the passes to the stations and of the surface; `loads`: what else may
  * colour the links.
  */
-export function armScene(
+export function sceneOf(
   engine: Engine,
-  bundle: ArmBundle,
+  bundle: Bundle,
   { pose: parameters, surface }: Blocks,
   series: SeriesOf,
   times: Float64Array,
@@ -87,13 +87,13 @@ export function armScene(
 }
 
 /** The surface where it is now: `numbers` are its place and its radius. */
-function surfaceAt({ surface }: ArmBundle, numbers: Float64Array): SceneContact["surface"] | undefined {
+function surfaceAt({ surface }: Bundle, numbers: Float64Array): SceneContact["surface"] | undefined {
   const place: [number, number, number] = [numbers[0], numbers[1], numbers[2]];
   if (surface?.kind === "plane") return { ...surface, position: place };
   return surface ? { ...surface, center: place, radius: numbers[3] } : undefined;
 }
 
-function contactPlace(bundle: ArmBundle, series: SeriesOf, frames: number[]): Numbers {
+function contactPlace(bundle: Bundle, series: SeriesOf, frames: number[]): Numbers {
   const points = series.position.shape[1];
   const all = rowsOf(series.position.data, 3 * points, frames);
   const data = new Float64Array(3 * frames.length);
@@ -106,7 +106,7 @@ function contactPlace(bundle: ArmBundle, series: SeriesOf, frames: number[]): Nu
 /** Lines and roots of all links at coordinates q [count, nq]. */
 export function poseOf(
   engine: Engine,
-  bundle: ArmBundle,
+  bundle: Bundle,
   parameters: Float64Array,
   q: Float64Array,
   count: number,

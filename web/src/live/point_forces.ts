@@ -1,8 +1,8 @@
 // What acts on the named points of an arm: loads with their signals, and a surface, as
 // tmodes/analysis/equilibrium_*.py.
 
-import { WRENCH, wrenchAt } from "./arm_wrench";
-import type { ArmBundle, Surface } from "./bundle";
+import { WRENCH, wrenchAt } from "./wrench";
+import type { Bundle, Surface } from "./bundle";
 import { product } from "./linear";
 import type { Blocks } from "./map";
 import type { Schedule } from "./signals";
@@ -22,7 +22,7 @@ export interface Acts {
  * `columns` [n, points, 24].
  */
 export function actsAt(
-  bundle: ArmBundle, blocks: Blocks, schedule: Schedule, points: Float64Array, columns: Float64Array, n: number,
+  bundle: Bundle, blocks: Blocks, schedule: Schedule, points: Float64Array, columns: Float64Array, n: number,
 ): Acts {
   const places = points.length / POINT;
   const found: Acts = {

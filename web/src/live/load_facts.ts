@@ -1,7 +1,7 @@
-// Headline numbers of the loads along an arm's links, and of its joints' limits, as tmodes/report/arm_facts.py.
+// Headline numbers of the loads along the links, and of the joints' limits, as tmodes/report/run_facts.py.
 
 import { info } from "../format";
-import type { Largest, LimitInfo, Loads, LoadsInfo, Quantity } from "./arm_loads";
+import type { Largest, LimitInfo, Loads, LoadsInfo, Quantity } from "./loads";
 import { figures, type Facts } from "./facts";
 import { columns, type SeriesOf } from "./series";
 

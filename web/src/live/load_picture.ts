@@ -1,8 +1,8 @@
 // What a page shows of the loads along an arm's links: the panel of the elastic line, and what colours the links.
 
 import type { LinePanel, Scene } from "../contract";
-import type { LinkLoads } from "./arm_loads";
-import type { ArmBundle } from "./bundle";
+import type { LinkLoads } from "./loads";
+import type { Bundle } from "./bundle";
 import { sizes } from "./series";
 import type { Reals } from "./space";
 
@@ -15,7 +15,7 @@ const QUANTITIES = [
 ] as const;
 
 /** The elastic line of each link that bends at m frames; null where none bends. */
-export function linePanel(bundle: ArmBundle, links: LinkLoads[], m: number): LinePanel | null {
+export function linePanel(bundle: Bundle, links: LinkLoads[], m: number): LinePanel | null {
   if (!links.length) return null;
   const stations = bundle.stations.data;
   const [L, S] = [links.length, stations.length];
@@ -31,7 +31,7 @@ export function linePanel(bundle: ArmBundle, links: LinkLoads[], m: number): Lin
 }
 
 /** As tmodes/report/scene_arm.py: of all links of the scene, 0 on those that do not bend. */
-export function loadColours(bundle: ArmBundle, loads: LinkLoads[], m: number): Scene["colours"] {
+export function loadColours(bundle: Bundle, loads: LinkLoads[], m: number): Scene["colours"] {
   const [L, S] = [bundle.links.length, bundle.stations.data.length];
   const over = (id: string, label: string, unit: string, value: (link: LinkLoads) => Reals | null) => {
     const data = new Float64Array(m * L * S);

@@ -1,10 +1,10 @@
-// The deformations of an arm's run in two parts, as tmodes/analysis/arm_split.py: T_st, which the present forces would
-// hold statically, motors as they are and no deflection moving, and T_to, the rest.
+// Elastic deformations in two parts, as tmodes/analysis/quasistatic.py: T_st, which the present forces would hold
+// statically with the motors where they are and no deflection moving, and T_to, the oscillation about it.
 
-import { inertiaForces } from "./arm_linear";
-import { affine } from "./arm_scene";
-import { WRENCH, wrenchAt } from "./arm_wrench";
-import { doubles, type ArmBundle } from "./bundle";
+import { inertiaForces } from "./linear_model";
+import { affine } from "./live_scene";
+import { WRENCH, wrenchAt } from "./wrench";
+import { doubles, type Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { inverted, product } from "./linear";
 import type { Blocks } from "./map";
@@ -38,7 +38,7 @@ interface Held {
  */
 export async function splitOf(
   engine: Engine,
-  bundle: ArmBundle,
+  bundle: Bundle,
   blocks: Blocks,
   schedule: Schedule,
   times: Float64Array,
@@ -83,7 +83,7 @@ export async function splitOf(
 
 /** Force and moment on each point at each sample [n, points, 6]: of the loads, and of the surface. */
 function wrenchesOf(
-  bundle: ArmBundle,
+  bundle: Bundle,
   blocks: Blocks,
   schedule: Schedule,
   times: Float64Array,

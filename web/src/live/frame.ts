@@ -1,4 +1,4 @@
-// A frame in the world, and how a joint carries the next one, as tmodes/analysis/arm_line_walk.py.
+// A frame in the world, and how a joint carries the next one, as tmodes/analysis/line/walk.py.
 
 import { add, addCross, addTurned, copy, product, rotationAbout, type Reals } from "./space";
 

@@ -1,8 +1,8 @@
-// The equations of an arm, linear about a rest: M x'' + D x' + K x = 0, from the compiled passes.
+// The equations of a robot, linear about a rest: M x'' + D x' + K x = 0, from the compiled passes.
 
-import { actsAt } from "./arm_acts";
-import { isSmall, stepped } from "./arm_rest";
-import { doubles, type ArmBundle } from "./bundle";
+import { actsAt } from "./point_forces";
+import { isSmall, stepped } from "./rest";
+import { doubles, type Bundle } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { solveInPlace } from "./linear";
 import type { Blocks } from "./map";
@@ -30,7 +30,7 @@ export function inertiaForces(engine: Engine, blocks: Blocks, inputs: Samples, c
 /** About the rest q [n]; dry friction, which has no slope there, is left out. */
 export function linearAbout(
   engine: Engine,
-  bundle: ArmBundle,
+  bundle: Bundle,
   blocks: Blocks,
   schedule: Schedule,
   q: Float64Array,
@@ -74,7 +74,7 @@ export function linearAbout(
  * found.
  */
 export function linearAtRest(
-  engine: Engine, bundle: ArmBundle, blocks: Blocks, schedule: Schedule, near: Float64Array,
+  engine: Engine, bundle: Bundle, blocks: Blocks, schedule: Schedule, near: Float64Array,
 ): { rest: Float64Array; linear: Linear } | null {
   const { free } = bundle.modes!;
   const [rest, n, m] = [near.slice(), near.length, free.length];
@@ -99,7 +99,7 @@ export function linearAtRest(
 /** Slopes of the forces of weight and dead wrenches by the coordinates [n, n]. */
 function weightSlopes(
   engine: Engine,
-  bundle: ArmBundle,
+  bundle: Bundle,
   blocks: Blocks,
   q: Float64Array,
   wrenches: Float64Array,

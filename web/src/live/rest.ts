@@ -1,6 +1,6 @@
-// How a run of an arm starts: at rest under its loads, found by Newton's method, or as its sheet says.
+// How a run starts: at rest under its loads, found by Newton's method, or as its sheet says.
 
-import { doubles, type ArmBundle } from "./bundle";
+import { doubles, type Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { solveInPlace } from "./linear";
 import { numbersOf, type Blocks } from "./map";
@@ -43,7 +43,7 @@ function slopes(
  * Coordinates at which nothing accelerates under `blocks`, from those near; null where none are found, or where they
  * may be of another branch.
  */
-function rest(engine: Engine, bundle: ArmBundle, blocks: Blocks, near: Float64Array): Float64Array | null {
+function rest(engine: Engine, bundle: Bundle, blocks: Blocks, near: Float64Array): Float64Array | null {
   const held = (engine.layout as unknown as { held: number[] }).held;
   const n = near.length;
   const free = Array.from({ length: n }, (_, k) => k).filter((k) => !held.includes(k));
@@ -85,7 +85,7 @@ export function isSmall(size: number, before: number): boolean {
  * far, step by step.
  */
 export function restFor(
-  bundle: ArmBundle,
+  bundle: Bundle,
   values: readonly number[],
   run: string,
   near: Float64Array,
@@ -112,7 +112,7 @@ export function restFor(
 /** The first state of a run. */
 export function firstState(
   engine: Engine,
-  bundle: ArmBundle,
+  bundle: Bundle,
   values: readonly number[],
   run: "reference" | "real",
   signals: Schedule,

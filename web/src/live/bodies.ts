@@ -1,6 +1,6 @@
 // Weight and inertia of the rigid bodies that are fixed to a frame of an arm, as a load on it.
 
-import { addMoved, GAIN, RATE, TURNING } from "./arm_frame";
+import { addMoved, GAIN, RATE, TURNING } from "./frame";
 import { add, addCross, addTurned, along, type Reals } from "./space";
 
 const vectors = new Float64Array(9);

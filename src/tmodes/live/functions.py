@@ -23,7 +23,7 @@ from tmodes.sheet import RobotPair
 from tmodes.sheet.parts import Command
 from tmodes.simulation.plan import Follow, Planned, planned
 
-__all__ = ["ModelFunctions", "arm_module", "needed_for", "stationed"]
+__all__ = ["ModelFunctions", "live_module", "needed_for", "stationed"]
 
 Array = NDArray[np.float64]
 
@@ -68,7 +68,7 @@ class ModelFunctions:
         return loops | {name: passes.parameters for name, passes in self.passes.items()} | {"rest_row": row}
 
 
-def arm_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
+def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
     """All functions of an arm; ``slopes``: ``rest.rate`` tells its derivatives too, half as much code again.
 
     Loops: ``reference.METHOD`` (where there is a reference run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
@@ -103,7 +103,7 @@ def arm_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = Tr
         made.schedule(label, schedule_samples(label, schedule), schedule)
     springs = needed_for(passes["elastic"], ("forces",))
     made.schedule("elastic.slopes", schedule_samples("elastic.slopes", springs, "derivative"), springs, stride=2)
-    return made.module("arm", kind="arm", **_info(arm))
+    return made.module("robot", **_info(arm))
 
 
 def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:

@@ -1,8 +1,8 @@
-// The series of an arm's run, from what its model and its chain tell of the samples.
+// The series of a run, from the outputs of its model and its chain at the samples.
 
-import type { Regime } from "./arm_regime";
-import { affine } from "./arm_scene";
-import { doubles, type ArmBundle } from "./bundle";
+import type { Regime } from "./regime";
+import { affine } from "./live_scene";
+import { doubles, type Bundle } from "./bundle";
 import type { Engine, Samples } from "./engine";
 import { columns, difference, energyBalance, range, shaped, sizes, type SeriesOf } from "./series";
 import { rowsAt } from "./signals";
@@ -17,7 +17,7 @@ export interface Seen {
 const POINT = 24;
 
 /** What is known of the first `count` samples. */
-export function seenOf(engine: Engine, bundle: ArmBundle, regime: Regime, count: number): Seen {
+export function seenOf(engine: Engine, bundle: Bundle, regime: Regime, count: number): Seen {
   const time = regime.run.times.subarray(0, count);
   const state = regime.run.states.subarray(0, count * (regime.run.states.length / regime.run.times.length));
   const row = rowsAt(regime.schedule, time);
@@ -35,7 +35,7 @@ export function seenOf(engine: Engine, bundle: ArmBundle, regime: Regime, count:
 
 /** Kinetic, of gravity, of gears, of links [n, 4]. */
 function energiesOf(
-  bundle: ArmBundle,
+  bundle: Bundle,
   v: Float64Array,
   rotors: Float64Array,
   momentum: Samples,
@@ -57,7 +57,7 @@ function energiesOf(
 }
 
 /** The series that the real arm has by itself. */
-export function seriesOf(bundle: ArmBundle, real: Regime, { model, points, energy }: Seen, count: number): SeriesOf {
+export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }: Seen, count: number): SeriesOf {
   const n = model.q.length / count;
   const drives = model.gear.length / count;
   const places = points.length / count / POINT;
@@ -102,7 +102,7 @@ export function seriesOf(bundle: ArmBundle, real: Regime, { model, points, energ
 }
 
 /** Those that need the reference: what it does, and how far the real arm is from it. */
-export function compared(bundle: ArmBundle, own: Seen, planned: Seen, count: number): SeriesOf {
+export function compared(bundle: Bundle, own: Seen, planned: Seen, count: number): SeriesOf {
   const n = planned.model.q.length / count;
   const places = planned.points.length / count / POINT;
   const [tip, wanted] = [own, planned].map(({ points }) => columns(points, places * POINT, [9, 10, 11]));

@@ -1,4 +1,4 @@
-"""What the bundle of an arm holds beside what all bundles hold: its module, and how its numbers hang together."""
+"""The mechanics in a live bundle: the compiled module, and the structure of its numbers."""
 
 from __future__ import annotations
 
@@ -11,10 +11,10 @@ from numpy.typing import NDArray
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.chain.chain import Chain, JointKind, RigidLink, Segment
+from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.live.loads import joint_limits, load_places, packed_loads, yield_strengths
 from tmodes.live.numbers import follow_of
-from tmodes.live.vibrations import arm_vibrations
-from tmodes.live.wasm_motion import ModelFunctions, arm_module
+from tmodes.live.vibrations import vibrations_info
 from tmodes.model.model import Model
 from tmodes.result.lines import POINT_LIKE, without_elasticity
 from tmodes.sheet import Robot, RobotPair
@@ -22,13 +22,13 @@ from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
 from tmodes.simulation.start import RunSetup, run_setup
 
-__all__ = ["arm_bundle", "why_not_arm"]
+__all__ = ["mechanics", "why_not_mechanics"]
 
 Array = NDArray[np.float64]
 
 
-def why_not_arm(arm: Robot) -> str:
-    """Why a page cannot make runs of an arm, in words; empty where it can."""
+def why_not_mechanics(arm: Robot) -> str:
+    """Why a page cannot run this robot, in words; empty where it can."""
     if arm.base_motion is not None:
         return "its base moves"
     if any(isinstance(node.link, Segment) for node in arm.chain().nodes):
@@ -36,7 +36,7 @@ def why_not_arm(arm: Robot) -> str:
     return ""
 
 
-def arm_bundle(
+def mechanics(
     pair: RobotPair, stations: tuple[float, ...], method: str, *, compared: bool, surfaces: Sequence[str] = ()
 ) -> dict[str, Any]:
     """All of it. Arrays are in SI units, coordinates in their order.
@@ -44,7 +44,7 @@ def arm_bundle(
     ``compared``: whether there is a reference run; ``surfaces``: links that have one, shown though they be a point.
     """
     functions = ModelFunctions(pair, stations)
-    module = arm_module(functions, [method], slopes=False)
+    module = live_module(functions, [method], slopes=False)
     runs = {"real": run_setup(pair.real)}
     if compared:
         runs = {"reference": run_setup(pair.nominal, follow_of(pair.nominal, "reference"))} | runs
@@ -67,7 +67,7 @@ def arm_bundle(
         "surface": pair.real.contact and pair.real.contact.shape.drawing(),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
-        **arm_vibrations(pair.real, real.planned.plan, model),
+        **vibrations_info(pair.real, real.planned.plan, model),
     }
 
 

@@ -1,10 +1,10 @@
 // What every section of an arm carries at one sample: the balance of all that is outboard of it, d'Alembert's forces
-// and given wrenches, as tmodes/analysis/arm_line_loads.py. Loads are reported as the outboard part acts on the inboard
+// and given wrenches, as tmodes/analysis/line/loads.py. Loads are reported as the outboard part acts on the inboard
 // one.
 
-import { addBodies } from "./arm_bodies";
-import { FRAME, jointed, PLACE, RATE, TURNING, type JointKind } from "./arm_frame";
-import { Strain, type BeamInfo, type Motion } from "./arm_strain";
+import { addBodies } from "./bodies";
+import { FRAME, jointed, PLACE, RATE, TURNING, type JointKind } from "./frame";
+import { Strain, type BeamInfo, type Motion } from "./strain";
 import { add, addCross, addTurned, along, copy, type Reals } from "./space";
 
 export interface NodeInfo {
