@@ -8,10 +8,9 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.line.line import LinkLine, LinkLines
-from tmodes.analysis.line.segment import planes
-from tmodes.analysis.line.tables import pieces_at
 from tmodes.analysis.range import bent
 from tmodes.chain.chain import Beam, Segment
+from tmodes.kinds.links.beam_functions import pieces_at
 from tmodes.kinds.links.beam_tables import beam_tables, section_edges
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -68,7 +67,7 @@ def _range(model: Model, time: Array, q: Array) -> Iterator[str]:
         own, link = q[:, part.link.own], part.node.link
         if isinstance(link, Segment):
             yield from _beyond(
-                time, np.abs(planes(link, own)).max(axis=1), SEGMENT_LIMIT,
+                time, np.abs(own).max(axis=1), SEGMENT_LIMIT,
                 f"link {part.node.name} leaves the small angles of its segments (|th| <= {SEGMENT_LIMIT:g} rad)",
                 "rad", "take the model `strain`, which is exact in large deflection",
             )  # fmt: skip

@@ -67,7 +67,7 @@ def robot_data(data: Mapping[str, Any]) -> dict[str, Any]:
         "command": "position",
         "signal": {"type": "trapezoid", **motion},
         "controller": {"type": "pd", **data["controller"]},
-        "noise": dict(noise),
+        "noise": {"type": "noise", **noise},
     }
     return {
         "format": 1,

@@ -18,9 +18,15 @@ from tmodes.chain.chain import Beam
 from tmodes.kinds.links.beam_functions import function_values, interval_integrals, pieces_at
 from tmodes.kinds.links.beam_tables import BeamTables, beam_tables, section_edges
 
-__all__ = ["Interval", "LineTables", "line_tables", "pieces_at"]
+__all__ = ["PLANAR_TERMS", "TERMS", "Interval", "LineTables", "info_places", "line_tables", "pieces_at"]
 
 Array = NDArray[np.float64]
+
+TERMS = 8
+"""Terms of the series of the rotation in space: those of the compiled model."""
+
+PLANAR_TERMS = 24
+"""Terms where the line stays in a plane, where the model turns exactly."""
 
 _X, _W = legendre.leggauss(24)
 """A rule that is exact for every product of polynomials that is met here."""
@@ -68,6 +74,11 @@ class LineTables:
     def directions(self) -> Array:
         """(turning, 3): 1 where a function is of that component of curvature."""
         return np.eye(3)[list(self.own.shape.directions)].reshape(-1, 3)
+
+
+def info_places(asked: Array, stations: tuple[float, ...] = ()) -> Array:
+    """All places of a link: root, those asked, stations, tip."""
+    return np.concatenate([[0.0], asked, stations, [1.0]])
 
 
 def line_tables(beam: Beam, stations: tuple[float, ...], s: Array) -> LineTables:
