@@ -35,9 +35,9 @@ def result_file(path: Path) -> Path:
 
 def stored_result(path: Path) -> Result:
     """The result that a path means; the errors are those of reading it."""
-    from tmodes.result import load_result
+    from tmodes.result import Result
 
-    return load_result(result_file(path))
+    return Result.load(result_file(path))
 
 
 def plain(text: str) -> str:

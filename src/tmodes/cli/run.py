@@ -64,8 +64,8 @@ def run(
     interrupted run resumes when the same command is given again. A robot needs `drives`, or an `initial` state from
     which it moves freely.
 
-    Example, a high-accuracy run with an error estimate: tmodes run spong1987 --integrator dop853 --rtol 1e-11 --atol 1e-14
-    --check-error
+    Example, a high-accuracy run with an error estimate: tmodes run spong1987 --integrator dop853 --rtol 1e-11
+    --atol 1e-14 --check-error
     """
     ending = {"stop": stop, "stop_at_limits": stop_at_limits}
     changes = integration_changes(integrator, rtol, atol, duration, check_error, **ending)

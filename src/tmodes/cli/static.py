@@ -9,7 +9,6 @@ import typer
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 
 if TYPE_CHECKING:
-
     from tmodes.analysis.statics.equilibrium import Equilibrium
     from tmodes.sheet import Robot
 

@@ -19,7 +19,6 @@ from tmodes.kinds.schema.quantity import (
     positive,
     refuse,
 )
-from tmodes.kinds.signals.command_noise import CommandNoise
 
 __all__ = ["FORMAT", "PLANT", "Format2010", "FrictionLaw", "Reading"]
 
@@ -105,6 +104,17 @@ class Controller(DataSheet):
     velocity_gain: float = not_negative("V*s/rad", "Klv", "velocity gain")
 
 
+class Noise(DataSheet):
+    """Noise on the reference as the controller receives it; none by default.
+
+    To the controller, an error of the sensor is the same with the other sign.
+    """
+
+    deviation: float = not_negative("rad", "sigma", "standard deviation of the values", default=0.0, at_most=1e3)
+    frequency: float = positive("Hz", "f", "highest frequency", default=100.0, plausible=(1e-3, 1e4))
+    seed: int = not_negative("-", "seed", "same seed, same noise", default=0, at_most=2**53)
+
+
 class Reference(DataSheet):
     """The motor's reference angle: rest to rest with constant acceleration, speed and deceleration."""
 
@@ -118,7 +128,7 @@ class Reference(DataSheet):
     ramp_fraction: float = positive(
         "-", "ramp", "share of the duration that each ramp takes", at_most=0.5, smallest=1e-6
     )
-    noise: CommandNoise = Field(default_factory=CommandNoise)
+    noise: Noise = Field(default_factory=Noise)
 
 
 class Format2010(DataSheet):

@@ -6,8 +6,8 @@ import numpy as np
 from pydantic import Field
 
 from tmodes.kinds.schema.quantity import DataSheet, any_sign, positive
-from tmodes.kinds.signals.command_noise import CommandNoise
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.paper.noise_of_reference import CommandNoise
 
 __all__ = ["TrapezoidalMove"]
 
