@@ -19,7 +19,7 @@ from tmodes.robots.packages import installed_models
 COMMAND = (sys.executable, "-c", "from tmodes.cli.main import main; main()")
 SHORT = ("--set", "integration.duration=0.02", "--set", "integration.output_step=0.01")
 REASONS = ("no rest", "moves without force", "no spring", "nothing moves", "not positive definite", "cannot be followed",
-           "no link with a beam", "at least one link that can bend", "bends", "gives way", "snaps through")  # fmt: skip
+           "no link with a beam", "snaps through")  # fmt: skip
 """Words of refusals that tell of the robot's physics."""
 
 ROBOTS = [name for name in sheet_names() if installed_models() or name not in ("panda_elastic", "ur5_elastic")]
@@ -97,7 +97,7 @@ class TestEveryRobot:
                 assert studio.stdout is not None
                 address = re.search(r"http\S+", studio.stdout.readline())
                 assert address
-                with urllib.request.urlopen(address[0], timeout=30) as page:
+                with urllib.request.urlopen(address[0], timeout=30) as page:  # noqa: S310
                     assert "tmodes studio" in page.read().decode()
             finally:
                 studio.send_signal(signal.SIGINT)
