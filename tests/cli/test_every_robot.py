@@ -18,8 +18,8 @@ from tmodes.robots.packages import installed_models
 
 COMMAND = (sys.executable, "-c", "from tmodes.cli.main import main; main()")
 SHORT = ("--set", "integration.duration=0.02", "--set", "integration.output_step=0.01")
-REASONS = ("no rest", "moves without force", "no spring", "nothing moves", "not positive definite", "cannot be followed",
-           "no link with a beam", "snaps through")  # fmt: skip
+REASONS = ("no rest", "moves without force", "no spring", "nothing moves", "not positive definite",
+           "cannot be followed", "no link with a beam", "snaps through")  # fmt: skip
 """Words of refusals that tell of the robot's physics."""
 
 ROBOTS = [name for name in sheet_names() if installed_models() or name not in ("panda_elastic", "ur5_elastic")]
