@@ -89,9 +89,9 @@ class Robot:
 _COLD = """
 import time, casadi, llvmlite.binding, numpy, tmodes.model.model, tmodes.model.evaluator, tmodes.compile.ir.block
 from benchmarks.arm import chain
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 import numpy as np
-model = ArmModel(chain({joints}))
+model = Model(chain({joints}))
 began = time.process_time()
 zero = np.zeros(model.nq)
 model.forward_dynamics(zero, zero)

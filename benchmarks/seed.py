@@ -173,7 +173,7 @@ import time, casadi, llvmlite.binding, tmodes.compile.loops.dormand_prince_loop,
 from tmodes.equations import closed_loop
 from tmodes.robots import load_robot
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel as Model
 mechanism, _ = load_robot("filipovic2010").split(Drive.CONTROLLED)
 began = time.perf_counter(); Model(mechanism).loops["dormand_prince"]; print(time.perf_counter() - began)
 """

@@ -71,7 +71,7 @@ llvm.get_host_cpu_features = asked
 assert Wide.stride == 4
 import numpy as np
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel as Model
 from tmodes.robots import load_robot
 robot = load_robot("filipovic2010")
 model = Model(robot.split(Drive.CONTROLLED)[0])

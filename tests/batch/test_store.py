@@ -66,7 +66,7 @@ def test_a_progress_that_fails_leaves_nothing(seed, tmp_path):
 KILLED = """
 import os, signal, sys
 from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import Model
+from tmodes.paper.model import PaperModel as Model
 from tmodes.robots import load_robot
 robot = load_robot("filipovic2010")
 mechanism, parameters = robot.split(Drive.CONTROLLED)

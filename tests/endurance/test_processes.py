@@ -18,9 +18,9 @@ COMPILE = """
 import sys
 import numpy as np
 from tmodes.bench.rigid import RigidChain
-from tmodes.model.model import ArmModel
+from tmodes.model.model import Model
 sys.stdin.readline()
-print(ArmModel(RigidChain(2).chain()).forward_dynamics([0.1, 0.2], [0.3, 0.4]).tobytes().hex())
+print(Model(RigidChain(2).chain()).forward_dynamics([0.1, 0.2], [0.3, 0.4]).tobytes().hex())
 """
 
 

@@ -24,7 +24,7 @@ def model(robot: RigidChain) -> tuple[Any, Any]:
     if robot.joints > LARGEST:
         raise PeerMissing(f"above {LARGEST} joints: its data grow with the cube of them")
     pin = needed("pinocchio", "pin")
-    made, parent = pin.PaperModel(), 0
+    made, parent = pin.Model(), 0
     kinds = (pin.JointModelRX, pin.JointModelRY, pin.JointModelRZ)
     for k, (axis, place) in enumerate(zip(robot.axes, robot.places, strict=True)):
         parent = made.addJoint(parent, kinds[axis](), pin.SE3(TURNED, place), f"j{k}")

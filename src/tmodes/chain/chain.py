@@ -12,6 +12,7 @@ All numbers are SI and reflected to the joint side of the reducer. Everything he
 
 from __future__ import annotations
 
+from collections.abc import Mapping
 from dataclasses import dataclass, field
 from enum import StrEnum
 
@@ -104,7 +105,7 @@ class Drive(StrEnum):
 
     EFFORT = "effort"  # the joint's effort is given; a motor behind a rigid gear adds its inertia and friction
     ELASTIC = "elastic"  # a motor with its own coordinate behind an elastic gear
-    SPRING = "spring"  # an elastic gear whose motor is locked
+    SPRING = "spring"  # an elastic gear whose motor is locked; without a gear the joint is free
     PRESCRIBED = "prescribed"  # the joint's motion is given
 
 
@@ -151,6 +152,7 @@ class Chain:
     """The whole tree. ``base`` places it in the world; ``gravity`` (3,) [m/s^2] in world axes; ``tip`` is a Point.
 
     ``couplings`` (square, one row per elastic drive): gear inputs = couplings @ motor angles; None: each its own.
+    ``equations``: which ones move it, with ``parameters`` of their own.
     """
 
     name: str
@@ -159,6 +161,8 @@ class Chain:
     base: Placement = field(default_factory=Placement)
     points: tuple[Point, ...] = ()
     couplings: Array | None = None
+    equations: str = "recursion"
+    parameters: Mapping[str, float] = field(default_factory=dict)
 
     @property
     def tip(self) -> Point:

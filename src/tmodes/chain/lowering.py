@@ -62,6 +62,8 @@ def lowered(arm: Robot) -> Chain:
         base=placed(arm.base),
         points=tuple(_points(arm, hung)),
         couplings=_couplings(arm, nodes),
+        equations=arm.equations,
+        parameters=dict(arm.parameters),
     )
 
 
@@ -112,8 +114,8 @@ def _locked(sheet: JointSheet, axis: NDArray[np.float64]) -> Placement:
 
 
 def _drive(sheet: JointSheet, arm: Robot) -> Drive:
-    if sheet.state is JointState.LOCKED:
-        return Drive.SPRING
+    if sheet.state is not JointState.ACTIVE:
+        return Drive.SPRING  # of a free joint without a gear: nothing holds it
     if sheet.is_elastic:
         return Drive.ELASTIC
     commands = [drive.command for drive in arm.drives if drive.joint == sheet.name]

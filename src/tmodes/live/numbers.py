@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.loop.closed_loop import ClosedLoop
-from tmodes.equations.recursion.parts import Parts
+from tmodes.equations.mechanics import mechanics
 from tmodes.kinds.signals.signals import Quintic, Trapezoid
 from tmodes.live.loads import load_places, packed_loads
 from tmodes.live.vibrations import vibration_numbers
@@ -77,7 +77,7 @@ def arm_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float,
         "rotors": _rotors(loop),
     }
     if stations:
-        found["pose"] = ArmPasses(Parts(stationed(chain, stations))).parameters
+        found["pose"] = ArmPasses(mechanics(stationed(chain, stations))).parameters
         found |= vibration_numbers(arm, plan.plan, model)
         found["carried"] = packed_loads(plan.plan, loop.parts, load_places(arm.integration.line_points)).numbers
         if arm.contact:
@@ -90,7 +90,7 @@ def arm_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float,
 
 def _rotors(loop: ClosedLoop) -> Array:
     """Inertia of the rotors along each coordinate, those that follow their signals among them."""
-    rotors = ArmPasses(loop.parts).rotor_inertias.copy()
+    rotors = ArmPasses(loop.mechanics).rotor_inertias.copy()
     for driver in loop.drivers:
         motor = driver.part.node.joint.motor
         if driver.part.given >= 0 and motor:

@@ -14,7 +14,7 @@ from tmodes.chain.chain import Chain, Point, RigidLink, Segment
 from tmodes.compile.loops.loops import EXPLICIT, EXTRAPOLATION, ROSENBROCK
 from tmodes.compile.wasm.wasm_parts import schedule_loop, schedule_samples
 from tmodes.equations.loop.closed_loop import ClosedLoop
-from tmodes.equations.recursion.parts import Parts
+from tmodes.equations.mechanics import mechanics
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.live.module import Functions, LiveModule
 from tmodes.model.model import Model
@@ -56,7 +56,7 @@ class ModelFunctions:
     def passes(self) -> dict[str, ArmPasses]:
         """The recursion's passes: over the real ``chain``, and over the one with a point at each station (``pose``)."""
         chain = self.pair.real.model_copy(update={"drives": ()}).chain()
-        return {"chain": Model(chain).passes, "pose": ArmPasses(Parts(stationed(chain, self.stations)))}
+        return {"chain": Model(chain).passes, "pose": ArmPasses(mechanics(stationed(chain, self.stations)))}
 
     def numbers(self) -> dict[str, Array]:
         """All that a changed sheet changes, but for the signals of the runs.

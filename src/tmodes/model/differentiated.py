@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.chain.chain import Chain
 from tmodes.compile.ir.elimination import aligned, eliminate, padded
-from tmodes.equations.recursion.parts import Parts
+from tmodes.equations.mechanics import mechanics
 from tmodes.errors import InputError, SimulationError
 from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
 from tmodes.model.derivatives import Columns, Differentiated, differentiated
@@ -41,8 +41,8 @@ class DifferentiatedModel:
 
     @cached_property
     def passes(self) -> ArmPasses:
-        """The recursion's schedules with this chain's numbers."""
-        return ArmPasses(Parts(self.chain))
+        """The schedules of the chain's equations, with its numbers."""
+        return ArmPasses(mechanics(self.chain))
 
     def forward_dynamics_jvp(
         self,

@@ -1,4 +1,4 @@
-"""The recursion's schedules with the numbers of one chain, evaluated at rows of states."""
+"""The schedules of a chain's equations with its numbers, evaluated at rows of states."""
 
 from __future__ import annotations
 
@@ -8,9 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.equations.recursion.elastic import elastic_forces
-from tmodes.equations.recursion.forward import forward_dynamics
-from tmodes.equations.recursion.inertia import inertia_forces
+from tmodes.equations.mechanics import Mechanics
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule
@@ -28,7 +26,12 @@ class ArmPasses:
     ``base`` is a row of 24 numbers (None: at rest), ``wrenches`` (n, points, 6) or None: no force on any point.
     """
 
-    parts: Parts
+    mechanics: Mechanics
+
+    @property
+    def parts(self) -> Parts:
+        """The chain as kernels and numbers."""
+        return self.mechanics.parts
 
     @cached_property
     def parameters(self) -> Array:
@@ -42,9 +45,7 @@ class ArmPasses:
     def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
         """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
         if (name, loaded) not in self._schedules:
-            make = {"forward": forward_dynamics, "inertia": inertia_forces}.get(name)
-            made = make(self.parts, loaded=loaded) if make else elastic_forces(self.parts)
-            self._schedules[name, loaded] = made
+            self._schedules[name, loaded] = self.mechanics.schedule(name, loaded=loaded)
         return self._schedules[name, loaded]
 
     def forward(self, rows: Rows, inputs: Blocks, base: ArrayLike | None, wrenches: ArrayLike | None) -> Array:

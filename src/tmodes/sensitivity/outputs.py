@@ -69,7 +69,9 @@ class RunOutputs:
         self._plain = tuple(name for name in names if name not in places)
         shown = tuple(dict.fromkeys((*self._plain, *(_MOVED if self._places else ()))))
         self._of = differentiated(loop.observe, shown) if shown else None
-        self._points = differentiated(ArmPasses(loop.parts).schedule("inertia"), ["points"]) if self._places else None
+        self._points = (
+            differentiated(ArmPasses(loop.mechanics).schedule("inertia"), ["points"]) if self._places else None
+        )
 
     @cached_property
     def _seen(self) -> Blocks:

@@ -35,7 +35,7 @@ def arm_issues(arm: Robot) -> list[Issue]:
     return (
         list(tree_issues(arm.joints, [link.name for link in arm.links]))
         or [*_points(arm), *_drives(arm), *_couplings(arm), *_initial(arm), *_links(arm), *_size(arm)]
-        or list(upward("Robot.mass_issues")(arm))
+        or (list(upward("Robot.mass_issues")(arm)) if arm.equations == "recursion" else [])
     )
 
 

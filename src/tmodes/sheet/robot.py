@@ -22,16 +22,20 @@ from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, refuse
 from tmodes.sheet.parts import BaseMotion, DriveSheet, Initial, LinkSheet, LoadSheet, PointSheet, TipSheet
 
-__all__ = ["ARM_FORMAT", "MOST_JOINTS", "Robot", "RobotPair"]
+__all__ = ["ARM_FORMAT", "MOST_JOINTS", "RECURSION", "Robot", "RobotPair"]
 
 ARM_FORMAT = 1
 """Version of the data sheet's format."""
+
+RECURSION = "recursion"
+"""Equations of a robot whose sheet names no others."""
 
 MOST_JOINTS = 500
 MOST_POINTS = 200
 MOST_LOADS = 100
 
 _FACTOR = not_negative("-", "-", "factor of the real arm on the known value", at_most=1e6)
+_Parameter = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 _Coupling = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 _STEERING = ("Cc", "Cf", "Cs", "Co")
@@ -52,6 +56,14 @@ class Robot(DataSheet):
     )
     base: Origin | None = Field(default=None, description="placement of the base in the world; none: at its origin")
     joints: tuple[JointSheet, ...] = Field(strict=False, max_length=MOST_JOINTS, description="joints, from the base on")
+    equations: str = Field(
+        default=RECURSION, min_length=1, max_length=100, description="recursion, or the name of a Lagrangian system"
+    )
+    parameters: dict[str, _Parameter] = Field(
+        default_factory=dict,
+        description="numbers of the Lagrangian system that differ from its own [SI]",
+        json_schema_extra={"unit": "SI", "symbol": "p", "smallest": 0.0, "plausible": None},
+    )
     links: tuple[LinkSheet, ...] = Field(
         default=(), strict=False, max_length=MOST_JOINTS, description="links; one that is not told has no mass"
     )

@@ -68,7 +68,8 @@ def random_rows(schedule: Any, count: int) -> Any:
     rows = np.random.default_rng(3).normal(size=(count, schedule.input_size))
     places = np.cumsum([0, *(slot.size for slot in schedule.inputs.values())])
     step = list(schedule.inputs).index("step")
-    rows[:, places[step]] = np.abs(rows[:, places[step]]) * 1e-3  # the length of an implicit step
+    known_zero = schedule.inputs["step"] in schedule.zeros
+    rows[:, places[step]] = np.abs(rows[:, places[step]]) * (0.0 if known_zero else 1e-3)  # of an implicit step
     return rows
 
 

@@ -17,7 +17,7 @@ AXES = {"X": 0, "Y": 1, "Z": 2}
 def model_of(chain: Chain) -> Any:
     """Pinocchio's model of a chain of rigid links; fixed joints become part of their parents; tip = last frame."""
     pinocchio: Any = import_module("pinocchio")
-    model = pinocchio.PaperModel()
+    model = pinocchio.Model()
     model.gravity.linear = np.asarray(chain.gravity)
     homes: list[tuple[int, Any]] = []
     for node in chain.nodes:

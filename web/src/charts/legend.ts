@@ -1,4 +1,4 @@
-// The legend of a chart: what is reported apart by colour and by dash, switched by buttons, with the values at the cursor.
+// The legend of a chart: curves by colour and dash, switched by buttons, with the values at the cursor.
 
 import { make, put, swatch } from "../dom";
 import { plain } from "../format";

@@ -34,7 +34,7 @@ export const WORDS: Record<Role, string> = {
   other: "other",
 };
 
-/** How a curve is drawn: `place` among what is reported apart by colour, `several` whether that is more than the roles. */
+/** How a curve is drawn: `place` in the order of colours, `several` whether there are more curves than roles. */
 export interface Look {
   property: string;
   dash: number[];

@@ -1,4 +1,4 @@
-// One run of a compiled time loop, in pieces, so that progress is reported and a run can be given up: native_run.py's twin.
+// One run of a compiled time loop, in pieces, with progress and cancellation: the counterpart of native_run.py.
 
 import { digits } from "../format";
 import type { Engine, Written } from "./engine";
@@ -179,7 +179,7 @@ export class Cancelled extends EngineError {
   override name = "Cancelled";
 }
 
-/** How a run is watched: `progress` hears the share of the time that is done, `cancelled` reports whether to give up. */
+/** How a run is watched: `progress` gets the share of the time that is done, `cancelled` says whether to stop. */
 export interface Watch {
   progress?: (share: number) => void;
   cancelled?: () => boolean;

@@ -74,7 +74,7 @@ function slider(knob: Knob, sheet: Sheet, changed: () => void): { element: HTMLE
 /** The value at which a slider stands: that of its number, or the factor on all of them. */
 export function valueOf(knob: Knob, sheet: Sheet): number | null {
   const [first] = knob.targets;
-  const value = at(sheet, first.steps) ?? (first.steps[0] === "real" ? 1 : null); // a factor that is not reported is one
+  const value = at(sheet, first.steps) ?? (first.steps[0] === "real" ? 1 : null); // a factor that is not given is 1
   if (typeof value !== "number") return null;
   return knob.together ? value / first.base : value;
 }

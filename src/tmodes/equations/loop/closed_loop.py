@@ -14,9 +14,11 @@ from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.plan import DrivePlan, LoopPlan, StateLayout
 from tmodes.equations.loop.powers import Powers
+from tmodes.equations.mechanics import Mechanics, mechanics
 from tmodes.equations.recursion.drive_kernels import DriveKind, drive_kind, drive_numbers
 from tmodes.equations.recursion.parts import NodePart, Parts
 from tmodes.equations.recursion.passes import resting_base
+from tmodes.errors import InputError
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 
 __all__ = ["ClosedLoop", "Driver"]
@@ -45,12 +47,17 @@ class ClosedLoop:
     """The schedules of a plan, and its numbers; every schedule reads the same parameters."""
 
     plan: LoopPlan
+    mechanics: Mechanics = field(init=False)
     parts: Parts = field(init=False)
     drivers: tuple[Driver, ...] = field(init=False)
 
     def __post_init__(self) -> None:
         plan, chain = self.plan, self.plan.chain
-        self.parts = Parts(chain)
+        self.mechanics = mechanics(chain)
+        self.parts = self.mechanics.parts
+        if plan.base and not self.mechanics.base_moves:
+            got, expected = "a moving base", f"a base that stands still with the equations `{chain.equations}`"
+            raise InputError("base_motion", got, expected, "remove `base_motion`, or take `equations: recursion`")
         numbers = self.parts.numbers
         self.drivers = tuple(self._driver(drive) for drive in plan.drives)
         self.loads = [numbers.block(load.wrench) for load in plan.loads]

@@ -1,6 +1,6 @@
 """Friction of a normal force that has the point's acceleration in it: both are found together, exactly.
 
-Accelerations are affine in the forces at a state. So the recursion runs twice, without friction and with that of a
+Accelerations are affine in the forces at a state. So they are solved for twice, without friction and with that of a
 trial force; what is asked of both, a weighted mean, is exact, for joints and links of every kind. Inertias and rates
 are shared: calls with the same blocks are made once.
 """
@@ -11,8 +11,7 @@ from collections.abc import Callable
 from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
-from tmodes.equations.recursion.body_kernels import point_kernel
-from tmodes.equations.recursion.forward import Recursion
+from tmodes.equations.contract import Dynamics
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 
@@ -24,17 +23,16 @@ __all__ = ["Solution", "contact_fold", "solved"]
 
 @dataclass(eq=False)
 class Solution:
-    """What a recursion found, or the mean of two that differ by a force alone, by the weight of the second.
+    """What one solution for the accelerations is, or the mean of two that differ by a force alone.
 
-    ``accelerations`` are blocks in the order of the coordinates; ``roots`` and ``tips`` those of both ends of each link
-    by the number of its node; ``hung``: inertia and bias force at its root. ``fold``: see :meth:`Touch.share`;
-    ``free``: the accelerations without the friction.
+    ``accelerations`` are blocks in the order of the coordinates, the mean by the ``weight`` of the second. ``fold``:
+    see :meth:`Touch.share`; ``free``: the accelerations without the friction.
     """
 
     instant: Instant
-    first: Recursion
+    first: Dynamics
     accelerations: list[Slot]
-    second: Recursion | None = None
+    second: Dynamics | None = None
     weight: Slot | None = None
     fold: Slot | None = None
     free: list[Slot] = field(default_factory=list)
@@ -49,20 +47,10 @@ class Solution:
             self._means[one, other] = self.instant.call(kernel, self.weight, one, other)[0]
         return self._means[one, other]
 
-    def _both(self, of: Callable[[Recursion], Slot]) -> Slot:
-        return self.mean(of(self.first), of(self.second)) if self.second else of(self.first)
-
-    def root(self, index: int) -> Slot:
-        """Acceleration of a link's root."""
-        return self._both(lambda run: run.roots[index])
-
-    def tip(self, index: int) -> Slot:
-        """Acceleration of a link's tip."""
-        return self._both(lambda run: run.tips[index])
-
-    def hung(self, index: int) -> tuple[Slot, Slot]:
-        """Inertia and bias force at a link's root."""
-        return self.first.hung[index][0], self._both(lambda run: run.hung[index][1])
+    def force_along(self, index: int) -> Slot:
+        """Force that the bodies ask of a prescribed joint, by the index of its node."""
+        one = self.first.force_along(index)
+        return self.mean(one, self.second.force_along(index)) if self.second else one
 
     def at_base(self) -> tuple[Slot, Slot]:
         """Inertia and bias force of all that hangs on the base."""
@@ -71,18 +59,8 @@ class Solution:
 
     def point(self, k: int) -> tuple[Slot, ...]:
         """Pose, rate and acceleration (less gravity) of a point in the world."""
-        instant, parts = self.instant, self.instant.parts
-        point = parts.points[k]
-        way, number, link = instant.way.ways[point.node], parts.station(point), parts.nodes[point.node].link
-        pose, section, motion = way.tip_pose, way.tip, self.tip(point.node)
-        if number is not None and link:
-            pose, section = way.section_poses[number], way.sections[number]
-            own = instant.pack(*self.accelerations).part(link.first, link.kernels.n)
-            (motion,) = instant.call(link.kernels.motion(), self.root(point.node), section, own)
-        assert pose is not None  # noqa: S101
-        rate = section.part(12, 3) if section else way.tip_rate
-        kernel = point_kernel(on_section=section is not None)
-        return instant.call(kernel, pose, instant.way.frame(section), rate, motion, parts.offsets[k])
+        pose, rate, motion = self.first.point(k)
+        return pose, rate, self.mean(motion, self.second.point(k)[2]) if self.second else motion
 
 
 def _mean_kernel(size: int) -> Kernel:
@@ -94,8 +72,8 @@ def _mean_kernel(size: int) -> Kernel:
     return Kernel(f"mean {size}", (1, size, size), (size,), build)
 
 
-def solved(instant: Instant, start: Callable[[], Recursion]) -> Solution:
-    """Run the recursion that ``start`` gives; twice where friction depends on the accelerations."""
+def solved(instant: Instant, start: Callable[[], Dynamics]) -> Solution:
+    """Solve the dynamics that ``start`` gives; twice where friction depends on the accelerations."""
     run = start()
     free = Solution(instant, run, run.run())
     plan, numbers = instant.plan.touch, instant.loop.touch
@@ -113,7 +91,7 @@ def solved(instant: Instant, start: Callable[[], Recursion]) -> Solution:
     return both
 
 
-def contact_fold(solution: Solution, start: Callable[[], Recursion]) -> Slot:
+def contact_fold(solution: Solution, start: Callable[[], Dynamics]) -> Slot:
     """1 plus the surface's mass times the mobility along the push, 1 without such friction; for observers only."""
     instant, plan = solution.instant, solution.instant.plan.touch
     if solution.fold is None or plan is None or instant.loop.touch is None:
@@ -125,7 +103,7 @@ def contact_fold(solution: Solution, start: Callable[[], Recursion]) -> Slot:
     return instant.call(plan.touch.fold(), pose, before, after, instant.loop.touch, solution.fold)[0]
 
 
-def _with_wrench(instant: Instant, start: Callable[[], Recursion], wrench: Slot) -> Solution:
+def _with_wrench(instant: Instant, start: Callable[[], Dynamics], wrench: Slot) -> Solution:
     """The solution with another wrench on the point that touches."""
     assert instant.plan.touch is not None  # noqa: S101
     wrenches, point = instant.way.wrenches, instant.plan.touch.point

@@ -10,10 +10,10 @@ from typing import TYPE_CHECKING
 
 from tmodes.equations.loop.friction import solved
 from tmodes.equations.loop.load_kernels import load_kernel
-from tmodes.equations.loop.signals_kernels import base_kernel, packing_kernel, replacing_kernel, signal_kernel
-from tmodes.equations.recursion.ahead import Ahead
-from tmodes.equations.recursion.forward import Recursion
-from tmodes.equations.recursion.passes import Blocks, Passes
+from tmodes.equations.loop.signals_kernels import base_kernel, replacing_kernel, signal_kernel
+from tmodes.equations.mechanics import Dynamics, Way
+from tmodes.equations.recursion.coordinates import packing_kernel
+from tmodes.equations.recursion.passes import Blocks
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
@@ -39,11 +39,13 @@ class Instant:
         """
         self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
         self.none = loop.parts.none
-        self.schedule = Schedule(loop.parts.numbers.size, zeros=tuple(self.none.values()))
+        self.schedule = Schedule(loop.parts.numbers.size, zeros=loop.mechanics.zeros)
         self.time = self.schedule.input("time", 1)
         self.state = self.schedule.input("state", loop.layout.size)
         self.row = self.schedule.input("row", loop.plan.row_size)
         self.step = self.schedule.input("step", 1)
+        if not apart:  # always zero then: what it multiplies folds away
+            self.schedule.zeros = (*self.schedule.zeros, self.step)
         self.signals = [self._signal(k) for k in range(loop.plan.signals)]
         self.way = self._outwards()
         self.apart, self.euler, self.start = apart, euler, self._start(apart=apart)
@@ -72,15 +74,13 @@ class Instant:
         block = self.row.part(1 + k * count, count)
         return self.call(signal_kernel(self.plan.degree), self.time, self.row.part(0, 1), block)[0]
 
-    def _outwards(self) -> Passes:
+    def _outwards(self) -> Way:
         q, rates = self._moved(self.state)
         base = self.loop.base
         if self.plan.base:
             base = self.call(base_kernel(), base, *(self.signals[k] for k in self.plan.base))[0]
         posed = bool(self.plan.loads or self.plan.touch)
-        way = Passes(self.parts, posed=posed, loaded=False, blocks=Blocks(self.schedule, q, rates, base), short=True)
-        way.outwards()
-        return way
+        return self.loop.mechanics.way(Blocks(self.schedule, q, rates, base), posed=posed)
 
     def _moved(self, state: Slot) -> tuple[Slot, Slot]:
         """Coordinates and rates of a state; those that follow their signals exactly are where these are."""
@@ -95,44 +95,33 @@ class Instant:
         return q, rates
 
     def _start(self, *, apart: bool) -> tuple[Divisible, Slot]:
-        """Coordinates and rates that springs start from: an input, or h of their rates ahead of the state's."""
+        """Coordinates and rates that springs start from: an input of implicit steps, else those of the state."""
         if apart:
             return self._moved(self.schedule.input("start", 2 * self.parts.size))
-        return Ahead(self.way, self.step), self.way.v
-
-    def _frame(self, point: int) -> tuple[Slot, Slot, Slot]:
-        """Pose of the frame that a point is fixed to, pose of its link's axes, and its rate in them."""
-        info = self.parts.points[point]
-        way, station = self.way.ways[info.node], self.parts.station(info)
-        assert way.root_pose is not None  # noqa: S101
-        assert way.tip_pose is not None  # noqa: S101
-        if station is None:
-            return way.tip_pose, way.root_pose, way.tip_rate
-        return way.section_poses[station], way.root_pose, way.sections[station].part(12, 3)
+        return self.way.q, self.way.v
 
     def _push(self) -> None:
         """Loads and contact, as wrenches on points, and the contact's mass."""
         wrenches = self.way.wrenches
         for load, numbers in zip(self.plan.loads, self.loop.loads, strict=True):
             signal = self.signals[load.signal] if load.signal >= 0 else self.loop.always
-            pose, before = self._frame(load.point)[0], wrenches.get(load.point, self.none[FORCE])
-            blocks = (pose, self.parts.offsets[load.point], numbers, signal, before)
+            pose, before = self.way.frame_of(load.point)[0], wrenches.get(load.point, self.none[FORCE])
+            blocks = (pose, self.way.offset(load.point), numbers, signal, before)
             (wrenches[load.point],) = self.call(load_kernel(follower=load.follower), *blocks)
         self.dead |= wrenches
         touch = self.plan.touch
         if touch and self.loop.touch:
-            blocks = (*self._frame(touch.point), self.parts.offsets[touch.point], self.loop.touch)
+            blocks = (*self.way.frame_of(touch.point), self.way.offset(touch.point), self.loop.touch)
             before = wrenches.get(touch.point, self.none[FORCE])
             wrenches[touch.point], gate = self.call(touch.touch.wrench(), *blocks, before)
             self.schedule.gate = gate if touch.touch.sheet.unilateral else None
-            info = self.parts.points[touch.point]
-            if touch.has_mass or (self.euler and self.parts.station(info) is None):
+            if touch.has_mass or (self.euler and self.way.takes_mass(touch.point)):
                 self.mass_step = self.step if self.euler else self.none[1]
                 inertia, bias = self.call(touch.touch.inertia(), *blocks, self.mass_step)
-                self.way.attached[info.node] = (inertia, bias)
+                self.way.attach(touch.point, inertia, bias)
 
-    def _drive(self) -> Callable[[], Recursion]:
-        """Efforts of the servos, and the motions that are given: the start of a recursion, as often as asked."""
+    def _drive(self) -> Callable[[], Dynamics]:
+        """Efforts of the servos, and the motions that are given: the start of the dynamics, as often as asked."""
         efforts: dict[str, Slot] = {}
         feedback: dict[str, Slot] = {}
         given: dict[str, Slot] = {}
@@ -157,10 +146,10 @@ class Instant:
         swing = self.pack(*(feedback.get(name, none[2]) for name in parts.efforts))
         moved = self.pack(*(given[name] for name in parts.given))
 
-        def start() -> Recursion:
-            recursion = Recursion(self.way, effort, moved, self.step, self.start, feedback=swing)
-            recursion.followed = followed
-            return recursion
+        def start() -> Dynamics:
+            begun = self.loop.mechanics.dynamics(self.way, effort, moved, self.step, self.start, feedback=swing)
+            begun.followed = followed
+            return begun
 
         return start
 

@@ -93,11 +93,7 @@ class Powers:
             return forces.part(1, 1), self._gear_torque(driver, forces)
         if part.given < 0:
             return forces.part(0, 1), None
-        root, hung = self.solution.root(driver.index), self.solution.hung(driver.index)
-        (force,) = self._call(times_kernel(), hung[0], root, hung[1])
-        way = self.way.ways[driver.index]
-        along = self._call(way.joint.load(), force, way.hinge, way.axis, self.none[FORCE])[1]
-        return self._added(forces.part(0, 1), along), None
+        return self._added(forces.part(0, 1), self.solution.force_along(driver.index)), None
 
     def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
@@ -122,15 +118,7 @@ class Powers:
                 lost = self._call(part.drive.elastic(), *blocks)[2]
                 self.powers["gear_damping"].append(lost.part(0, 1))
                 self.powers["friction"].append(lost.part(1, 1))
-            if part.link:
-                link = part.link
-                blocks = (
-                    link.stiffness,
-                    link.damping,
-                    self.way.bend(link, self.way.q),
-                    self.way.bend(link, self.way.v),
-                )
-                self.powers["link_damping"].append(self._call(link.kernels.elastic(), *blocks)[2])
+        self.powers["link_damping"] += self.way.link_losses()
 
     def _power_of_loads(self) -> Slot:
         """Powers of loads and contact; what is told of the contact."""

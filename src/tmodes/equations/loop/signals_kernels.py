@@ -11,7 +11,7 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["BASE_NUMBERS", "SIGNAL", "base_kernel", "packing_kernel", "replacing_kernel", "signal_kernel"]
+__all__ = ["BASE_NUMBERS", "SIGNAL", "base_kernel", "replacing_kernel", "signal_kernel"]
 
 SIGNAL = 3
 """What is known of a signal at an instant: value, rate, acceleration."""
@@ -33,15 +33,6 @@ def signal_kernel(degree: int) -> Kernel:
         return [[value, rate, 2 * half]]
 
     return Kernel(f"signal {degree}", (1, 1, degree + 1), (SIGNAL,), build)
-
-
-def packing_kernel(sizes: tuple[int, ...]) -> Kernel:
-    """Blocks one after the other in one block."""
-
-    def build(*blocks: Any) -> list[list[Any]]:
-        return [[block[i] for block, size in zip(blocks, sizes, strict=True) for i in range(size)]]
-
-    return Kernel(f"packing {sizes}", sizes, (sum(sizes),), build)
 
 
 def replacing_kernel(size: int, places: tuple[int, ...]) -> Kernel:

@@ -8,7 +8,7 @@ from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 
-__all__ = ["Ahead"]
+__all__ = ["Ahead", "ahead_kernel"]
 
 _GROUP = 8
 """Motors or joints that go in one call; so the code is no longer for a longer arm."""
@@ -33,11 +33,11 @@ class Ahead:
         if first not in self.found:
             count = min(other for other in self.firsts if other > first) - first
             blocks = self.way.q.part(first, count), self.way.v.part(first, count), self.step
-            (self.found[first],) = self.way.schedule.call(_ahead_kernel(count), *blocks)
+            (self.found[first],) = self.way.schedule.call(ahead_kernel(count), *blocks)
         return self.found[first].part(start - first, size)
 
 
-def _ahead_kernel(size: int) -> Kernel:
+def ahead_kernel(size: int) -> Kernel:
     """(q, v, h) -> q + h v."""
 
     def build(q: Any, v: Any, step: Any) -> list[list[Any]]:

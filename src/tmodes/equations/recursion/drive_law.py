@@ -20,6 +20,7 @@ class DriveLaw:
         self.inertia, self.rest = p[0], p[1]
         self._motor, self._joint = [p[2 + i] for i in range(5)], [p[7 + i] for i in range(5)]
         r = ranges
+        self.stiffness, self.ends, self.damping, self.backlash, self.rounding = [0.0], [], 0.0, 0.0, 1.0
         if r:
             self.stiffness = [p[12 + i] for i in range(r)]
             self.ends = [p[12 + r + i] for i in range(r - 1)]

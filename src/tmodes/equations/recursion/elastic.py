@@ -2,11 +2,14 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+
+from tmodes.equations.recursion.coordinates import Coordinates
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 
-__all__ = ["elastic_forces"]
+__all__ = ["elastic_forces", "elastic_of_drives"]
 
 
 def elastic_forces(parts: Parts) -> Schedule:
@@ -17,16 +20,36 @@ def elastic_forces(parts: Parts) -> Schedule:
     """
     way = Passes(parts, posed=False, loaded=False)
     schedule = way.schedule
+    bent = {}
+    for index, part in enumerate(parts.nodes):
+        if part.link:
+            link = part.link
+            blocks = (link.stiffness, link.damping, way.bend(link, way.q), way.bend(link, way.v))
+            bent[index] = schedule.call(link.kernels.elastic(), *blocks)
+    motors, joints, energies, losses = elastic_of_drives(way, {index: found[1:] for index, found in bent.items()})
+    links = {link.first: bent[index][0] for index, part in enumerate(parts.nodes) if (link := part.link)}
+    schedule.output("forces", *way.by_coordinate(motors, joints, links))
+    schedule.output("energies", *energies)
+    schedule.output("losses", *losses)
+    return schedule
+
+
+def elastic_of_drives(
+    way: Coordinates, links: Mapping[int, tuple[Slot, ...]] | None = None
+) -> tuple[dict[int, Slot], dict[int, Slot], list[Slot], list[Slot]]:
+    """Forces on motors and on joints by coordinate, and energies and losses of the nodes.
+
+    ``links``: energy and loss of the link of each node that bends.
+    """
+    parts, schedule, none = way.parts, way.schedule, way.none[1]
     motors: dict[int, Slot] = {}
     joints: dict[int, Slot] = {}
-    links: dict[int, Slot] = {}
     energies: list[Slot] = []
     losses: list[Slot] = []
     coupled = way.coupled_inputs()
     torques: dict[int, Slot] = {}
-    for part in parts.nodes:
-        none = way.none[1]
-        energy, lost, bend_energy, bend_lost = none, way.none[3].part(0, 2), none, none
+    for index, part in enumerate(parts.nodes):
+        energy, lost = none, way.none[3].part(0, 2)
         if part.motor in coupled and part.drive and part.drive_numbers:
             blocks = (part.drive_numbers, *coupled[part.motor], *way.angle(part))
             joints[part.angle], energy, lost = schedule.call(part.drive.coupled_elastic(), *blocks)
@@ -36,20 +59,14 @@ def elastic_forces(parts: Parts) -> Schedule:
             forces, energy, lost = schedule.call(part.drive.elastic(), *blocks)
             joints[part.angle] = forces.part(0, 1)
             motors[part.motor] = forces.part(1, 1)
-        if part.link:
-            link = part.link
-            blocks = (link.stiffness, link.damping, way.bend(link, way.q), way.bend(link, way.v))
-            links[link.first], bend_energy, bend_lost = schedule.call(link.kernels.elastic(), *blocks)
+        bend_energy, bend_lost = (links or {}).get(index, (none, none))
         energies += [energy, bend_energy]
         losses += [lost, bend_lost]
     losses += _coupled_motors(way, torques, motors)
-    schedule.output("forces", *way.by_coordinate(motors, joints, links))
-    schedule.output("energies", *energies)
-    schedule.output("losses", *losses)
-    return schedule
+    return motors, joints, energies, losses
 
 
-def _coupled_motors(way: Passes, torques: dict[int, Slot], motors: dict[int, Slot]) -> list[Slot]:
+def _coupled_motors(way: Coordinates, torques: dict[int, Slot], motors: dict[int, Slot]) -> list[Slot]:
     """Forces on coupled motors, put among ``motors``; the friction they lose, as losses of further parts."""
     loads = way.coupled_loads(torques)
     lost: list[Slot] = []

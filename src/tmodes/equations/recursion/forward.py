@@ -3,8 +3,10 @@
 from __future__ import annotations
 
 from tmodes.equations.recursion.ahead import Ahead
+from tmodes.equations.recursion.body_kernels import point_kernel, times_kernel
+from tmodes.equations.recursion.driven import Driven
 from tmodes.equations.recursion.hinge import Hinge
-from tmodes.equations.recursion.parts import NodePart, Parts
+from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.equations.recursion.screw import Screw
 from tmodes.kinds.kernel.kernel import Kernel
@@ -30,12 +32,14 @@ def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
     return schedule
 
 
-class Recursion:
+class Recursion(Driven):
     """The way in and the way out again of the articulated-body recursion.
 
     After the run: ``roots`` and ``tips``, accelerations of both ends of each link; ``hung``, inertia and bias force at
     each root.
     """
+
+    way: Passes
 
     def __init__(
         self,
@@ -46,36 +50,24 @@ class Recursion:
         start: tuple[Divisible, Slot],
         feedback: Slot | None = None,
     ) -> None:
-        """``start``: coordinates and rates from which springs, dampers and friction start; those of ``way`` place all.
-
-        ``feedback`` (2 per effort): see :meth:`DriveKind.forward`.
-        """
-        self.way, self.effort, self.given, self.step, self.feedback = way, effort, given, step, feedback
-        self.start = start
-        self.followed: dict[int, Slot] = {}  # index of a motor that keeps a given motion -> its acceleration
+        """As :class:`Driven`."""
+        super().__init__(way, effort, given, step, start, feedback)
         self.hung: dict[int, tuple[Slot, Slot]] = {}
         self.on_base: list[tuple[Kernel, tuple[Slot, ...]]] = []
         self.roots: list[Slot] = []
         self.tips: list[Slot] = []
-        self.schedule, self.parts = way.schedule, way.parts
         self.loads: dict[int, tuple[Slot, Slot]] = {}
         self.joints: dict[int, Hinge | Screw] = {}
         self.held: dict[int, Slot] = {}
         self.solved: dict[int, Slot] = {}
-        self.motor_terms: dict[int, Slot] = {}
-        self.coupled = way.coupled_inputs()
-        self.torques: dict[int, Slot] = {}
-        self.coupled_loads: dict[int, Slot] = {}
 
     def run(self) -> list[Slot]:
         """Add all calls; the accelerations of the coordinates, in their order."""
         for index in reversed(range(len(self.parts.nodes))):
             self._inwards(index)
-        self._couple_motors()
-        return self._outwards()
-
-    def _given(self, part: NodePart) -> Slot:
-        return self.given.part(part.given, 1) if part.given >= 0 else self.way.none[1]
+        self.couple_motors()
+        self.accelerations = self._outwards()
+        return self.accelerations
 
     def _inwards(self, index: int) -> None:
         part, way = self.parts.nodes[index], self.way.ways[index]
@@ -87,7 +79,7 @@ class Recursion:
             blocks = (terms, way.tip, inertia, bias, link.stiffness, link.damping, q, v, self.step)
             inertia, bias, self.solved[index] = self.schedule.call(link.kernels.outward(), *blocks)
         self.hung[index] = (inertia, bias)
-        effort, own = self._drive(index, part)
+        effort, own = self.drive(index, part)
         parent = part.node.parent
         self.joints[index] = joint = self._joint(index, own)
         blocks = (inertia, bias, way.hinge, way.axis, effort, own)
@@ -127,56 +119,39 @@ class Recursion:
         joint = self.way.ways[index].joint
         return joint.as_free() if isinstance(joint, Screw) and own is self.way.none[1] else joint
 
-    def _start(self, index: int) -> tuple[Slot, Slot]:
-        """Where a coordinate and its rate start from; zero without one."""
-        none = self.way.none[1]
-        return (none, none) if index < 0 else (self.start[0].part(index, 1), self.start[1].part(index, 1))
-
-    def _drive(self, index: int, part: NodePart) -> tuple[Slot, Slot]:
-        none = self.way.none[1]
-        if part.drive is None or part.drive_numbers is None:
-            return self._given(part), none
-        if part.drive.bare and not self.feedback:
-            return self.effort.part(part.effort, 1), none
-        if part.motor in self.coupled:
-            blocks = (part.drive_numbers, *self.coupled[part.motor], *self.way.angle(part))
-            effort, self.torques[part.motor] = self.schedule.call(part.drive.coupled(), *blocks)
-            return effort, none
-        if part.motor in self.followed:
-            blocks = (part.drive_numbers, *self._start(part.motor), *self._start(part.angle), self.step)
-            effort, own = self.schedule.call(part.drive.followed(), *blocks)
-            return effort, own
-        effort = self.effort.part(part.effort, 1) if part.effort >= 0 else none
-        feedback = self.feedback.part(2 * part.effort, 2) if self.feedback and part.effort >= 0 else self.way.none[2]
-        angles = (*self._start(part.motor), *self._start(part.angle))
-        blocks = (part.drive_numbers, *angles, effort, feedback, self.step)
-        effort, own, self.motor_terms[index] = self.schedule.call(part.drive.forward(), *blocks)
-        return effort, own
-
-    def _couple_motors(self) -> None:
-        self.coupled_loads = loads = self.way.coupled_loads(self.torques)
-        for index, part in enumerate(self.parts.nodes):
-            if part.motor in loads and part.drive and part.drive_numbers:
-                effort = self.effort.part(part.effort, 1)
-                blocks = (part.drive_numbers, self.way.motor(part)[1], effort, loads[part.motor])
-                self.motor_terms[index] = self.schedule.call(part.drive.coupled_motor(), *blocks)[0]
-
     def _outwards(self) -> list[Slot]:
-        motors: dict[int, Slot] = dict(self.followed)
         joints: dict[int, Slot] = {}
         links: dict[int, Slot] = {}
         for index, (part, way) in enumerate(zip(self.parts.nodes, self.way.ways, strict=True)):
             parent = part.node.parent
             before = self.tips[parent] if parent >= 0 else self.way.base.part(0, FORCE)
-            blocks = (before, way.hinge, way.axis, self.held[index], self._given(part))
+            blocks = (before, way.hinge, way.axis, self.held[index], self.given_acceleration(part))
             root, joint = self.schedule.call(self.joints[index].onward(), *blocks)
             if part.angle >= 0:
                 joints[part.angle] = joint
-            if part.motor >= 0 and part.motor not in self.followed and part.drive:
-                (motors[part.motor],) = self.schedule.call(part.drive.motor(), self.motor_terms[index], joint)
             self.roots.append(root)
             if part.link and way.tip:
                 found = self.schedule.call(part.link.kernels.onward(), root, self.solved[index], way.tip)
                 links[part.link.first], root = found
             self.tips.append(root)
-        return self.way.by_coordinate(motors, joints, links)
+        return self.way.by_coordinate(self.motor_accelerations(joints), joints, links)
+
+    def force_along(self, index: int) -> Slot:
+        """Force along a joint's axis by all that hangs on it, after the run."""
+        way, hung = self.way.ways[index], self.hung[index]
+        (force,) = self.schedule.call(times_kernel(), hung[0], self.roots[index], hung[1])
+        return self.schedule.call(way.joint.load(), force, way.hinge, way.axis, self.way.none[FORCE])[1]
+
+    def point(self, k: int) -> tuple[Slot, ...]:
+        """Pose, rate and acceleration (less gravity) of a point in the world, after the run."""
+        point = self.parts.points[k]
+        way, number, link = self.way.ways[point.node], self.parts.station(point), self.parts.nodes[point.node].link
+        pose, section, motion = way.tip_pose, way.tip, self.tips[point.node]
+        if number is not None and link:
+            pose, section = way.section_poses[number], way.sections[number]
+            own = self.packed().part(link.first, link.kernels.n)
+            (motion,) = self.schedule.call(link.kernels.motion(), self.roots[point.node], section, own)
+        assert pose is not None  # noqa: S101
+        rate = section.part(12, 3) if section else way.tip_rate
+        kernel = point_kernel(on_section=section is not None)
+        return self.schedule.call(kernel, pose, self.way.frame(section), rate, motion, self.parts.offsets[k])

@@ -9,12 +9,12 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
 from tmodes.equations.recursion.body_kernels import body_inertia_kernel, body_kernel, push_kernel, sum_kernel
-from tmodes.equations.recursion.drive_kernels import mixing_kernel
+from tmodes.equations.recursion.coordinates import Coordinates
 from tmodes.equations.recursion.hinge import POSE, Hinge
 from tmodes.equations.recursion.parts import LinkPart, NodePart, Parts
 from tmodes.equations.recursion.screw import TURN, Screw, turn_kernel
 from tmodes.equations.recursion.screw_rates import rates_kernel
-from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["BASE", "Blocks", "Passes", "Way", "resting_base"]
@@ -69,7 +69,7 @@ class Blocks:
         return cls(schedule, q, v, schedule.input("base", BASE))
 
 
-class Passes:
+class Passes(Coordinates):
     """Blocks of one schedule by what they mean; each pass adds its calls.
 
     ``wrenches``: number of a point -> force and moment on it, in world axes. ``attached``: index of a node -> inertia
@@ -84,12 +84,12 @@ class Passes:
         ``short``: joints take the short way where they have one, else all take the general one.
         """
         self.short = short
-        self.parts, self.posed, self.loaded = parts, posed or loaded, loaded
+        self.posed, self.loaded = posed or loaded, loaded
         blocks = blocks or Blocks.as_inputs(parts)
-        self.schedule, self.q, self.v, self.base = blocks.schedule, blocks.q, blocks.v, blocks.base
+        super().__init__(parts, blocks.schedule, blocks.q, blocks.v)
+        self.base = blocks.base
         self.ways: list[Way] = []
         self.turns: dict[int, Slot] = {}
-        self.none = parts.none
         self.wrenches: dict[int, Slot] = {}
         self.attached: dict[int, tuple[Slot, Slot]] = {}
 
@@ -98,21 +98,6 @@ class Passes:
         if self.loaded:
             block = self.schedule.input("wrenches", 6 * len(self.parts.points))
             self.wrenches = {k: block.part(6 * k, 6) for k in range(len(self.parts.points))}
-
-    def angle(self, part: NodePart) -> tuple[Slot, Slot]:
-        """Coordinate and rate of a joint."""
-        return self._pair(part.angle)
-
-    def motor(self, part: NodePart) -> tuple[Slot, Slot]:
-        """Angle and rate of a motor."""
-        return self._pair(part.motor)
-
-    def _pair(self, index: int) -> tuple[Slot, Slot]:
-        return (self.none[1], self.none[1]) if index < 0 else (self.q.part(index, 1), self.v.part(index, 1))
-
-    def bend(self, link: LinkPart, block: Divisible) -> Slot:
-        """The link's part of a block of all coordinates."""
-        return block.part(link.first, link.kernels.n)
 
     def parent(self, part: NodePart) -> Way | None:
         """What was found of the parent, None for the base."""
@@ -209,26 +194,34 @@ class Passes:
                 (terms,) = self.schedule.call(link.kernels.station_load(), terms, section, body or self.none[10], force)
         return terms
 
-    def coupled_inputs(self) -> dict[int, tuple[Slot, Slot]]:
-        """Angle and rate at the input of each coupled gear, by the index of its motor; empty without couplings."""
-        matrix, motors = self.parts.couplings, self.parts.motors
-        if matrix is None:
-            return {}
-        mix = mixing_kernel(len(motors), transposed=False)
-        angles = self.schedule.call(mix, matrix, *(self.q.part(i, 1) for i in motors))
-        rates = self.schedule.call(mix, matrix, *(self.v.part(i, 1) for i in motors))
-        return dict(zip(motors, zip(angles, rates, strict=True), strict=True))
+    def frame_of(self, k: int) -> tuple[Slot, Slot, Slot]:
+        """Pose of the frame that a point is fixed to, pose of its link's axes, and its rate in them."""
+        point = self.parts.points[k]
+        way, station = self.ways[point.node], self.parts.station(point)
+        assert way.root_pose is not None  # noqa: S101
+        assert way.tip_pose is not None  # noqa: S101
+        if station is None:
+            return way.tip_pose, way.root_pose, way.tip_rate
+        return way.section_poses[station], way.root_pose, way.sections[station].part(12, 3)
 
-    def coupled_loads(self, torques: dict[int, Slot]) -> dict[int, Slot]:
-        """Load of all coupled gears on each motor, by the motor's index."""
-        matrix, motors = self.parts.couplings, self.parts.motors
-        if matrix is None:
-            return {}
-        mix = mixing_kernel(len(motors), transposed=True)
-        return dict(zip(motors, self.schedule.call(mix, matrix, *(torques[i] for i in motors)), strict=True))
+    def offset(self, k: int) -> Slot:
+        """Placement of a point in the frame of :meth:`frame_of`."""
+        return self.parts.offsets[k]
 
-    def by_coordinate(self, motors: dict[int, Slot], joints: dict[int, Slot], links: dict[int, Slot]) -> list[Slot]:
-        """Blocks of the coordinates in their order: motors, joints, links."""
-        none = self.none[1]
-        first = [motors.get(i, none) for i in self.parts.motors] + [joints.get(i, none) for i in self.parts.joints]
-        return first + [links[part.link.first] for part in self.parts.nodes if part.link]
+    def takes_mass(self, k: int) -> bool:
+        """Whether an inertia can be attached at a point: not at a station inside a link."""
+        return self.parts.station(self.parts.points[k]) is None
+
+    def attach(self, k: int, inertia: Slot, bias: Slot) -> None:
+        """An inertia and its bias force that move with a point, about its frame's origin in its link's axes."""
+        self.attached[self.parts.points[k].node] = (inertia, bias)
+
+    def link_losses(self) -> list[Slot]:
+        """Power lost in the dampers of each link [W]."""
+        found = []
+        for part in self.parts.nodes:
+            if part.link:
+                link = part.link
+                blocks = (link.stiffness, link.damping, self.bend(link, self.q), self.bend(link, self.v))
+                found.append(self.schedule.call(link.kernels.elastic(), *blocks)[2])
+        return found

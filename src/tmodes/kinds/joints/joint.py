@@ -29,10 +29,11 @@ class JointType(StrEnum):
 
 
 class JointState(StrEnum):
-    """Whether a joint's motor moves, or is locked."""
+    """Whether a joint's motor moves, or is locked; a free joint has none, and nothing holds it."""
 
     ACTIVE = "active"
     LOCKED = "locked"
+    FREE = "free"
 
 
 class MeasuredFrom(StrEnum):
@@ -79,7 +80,7 @@ class JointSheet(DataSheet):
     )
     axis: Vector | None = list_of_numbers("-", "e", "direction of the joint's axis, in its frame", default=None)
     dh: DenavitHartenberg | None = Field(default=None, description="Denavit-Hartenberg row for origin and axis")
-    state: JointState = Field(default=JointState.ACTIVE, strict=False, description="active, or locked")
+    state: JointState = Field(default=JointState.ACTIVE, strict=False, description="active, locked, or free")
     locked_at: float = any_sign("rad|m", "q_0", "position at which it is locked", default=0.0, plausible=(-6.3, 6.3))
     limits: Limits | None = Field(default=None, description="what it may do")
     friction: FrictionSheet | None = Field(default=None, description="friction at the joint; none: no friction")
@@ -122,6 +123,10 @@ class JointSheet(DataSheet):
         if active and self.locked_at:
             hint = "write `state: locked`, or give the position under `initial`"
             yield Issue("locked_at", repr(self.locked_at), "0 for an active joint", hint)
+        for name in ("motor", "gear", "locked_at") if self.state is JointState.FREE else ():
+            if getattr(self, name):
+                hint = f"remove `{name}`, or take another `state`"
+                yield Issue(name, f"`{name}` of a free joint", "none: nothing drives or holds it", hint)
 
     @property
     def is_elastic(self) -> bool:

@@ -1,4 +1,4 @@
-/* tmodes, built from e3f81ba2856d218f; BSD-3-Clause */
+/* tmodes, built from 4d2d26c7b64839eb; BSD-3-Clause */
 /* three
 The MIT License
 

@@ -1,0 +1,121 @@
+"""What the floors above need of a maker of equations: the recursion and Lagrange's equations both fulfil it.
+
+A maker gives three schedules of the dynamics alone (``forward``, ``inertia``, ``elastic``), and, for the closed loop,
+the outward pass and the accelerations under drives and loads in a schedule that is being written.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+from tmodes.equations.recursion.parts import NodePart, Parts
+from tmodes.equations.recursion.passes import Blocks
+from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+
+__all__ = ["Dynamics", "Mechanics", "Way"]
+
+
+class Way(Protocol):
+    """Motion of the bodies at one instant, before accelerations are known; the calls are added to a schedule."""
+
+    parts: Parts
+    schedule: Schedule
+    q: Slot
+    v: Slot
+    base: Slot
+    none: dict[int, Slot]
+    wrenches: dict[int, Slot]
+    """Number of a point -> force and moment on it, in world axes."""
+
+    def angle(self, part: NodePart) -> tuple[Slot, Slot]:
+        """Coordinate and rate of a joint."""
+        ...
+
+    def motor(self, part: NodePart) -> tuple[Slot, Slot]:
+        """Angle and rate of a motor."""
+        ...
+
+    def frame_of(self, k: int) -> tuple[Slot, Slot, Slot]:
+        """Pose of the frame that a point is fixed to, pose of its link's axes, and its rate in them."""
+        ...
+
+    def offset(self, k: int) -> Slot:
+        """Placement of a point in its frame."""
+        ...
+
+    def takes_mass(self, k: int) -> bool:
+        """Whether an inertia can be attached at a point."""
+        ...
+
+    def attach(self, k: int, inertia: Slot, bias: Slot) -> None:
+        """An inertia and its bias force that move with a point."""
+        ...
+
+    def link_losses(self) -> list[Slot]:
+        """Powers lost inside the links [W]."""
+        ...
+
+
+class Dynamics(Protocol):
+    """Accelerations under drives and loads, and what follows from them."""
+
+    followed: dict[int, Slot]
+    coupled: dict[int, tuple[Slot, Slot]]
+    coupled_loads: dict[int, Slot]
+    torques: dict[int, Slot]
+    accelerations: list[Slot]
+
+    def run(self) -> list[Slot]:
+        """Accelerations of the coordinates, in their order."""
+        ...
+
+    def force_along(self, index: int) -> Slot:
+        """Force that the bodies ask of a prescribed joint."""
+        ...
+
+    def point(self, k: int) -> tuple[Slot, ...]:
+        """Pose, rate and acceleration (less gravity) of a point in the world."""
+        ...
+
+    def at_base(self) -> tuple[Slot, Slot]:
+        """Inertia and bias force of all that hangs on the base."""
+        ...
+
+
+class Mechanics(Protocol):
+    """One maker with the numbers of one chain."""
+
+    @property
+    def parts(self) -> Parts:
+        """Coordinates, drives, points and numbers."""
+        ...
+
+    @property
+    def base_moves(self) -> bool:
+        """Whether the base may be moved in a run."""
+        ...
+
+    @property
+    def zeros(self) -> tuple[Slot, ...]:
+        """Parameters that are zero whatever the robot's numbers."""
+        ...
+
+    def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
+        """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
+        ...
+
+    def way(self, blocks: Blocks, *, posed: bool) -> Any:
+        """The outward pass in a schedule; ``posed``: poses of points are needed."""
+        ...
+
+    def dynamics(
+        self,
+        way: Any,
+        effort: Slot,
+        given: Slot,
+        step: Slot,
+        start: tuple[Divisible, Slot],
+        feedback: Slot | None = None,
+    ) -> Any:
+        """The accelerations, as :class:`tmodes.equations.recursion.driven.Driven` takes its inputs."""
+        ...

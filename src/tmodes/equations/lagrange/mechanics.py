@@ -1,0 +1,51 @@
+"""Lagrange's equations of a system as a maker of equations, with the numbers of one chain."""
+
+from __future__ import annotations
+
+from tmodes.equations.lagrange.chained import ChainedSystem
+from tmodes.equations.lagrange.motion import LagrangeDynamics, LagrangeWay
+from tmodes.equations.lagrange.schedules import elastic_schedule, forward_schedule, inertia_schedule
+from tmodes.equations.lagrange.system import System
+from tmodes.equations.recursion.parts import Parts
+from tmodes.equations.recursion.passes import Blocks
+from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+
+__all__ = ["LagrangeMechanics"]
+
+_SCHEDULES = {"forward": forward_schedule, "inertia": inertia_schedule}
+
+
+class LagrangeMechanics:
+    """Schedules of a system with the numbers of one chain."""
+
+    base_moves = False
+
+    def __init__(self, system: System, parts: Parts) -> None:
+        """Raises :class:`tmodes.errors.InputError` where chain and system do not belong together."""
+        self.parts, self.chained = parts, ChainedSystem(system, parts)
+
+    @property
+    def zeros(self) -> tuple[Slot, ...]:
+        """Parameters that are zero whatever the robot's numbers."""
+        return self.chained.zeros
+
+    def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
+        """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
+        return elastic_schedule(self.chained) if name == "elastic" else _SCHEDULES[name](self.chained, loaded=loaded)
+
+    def way(self, blocks: Blocks, *, posed: bool) -> LagrangeWay:
+        """Where the points are, found when asked."""
+        del posed
+        return LagrangeWay(self.chained, blocks)
+
+    def dynamics(
+        self,
+        way: LagrangeWay,
+        effort: Slot,
+        given: Slot,
+        step: Slot,
+        start: tuple[Divisible, Slot],
+        feedback: Slot | None = None,
+    ) -> LagrangeDynamics:
+        """The system's rows, to be solved."""
+        return LagrangeDynamics(way, effort, given, step, start, feedback)

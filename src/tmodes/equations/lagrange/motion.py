@@ -1,0 +1,145 @@
+"""Lagrange's equations of one chain at one instant: the counterpart of the recursion's passes.
+
+The bodies' coordinates are the joints' and the links'; motors behind elastic gears are the drives' own.
+"""
+
+from __future__ import annotations
+
+from tmodes.equations.lagrange.chained import ChainedSystem
+from tmodes.equations.lagrange.solving import Solver, attached_kernel, push_rows_kernel
+from tmodes.equations.recursion.coordinates import Coordinates
+from tmodes.equations.recursion.driven import Driven
+from tmodes.equations.recursion.passes import Blocks
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Divisible, Slot
+from tmodes.kinds.kernel.spatial import FORCE
+
+__all__ = ["LagrangeDynamics", "LagrangeWay"]
+
+
+class LagrangeWay(Coordinates):
+    """Blocks of one schedule: where the points are, and what acts on them."""
+
+    def __init__(self, chained: ChainedSystem, blocks: Blocks) -> None:
+        super().__init__(chained.parts, blocks.schedule, blocks.q, blocks.v)
+        self.chained, self.base = chained, blocks.base
+        self.wrenches: dict[int, Slot] = {}
+        self.attached: dict[int, tuple[Slot, Slot]] = {}
+
+    def call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
+        """Call a kernel; its outputs are new blocks."""
+        return self.schedule.call(kernel, *blocks)
+
+    def bodies(self, block: Divisible) -> Slot:
+        """The joints' and links' part of a block of all coordinates."""
+        return self.chained.bodies(block)
+
+    @property
+    def state(self) -> tuple[Slot, Slot, Slot]:
+        """Bodies' coordinates and rates, and the system's parameters."""
+        return self.bodies(self.q), self.bodies(self.v), self.chained.parameters
+
+    @property
+    def pull(self) -> Slot:
+        """The base's acceleration less gravity."""
+        return self.base.part(3, 3)
+
+    def take_wrenches(self) -> None:
+        """The input of forces on the points (6 each, in world axes)."""
+        block = self.schedule.input("wrenches", FORCE * len(self.parts.points))
+        self.wrenches = {k: block.part(FORCE * k, FORCE) for k in range(len(self.parts.points))}
+
+    def pose(self, k: int) -> tuple[Slot, Slot]:
+        """Pose and velocity of a point, and its rate, in world axes."""
+        pose, rate = self.call(self.chained.kernels.pose(self.chained.points[k]), *self.state)
+        return pose, rate
+
+    def frame_of(self, k: int) -> tuple[Slot, Slot, Slot]:
+        """A point's own frame: its rate is not needed, because nothing is off its origin."""
+        pose = self.pose(k)[0]
+        return pose, pose, self.none[3]
+
+    def offset(self, k: int) -> Slot:
+        """Points stand in their own frames."""
+        del k
+        return self.chained.straight
+
+    def takes_mass(self, k: int) -> bool:
+        """Every point may carry an inertia."""
+        del k
+        return True
+
+    def attach(self, k: int, inertia: Slot, bias: Slot) -> None:
+        """An inertia and its bias force that move with a point."""
+        self.attached[k] = (inertia, bias)
+
+    def lever(self, k: int, *, mapped: bool = True) -> Slot:
+        """Generalized forces of unit forces and moments on a point."""
+        kernels = self.chained.kernels
+        (found,) = self.call(kernels.lever(self.chained.points[k], mapped=mapped), *self.state)
+        return found
+
+    def link_losses(self) -> list[Slot]:
+        """Power lost in the system's dampers [W]."""
+        return [self.call(self.chained.kernels.elastic(), *self.state)[2]]
+
+    def pushed(self) -> Slot:
+        """Generalized forces of all wrenches on points."""
+        own = self.chained.kernels.own
+        rows = self.chained.none
+        for k, wrench in self.wrenches.items():
+            (rows,) = self.call(push_rows_kernel(own), self.lever(k), wrench, rows)
+        return rows
+
+    def carried(self) -> tuple[Slot, ...]:
+        """The matrix and the rows of what is attached to a point; nothing where nothing is."""
+        own, kernels = self.chained.kernels.own, self.chained.kernels
+        for k, (inertia, bias) in self.attached.items():
+            (drift,) = self.call(kernels.drift(self.chained.points[k]), *self.state, self.pull)
+            levers = self.lever(k), self.lever(k, mapped=False)
+            return self.call(attached_kernel(own), *levers, self.pose(k)[0], drift, inertia, bias)
+        return ()
+
+
+class LagrangeDynamics(Driven):
+    """The system's rows under drives, springs and forces on points, solved for the accelerations."""
+
+    way: LagrangeWay
+
+    def run(self) -> list[Slot]:
+        """Add all calls; the accelerations of the coordinates, in their order."""
+        way, chained = self.way, self.way.chained
+        kernels, none = chained.kernels, way.none[1]
+        first = self.parts.joints.start
+        efforts, own = [none] * len(self.parts.joints), [none] * len(self.parts.joints)
+        for index, part in enumerate(self.parts.nodes):
+            if part.angle >= 0:
+                efforts[part.angle - first], own[part.angle - first] = self.drive(index, part)
+        self.couple_motors()
+        mass, bias = way.call(kernels.terms(), *way.state, way.pull, chained.unit)
+        start = way.bodies(self.start[0]), way.bodies(self.start[1])
+        force, added = way.call(kernels.soft(), *start, chained.parameters, self.step)
+        carried = way.carried()
+        self._solver = Solver(kernels, len(self.parts.joints), chained.held, bool(carried))
+        self._balance, self._carried = (mass, bias, force, added, way.pushed()), carried
+        (found,) = way.call(self._solver.kernel(), *self._balance, *efforts, *own, *carried)
+        self.found = found
+        motors = self.motor_accelerations({part.angle: found.part(part.angle - first, 1)
+                                           for part in self.parts.nodes if part.angle >= 0})  # fmt: skip
+        self.accelerations = [*(motors[i] for i in self.parts.motors), found]
+        return self.accelerations
+
+    def force_along(self, index: int) -> Slot:
+        """Force that the bodies ask of a prescribed joint, after the run."""
+        (forces,) = self.way.call(self._solver.residual(), *self._balance, self.found, *self._carried)
+        return forces.part(self.parts.nodes[index].angle - self.parts.joints.start, 1)
+
+    def point(self, k: int) -> tuple[Slot, ...]:
+        """Pose, rate and acceleration (less gravity) of a point in the world."""
+        way, kernels = self.way, self.way.chained.kernels
+        name = way.chained.points[k]
+        return *way.pose(k), *way.call(kernels.acceleration(name), *way.state, way.pull, self.found)
+
+    def at_base(self) -> tuple[Slot, Slot]:
+        """A system's base stands still."""
+        raise NotImplementedError(f"{self.way.chained.system.name}: the base of a Lagrangian system cannot move")

@@ -1,0 +1,124 @@
+"""What drives the coordinates of a chain at one instant: efforts, elastic gears, motors that keep a given motion.
+
+Both makers of equations share it, the recursion and Lagrange's equations: a drive turns into an effort on its joint
+and an inertia of its own, and the motor behind an elastic gear follows from the joint's acceleration.
+"""
+
+from __future__ import annotations
+
+from typing import Any, Protocol
+
+from tmodes.equations.recursion.coordinates import packing_kernel
+from tmodes.equations.recursion.parts import NodePart, Parts
+from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+
+__all__ = ["Driven", "DrivenWay"]
+
+
+class DrivenWay(Protocol):
+    """What the drives read of the outward pass."""
+
+    parts: Parts
+    schedule: Schedule
+    v: Slot
+    none: dict[int, Slot]
+
+    def angle(self, part: NodePart) -> tuple[Slot, Slot]:
+        """Coordinate and rate of a joint."""
+        ...
+
+    def motor(self, part: NodePart) -> tuple[Slot, Slot]:
+        """Angle and rate of a motor."""
+        ...
+
+    def coupled_inputs(self) -> dict[int, tuple[Slot, Slot]]:
+        """Angle and rate at the input of each coupled gear, by the index of its motor."""
+        ...
+
+    def coupled_loads(self, torques: dict[int, Slot]) -> dict[int, Slot]:
+        """Load of all coupled gears on each motor, by the motor's index."""
+        ...
+
+
+class Driven:
+    """Efforts on the joints and own inertias of their drives, and the accelerations of the motors."""
+
+    way: Any
+
+    def __init__(
+        self,
+        way: DrivenWay,
+        effort: Slot,
+        given: Slot,
+        step: Slot,
+        start: tuple[Divisible, Slot],
+        feedback: Slot | None = None,
+    ) -> None:
+        """``start``: coordinates and rates from which springs, dampers and friction start; those of ``way`` place all.
+
+        ``feedback`` (2 per effort): see :meth:`DriveKind.forward`.
+        """
+        self.way, self.effort, self.given, self.step, self.feedback = way, effort, given, step, feedback
+        self.start = start
+        self.followed: dict[int, Slot] = {}  # index of a motor that keeps a given motion -> its acceleration
+        self.schedule, self.parts = way.schedule, way.parts
+        self.motor_terms: dict[int, Slot] = {}
+        self.accelerations: list[Slot] = []
+        self.coupled = way.coupled_inputs()
+        self.torques: dict[int, Slot] = {}
+        self.coupled_loads: dict[int, Slot] = {}
+
+    def packed(self) -> Slot:
+        """The accelerations in one block, after the run."""
+        sizes = tuple(block.size for block in self.accelerations)
+        return self.schedule.call(packing_kernel(sizes), *self.accelerations)[0]
+
+    def given_acceleration(self, part: NodePart) -> Slot:
+        """The acceleration of a prescribed joint, zero of any other."""
+        return self.given.part(part.given, 1) if part.given >= 0 else self.way.none[1]
+
+    def _start(self, index: int) -> tuple[Slot, Slot]:
+        """Where a coordinate and its rate start from; zero without one."""
+        none = self.way.none[1]
+        return (none, none) if index < 0 else (self.start[0].part(index, 1), self.start[1].part(index, 1))
+
+    def drive(self, index: int, part: NodePart) -> tuple[Slot, Slot]:
+        """The effort on a joint (of a prescribed one its acceleration) and the inertia that its drive adds to it."""
+        none = self.way.none[1]
+        if part.drive is None or part.drive_numbers is None:
+            return self.given_acceleration(part), none
+        if part.drive.bare and not self.feedback:
+            return self.effort.part(part.effort, 1), none
+        if part.motor in self.coupled:
+            blocks = (part.drive_numbers, *self.coupled[part.motor], *self.way.angle(part))
+            effort, self.torques[part.motor] = self.schedule.call(part.drive.coupled(), *blocks)
+            return effort, none
+        if part.motor in self.followed:
+            blocks = (part.drive_numbers, *self._start(part.motor), *self._start(part.angle), self.step)
+            effort, own = self.schedule.call(part.drive.followed(), *blocks)
+            return effort, own
+        effort = self.effort.part(part.effort, 1) if part.effort >= 0 else none
+        feedback = self.feedback.part(2 * part.effort, 2) if self.feedback and part.effort >= 0 else self.way.none[2]
+        angles = (*self._start(part.motor), *self._start(part.angle))
+        blocks = (part.drive_numbers, *angles, effort, feedback, self.step)
+        effort, own, self.motor_terms[index] = self.schedule.call(part.drive.forward(), *blocks)
+        return effort, own
+
+    def couple_motors(self) -> None:
+        """Rows of the motors whose gears are coupled."""
+        self.coupled_loads = loads = self.way.coupled_loads(self.torques)
+        for index, part in enumerate(self.parts.nodes):
+            if part.motor in loads and part.drive and part.drive_numbers:
+                effort = self.effort.part(part.effort, 1)
+                blocks = (part.drive_numbers, self.way.motor(part)[1], effort, loads[part.motor])
+                self.motor_terms[index] = self.schedule.call(part.drive.coupled_motor(), *blocks)[0]
+
+    def motor_accelerations(self, joints: dict[int, Slot]) -> dict[int, Slot]:
+        """Accelerations of all motors by index, from those of the joints by index."""
+        motors: dict[int, Slot] = dict(self.followed)
+        for index, part in enumerate(self.parts.nodes):
+            if part.motor >= 0 and part.motor not in self.followed and part.drive:
+                (motors[part.motor],) = self.schedule.call(
+                    part.drive.motor(), self.motor_terms[index], joints[part.angle]
+                )
+        return motors

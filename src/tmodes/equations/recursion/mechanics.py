@@ -1,0 +1,50 @@
+"""The articulated-body recursion as a maker of equations."""
+
+from __future__ import annotations
+
+from tmodes.equations.recursion.elastic import elastic_forces
+from tmodes.equations.recursion.forward import Recursion, forward_dynamics
+from tmodes.equations.recursion.inertia import inertia_forces
+from tmodes.equations.recursion.parts import Parts
+from tmodes.equations.recursion.passes import Blocks, Passes
+from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+
+__all__ = ["RecursiveMechanics"]
+
+
+class RecursiveMechanics:
+    """Schedules of the recursion with the numbers of one chain."""
+
+    base_moves = True
+
+    def __init__(self, parts: Parts) -> None:
+        self.parts = parts
+
+    @property
+    def zeros(self) -> tuple[Slot, ...]:
+        """Parameters that are zero whatever the robot's numbers."""
+        return tuple(self.parts.none.values())
+
+    def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
+        """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
+        if name == "elastic":
+            return elastic_forces(self.parts)
+        return {"forward": forward_dynamics, "inertia": inertia_forces}[name](self.parts, loaded=loaded)
+
+    def way(self, blocks: Blocks, *, posed: bool) -> Passes:
+        """The outward pass in a schedule; ``posed``: poses are needed."""
+        way = Passes(self.parts, posed=posed, loaded=False, blocks=blocks, short=True)
+        way.outwards()
+        return way
+
+    def dynamics(
+        self,
+        way: Passes,
+        effort: Slot,
+        given: Slot,
+        step: Slot,
+        start: tuple[Divisible, Slot],
+        feedback: Slot | None = None,
+    ) -> Recursion:
+        """The recursion inwards and outwards again."""
+        return Recursion(way, effort, given, step, start, feedback)
