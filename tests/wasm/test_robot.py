@@ -53,7 +53,7 @@ def _regime(robot: Any, regime: str) -> tuple[Any, PaperModel, Any, Any, Any]:
 def _job(robot: Any, regime: str) -> tuple[dict[str, Any], Any]:
     settings, model, parameters, schedule, start = _regime(robot, regime)
     spec = {
-        "loop": f"{regime}.{settings.method.value}", "parameters": parameters.vector, "knots": schedule.knots,
+        "loop": f"{regime}.{settings.method}", "parameters": parameters.vector, "knots": schedule.knots,
         "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": start,
         "times": sample_times(settings), "settings": {
             "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,

@@ -1,4 +1,7 @@
-"""Extrapolated linearly implicit Euler steps: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, IV.9."""
+"""Extrapolated linearly implicit Euler steps.
+
+E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, section IV.9.
+"""
 
 from __future__ import annotations
 

@@ -138,6 +138,6 @@ def explicit(
 
 def _reach(tableau: Tableau) -> float:
     """The largest step times eigenvalue on the negative real axis at which the method is stable."""
-    z = -np.linspace(0.01, 40.0, 4000) + 0j
+    z = np.array(-np.linspace(0.01, 40.0, 4000), dtype=np.complex128)
     growing = np.abs(tableau.amplification(z)) > 1 + 1e-9
     return float(-z[growing.argmax()].real) if growing.any() else 40.0

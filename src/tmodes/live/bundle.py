@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
 from tmodes.live.bundle_motion import arm_bundle, why_not_arm
 from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import LiveMap, live_map
@@ -62,7 +62,7 @@ def live_bundle(result: PaperResult | Result) -> dict[str, Any] | None:
     places = load_places(settings.line_points)
     stations = tuple(places[evenly(len(places), _MOST_STATIONS)].tolist())
     compared, surfaces = "tip_reference" in result.data, _with_surfaces(result)
-    own = arm_bundle(pair, stations, method.value, compared=compared, surfaces=surfaces)
+    own = arm_bundle(pair, stations, method, compared=compared, surfaces=surfaces)
     return {**_common(result, pair, live_map(pair, stations)), **own, "stations": np.array(stations)}
 
 
@@ -75,9 +75,9 @@ def _sheet(result: Any) -> Any:
     return result.arm if result.kind == "arm" else result.robot
 
 
-def _method(result: PaperResult | Result) -> Method:
+def _method(result: PaperResult | Result) -> str:
     """The one that the run took; of several, one after the other, the last one."""
-    return Method(result.statistics["real"]["method"])
+    return result.statistics["real"]["method"]
 
 
 def _common(result: PaperResult | Result, pair: PaperPair | RobotPair, live: LiveMap) -> dict[str, Any]:
@@ -103,10 +103,10 @@ def _frames(times: NDArray[np.float64], step: float) -> NDArray[np.int32]:
     return np.unique(np.append(np.arange(0, len(times), every), len(times) - 1)).astype(np.int32)
 
 
-def _settings(given: Integration, method: Method) -> dict[str, Any]:
+def _settings(given: Integration, method: str) -> dict[str, Any]:
     chosen = given.chosen(method)
     return {
-        "method": method.value, "duration": chosen.duration, "step": chosen.step, "maxSteps": chosen.max_steps,
+        "method": method, "duration": chosen.duration, "step": chosen.step, "maxSteps": chosen.max_steps,
         "relativeTolerance": chosen.relative_tolerance, "absoluteTolerance": chosen.absolute_tolerance,
     }  # fmt: skip
 
@@ -117,15 +117,15 @@ def _note(result: PaperResult | Result) -> str:
     if not parts:
         return ""
     taken = ", then ".join(part["method"] for part in parts.values())
-    return f"the run took {taken}; here all of it is by {_method(result).value}"
+    return f"the run took {taken}; here all of it is by {_method(result)}"
 
 
-def _of_robot(pair: PaperPair, method: Method) -> dict[str, Any]:
+def _of_robot(pair: PaperPair, method: str) -> dict[str, Any]:
     from tmodes.equations.lagrange.coordinates import deformation_basis, free_deformations
     from tmodes.live.modes_paper import robot_modes
     from tmodes.live.wasm_paper import robot_module
 
-    module = robot_module(pair, [method.value])
+    module = robot_module(pair, [method])
     return {
         "module": np.frombuffer(module.wasm, dtype=np.uint8),
         "layout": module.layout,

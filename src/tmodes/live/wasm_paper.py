@@ -6,9 +6,10 @@ from collections.abc import Mapping, Sequence
 from functools import partial
 from typing import Any
 
-from tmodes.compile.loops.loops import EXPLICIT, ROSENBROCK
 from tmodes.compile.wasm.wasm_parts import program_loop, sample_part, schedule_loop
 from tmodes.equations.lagrange.layout import COORDINATES, LINE, OBSERVED, STATE_SIZE
+from tmodes.integrate.method import JACOBIAN
+from tmodes.integrate.registry import integrator
 from tmodes.live.modes_paper import add_modes
 from tmodes.live.module import Functions, LiveModule
 from tmodes.paper.mechanism import Drive, Mechanism
@@ -48,9 +49,9 @@ def robot_module(pair: PaperPair, methods: Sequence[str]) -> LiveModule:
 
 def _loop(symbol: str, mechanism: Mechanism, method: str) -> Any:
     guarded = 2 * _PAIRS
-    if method in EXPLICIT:
+    if integrator(method).is_explicit:
         return [program_loop(symbol, mechanism.key, partial(rate_of, mechanism), guarded, method)]
-    if method == ROSENBROCK:
+    if integrator(method).asks == JACOBIAN:
         return schedule_loop(symbol, rate_schedule(mechanism), guarded, method, pairs=_PAIRS, columns=guarded)
     return schedule_loop(symbol, implicit_schedule(mechanism), guarded, method, pairs=_PAIRS)
 

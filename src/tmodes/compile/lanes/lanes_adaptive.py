@@ -130,9 +130,12 @@ def _accept(
     """Take a step (wanted and taken length, whether it ends on a knot, time after it); ``end``: the slope there."""
     b: Any = loop.builder
     wanted, h, last, time_after = step
-    info = b.fadd(loop.constant(math.log2(control.safety)), b.fmul(loop.constant(control.beta), loop.get("old_error")))
+    before = b.fmul(loop.constant(control.beta), loop.get("old_error"))
+    info = b.fadd(loop.constant(math.log2(control.safety)), before)
     factor = exponential(b, loop.lanes, b.fsub(info, b.fmul(loop.constant(control.exponent), size)))
-    factor = loop.call("minnum", loop.call("maxnum", factor, loop.constant(control.smallest)), loop.constant(control.largest))
+    factor = loop.call(
+        "minnum", loop.call("maxnum", factor, loop.constant(control.smallest)), loop.constant(control.largest)
+    )
     grown = b.fmul(h, factor)
     # A step cut short by a knot says little about the next: keep the longer wish.
     loop.put("h", b.select(last, loop.call("maxnum", grown, wanted), grown), accepted)
