@@ -8,12 +8,10 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.line.line import LinkLine, LinkLines
-from tmodes.analysis.line.segment import planes
-from tmodes.analysis.line.tables import pieces_at
 from tmodes.analysis.range import bent
 from tmodes.chain.chain import Beam, Segment
+from tmodes.kinds.links.beam_functions import pieces_at
 from tmodes.kinds.links.beam_tables import beam_tables, section_edges
-from tmodes.kinds.links.material import find_material
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -69,7 +67,7 @@ def _range(model: Model, time: Array, q: Array) -> Iterator[str]:
         own, link = q[:, part.link.own], part.node.link
         if isinstance(link, Segment):
             yield from _beyond(
-                time, np.abs(planes(link, own)).max(axis=1), SEGMENT_LIMIT,
+                time, np.abs(own).max(axis=1), SEGMENT_LIMIT,
                 f"link {part.node.name} leaves the small angles of its segments (|th| <= {SEGMENT_LIMIT:g} rad)",
                 "rad", "take the model `strain`, which is exact in large deflection",
             )  # fmt: skip
@@ -140,11 +138,7 @@ def yield_strength(arm: Robot, name: str) -> float | None:
     beam = arm.link(name if name in names else name.rpartition(".")[0]).beam if arm.links else None
     if beam is None:
         return None
-    choices = [beam.material, *(piece.material for piece in beam.pieces)]
-    info = [choice for choice in choices if choice is not None]
-    materials = [find_material(choice) if isinstance(choice, str) else choice for choice in info]
-    strengths = [material.yield_strength for material in materials if material.yield_strength is not None]
-    return min(strengths, default=None)
+    return min(beam.yield_strengths, default=None)
 
 
 def _buckling(model: Model, time: Array, line: LinkLine) -> Iterator[str]:

@@ -14,7 +14,17 @@ from typing import Any, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from tmodes.io.sheet_units import at, unit_at
-from tmodes.io.sheet_words import bounds, expected_kind, fields, first_line, is_group, kind_of, members_of, own_unit
+from tmodes.io.sheet_words import (
+    bounds,
+    expected_kind,
+    fields,
+    first_line,
+    is_group,
+    is_registered,
+    kind_of,
+    members_of,
+    own_unit,
+)
 from tmodes.sheet import Robot
 
 __all__ = ["ROOT", "ChainPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities"]
@@ -45,6 +55,11 @@ class ChainPlace:
     def members(self) -> list[Any]:
         """The types it may have, without None and without their notes."""
         return members_of(self.annotation)
+
+    @property
+    def tagged(self) -> bool:
+        """Whether the validator names the chosen type as a step of its locations."""
+        return len(self.members) > 1 and not any(is_registered(member) for member in self.members)
 
     @property
     def may_be_left_out(self) -> bool:
@@ -130,8 +145,8 @@ def chosen(members: Sequence[Any], value: Any) -> Any:
     if len(groups) == 1:
         return groups[0]
     for group in groups:
-        key, kind, default = kind_of(group)
-        if isinstance(value, Mapping) and value.get(key, default) == kind:
+        key, kinds, default = kind_of(group)
+        if isinstance(value, Mapping) and value.get(key, default) in kinds:
             return group
     return None
 

@@ -10,8 +10,7 @@ from tmodes.io.plausible import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, oddity
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import named, quantities
 from tmodes.io.sheet_plausible_motion import implausible_motion
-from tmodes.kinds.links.beam import BeamModel, BeamSheet
-from tmodes.kinds.links.material import Material
+from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin
 
 if TYPE_CHECKING:
@@ -22,12 +21,6 @@ __all__ = ["arm_notices", "implausible_arm"]
 SLENDERNESS = (5.0, 1000.0)
 """Range of the length of a beam over the height of its section [-]: thicker ones shear, thinner ones are threads."""
 
-POISSON = (-1.0, 0.5)
-"""Range of the Poisson ratio of an isotropic material [-]."""
-
-MOST_SEGMENTS = 3
-"""Number of segments beyond which the model `segments` is used for what it cannot do."""
-
 CLAMPED_FREE = 1.8751040687119611
 """First root of cos x cosh x = -1: a clamped bare beam has 2 pi f = (x/L)^2 sqrt(EI/w)."""
 
@@ -35,7 +28,11 @@ CLAMPED_FREE = 1.8751040687119611
 def implausible_arm(arm: Robot) -> list[str]:
     """Sentences on numbers that look like a wrong unit, each with the likely factor; empty when all look right."""
     beams = [(link.name, link.beam) for link in arm.links if link.beam]
-    found = (sentence for name, beam in beams for sentence in (*_beam(name, beam), *_model(name, beam)))
+    found = (
+        sentence
+        for name, beam in beams
+        for sentence in (*_beam(name, beam), *(f"links.{name}.beam{notice}" for notice in beam.notices()))
+    )
     return [*_ranges(arm), *found, *implausible_motion(arm)]
 
 
@@ -46,8 +43,7 @@ def arm_notices(arm: Robot) -> list[str]:
     places |= {f"joints.{joint.name}.origin": joint.origin for joint in arm.joints}
     for link in arm.links:
         if link.beam:
-            places[f"links.{link.name}.beam.root_mount"] = link.beam.root_mount
-            places[f"links.{link.name}.beam.tip_mount"] = link.beam.tip_mount
+            places |= {f"links.{link.name}.beam.{name}": origin for name, origin in link.beam.mounts.items()}
     info = {path: origin.notice() for path, origin in places.items() if origin}
     info |= {f"joints.{joint.name}.axis": joint.notice() for joint in arm.joints}
     return [f"{path}: {notice}" for path, notice in info.items() if notice]
@@ -62,40 +58,25 @@ def _ranges(arm: Robot) -> Iterator[str]:
             yield f"{named(steps, data)} {odd}"
 
 
-def _beam(name: str, beam: BeamSheet) -> Iterator[str]:
+def _beam(name: str, beam: BendingSheet) -> Iterator[str]:
     """The first of what is strange about a beam: the others follow from it."""
     yield from [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)][:1]
 
 
-def _model(name: str, beam: BeamSheet) -> Iterator[str]:
-    """A model that is not what its name promises, and moduli that no isotropic material has."""
-    functions = beam.functions
-    if beam.model is BeamModel.STRAIN and functions and not any(dict(functions).values()):
-        yield f"links.{name}.beam is rigid: its model `strain` has 0 functions in every direction"
-    if beam.model is BeamModel.SEGMENTS and (beam.segments or 0) > MOST_SEGMENTS:
-        info = "more segments do not converge (docs/links.md); was the model `strain` meant?"
-        yield f"links.{name}.beam has {beam.segments} segments, more than {MOST_SEGMENTS}: {info}"
-    low, high = POISSON
-    for material in (beam.material, *(piece.material for piece in beam.pieces)):
-        if isinstance(material, Material) and not low <= (ratio := material.young / (2 * material.shear) - 1) <= high:
-            info = f"young/(2 shear) - 1 = {ratio:.3g}, a Poisson ratio outside {low:g} to {high:g}"
-            yield f"links.{name}.beam.material has {info}; right for a laminate only: are both moduli in Pa?"
-
-
-def _slenderness(name: str, beam: BeamSheet) -> Iterator[str]:
+def _slenderness(name: str, beam: BendingSheet) -> Iterator[str]:
     root = beam.section_pieces()[0].start
     height = 2 * max(root.outer_y, root.outer_z)
     low, high = SLENDERNESS
-    if not height or beam.model is BeamModel.RIGID or low <= beam.length / height <= high:
+    if not height or not beam.coordinate_count or low <= beam.line_length / height <= high:
         return
-    ratio = beam.length / height
+    ratio = beam.line_length / height
     slip = "length in mm (factor 0.001)" if ratio > high else "section in mm (factor 0.001)"
     scaled = ratio * (1e-3 if ratio > high else 1e3)
     guess = f"was its {slip} meant?" if low <= scaled <= high else "are its length and its section both in m?"
     yield f"links.{name}.beam is {ratio:.3g} times as long as high, outside the usual {low:g} to {high:g}; {guess}"
 
 
-def _material(name: str, beam: BeamSheet) -> Iterator[str]:
+def _material(name: str, beam: BendingSheet) -> Iterator[str]:
     """Of a round rod w^2/(4 pi EI) is rho^2/E; by the mean of both directions, other shapes come near it."""
     root: Any = beam.section_pieces()[0].start
     low, high = DENSITY_OVER_MODULUS
@@ -109,13 +90,13 @@ def _material(name: str, beam: BeamSheet) -> Iterator[str]:
     yield f"links.{name}.beam with {info} is of no known material; was its {heavy if ratio > high else light} meant?"
 
 
-def _frequency(name: str, beam: BeamSheet) -> Iterator[str]:
+def _frequency(name: str, beam: BendingSheet) -> Iterator[str]:
     low, high = FIRST_FREQUENCY
     root: Any = beam.section_pieces()[0].start
     stiffness = min(root.bend_y, root.bend_z)
-    if math.isinf(stiffness) or beam.model is BeamModel.RIGID:
+    if math.isinf(stiffness) or not beam.coordinate_count:
         return
-    frequency = (CLAMPED_FREE / beam.length) ** 2 * math.sqrt(stiffness / root.mass) / (2 * math.pi)
+    frequency = (CLAMPED_FREE / beam.line_length) ** 2 * math.sqrt(stiffness / root.mass) / (2 * math.pi)
     if not low <= frequency <= high:
         factors = {1e6: "length in mm (factor 0.001)", math.sqrt(1e9): "E in GPa (factor 1e+09)"}
         factors |= {1e3: "E in MPa (factor 1e+06)", 1e-3: "stiffness in N*mm^2 (factor 1e-06)"}

@@ -65,7 +65,7 @@ def _steps(loc: tuple[Step, ...], data: Any) -> tuple[Step, ...]:
     for step in loc:
         if step == "[key]":
             continue
-        if place is not None and len(place.members) > 1 and not skipped:
+        if place is not None and place.tagged and not skipped:
             skipped = True
             continue
         skipped = False
@@ -113,7 +113,8 @@ def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
 def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
     """A group that does not say, or says wrongly, of which of several kinds it is."""
     place, value = place_of(steps, data), at(data, *steps)
-    kinds = [(key, str(kind)) for key, kind, _ in map(kind_of, place.members if place else []) if kind]
+    members = place.members if place else []
+    kinds = [(key, str(kind)) for key, words, _ in map(kind_of, members) for kind in words]
     key, names = kinds[0][0] if kinds else "type", [kind for _, kind in kinds]
     if not isinstance(value, Mapping):
         return steps, InputError("", shown(value), place.expected if place else "a group", f"write `{key}: ...` in it")

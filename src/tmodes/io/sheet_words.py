@@ -10,10 +10,22 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
+from tmodes.kinds.links.registry import link_sheets
+from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
-__all__ = ["bounds", "expected_kind", "fields", "first_line", "is_group", "kind_of", "members_of", "own_unit"]
+__all__ = [
+    "bounds",
+    "expected_kind",
+    "fields",
+    "first_line",
+    "is_group",
+    "is_registered",
+    "kind_of",
+    "members_of",
+    "own_unit",
+]
 
 
 def members_of(annotation: Any) -> list[Any]:
@@ -25,7 +37,7 @@ def members_of(annotation: Any) -> list[Any]:
         return [member for one in get_args(annotation) if one is not NoneType for member in members_of(one)]
     if inspect.isclass(annotation) and issubclass(annotation, Kind):
         return list(annotation.members())
-    return [annotation]
+    return [*link_sheets()] if annotation is BendingSheet else [annotation]
 
 
 def fields(member: Any) -> dict[str, FieldInfo]:
@@ -40,24 +52,31 @@ def is_group(member: Any) -> bool:
     return inspect.isclass(member) and issubclass(member, BaseModel)
 
 
+def is_registered(member: Any) -> bool:
+    """True for the sheet of a kind of link, which is chosen among the registered ones."""
+    return inspect.isclass(member) and issubclass(member, BendingSheet)
+
+
 def own_unit(info: FieldInfo) -> str | None:
     """The unit as the field says it, which may depend on where it stands."""
     extra = info.json_schema_extra
     return str(extra["unit"]) if isinstance(extra, dict) and "unit" in extra else None
 
 
-def kind_of(member: Any) -> tuple[str, Any, Any]:
-    """The key that says which of several groups this is, its value here, and what it is when it is left out."""
+def kind_of(member: Any) -> tuple[str, tuple[Any, ...], Any]:
+    """The key that says which of several groups this is, its values here, and what it is when it is left out."""
+    if is_registered(member):
+        return "model", tuple(map(str, member.words)), None
     for name, info in fields(member).items():
         if get_origin(info.annotation) is Literal:
-            return name, get_args(info.annotation)[0], None if info.is_required() else info.default
-    return "", None, None
+            return name, get_args(info.annotation)[:1], None if info.is_required() else info.default
+    return "", (), None
 
 
 def expected_kind(members: list[Any], info: FieldInfo | None) -> str:
     """What belongs in a place that is no quantity."""
     if len(members) > 1:
-        kinds = [str(kind) for _, kind, _ in map(kind_of, members) if kind]
+        kinds = [str(kind) for _, words, _ in map(kind_of, members) for kind in words]
         return f"a group of the kind {', '.join(kinds)}" if kinds else "a name, or a group of numbers"
     member = members[0]
     if is_group(member):

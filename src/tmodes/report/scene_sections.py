@@ -8,9 +8,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.kinds.links.beam import BeamSheet
-from tmodes.kinds.links.section import Round, Tube
 from tmodes.kinds.links.section_numbers import SectionNumbers
+from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.sheet import Robot
 
 __all__ = ["section_of", "solid_bar"]
@@ -40,21 +39,20 @@ def section_of(arm: Robot, node: str, stations: Array) -> dict[str, Any] | None:
     beams = {link.name: link.beam for link in arm.links}
     beam = beams.get(node)
     if beam is None and number.isdigit() and (beam := beams.get(name)) is not None:
-        stations = (int(number) - 1 + stations) / (beam.segments or 1)
+        stations = beam.element_stations(int(number) - 1, stations)
     return _drawn(beam, stations) if beam else None
 
 
-def _drawn(beam: BeamSheet, stations: Array) -> dict[str, Any] | None:
+def _drawn(beam: BendingSheet, stations: Array) -> dict[str, Any] | None:
     numbers = [_numbers_at(beam, float(place)) for place in stations]
     sizes = np.array([[one.outer_y, one.outer_z] for one in numbers])
     if sizes.min() > 0:
-        first = beam.section or beam.pieces[0].section
-        return _section("round" if isinstance(first, (Round, Tube)) else "box", sizes, guessed=False)
+        return _section("round" if beam.is_round else "box", sizes, guessed=False)
     middle = numbers[len(numbers) // 2]
     return solid_bar(middle.bend_y, middle.bend_z, middle.mass, len(stations))
 
 
-def _numbers_at(beam: BeamSheet, place: float) -> SectionNumbers:
+def _numbers_at(beam: BendingSheet, place: float) -> SectionNumbers:
     start = 0.0
     pieces = beam.section_pieces()
     for piece in pieces:

@@ -10,10 +10,9 @@ import numpy as np
 
 from tmodes import upward
 from tmodes.kinds.joints.joint import JointSheet, JointState
-from tmodes.kinds.links.beam import BeamModel
 from tmodes.kinds.schema.frames import Convention
 from tmodes.kinds.schema.quantity import SMALLEST, Issue
-from tmodes.sheet.parts import Command, DriveSheet, LinkSheet, TipSheet
+from tmodes.sheet.parts import Command, DriveSheet, TipSheet
 from tmodes.sheet.topology import BASE, tree_issues
 
 if TYPE_CHECKING:
@@ -139,24 +138,13 @@ def _initial(arm: Robot) -> Iterator[Issue]:
 def _links(arm: Robot) -> Iterator[Issue]:
     carriers = {joint.child: index for index, joint in enumerate(arm.joints)}
     for index, link in enumerate(arm.links):
-        yield from _stations(f"links.{index}", link)
+        for issue in link.beam.station_issues(link.bodies) if link.beam else ():
+            yield issue._replace(field=f"links.{index}.{issue.field}")
         joint = arm.joints[carriers[link.name]]
-        if link.beam and joint.dh and joint.dh.convention is Convention.PAPER and joint.dh.a != link.beam.length:
-            expected = f"the length of the beam `{link.name}`, {link.beam.length!r} [m]"
+        if link.beam and joint.dh and joint.dh.convention is Convention.PAPER and joint.dh.a != link.beam.line_length:
+            expected = f"the length of the beam `{link.name}`, {link.beam.line_length!r} [m]"
             hint = "in the convention `paper`, a is the length of the mode"
             yield Issue(f"joints.{carriers[link.name]}.dh.a", repr(joint.dh.a), expected, hint)
-
-
-def _stations(path: str, link: LinkSheet) -> Iterator[Issue]:
-    """Segments carry bodies at their ends only."""
-    if link.beam is None or link.beam.model is not BeamModel.SEGMENTS or link.beam.segments is None:
-        return
-    count = link.beam.segments
-    for index, body in enumerate(link.bodies):
-        if abs(body.station * count - round(body.station * count)) > 1e-9:
-            expected = f"an end of one of the {count} segments: a multiple of 1/{count}"
-            hint = "move the body, change `segments`, or take the model `strain`"
-            yield Issue(f"{path}.bodies.{index}.at", f"{body.station:g}", expected, hint)
 
 
 def _size(arm: Robot) -> Iterator[Issue]:
@@ -175,14 +163,4 @@ def coordinate_count(arm: Robot) -> int:
 def _counts(arm: Robot) -> tuple[int, int, int]:
     moving = sum(1 for joint in arm.joints if not joint.is_locked)
     motors = sum(1 for joint in arm.joints if joint.is_elastic)
-    return moving, motors, sum(_link_coordinates(link) for link in arm.links if link.name != BASE)
-
-
-def _link_coordinates(link: LinkSheet) -> int:
-    beam = link.beam
-    if beam is None or beam.model is BeamModel.RIGID:
-        return 0
-    if beam.model is BeamModel.SEGMENTS:
-        return 2 * (beam.segments or 0)
-    functions = beam.functions
-    return functions.twist + functions.bend_y + functions.bend_z + functions.stretch if functions else 0
+    return moving, motors, sum(link.beam.coordinate_count for link in arm.links if link.beam and link.name != BASE)

@@ -2,15 +2,19 @@
 
 from __future__ import annotations
 
+from collections.abc import Mapping
+from difflib import get_close_matches
 from enum import StrEnum
-from typing import Annotated, Literal, Self
+from typing import Annotated, Any, Self, Union
 
-from pydantic import Field, model_validator
+from pydantic import Field, SerializeAsAny, field_validator, model_validator
 
-from tmodes.kinds.links.beam import BeamSheet
+from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.links.body import BodySheet
+from tmodes.kinds.links.registry import link_sheets, link_words, sheet_of
+from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, quantity, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, quantity, refuse
 from tmodes.kinds.signals.signals import Signal
 
 __all__ = [
@@ -23,7 +27,6 @@ __all__ = [
     "LoadFrame",
     "LoadSheet",
     "PointSheet",
-    "PositionControl",
     "TipSheet",
 ]
 
@@ -33,6 +36,10 @@ _Name = Annotated[str, Field(min_length=1, max_length=100)]
 _Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 
+_AnyBeam = Union[(*link_sheets(), None)]
+"""For the JSON Schema: the sheets of tmodes' own kinds."""
+
+
 class LinkSheet(DataSheet):
     """A link: rigid bodies, and a beam where it bends."""
 
@@ -40,7 +47,22 @@ class LinkSheet(DataSheet):
     bodies: tuple[BodySheet, ...] = Field(
         default=(), strict=False, max_length=MOST_BODIES, description="rigid bodies that it carries"
     )
-    beam: BeamSheet | None = Field(default=None, description="the beam; none: the link is rigid")
+    beam: SerializeAsAny[BendingSheet] | None = Field(default=None, description="the beam; none: the link is rigid")
+
+    @field_validator("beam", mode="plain", json_schema_input_type=_AnyBeam)
+    @classmethod
+    def _beam_of_its_kind(cls, value: Any) -> Any:
+        """The sheet that the word ``model`` chooses among the registered kinds."""
+        if value is None or isinstance(value, BendingSheet):
+            return value
+        word = value.get("model") if isinstance(value, Mapping) else None
+        sheet = sheet_of(word) if isinstance(word, str) else link_sheets()[0]
+        if sheet is None:
+            expected = f"one of {', '.join(link_words())}"
+            close = get_close_matches(str(word), link_words(), 1)
+            hint = f"did you mean `{close[0]}`?" if close else "a kind of your own is registered before it is used"
+            refuse([Issue("model", repr(word), expected, hint)])
+        return (sheet or BendingSheet).model_validate(value)
 
     @model_validator(mode="after")
     def _stations_are_on_a_beam(self) -> Self:
@@ -95,13 +117,15 @@ class Command(StrEnum):
     EFFORT = "effort"  # of the joint
     PRESCRIBED = "prescribed"  # the motion itself: of the motor behind an elastic gear, else of the joint
 
+    @property
+    def is_motion(self) -> bool:
+        """Whether the signal is a position over time."""
+        return self in {Command.POSITION, Command.PRESCRIBED}
 
-class PositionControl(DataSheet):
-    """Proportional-derivative control; gains in V/rad where the motor has a resistance, else in N*m/rad."""
-
-    type: Literal["pd"] = Field(description="kind of controller")
-    position_gain: float = not_negative("gain", "Kp", "position gain")
-    velocity_gain: float = not_negative("gain*s", "Kv", "velocity gain")
+    @property
+    def is_controlled(self) -> bool:
+        """Whether a controller keeps the position."""
+        return self is Command.POSITION
 
 
 class DriveSheet(DataSheet):
@@ -110,16 +134,20 @@ class DriveSheet(DataSheet):
     joint: str = Field(min_length=1, max_length=100, description="which joint")
     command: Command = Field(strict=False, description="what the signal is")
     signal: Signal
-    controller: PositionControl | None = Field(default=None, description="what keeps a wanted position")
+    controller: Controller | None = Field(default=None, description="what keeps a wanted position")
+    noise: Signal | None = Field(
+        default=None, description="error on the wanted position as the controller sees it; of a sensor with other sign"
+    )
 
     @model_validator(mode="after")
     def _is_controlled(self) -> Self:
-        if self.command is Command.POSITION and self.controller is None:
+        if self.command.is_controlled and self.controller is None:
             hint = "add `controller: {type: pd, ...}`, or take the command `prescribed`"
             refuse([Issue("controller", "nothing", "a controller for the command `position`", hint)])
-        if self.command is not Command.POSITION and self.controller is not None:
-            got = f"a controller beside the command `{self.command}`"
-            refuse([Issue("controller", got, "no controller", "remove it, or take the command `position`")])
+        for name in ("controller", "noise"):
+            if not self.command.is_controlled and getattr(self, name) is not None:
+                got = f"a {name} with the command `{self.command}`"
+                refuse([Issue(name, got, f"no {name}", "remove it, or take the command `position`")])
         return self
 
 

@@ -124,7 +124,7 @@ def _segment_masses(link: LinkSheet, equivalent: float) -> dict[str, float]:
     for piece in link.beam.section_pieces() if link.beam else ():
         beam_mass += (piece.end - start) * (piece.start.mass + piece.stop.mass) / 2
         start = piece.end
-    beam_mass *= link.beam.length if link.beam else 0.0
+    beam_mass *= link.beam.line_length if link.beam else 0.0
     return {"mass_kg": own + beam_mass, "beam_mass_kg": beam_mass, "equivalent_mass_kg": equivalent}
 
 

@@ -10,7 +10,6 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain, Drive, Joint, JointKind, Node, Placement, RigidLink
 from tmodes.errors import InputError
-from tmodes.kinds.links.beam import BeamModel, BeamSheet, Functions
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
@@ -23,36 +22,31 @@ SEGMENTS = (1, 2, 3)
 def rungs(arm: Robot, finest: int) -> Iterator[tuple[str, Robot]]:
     """Name and arm of every rung, from rigid to ``strain(finest)``; directions that do not bend stay so.
 
-    Raises :class:`tmodes.errors.InputError` for an arm without a beam.
+    Raises :class:`tmodes.errors.InputError` for an arm without a beam, or with one that has no other model.
     """
     if not any(link.beam for link in arm.links):
-        hint = "give a link a `beam`; without one there is but one model"
+        hint = "give a link a `beam`; without one there is only one model"
         raise InputError("links", "no link with a beam", "at least one link that can bend", hint)
-    yield "rigid", _with_beams(arm, BeamModel.RIGID, None)
+    yield "rigid", _with_beams(arm, "rigid", None)
     for count in SEGMENTS:
-        yield f"segments({count})", _with_beams(arm, BeamModel.SEGMENTS, count)
+        yield f"segments({count})", _with_beams(arm, "segments", count)
     for count in range(1, finest + 1):
-        yield f"strain({count})", _with_beams(arm, BeamModel.STRAIN, count)
+        yield f"strain({count})", _with_beams(arm, "strain", count)
 
 
-def _with_beams(arm: Robot, model: BeamModel, count: int | None) -> Robot:
+def _with_beams(arm: Robot, model: str, count: int | None) -> Robot:
     """The arm with another model of every beam; its numbers have been checked, and stay."""
 
     def changed(link: LinkSheet) -> LinkSheet:
-        return link.model_copy(update={"beam": _beam(link.beam, model, count)}) if link.beam else link
+        if link.beam is None:
+            return link
+        beam = link.beam.variant(model, count)
+        if beam is None:
+            expected, hint = f"a link that can also be modelled as `{model}`", "describe it as one beam"
+            raise InputError(f"links.{link.name}.beam", link.beam.description, expected, hint)
+        return link.model_copy(update={"beam": beam})
 
     return arm.model_copy(update={"links": tuple(changed(link) for link in arm.links)})
-
-
-def _beam(beam: BeamSheet, model: BeamModel, count: int | None) -> BeamSheet:
-    given = beam.functions or Functions(bend_y=1, bend_z=1)
-    changes: dict[str, object] = {"model": model, "points": 0, "functions": given}
-    if model is BeamModel.SEGMENTS:
-        changes |= {"segments": count, "rest_curvature": (0.0, 0.0, 0.0)}
-    elif model is BeamModel.STRAIN:
-        bends = {name: count for name in ("bend_y", "bend_z") if getattr(given, name)}
-        changes["functions"] = given.model_copy(update=bends)
-    return beam.model_copy(update=changes)
 
 
 def whole_chain(arm: Robot) -> Chain:

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.modes.modes import ArmMode
 from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.kinds.links.beam import MOST_FUNCTIONS, BeamModel, BeamSheet
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
@@ -23,9 +22,6 @@ CONVERGED = 0.01
 MOST_CHECKED = 60
 """Coordinates up to which an arm is compared with a finer one."""
 
-MORE = 2
-"""Functions that the finer arm has more, of each direction that has any."""
-
 ALIKE = 0.3
 """Likeness (modal assurance) from which two modes are the same motion."""
 
@@ -34,17 +30,10 @@ def finer(arm: Robot) -> Robot | None:
     """The arm with more functions; None where no link has any to which more could be added."""
 
     def refined(link: LinkSheet) -> LinkSheet:
-        return link.model_copy(update={"beam": _more(link.beam)}) if link.beam else link
+        return link.model_copy(update={"beam": link.beam.finer()}) if link.beam else link
 
     links = tuple(refined(link) for link in arm.links)
     return None if links == arm.links else arm.model_copy(update={"links": links})
-
-
-def _more(beam: BeamSheet) -> BeamSheet:
-    if beam.model is not BeamModel.STRAIN or beam.functions is None:
-        return beam
-    counts = {name: min(count + MORE, MOST_FUNCTIONS) for name, count in beam.functions.model_dump().items() if count}
-    return beam.model_copy(update={"functions": beam.functions.model_copy(update=counts), "points": 0})
 
 
 def frequency_errors(

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.links.line import CubicLine, LineOfLink
 
 __all__ = ["Body", "ElasticForces", "Link", "LinkNumbers", "LinkStructure", "QuadraticStructure", "Row"]
 
@@ -220,6 +221,10 @@ class Link(ABC):
     def stations(self, asked: Sequence[float] = ()) -> tuple[float, ...]:
         """Places s < 1 where sections are computed besides the tip: bodies and named points, in rising order."""
         return tuple(sorted({*self.body_places, *(s for s in asked if s < 1.0)}))
+
+    def lines(self, stations: tuple[float, ...], s: Array) -> Sequence[LineOfLink]:
+        """Its elastic lines, one after the other from root to tip, at the places ``s`` of each."""
+        return [CubicLine(self.length, stations, s)]
 
     @abstractmethod
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:

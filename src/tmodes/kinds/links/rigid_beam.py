@@ -4,14 +4,15 @@ from __future__ import annotations
 
 import numpy as np
 
-from tmodes.kinds.links.beam import BeamSheet, RotaryInertia
+from tmodes.kinds.links.beam_choices import RotaryInertia
+from tmodes.kinds.links.beam_data import BeamData
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.schema.axes import bent_line
 
 __all__ = ["rigid_body"]
 
 
-def rigid_body(beam: BeamSheet) -> Body:
+def rigid_body(beam: BeamData) -> Body:
     """The beam as one rigid body, in its root frame; the rotary inertia of its sections counts as the sheet says.
 
     Quadrature by 16 Gauss points in each of 4 parts of each piece: exact for a straight beam of any taper.

@@ -2,13 +2,17 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
+from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.segment_link import segment_link
+from tmodes.kinds.links.segment_places import SegmentLine
 
 __all__ = ["Segment", "SegmentStructure"]
 
@@ -76,6 +80,10 @@ class Segment(Link):
     def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
         """None: whatever is on a segment is at its tip."""
         return ()
+
+    def lines(self, stations: tuple[float, ...], s: NDArray[np.float64]) -> Sequence[LineOfLink]:
+        """One cubic."""
+        return [SegmentLine(self.length, stations, s, bend_y=self.bend_y, bend_z=self.bend_z)]
 
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:  # noqa: ARG002
         """Length, and the springs and dampers against the angles."""

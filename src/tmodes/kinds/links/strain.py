@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import NDArray
 
 from tmodes.kinds.links.beam_functions import MODULI
 from tmodes.kinds.links.beam_numbers import BeamNumbers, BeamPiece
 from tmodes.kinds.links.beam_tables import beam_tables
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
+from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.strain_link import strain_link
+from tmodes.kinds.links.strain_places import BeamLine
 from tmodes.kinds.links.strain_shape import StrainShape
 
 __all__ = ["Beam", "BeamPiece", "StrainStructure"]
@@ -92,6 +96,10 @@ class Beam(BeamNumbers, Link):
         across = mass * self.length**2 / 12
         rod = Body(mass, np.array([self.length / 2, 0.0, 0.0]), np.diag([polar, across, across]))
         return (rod, *super().unbent_bodies())
+
+    def lines(self, stations: tuple[float, ...], s: NDArray[np.float64]) -> Sequence[LineOfLink]:
+        """One line, section by section as the model has it."""
+        return [BeamLine(self.length, stations, s, beam=self)]
 
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
         """Quadrature, integrals of the functions, stiffness."""

@@ -1,0 +1,231 @@
+"""The link that bends: its length, its sections, and which model of it is computed."""
+
+from __future__ import annotations
+
+import math
+from collections.abc import Iterator
+from typing import Annotated, Any, ClassVar, Self
+
+from pydantic import Discriminator, Field, Tag, field_validator, model_validator
+
+from tmodes.errors import InputError
+from tmodes.kinds.links.beam_choices import Basis, BeamModel, RotaryInertia
+from tmodes.kinds.links.beam_pieces import Piece, tapered_pieces, uniform_piece
+from tmodes.kinds.links.material import Material, find_material
+from tmodes.kinds.links.section import GivenSection, Section
+from tmodes.kinds.links.sheet import BendingSheet
+from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
+from tmodes.kinds.schema.quantity import DataSheet, Issue, dissipation, positive, quantity, refuse
+
+__all__ = ["MOST_FUNCTIONS", "MOST_SEGMENTS", "Basis", "BeamData", "BeamModel", "Functions", "RotaryInertia"]
+
+MOST_FUNCTIONS = 12
+"""Largest number of functions of a direction."""
+
+MOST_SEGMENTS = 200
+MOST_POINTS = 24
+MOST_PIECES = 50
+MOST_SECTIONS = 80
+"""Points along a link: each is in the link's compiled code, whose size grows with them."""
+
+MaterialChoice = Annotated[
+    Annotated[str, Tag("name")] | Annotated[Material, Tag("numbers")],
+    Discriminator(lambda value: "name" if isinstance(value, str) else "numbers"),
+]
+
+
+def _count(symbol: str, meaning: str) -> int:
+    return quantity("-", symbol, meaning, default=0, at_least=0, at_most=MOST_FUNCTIONS)
+
+
+class Functions(DataSheet):
+    """How many functions a strain link has in each direction."""
+
+    twist: int = _count("n_x", "functions of twist")
+    bend_y: int = _count("n_y", "functions of bending about y")
+    bend_z: int = _count("n_z", "functions of bending about z")
+    stretch: int = _count("n_a", "functions of stretch")
+
+
+class PieceSheet(DataSheet):
+    """A piece of a stepped beam."""
+
+    end: float = positive("m", "x", "where it ends, from the beam's root", plausible=(1e-4, 50.0))
+    section: Section
+    material: MaterialChoice | None = Field(default=None, description="its material; none: that of the beam")
+
+
+class Taper(DataSheet):
+    """The section at the tip; every dimension is linear between."""
+
+    section: Section
+
+
+class BeamData(BendingSheet):
+    """A beam along x of its root frame: its fields, and how they fit together."""
+
+    words: ClassVar[tuple[str, ...]] = tuple(BeamModel)
+
+    model: BeamModel = Field(strict=False, description="strain, segments or rigid")
+    functions: Functions | None = Field(default=None, description="functions of each direction (strain)")
+    segments: int | None = quantity(
+        "-", "n", "number of segments (segments)", default=None, at_least=1, at_most=MOST_SEGMENTS
+    )
+    basis: Basis = Field(default=Basis.AUTO, strict=False, description="kind of functions (strain)")
+    points: int = quantity(
+        "-", "g", "Gauss points of a piece, 0: automatic (strain)", default=0, at_least=0, at_most=MOST_POINTS
+    )
+    length: float = positive("m", "L", "length", plausible=(1e-3, 50.0))
+    damping_time: float | None = dissipation("s", "eta", "Kelvin-Voigt damping over stiffness", default=None, most=0.1)
+    section: Section | None = None
+    material: MaterialChoice | None = Field(default=None, description="material by name, or its numbers")
+    taper: Taper | None = None
+    pieces: tuple[PieceSheet, ...] = Field(
+        default=(), strict=False, max_length=MOST_PIECES, description="pieces of different sections, from root to tip"
+    )
+    rotary_inertia: RotaryInertia = Field(
+        default=RotaryInertia.TWIST, strict=False, description="which rotary inertia of the sections counts"
+    )
+    rest_curvature: Vector = list_of_numbers(
+        "1/m", "kappa_0", "twist and curvature about y and z of the unloaded line", default=(0.0, 0.0, 0.0)
+    )
+    root_mount: Origin | None = Field(default=None, description="the beam's root in the link's frame; none: there")
+    tip_mount: Origin | None = Field(default=None, description="the link's tip frame in its end section; none: there")
+
+    @field_validator("functions", mode="before")
+    @classmethod
+    def _one_number_bends_both_ways(cls, value: Any) -> Any:
+        if isinstance(value, int) and not isinstance(value, bool):
+            return {"bend_y": value, "bend_z": value}
+        if isinstance(value, float):
+            hint = "write `functions: 3`, or a group with twist, bend_y, bend_z and stretch"
+            refuse([Issue("", f"{value:g}", "a whole number, that of both bending directions, or a group", hint)])
+        return value
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        refuse(list(self._model_issues()))
+        refuse(list(self._section_issues()))
+        refuse([*self._order_issues(), *self._stiffness_issues()])
+        return self
+
+    def _model_issues(self) -> Iterator[Issue]:
+        needs = {BeamModel.STRAIN: "functions", BeamModel.SEGMENTS: "segments"}
+        if (key := needs.get(self.model)) and getattr(self, key) is None:
+            yield Issue(key, "nothing", f"the number of {key} of the model `{self.model}`", f"add `{key}: 3`")
+        if self.damping_time is None and self.model is not BeamModel.RIGID:
+            hint = "add `damping_time: ...`, 0 for no damping"
+            yield Issue("damping_time", "nothing", "a time [s], because the beam bends", hint)
+        if self.model is BeamModel.SEGMENTS and any(self.rest_curvature):
+            hint = "take the model `strain`, or leave the curvature out"
+            yield Issue("rest_curvature", "a curvature", "no curvature at rest for straight segments", hint)
+        most = max((self.functions or Functions()).model_dump().values()) + 2
+        if self.model is BeamModel.STRAIN and len(self.pieces) * most > MOST_SECTIONS:
+            got = f"{len(self.pieces)} pieces with {most - 2} functions, {len(self.pieces) * most} points"
+            hint = "join pieces that are nearly alike, take a taper, or fewer functions"
+            yield Issue("pieces", got, f"at most {MOST_SECTIONS} points along a link", hint)
+
+    def _section_issues(self) -> Iterator[Issue]:
+        if (self.section is None) == (not self.pieces):
+            got = "nothing" if self.section is None else "a section beside `pieces`"
+            yield Issue("section", got, "one of `section` and `pieces`", "write the section, or a list of pieces")
+        if self.taper is not None and self.section is None:
+            yield Issue("taper", "a taper without `section`", "a section at the root", "add `section`")
+        if isinstance(self.section, GivenSection) and self.material is not None:
+            hint = "remove `material`, or draw the section"
+            yield Issue("material", "a material beside given stiffnesses", "one of the two", hint)
+        yield from self._material_issues("section", self.section, None)
+        for index, piece in enumerate(self.pieces):
+            yield from self._material_issues(f"pieces.{index}.section", piece.section, piece.material)
+        if self.taper is not None and self.section is not None:
+            yield from self._taper_issues(self.section, self.taper.section)
+
+    def _material_issues(self, path: str, section: Section | None, own: str | Material | None) -> Iterator[Issue]:
+        material = own if own is not None else self.material
+        prefix = path.removesuffix("section") if own is not None else ""
+        if isinstance(material, str):
+            try:
+                find_material(material)
+            except InputError as error:
+                yield Issue(f"{prefix}material", error.got, error.expected, error.hint)
+        if isinstance(section, GivenSection) and own is not None:
+            hint = "remove `material`, or draw the section"
+            yield Issue(f"{prefix}material", "a material beside given stiffnesses", "one of the two", hint)
+        elif section is not None and not isinstance(section, GivenSection) and material is None:
+            hint = "add `material: steel`, or its young, shear and density"
+            yield Issue("material", "nothing", f"the material of `{path}`", hint)
+
+    def _taper_issues(self, root: Section, tip: Section) -> Iterator[Issue]:
+        if isinstance(root, GivenSection) and isinstance(tip, GivenSection):
+            pairs = ("torsional_stiffness", "axial_stiffness")
+            ends = [(*zip(root.bending_stiffness, tip.bending_stiffness, strict=True),)]
+            values = [*ends[0], *((getattr(root, name), getattr(tip, name)) for name in pairs)]
+            if any(math.isinf(first) != math.isinf(last) for first, last in values):
+                got = "a stiffness that is infinite at one end"
+                yield Issue("taper", got, "finite or infinite at both ends", "write pieces instead")
+            return
+        if (
+            type(root) is not type(tip)
+            or root.model_dump(exclude_none=True).keys() != tip.model_dump(exclude_none=True).keys()
+        ):
+            hint = "draw both ends in the same shape, or write the beam as pieces"
+            yield Issue("taper", "another shape at the tip", f"the shape of the root, {root.shape}", hint)
+
+    def _order_issues(self) -> Iterator[Issue]:
+        ends = [piece.end for piece in self.pieces]
+        for index, (earlier, later) in enumerate(zip([0.0, *ends], ends, strict=False)):
+            if later <= earlier:
+                yield Issue(
+                    f"pieces.{index}.end", repr(later), f"more than {earlier!r} [m]", "order them from root to tip"
+                )
+        if ends and not math.isclose(ends[-1], self.length, rel_tol=1e-9):
+            which, hint = f"pieces.{len(ends) - 1}.end", "end the last piece at the beam's length"
+            yield Issue(which, repr(ends[-1]), f"the length {self.length!r} [m]", hint)
+
+    def _stiffness_issues(self) -> Iterator[Issue]:
+        if self.model is not BeamModel.STRAIN or self.functions is None:
+            return
+        ends = [numbers for piece in self.section_pieces() for numbers in (piece.start, piece.stop)]
+        for name in ("bend_y", "bend_z"):
+            rigid = {math.isinf(getattr(numbers, name)) for numbers in ends}
+            if getattr(self.functions, name) and len(rigid) == 2:
+                hint = "give every piece a finite stiffness, or make the rigid part a link of its own"
+                yield Issue("pieces", f"{name} rigid in some pieces only", "finite, or rigid, in all pieces", hint)
+        for name, stiffness in (("twist", "torsion"), ("stretch", "axial")):
+            if getattr(self.functions, name) and any(math.isinf(getattr(numbers, stiffness)) for numbers in ends):
+                info = "torsional_stiffness" if name == "twist" else "axial_stiffness"
+                got, hint = f"{getattr(self.functions, name)} with infinite {info}", f"write 0, or give `{info}`"
+                yield Issue(f"functions.{name}", got, f"0 where {info} is infinite", hint)
+        yield from self._twist_issues(any(numbers.inertia_x <= 0 for numbers in ends))
+
+    def _twist_issues(self, massless: bool) -> Iterator[Issue]:
+        if self.functions and self.functions.twist and (massless or self.rotary_inertia is RotaryInertia.NONE):
+            none = self.rotary_inertia is RotaryInertia.NONE
+            hint = "write `rotary_inertia: twist`" if none else "give `polar_inertia_per_length`"
+            got = f"{self.functions.twist} without rotary inertia"
+            yield Issue("functions.twist", got, "0, or an inertia that resists the twist", hint)
+
+    def section_pieces(self) -> list[Piece]:
+        """Its sections from root to tip, as pieces over the share of its length."""
+        if self.section is None:
+            return [
+                uniform_piece(piece.end / self.length, _numbers(piece.section, piece.material or self.material))
+                for piece in self.pieces
+            ]
+        if self.taper is None:
+            return [uniform_piece(1.0, _numbers(self.section, self.material))]
+        ends = (self.section, self.taper.section, _material(self.material))
+        return list(tapered_pieces(*ends))  # pyright: ignore[reportArgumentType]  # frozen sheets have a hash
+
+
+def _material(choice: str | Material | None) -> Material | None:
+    return find_material(choice) if isinstance(choice, str) else choice
+
+
+def _numbers(section: Section, choice: str | Material | None) -> Any:
+    if isinstance(section, GivenSection):
+        return section.properties(None)
+    material = _material(choice)
+    if material is None:
+        raise InputError("material", "nothing", "the material of the section", "add `material: steel`")
+    return section.properties(material)

@@ -1,0 +1,136 @@
+"""The sheet of a link that bends: what a kind lets a person write, and the elements of a chain that follow from it."""
+
+from __future__ import annotations
+
+from abc import abstractmethod
+from collections.abc import Callable, Iterator, Sequence
+from dataclasses import dataclass, field
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+
+from tmodes.frame import Placement
+from tmodes.kinds.links.beam_pieces import Piece
+from tmodes.kinds.links.body import BodySheet
+from tmodes.kinds.links.contract import Body, Link
+from tmodes.kinds.schema.frames import Origin
+from tmodes.kinds.schema.quantity import DataSheet, Issue
+
+__all__ = ["BendingSheet", "LoweredLink", "Spot", "moved_body", "placed", "sheet_body", "straight"]
+
+
+class Spot(NamedTuple):
+    """A place on a link: ``node`` counts from the link's first element, ``s`` along it, ``placement`` there."""
+
+    node: int
+    s: float
+    placement: Placement
+
+
+@dataclass(frozen=True)
+class LoweredLink:
+    """The elements of a link, joined rigidly.
+
+    ``root``: frame of the first element in the link's frame, where it bends; ``at_root``: bodies there; ``tip``: the
+    tip frame in the chain's tip frame of the last element; ``undeformed``: the tip frame in the link's frame, at rest;
+    ``spot``: the place of a station. A rigid element stands in the link's frame itself.
+    """
+
+    links: tuple[Link, ...]
+    tip: Placement
+    undeformed: Placement
+    spot: Callable[[float], Spot]
+    root: Placement = field(default_factory=Placement)
+    at_root: tuple[Body, ...] = ()
+
+    @property
+    def bends(self) -> bool:
+        """Whether any element does."""
+        return any(link.bends for link in self.links)
+
+
+class BendingSheet(DataSheet):
+    """What a person writes under ``beam:``; its field ``model`` has one of ``words``."""
+
+    words: ClassVar[tuple[str, ...]]
+    """Words of the field ``model`` that mean this sheet."""
+
+    @property
+    @abstractmethod
+    def line_length(self) -> float:
+        """Length of the unloaded line [m]."""
+
+    @property
+    @abstractmethod
+    def coordinate_count(self) -> int:
+        """Number of coordinates, 0 where it is rigid."""
+
+    @abstractmethod
+    def lowered(self, bodies: Sequence[BodySheet]) -> LoweredLink:
+        """Elements of a chain for this link with the bodies it carries."""
+
+    @abstractmethod
+    def section_pieces(self) -> list[Piece]:
+        """Its sections from root to tip, as pieces over the share of its length."""
+
+    @property
+    def mounts(self) -> dict[str, Origin | None]:
+        """Offsets of the beam's root in the link's frame and of the tip frame in the end section."""
+        found = {name: getattr(self, name, None) for name in ("root_mount", "tip_mount")}
+        return {name: origin for name, origin in found.items() if origin}
+
+    @property
+    def description(self) -> str:
+        """Its model with its size, such as ``segments (2)``."""
+        return str(getattr(self, "model", self.words[0]))
+
+    @property
+    def yield_strengths(self) -> tuple[float, ...]:
+        """Yield strengths of its materials, as far as they are known [Pa]."""
+        return ()
+
+    @property
+    def is_round(self) -> bool:
+        """Whether it is drawn round."""
+        return False
+
+    def station_issues(self, bodies: Sequence[BodySheet]) -> Iterator[Issue]:  # noqa: ARG002
+        """Bodies that stand where this model has no place for them."""
+        yield from ()
+
+    def notices(self) -> Iterator[str]:
+        """What is strange about its model, each to be put after the path of the beam."""
+        yield from ()
+
+    def finer(self) -> BendingSheet:
+        """The same link with more functions; itself where there is nothing to refine."""
+        return self
+
+    def variant(self, model: str, count: int | None) -> BendingSheet | None:
+        """The link with another model: ``rigid``, ``segments`` or ``strain``; None where there is no such link."""
+        return None if (model, count) else self
+
+    def element_stations(self, element: int, stations: Any) -> Any:  # noqa: ARG002
+        """Places along the whole link of ``stations`` (0..1) along one of its elements, counted from 0."""
+        return stations
+
+
+def placed(origin: Origin | None) -> Placement:
+    """The placement of a sheet's origin; none: no offset."""
+    return Placement(origin.rotation(), np.array(origin.position)) if origin else Placement()
+
+
+def sheet_body(body: BodySheet, frame: Placement) -> Body:
+    """A body of a sheet as seen from where ``frame`` is given."""
+    return moved_body(Body(body.mass, np.array(body.center), body.inertia_matrix()), frame)
+
+
+def moved_body(body: Body, frame: Placement) -> Body:
+    """The body as seen from where ``frame`` is given."""
+    center = frame.rotation @ body.center + frame.position
+    return Body(body.mass, center, frame.rotation @ body.inertia @ frame.rotation.T)
+
+
+def straight(root: Origin | None, distance: float) -> Placement:
+    """The frame at a distance [m] along a straight beam, in the link's frame."""
+    return placed(root) @ Placement(position=np.array([distance, 0.0, 0.0]))
