@@ -2,8 +2,9 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import Any, ClassVar
 
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers
 
@@ -36,6 +37,10 @@ class RigidLink(Link):
     def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
         """None."""
         return ()
+
+    def described(self, row: Sequence[Any]) -> dict[str, Any]:  # noqa: ARG002
+        """Nothing but its bodies."""
+        return {}
 
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
         """A rigid link has no equations of its own."""
