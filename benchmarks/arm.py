@@ -3,7 +3,7 @@
     python -m benchmarks.arm [--rounds 9] [--joints 6] [--json FILE]
 
 Six joints, each with motor and elastic gear, and six links `strain` with 3 + 3 bending functions and one of twist: 54
-coordinates, geometrically exact. The error beside our times is the residual of the equations of motion, by the
+coordinates, geometrically exact. The error next to our times is the residual of the equations of motion, by the
 independent pass of inverse dynamics, over the largest force. A rigid chain has no beams in it: the comparison is what
 as many coordinates cost elsewhere. Contenders take turns; medians are printed.
 """

@@ -5,7 +5,7 @@
 The seed's robot under control, and rigid chains of 6, 12 and 36 coordinates that swing freely; the numbers of the lanes
 differ by a millionth, so that all need about as many steps. A lane and a run by itself are compared by processor time,
 threads by the clock, which says something on a quiet machine only, and by processor time: below 1 there, threads
-disturb each other. Contenders take turns, and medians of the ratios of a round are printed. The error beside them is
+disturb each other. Contenders take turns, and medians of the ratios of a round are printed. The error next to them is
 the largest difference of a lane from its run by itself, over the largest state. ``python -m benchmarks.narrow
 benchmarks.batch`` measures as on a processor with vectors of four.
 """

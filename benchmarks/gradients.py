@@ -1,4 +1,4 @@
-"""What derivatives cost, side by side in one go, the error beside every ratio.
+"""What derivatives cost, side by side in one go, the error next to every ratio.
 
     python -m benchmarks.gradients [--rounds 7] [--joints 6 12 36] [--runs seed panda stiff] [--json FILE]
 
@@ -7,7 +7,7 @@ efforts and all parameters, and all derivatives at once, these over Pinocchio's 
 Python. Of runs of two seconds, over the run: 20 forward sensitivities, and the adjoint gradient of the tip's squared
 distance from where it ends by 20 numbers, without and with what the numbers of the sheet take. Contenders take turns;
 medians of the ratios of a round are printed. Errors: against each other where two ways give the same (``duality``), and
-against differences of sixth order, whose own noise is told as the change by twice their step.
+against differences of sixth order, whose own noise is reported as the change by twice their step.
 """
 
 from __future__ import annotations
@@ -69,7 +69,7 @@ def evaluation(joints: int, rounds: int) -> dict[str, float]:
     except PeerMissing as missing:
         print(f"  without Pinocchio: {missing}")
     info = ratios(calls, rounds, "evaluation")
-    beside = ratios(whole, rounds, "pinocchio" if "pinocchio" in whole else "all")
+    paired = ratios(whole, rounds, "pinocchio" if "pinocchio" in whole else "all")
     slopes, back = calls["jvp"](), calls["vjp"]()
     duality = abs((weights * slopes).sum() - (back["q"] * way).sum()) / np.abs(weights * slopes).sum()
 
@@ -81,8 +81,8 @@ def evaluation(joints: int, rounds: int) -> dict[str, float]:
     columns = model.forward_dynamics_derivatives(*one).q @ way[0]
     return {
         "joints": joints, "evaluation_us": info["seconds"] / _STATES * 1e6, "jvp": info["jvp"], "vjp": info["vjp"],
-        "all_us": beside["seconds"] * beside["all"] * 1e6,
-        "all_over_pinocchio": beside["all"] if "pinocchio" in whole else float("nan"),
+        "all_us": paired["seconds"] * paired["all"] * 1e6,
+        "all_over_pinocchio": paired["all"] if "pinocchio" in whole else float("nan"),
         "jvp_error": float(np.abs(slopes - expected).max() / np.abs(expected).max()), "duality": float(duality),
         "all_error": float(np.abs(columns - slopes[0]).max() / np.abs(slopes[0]).max()),
     }  # fmt: skip

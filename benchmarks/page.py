@@ -82,7 +82,7 @@ def sliders(bench: Bench) -> Rows:
         yield label, *(_ms([run[key] for run in runs]) for runs in alone)
     found = [_in_browser(bench, name) for name in names]
     for label, what in (
-        ("in the page: time loops, as it tells", lambda change: change.loops),
+        ("in the page: time loops, as it reports", lambda change: change.loops),
         ("in the page: the model's answer is there", lambda change: change.answer),
         ("in the page: new curves and numbers", lambda change: change.curves),
         ("in the page: new picture in 3D, its script done", lambda change: change.picture),

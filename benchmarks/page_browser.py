@@ -42,7 +42,7 @@ window.requestAnimationFrame = (act) => ask.call(window, (now) => {
 CHANGE = """async (share) => {
   const input = document.querySelector(".sliders-panel input[type=range]");
   const status = document.querySelector(".sliders-panel [role=status]");
-  const told = new Promise((done) => new MutationObserver((_, watch) => {
+  const reported = new Promise((done) => new MutationObserver((_, watch) => {
     if (!/^Simulated|could not/.test(status.textContent)) return;
     watch.disconnect();
     done(performance.now());
@@ -51,7 +51,7 @@ CHANGE = """async (share) => {
   const began = performance.now();
   input.value = String(Number(input.min) + share * (Number(input.max) - Number(input.min)));
   input.dispatchEvent(new Event("input", { bubbles: true }));
-  const curves = await told;
+  const curves = await reported;
   await new Promise((done) => requestAnimationFrame(() => {
     const { port1, port2 } = new MessageChannel();
     port1.onmessage = done;
@@ -80,7 +80,7 @@ PLAY = """async (seconds) => {
 
 
 class Change(NamedTuple):
-    """Since the slider moved [s]: time loops alone as the page tells, the model's answer, new curves, new picture."""
+    """Since the slider moved [s]: time loops alone as the page reports, the model's answer, new curves, new picture."""
 
     loops: float
     answer: float

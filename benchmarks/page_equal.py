@@ -1,4 +1,4 @@
-"""The page's run against the native one, all series; beside it what the native run makes of a last digit.
+"""The page's run against the native one, all series; next to it what the native run makes of a last digit.
 
 At the sheet's tolerance the seed's explicit run is limited by stability: rounding then decides which steps are
 rejected, and nobody can ask the page to agree better than the native run agrees with itself.

@@ -14,8 +14,6 @@ import tempfile
 import time
 from typing import Any, NamedTuple
 
-from tmodes.sheet import Robot
-
 __all__ = ["Module", "module_of"]
 
 
@@ -40,13 +38,10 @@ def module_of(name: str, method: str) -> Module:
 
 def _made(sheet: Any, method: str) -> bytes:
     """The module, as a report of this robot's run holds it; equations and emission included."""
-    from tmodes.live.wasm_motion import ModelFunctions, arm_module
-    from tmodes.live.wasm_paper import robot_module
+    from tmodes.live.functions import ModelFunctions, live_module
 
-    if not isinstance(sheet, Robot):
-        return robot_module(sheet.pair(), [method]).wasm
     stations = tuple(k / 20 for k in range(21))
-    return arm_module(ModelFunctions(sheet.pair(), stations), [method], slopes=False).wasm
+    return live_module(ModelFunctions(sheet.pair(), stations), [method], slopes=False).wasm
 
 
 if __name__ == "__main__":

@@ -23,7 +23,7 @@ RUNS = """
 import { readFileSync, writeFileSync } from "node:fs";
 import { openLive, unpack } from "./live.mjs";
 const live = await openLive(unpack(new Uint8Array(readFileSync("bundle.tmpk"))));
-const told = [];
+const reported = [];
 for (const [k, values] of JSON.parse(readFileSync("jobs.json", "utf8")).entries()) {
   const [began, before] = [performance.now(), process.cpuUsage()];
   let early = 0;
@@ -37,9 +37,9 @@ for (const [k, values] of JSON.parse(readFileSync("jobs.json", "utf8")).entries(
   }
   if (process.argv[2] === "keep") writeFileSync(`run${k}.f8`, Buffer.concat(parts));
   const seconds = { curves: early / 1000, total: total / 1000, processor: (user + system) / 1e6, loops: run.seconds };
-  told.push({ ...seconds, series });
+  reported.push({ ...seconds, series });
 }
-console.log(JSON.stringify(told));
+console.log(JSON.stringify(reported));
 """
 
 PAGE = """
@@ -56,7 +56,7 @@ console.log(JSON.stringify(charts));
 
 
 class Missing(RuntimeError):
-    """What is needed here is not installed; the sentence tells what."""
+    """What is needed here is not installed; the sentence says what."""
 
 
 def _run(program: str, folder: Path, *arguments: str) -> Any:

@@ -34,7 +34,7 @@ SWING = 0.25
 
 @contextmanager
 def progress(what: str) -> Iterator[None]:
-    """Tells what takes its time, and how long it took."""
+    """Prints the stages and how long each took."""
     began = time.perf_counter()
     print(f"{what} … ", end="", file=sys.stderr, flush=True)
     yield
@@ -70,7 +70,7 @@ ROBOTS: dict[str, tuple[str, Callable[[], Any]]] = {
 
 
 def result_of(sheet: Any) -> Any:
-    """Its run, with all that is told of it."""
+    """Its run, with all that is reported of it."""
     return assemble_result(simulate_motion(sheet), sheet) if isinstance(sheet, Robot) else simulate(sheet)
 
 

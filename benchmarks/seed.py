@@ -1,4 +1,4 @@
-"""The speed of the seed's run, side by side in one go, the error beside every time.
+"""The speed of the seed's run, side by side in one go, the error next to every time.
 
     python -m benchmarks.seed [--rounds 7] [--json FILE]
 

@@ -5,7 +5,7 @@
 
 The arm and its manoeuvre are in `stiff_arm.py`; ``--damping``: damping times of the links [s]. The error is the largest
 of all coordinates at samples every 1 ms, against our own Dormand-Prince at 1e-10. That one is held back by stability at
-any tolerance: beside it, its time at 1e-6 over a stretch of the motion is scaled up to the whole. For damping times
+any tolerance: next to it, its time at 1e-6 over a stretch of the motion is scaled up to the whole. For damping times
 beyond 1e-4 s it would take minutes: there the reference is extrapolation at 1e-10, and Dormand-Prince at 1e-10 checks
 it over the stretch. Contenders take turns; medians of processor time are printed. ``--exudyn``: see `stiff_exudyn.py`.
 """
@@ -126,7 +126,7 @@ def main() -> None:
     options.add_argument("--damping", default="0,1e-7,3e-5,2e-4", help="damping times of the links [s]")
     options.add_argument("--starts", default="rest,drop")
     options.add_argument("--stretch", type=float, default=0.02, help="seconds of motion of the explicit method")
-    options.add_argument("--exudyn", action="store_true", help="also beside Exudyn's geometrically exact beams")
+    options.add_argument("--exudyn", action="store_true", help="also next to Exudyn's geometrically exact beams")
     options.add_argument("--json", help="also write the figures to this file")
     chosen = options.parse_args()
     machine = platform.processor() or platform.machine()

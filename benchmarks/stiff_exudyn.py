@@ -1,4 +1,4 @@
-"""The falling arm of the stiff benchmark beside Exudyn's geometrically exact beams, at equal error of the tip.
+"""The falling arm of the stiff benchmark next to Exudyn's geometrically exact beams, at equal error of the tip.
 
 Exudyn has no elastic joint with a motor behind it that a few lines could make: both let the arm of the benchmark fall
 into its gears, with motors that stand. Each engine's error is that of its time integration alone, against its own

@@ -29,7 +29,7 @@ _SLIP = re.compile(r"Slip (?P<place>\([^)]+\)(?:-\(\d+\))?): (?P<text>[^{}]+) \{
 
 @dataclass(frozen=True)
 class Home:
-    """Where a docstring stands: its file and the dotted name of what it tells of."""
+    """Where a docstring stands: its file and the dotted name of what it describes."""
 
     file: Path
     name: str
@@ -65,7 +65,7 @@ def _within(node: ast.Module | ast.ClassDef | ast.FunctionDef, file: Path, name:
 
 
 def citations_in(text: str, home: Home) -> tuple[list[Citation], list[str]]:
-    """The citations of one docstring, and a complaint for each beginning of one that cannot be read."""
+    """The citations of one docstring, and a problem for each beginning of one that cannot be read."""
     found: list[Citation] = []
     problems: list[str] = []
     for piece in _START.split(" ".join(text.split())):

@@ -30,7 +30,7 @@ class ExpectedSlip:
     word: str
 
     def is_reported_by(self, citation: Citation) -> bool:
-        """Whether this citation tells of this slip."""
+        """Whether this citation describes this slip."""
         return citation.place in self.places and re.search(self.word, citation.text, re.IGNORECASE) is not None
 
 
@@ -93,7 +93,7 @@ def page(citations: Sequence[Citation], tests: Mapping[str, Path], root: Path) -
         [
             "# Equations",
             "",
-            "Every numbered equation of Filipovic & Djuric (2010), where it lives in the code, and the test that bears",
+            "Every numbered equation of Filipovic & Djuric (2010), where it stands in the code, and the test of",
             "it. *stated*: written down as printed. *derived*: follows, by differentiation, from what is stated.",
             "*corrected*: the print has a slip there (second table) or says less than holds; the code has it right.",
             "",
@@ -105,7 +105,7 @@ def page(citations: Sequence[Citation], tests: Mapping[str, Path], root: Path) -
             "",
             "## Slips in the print",
             "",
-            "What the print gets wrong, each with its home in the code (mended there, or kept and told) and its test.",
+            "What the print gets wrong, each with its place in the code (fixed there, or kept and noted) and its test.",
             "",
             "| slip | at | what is wrong in the print | home | test |",
             "|---|---|---|---|---|",

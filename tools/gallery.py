@@ -1,6 +1,6 @@
 """Takes the pictures of docs/gallery.md from pages that commands made: ``python tools/gallery.py [NAME…]``.
 
-Needs a Chromium browser and playwright (``pip install -e ".[test]"``). Each picture's command stands beside it on the
+Needs a Chromium browser and playwright (``pip install -e ".[test]"``). Each picture's command is next to it on the
 page; this runs it, opens what it wrote, does what the caption says, and takes the picture.
 """
 
@@ -29,7 +29,7 @@ SIZE = {"width": 1280, "height": 800}
 class Shot:
     """A picture: the commands that make its page, which page that is, and what is done there.
 
-    ``page``: a file, or the command of a server that tells its address.
+    ``page``: a file, or the command of a server that says its address.
     """
 
     commands: tuple[str, ...]

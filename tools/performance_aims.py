@@ -28,7 +28,7 @@ class Aim:
 def aims(info: dict[str, Any]) -> Iterator[Aim]:
     """All aims for which there are figures."""
     for size in info["sizes"]:
-        yield from _beside_others(size)
+        yield from _compared_with_others(size)
         yield from _batches(size)
         yield from _start(size)
     for name, power in info["scaling"].items():
@@ -41,7 +41,7 @@ def _time(size: dict[str, Any], start: str) -> float | None:
     return next((one["seconds"]["median"] for one in size["contenders"] if one["name"].startswith(start)), None)
 
 
-def _beside_others(size: dict[str, Any]) -> Iterator[Aim]:
+def _compared_with_others(size: dict[str, Any]) -> Iterator[Aim]:
     n, ours = size["n"], _time(size, "tmodes, 1 lane")
     compiled = _time(size, "gcc -O3,")
     if ours and compiled and n in (6, 12, 36, 102):

@@ -39,11 +39,11 @@ def _head(info: dict[str, Any]) -> Iterator[str]:
     yield from _load(machine)
     yield from (
         "On yours: `tmodes bench`. This page is written by `python tools/performance_doc.py` from",
-        "[performance.json](performance.json); `--measure` measures it anew.",
+        "[performance.json](performance.json); `--measure` measures it again.",
         "",
         "The robot is a serial chain of rigid links with joints about all axes, the same in every engine. Contenders",
         "take turns, and processor time is counted, so that a noisy machine troubles all alike; only what works on",
-        "several cores is timed by the wall. Beside each time stands the largest error of the accelerations, relative,",
+        "several cores is timed by the wall. Each time has its largest error of the accelerations (relative)",
         "against a computation of its own in extended precision.",
         "",
     )
@@ -60,7 +60,7 @@ def _words(info: dict[str, Any]) -> Iterator[str]:
     """A sentence on each size."""
     for size in info["sizes"]:
         ours = size["contenders"][0]["seconds"]["median"]
-        others = [_beside(one, ours) for one in size["contenders"] if not one["name"].startswith("tmodes")]
+        others = [_compared(one, ours) for one in size["contenders"] if not one["name"].startswith("tmodes")]
         yield f"- With {size['n']} joints one evaluation takes {ours * 1e6:.3g} µs: {', '.join(others) or 'no peers'}."
         if size.get("limit"):
             best = size["limit"]["throughput"]
@@ -68,7 +68,7 @@ def _words(info: dict[str, Any]) -> Iterator[str]:
     yield ""
 
 
-def _beside(one: dict[str, Any], ours: float) -> str:
+def _compared(one: dict[str, Any], ours: float) -> str:
     ratio = one["seconds"]["median"] / ours
     name = one["name"].split(",")[0]
     return f"{ratio:.1f} times less than {name}" if ratio >= 1 else f"{1 / ratio:.1f} times more than {name}"
@@ -80,7 +80,7 @@ def _notes(info: dict[str, Any]) -> Iterator[str]:
         "  follows from the parameters alone is computed once, as here.",
         "- *Pinocchio* is called from Python, as its users do; *MuJoCo* and *Exudyn* are inside their own loops in C.",
         "- *limit*: from that list and the measured time of each operation here. Throughput: all operations as",
-        "  fast as independent ones go, products and sums fused where they can be, sums beside products where there",
+        "  fast as independent ones go, products and sums fused where they can be, sums next to products where there",
         "  are units for both. Critical path: the longest chain of operations that wait for each other. Loads and",
         "  stores are left out, so nothing quite reaches it.",
         "- *compile* is in a fresh process with an empty cache; *from the cache* in one that finds it full.",

@@ -1,6 +1,6 @@
 """Prints a command of the README's quick start: ``python tools/quick_start.py 1`` (the run) or ``2`` (the tests).
 
-So what is run by machines is what a reader is told, to the letter.
+So what is run by machines is what a reader is given, to the letter.
 """
 
 from __future__ import annotations

@@ -1,4 +1,4 @@
-"""Measures the table of docs/readings.md anew and writes it there: ``python tools/readings_doc.py``.
+"""Measures the table of docs/readings.md again and writes it there: ``python tools/readings_doc.py``.
 
 The numbers may differ in their last digit between machines, so a test compares them within a tolerance.
 """

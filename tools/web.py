@@ -1,7 +1,7 @@
 """Build what the pages run in the browser, from web/ into the package: ``python tools/web.py [--check]``.
 
 Needs Node, as only this tool does: what it builds is kept with the sources, so that nobody else needs it. ``--check``
-only tells whether what is kept was built from these very sources, which takes no Node.
+only says whether what is kept was built from these very sources, which takes no Node.
 """
 
 from __future__ import annotations
@@ -30,7 +30,7 @@ def digest() -> str:
 
 
 def built_from(program: Path) -> str:
-    """The sources that a built program tells to be of; empty where it tells none."""
+    """The sources that a built program says it was built from; empty where it does not say."""
     first = program.read_text(encoding="utf-8")[:200]
     return first.partition(_MARK)[2].partition(";")[0]
 
@@ -43,7 +43,7 @@ def main(arguments: list[str]) -> int:
         return bool(old)
     npm, node = shutil.which("npm"), shutil.which("node")
     if not npm or not node:
-        print("web: got no Node; expected npm and node. Mend: install Node 20 or newer", file=sys.stderr)
+        print("web: npm and node are needed; install Node 20 or newer", file=sys.stderr)
         return 2
     steps = [] if (WEB / "node_modules" / ".package-lock.json").exists() else [[npm, "ci", "--silent"]]
     steps += [[npm, "run", "--silent", "types"], [node, "build.mjs", os.fspath(BUILT), digest()]]

@@ -173,7 +173,7 @@ class Derived:
 def _eliminate(left: sp.Matrix, right: sp.Matrix, steps: list[tuple[sp.Symbol, Any]]) -> list[sp.Expr]:
     """Gauss elimination as straight-line code appended to ``steps``; entries that are zero cost nothing.
 
-    H is positive definite and the contact's term is small beside it, so no pivoting is needed.
+    H is positive definite and the contact's term is small compared with it, so no pivoting is needed.
     """
     fresh = sp.numbered_symbols("s")
 

@@ -6,17 +6,14 @@ import numpy as np
 import pytest
 
 from tmodes.live.map import LiveMap, live_map
-from tmodes.live.numbers import arm_numbers, robot_numbers, whole, whole_moves
+from tmodes.live.numbers import run_numbers, whole, whole_moves
 from tmodes.live.sliders import MOST
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.sheet import PaperRobot
 from tmodes.robots.load import load_sheet
-from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
 
 from .chain import chain
 
-SHEETS = ("filipovic2010", "spong1987", "quanser_2dsfl", "flexarm1990")
+SHEETS = ("spong1987", "quanser_2dsfl", "flexarm1990")
 REACH = 2.5
 
 
@@ -35,12 +32,7 @@ def test_numbers_are_those_of_the_changed_sheet(name: str) -> None:
         pair = sheet.with_(live.changes(values)).pair()
         for run in live.forms:
             of = pair.nominal if run == "reference" else pair.real
-            if isinstance(of, PaperRobot):
-                true = robot_numbers(of, Drive.PRESCRIBED if run == "reference" else Drive.CONTROLLED)
-            else:
-                assert isinstance(sheet, Robot)
-                until = whole_moves(sheet, REACH)
-                true = arm_numbers(of, Follow.SHEET if run == "real" else Follow.WANTED, until)
+            true = run_numbers(of, Follow.SHEET if run == "real" else Follow.WANTED, whole_moves(sheet, REACH))
             found = live.numbers(values, run)
             assert list(found) == list(true)
             size = np.abs(whole(true)[0]).max()
@@ -64,22 +56,6 @@ def test_sliders_stay_within_the_checks_of_the_sheet(name: str) -> None:
         assert slider.group
 
 
-def test_sliders_of_the_seed_are_what_one_wants_to_change() -> None:
-    """Payload, gear and links as known and as they are, speed of the move, gains, environment."""
-    paths = {slider.path for slider in live_map(load_sheet("filipovic2010").pair()).sliders}
-    assert {"payload.mass", "gear.stiffness", "real:gear.stiffness", "link.modes.1.bending_stiffness",
-            "reference.duration", "controller.position_gain", "environment.stiffness"} <= paths  # fmt: skip
-
-
-def test_what_has_no_form_has_no_slider_and_says_so() -> None:
-    """With noise on the reference its pieces are merged with those of the move: no power of its duration."""
-    noisy = load_sheet("filipovic2010", {"reference.noise.deviation": 1e-4})
-    live = live_map(noisy.pair())
-    assert "reference.duration" in live.left_out
-    assert "reference.duration" not in {slider.path for slider in live.sliders}
-    assert "payload.mass" in {slider.path for slider in live.sliders}
-
-
 @pytest.mark.parametrize("count", [2, 3])
 def test_a_real_robot_without_a_damping_has_a_map(count: int) -> None:
     """Factor 0 on what has a slider of its own (2 joints), and on what moves in proportion (3)."""
@@ -87,6 +63,6 @@ def test_a_real_robot_without_a_damping_has_a_map(count: int) -> None:
     live = live_map(sheet.pair())
     assert any(slider.path.endswith("gear.damping") for slider in live.sliders)
     values = drawn(live, np.random.default_rng(3))
-    true = arm_numbers(sheet.with_(live.changes(values)).pair().real, Follow.SHEET, whole_moves(sheet, REACH))
+    true = run_numbers(sheet.with_(live.changes(values)).pair().real, Follow.SHEET, whole_moves(sheet, REACH))
     for block, numbers in live.numbers(values, "real").items():
         assert numbers == pytest.approx(true[block], rel=1e-12, abs=1e-12), block

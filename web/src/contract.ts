@@ -198,7 +198,6 @@ export interface Slider {
 
 /** The live model as it is shipped: known to src/live/ and tmodes/live/ alone, but for these. */
 export interface LiveBundle {
-  kind: "robot" | "arm";
   sliders: Slider[];
   [more: string]: unknown;
 }

@@ -1,4 +1,4 @@
-"""A contender: what is timed, and the accelerations that it finds, so that an error stands beside every time."""
+"""A contender: what is timed, and the accelerations that it finds, so that an error is next to every time."""
 
 from __future__ import annotations
 
@@ -49,7 +49,7 @@ def in_turns(
 ) -> dict[str, list[float]]:
     """Every contender once a round, so that a noisy machine troubles all alike; times by name [s].
 
-    One round before is not counted: it fills caches. ``tell`` is told the share of the rounds that is done.
+    One round before is not counted: it fills caches. ``tell`` is given the share of the rounds that is done.
     """
     times: dict[str, list[float]] = {one.name: [] for one in contenders}
     for number in range(rounds + 1):

@@ -12,7 +12,7 @@ __all__ = ["Race", "Runner", "at_equal_error"]
 
 @dataclass(frozen=True)
 class Runner:
-    """``run(setting)`` returns the time of a run [s] and its error; ``settings`` from loose to tight, ``told`` of one.
+    """``run(setting)`` returns the time of a run [s] and its error; ``settings`` from loose to tight.
 
     ``given``: it has but one setting, which is timed whatever its error.
     """

@@ -1,7 +1,7 @@
 """The estimated limit of a program on this machine: from its instruction list and the measured cost of operations.
 
 Two bounds, loads and stores left out: the critical path, the longest chain of operations that wait for each other; and
-throughput, all operations at the rate at which independent ones go, sums beside products where the processor has units
+throughput, all operations at the rate at which independent ones go, sums next to products where the processor has units
 for both. A product that only one sum reads counts as one operation with it, as a fused multiply-add can do.
 """
 
@@ -116,7 +116,7 @@ def critical_path(program: Program, latency: dict[str, float]) -> float:
 def throughput(program: Program, cost: dict[str, float]) -> float:
     """Time of all operations for a new state when none waits [s]; products and sums are fused where they can be.
 
-    Sums that remain go beside all else as far as ``cost["mixed"]`` says.
+    Sums that remain run along with all else as far as ``cost["mixed"]`` says.
     """
     counts = _kinds(program)
     fused = _fused(program)

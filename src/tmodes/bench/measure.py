@@ -31,7 +31,7 @@ SIZES = (6, 12, 36, 102, 200)
 """Joints of the rigid chains that are measured by default."""
 
 PEERS = ("gcc", "pinocchio", "mujoco", "exudyn", "scipy")
-"""Others that can be measured beside this engine."""
+"""Others that can be compared with this engine."""
 
 LARGEST = 200
 """Joints above which no straight list is written and no whole runs are raced: that would take minutes."""
@@ -56,7 +56,7 @@ class Plan:
 
 
 def measured(plan: Plan, tell: Tell = lambda stage, share: None) -> dict[str, Any]:
-    """All figures, as JSON knows them: times in seconds, errors beside them. ``tell`` hears stage and share done."""
+    """All figures, as JSON knows them: times in seconds, errors next to them. ``tell`` hears stage and share done."""
     here = machine()
     info: dict[str, Any] = {"format": FORMAT, "machine": described(), "rounds": plan.rounds, "samples": SAMPLES}
     info["operations"] = {"cycle": here.cycle, "latency": here.latency, "cost": here.cost}

@@ -19,7 +19,7 @@ from tmodes.bench.clock import now
 __all__ = ["started"]
 
 _STARTS = 3
-"""Processes with an empty cache, and as many that find it full: of each the median is told."""
+"""Processes with an empty cache, and as many that find it full: of each the median is reported."""
 
 
 def started(joints: int) -> dict[str, float]:

@@ -53,7 +53,7 @@ def solved(
 ) -> tuple[float, Array]:
     """Time [s] of ``solve_ivp`` and its states at ``samples`` [s], the last of which is the end.
 
-    It starts anew at every knot, so that no step crosses a jump. ``rate(t, state, row)``; the absolute tolerance is a
+    It restarts at every knot, so that no step crosses a jump. ``rate(t, state, row)``; the absolute tolerance is a
     thousandth of the relative one.
     """
     from scipy.integrate import solve_ivp

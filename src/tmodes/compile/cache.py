@@ -1,7 +1,7 @@
 """Compiled code on disk, so that a second run of the same robot compiles nothing.
 
 An entry is an object file that we wrote, behind a line with the digest of its key and of its bytes; one that does not
-fit is made anew, never trusted. The key names versions, processor and its features, and the digest of our own source.
+fit is made again, never trusted. The key names versions, processor and its features, and the digest of our own source.
 The folder is private to the user and refused when it belongs to another.
 """
 
@@ -24,7 +24,7 @@ MAX_BYTES = 256 * 2**20
 _SOURCES = ("chain", "compile", "equations", "kinds", "paper", "sheet")
 
 _HEAD = b"tmodes compiled code, layout 1\n"
-"""First line of an entry; entries of another layout are made anew."""
+"""First line of an entry; entries of another layout are made again."""
 
 _START = len(_HEAD) + 64
 """Where the object file begins in an entry."""

@@ -8,7 +8,6 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.kinds.joints.joint import JointType
 from tmodes.sheet.checks import coordinate_count
-from tmodes.sheet.parts import Command
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
@@ -55,7 +54,7 @@ def _limits(arm: Robot) -> Iterator[str]:
 def _signals(arm: Robot) -> Iterator[str]:
     kinds = {joint.name: joint.type for joint in arm.joints}
     for index, drive in enumerate(arm.drives):
-        if drive.command not in {Command.POSITION, Command.PRESCRIBED}:
+        if not drive.command.is_motion:
             continue
         path, slides = f"drives.{index} (`{drive.joint}`)", kinds[drive.joint] is JointType.PRISMATIC
         value = _largest(drive.signal)

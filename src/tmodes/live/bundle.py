@@ -1,4 +1,4 @@
-"""What a live report is shipped with: the robot's own equations, and all numbers that they need."""
+"""What a live report contains: the robot's own equations, and all numbers that they need."""
 
 from __future__ import annotations
 
@@ -9,17 +9,15 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.integrate.settings import Integration, Method
-from tmodes.live.bundle_motion import arm_bundle, why_not_arm
 from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import LiveMap, live_map
+from tmodes.live.mechanics import mechanics, why_not_mechanics
 from tmodes.live.template import sheet_template
-from tmodes.paper.sheet import PaperPair
-from tmodes.plot.paper.facts import steady_part
+from tmodes.result import Result
 from tmodes.sheet import RobotPair
 
 if TYPE_CHECKING:
-    from tmodes.result import Result
-    from tmodes.result.record import PaperResult
+    from tmodes.result.record import RunRecord
 
 __all__ = ["FRAMES_PER_SECOND", "live_bundle", "why_not_live"]
 
@@ -33,65 +31,50 @@ _MOST_FRAMES = 3000
 _MOST_STATIONS = 21
 
 
-def why_not_live(result: PaperResult | Result) -> str:
-    """Why a page cannot make this run again, in words; empty where it can."""
+def why_not_live(result: RunRecord) -> str:
+    """Why a page cannot repeat this run, in words; empty where it can."""
+    if not isinstance(result, Result):
+        return "it is the result of an earlier version"
     if result.status != "finished":
         return f"the run did not reach its end: {result.message}"
     if "mean_step_s" not in result.statistics["real"]:
         return "its controller is a Python function"
-    settings = _sheet(result).integration
-    if settings.stop or settings.energy_stop or getattr(settings, "stop_at_limits", False):
-        return "it ends by a condition, which is looked for natively"
+    settings = result.arm.integration
+    if settings.stop or settings.energy_stop or settings.stop_at_limits:
+        return "it ends by a condition, which is detected natively"
     if json.loads(result.data.attrs["robot_real"])["real"]:
-        return "its real robot has factors of its own"
-    return why_not_arm(_sheet(result)) if result.kind == "arm" else ""
+        return "its actual robot has factors of its own"
+    return why_not_mechanics(result.arm)
 
 
-def live_bundle(result: PaperResult | Result) -> dict[str, Any] | None:
-    """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` says why."""
+def live_bundle(result: Any) -> dict[str, Any] | None:
+    """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` gives a reason."""
     if why_not_live(result):
         return None
-    pair, method = _sheet(result).pair(), _method(result)
-    if isinstance(pair, PaperPair):
-        return {
-            **_common(result, pair, live_map(pair)),
-            **_of_robot(pair, method),
-            "steady": list(steady_part(result.data)),
-        }
+    pair, method = result.arm.pair(), Method(result.statistics["real"]["method"])  # of several, the last one
     settings = pair.real.integration
     places = load_places(settings.line_points)
     stations = tuple(places[evenly(len(places), _MOST_STATIONS)].tolist())
     compared, surfaces = "tip_reference" in result.data, _with_surfaces(result)
-    own = arm_bundle(pair, stations, method.value, compared=compared, surfaces=surfaces)
-    return {**_common(result, pair, live_map(pair, stations)), **own, "stations": np.array(stations)}
+    own = mechanics(pair, stations, method.value, compared=compared, surfaces=surfaces)
+    return {**_common(result, pair, live_map(pair, stations), method), **own, "stations": np.array(stations)}
 
 
-def _with_surfaces(result: PaperResult | Result) -> list[str]:
+def _with_surfaces(result: Result) -> list[str]:
     """The links whose surfaces the result keeps, in their order."""
     return list(dict.fromkeys(info["link"] for info in json.loads(result.data.attrs.get("meshes", "[]"))))
 
 
-def _sheet(result: Any) -> Any:
-    return result.arm if result.kind == "arm" else result.robot
-
-
-def _method(result: PaperResult | Result) -> Method:
-    """The one that the run took; of several, one after the other, the last one."""
-    return Method(result.statistics["real"]["method"])
-
-
-def _common(result: PaperResult | Result, pair: PaperPair | RobotPair, live: LiveMap) -> dict[str, Any]:
+def _common(result: Result, pair: RobotPair, live: LiveMap, method: Method) -> dict[str, Any]:
     settings = pair.real.integration
     times = np.asarray(result.data["time"].values, dtype=float)
     return {
-        "kind": result.kind,
         "sliders": [slider.info() for slider in live.sliders],
         "leftOut": [{"path": path, "reason": reason} for path, reason in live.left_out.items()],
         "map": live.info(),
-        "settings": _settings(settings, _method(result)) | {"note": _note(result)},
+        "settings": _settings(settings, method) | {"note": _note(result, method)},
         "times": times,
         "frames": _frames(times, settings.output_step),
-        "stations": np.linspace(0.0, 1.0, settings.line_points),
         "sheet": sheet_template(pair.nominal, live),
     }
 
@@ -111,27 +94,10 @@ def _settings(given: Integration, method: Method) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _note(result: PaperResult | Result) -> str:
-    """What is different from the native run."""
+def _note(result: Result, method: Method) -> str:
+    """How the page's run differs from the native one."""
     parts = result.statistics["real"].get("parts")
     if not parts:
         return ""
     taken = ", then ".join(part["method"] for part in parts.values())
-    return f"the run took {taken}; here all of it is by {_method(result).value}"
-
-
-def _of_robot(pair: PaperPair, method: Method) -> dict[str, Any]:
-    from tmodes.equations.lagrange.coordinates import deformation_basis, free_deformations
-    from tmodes.live.modes_paper import robot_modes
-    from tmodes.live.wasm_paper import robot_module
-
-    module = robot_module(pair, [method.value])
-    return {
-        "module": np.frombuffer(module.wasm, dtype=np.uint8),
-        "layout": module.layout,
-        "contact": pair.real.contact,
-        "free": free_deformations(pair.real.rigid_elements()),
-        "basis": deformation_basis(),
-        "lengths": [mode.length for mode in pair.real.link.modes],
-        "modes": robot_modes(pair.real),
-    }
+    return f"the run took {taken}; here all of it is by {method.value}"

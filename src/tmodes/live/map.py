@@ -14,11 +14,9 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.live.forms import Form, Range, Unfit, fitted
-from tmodes.live.numbers import Blocks, arm_numbers, follow_of, has_reference, robot_numbers, whole, whole_moves
+from tmodes.live.numbers import Blocks, follow_of, has_reference, run_numbers, whole, whole_moves
 from tmodes.live.sheet_numbers import sheet_numbers
 from tmodes.live.sliders import Knob, Slider, knobs_of, sliders_of
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.sheet import PaperPair, PaperRobot
 from tmodes.sheet import Robot, RobotPair
 
 __all__ = ["LiveMap", "live_map"]
@@ -95,7 +93,7 @@ def _really(knob: Knob, known: float, factor: float | None) -> float:
     return known * (factor / knob.factor) if knob.factor else known
 
 
-def live_map(pair: PaperPair | RobotPair, stations: tuple[float, ...] = ()) -> LiveMap:
+def live_map(pair: RobotPair, stations: tuple[float, ...] = ()) -> LiveMap:
     """The map of a pair: sliders whose effect has a form, and the forms, each verified at random points.
 
     ``stations``: places along each link of an arm of which its picture is made.
@@ -119,10 +117,10 @@ def live_map(pair: PaperPair | RobotPair, stations: tuple[float, ...] = ()) -> L
         return LiveMap(tuple(kept), tuple(knobs[k] for k in used), forms, runs.places, left_out)
 
 
-def _offered(pair: PaperPair | RobotPair, knobs: Sequence[Knob]) -> tuple[list[Slider], dict[str, str]]:
+def _offered(pair: RobotPair, knobs: Sequence[Knob]) -> tuple[list[Slider], dict[str, str]]:
     """Sliders to begin with, and what has none: with a first factor a run would get a reference that is not here."""
     sliders = sliders_of(pair.nominal, knobs)
-    if isinstance(pair, PaperPair) or has_reference(pair.nominal) or not any(one.real for one in sliders):
+    if has_reference(pair.nominal) or not any(one.real for one in sliders):
         return sliders, {}
     return sliders_of(pair.nominal, knobs, factors=False), {"real": _NOT_COMPARED}
 
@@ -143,7 +141,7 @@ class _Runs:
 
     def __init__(
         self,
-        pair: PaperPair | RobotPair,
+        pair: RobotPair,
         knobs: Sequence[Knob],
         sliders: Sequence[Slider],
         used: list[int],
@@ -154,7 +152,7 @@ class _Runs:
         self.factors = {used.index(slider.knob): slider for slider in sliders if slider.real}
         self.stations = stations
         self.really = {number.path: number.value for number in sheet_numbers(pair.real)}
-        self.until = 0.0 if isinstance(pair, PaperPair) else whole_moves(pair.nominal, _LONGEST_MOVE)
+        self.until = whole_moves(pair.nominal, _LONGEST_MOVE)
 
     def fitted(self, name: str) -> Form:
         """The form of a run's numbers."""
@@ -197,8 +195,6 @@ class _Runs:
                 found |= {path: self.really[path] * value for path, _ in knob.targets}
         return found
 
-    def _blocks(self, name: str, sheet: PaperRobot | Robot) -> Blocks:
-        if isinstance(sheet, PaperRobot):
-            return robot_numbers(sheet, Drive.PRESCRIBED if name == "reference" else Drive.CONTROLLED)
-        follow = follow_of(self.pair.nominal, name)  # pyright: ignore[reportArgumentType]
-        return arm_numbers(sheet, follow, self.until, self.stations if name == "real" else ())
+    def _blocks(self, name: str, sheet: Robot) -> Blocks:
+        follow = follow_of(self.pair.nominal, name)
+        return run_numbers(sheet, follow, self.until, self.stations if name == "real" else ())

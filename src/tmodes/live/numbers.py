@@ -10,38 +10,19 @@ from numpy.typing import NDArray
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.mechanics import mechanics
 from tmodes.kinds.signals.signals import Quintic, Trapezoid
+from tmodes.live.functions import stationed
 from tmodes.live.loads import load_places, packed_loads
 from tmodes.live.vibrations import vibration_numbers
-from tmodes.live.wasm_motion import stationed
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
-from tmodes.sheet.parts import Command
 from tmodes.simulation.plan import Follow, planned
 
-__all__ = ["Blocks", "arm_numbers", "follow_of", "has_reference", "robot_numbers", "whole", "whole_moves"]
+__all__ = ["Blocks", "follow_of", "has_reference", "run_numbers", "whole", "whole_moves"]
 
 Array = NDArray[np.float64]
 
 Blocks = dict[str, Array]
-
-
-def robot_numbers(robot: PaperRobot, drive: Drive) -> Blocks:
-    """``parameters``; ``knots`` (k + 1,) and ``coefficients`` (k, degree + 1) of the wanted angle; ``start`` [rad].
-
-    ``end`` [s]: of the move; ``goal`` [rad]: where it ends.
-    """
-    wanted = robot.wanted(drive)
-    return {
-        "parameters": np.array([value for _, value in robot.numbers()]),
-        "knots": wanted.knots,
-        "coefficients": wanted.coefficients,
-        "start": np.array([robot.reference.start]),
-        "end": np.array([robot.reference.duration]),
-        "goal": np.array([robot.reference.end]),
-    }
 
 
 def follow_of(nominal: Robot, run: str) -> Follow:
@@ -55,10 +36,10 @@ def has_reference(nominal: Robot) -> bool:
 
 
 def _commanded(nominal: Robot) -> bool:
-    return any(drive.command is Command.POSITION for drive in nominal.drives)
+    return any(drive.command.is_controlled for drive in nominal.drives)
 
 
-def arm_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
+def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as

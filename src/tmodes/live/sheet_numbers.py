@@ -1,4 +1,4 @@
-"""Every number of a data sheet of either kind that may be changed by itself: its path, value, unit and bounds."""
+"""Every number of a data sheet that may be changed by itself: its path, value, unit and bounds."""
 
 from __future__ import annotations
 
@@ -8,14 +8,12 @@ from dataclasses import dataclass
 from typing import Any
 
 from tmodes.errors import InputError
-from tmodes.io.fields import places
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_paths import steps_of
 from tmodes.io.sheet_units import at
 from tmodes.kinds.links.material import LIBRARY
 from tmodes.kinds.schema.quantity import LARGEST
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 
 __all__ = ["SheetNumber", "real_entry", "sheet_numbers"]
@@ -39,18 +37,24 @@ class SheetNumber:
     most: float
 
 
-def sheet_numbers(sheet: PaperRobot | Robot) -> Iterator[SheetNumber]:
-    """All finite numbers of a sheet, in its order."""
-    yield from _of_arm(sheet) if isinstance(sheet, Robot) else _of_robot(sheet)
+def sheet_numbers(sheet: Robot) -> Iterator[SheetNumber]:
+    """All finite numbers of a sheet, in its order; a material of the library counts as if it were written out."""
+    data = sheet_data(sheet)
+    for link in data.get("links", ()):
+        beam = link.get("beam") or {}
+        if isinstance(beam.get("material"), str):
+            beam["material"] = LIBRARY[beam["material"]].model_dump(mode="json", exclude_none=True)
+    for container, key, steps, place in quantities(data):
+        value = container[key]
+        if _finite(value) and place.unit is not None and steps[0] != "real":
+            yield _number(data, steps, place, float(value))
 
 
-def real_entry(sheet: PaperRobot | Robot, path: str) -> tuple[str | None, float]:
+def real_entry(sheet: Robot, path: str) -> tuple[str | None, float]:
     """Path in ``real`` at which the factor on a number stands, or would stand, and the factor.
 
     The path is None where several factors act on it, or one that acts on others as well.
     """
-    if isinstance(sheet, PaperRobot):
-        return path, sheet.real.get(path, 1.0)
     data = sheet_data(sheet)
     steps = steps_of(path, data)
     info = [(other, steps_of(other, data)) for other in sheet.real]
@@ -60,43 +64,6 @@ def real_entry(sheet: PaperRobot | Robot, path: str) -> tuple[str | None, float]
     (first, own), *others = acting
     shared = bool(others) or (len(own) < len(steps) and len(at(data, *own)) > 1)
     return None if shared else first, math.prod(sheet.real[other] for other, _ in acting)
-
-
-def _of_robot(robot: PaperRobot) -> Iterator[SheetNumber]:
-    for path, place in places().items():
-        value = _at(robot, path.split("."))
-        if place.unit is None or not _finite(value):
-            continue
-        kind = ".".join("*" if step.isdecimal() else step for step in path.split("."))
-        bounds = _bounds(place.info.metadata if place.info else ())
-        yield SheetNumber(
-            path, kind, _owner(path), float(value), place.unit, place.extra["symbol"], place.meaning, *bounds
-        )
-
-
-def _owner(path: str) -> str:
-    """``mode 1`` of ``link.modes.0.length``; empty outside of lists."""
-    steps = path.split(".")
-    counted = [k for k, step in enumerate(steps) if step.isdecimal()]
-    return f"{steps[counted[0] - 1].removesuffix('s')} {int(steps[counted[0]]) + 1}" if counted else ""
-
-
-def _at(value: Any, steps: Sequence[str]) -> Any:
-    for step in steps:
-        value = value[int(step)] if isinstance(value, tuple) else getattr(value, step)
-    return value
-
-
-def _of_arm(arm: Robot) -> Iterator[SheetNumber]:
-    data = sheet_data(arm)
-    for link in data.get("links", ()):
-        beam = link.get("beam") or {}
-        if isinstance(beam.get("material"), str):
-            beam["material"] = LIBRARY[beam["material"]].model_dump(mode="json", exclude_none=True)
-    for container, key, steps, place in quantities(data):
-        value = container[key]
-        if _finite(value) and place.unit is not None and steps[0] != "real":
-            yield _number(data, steps, place, float(value))
 
 
 def _number(data: Any, steps: tuple[Step, ...], place: ChainPlace, value: float) -> SheetNumber:

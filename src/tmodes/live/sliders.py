@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 
 from tmodes.live.sheet_numbers import SheetNumber, real_entry, sheet_numbers
 from tmodes.live.surface import stretched_length
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 
 __all__ = ["MOST", "Knob", "Slider", "knobs_of", "sliders_of"]
@@ -96,31 +95,29 @@ class _Rule(NamedTuple):
 
 
 _RULES = (
-    _Rule(r"payload\.mass|links\.\*\.bodies\.\*\.mass", "payload", 3.0, log=False),
-    _Rule(r"gear\.stiffness|joints\.\*\.gear\.stiffness(\.0)?(\.\*)?", "gear", real=True),
-    _Rule(r"link\.modes\.\*\.bending_stiffness", "links", real=True),
+    _Rule(r"links\.\*\.bodies\.\*\.mass", "payload", 3.0, log=False),
+    _Rule(r"joints\.\*\.gear\.stiffness(\.0)?(\.\*)?", "gear", real=True),
     _Rule(r"links\.\*\.beam\.(section\.bending_stiffness(\.\*)?|material\.young)", "links", real=True),
-    _Rule(r"reference\.duration|drives\.\*\.signal\.duration", "move", 2.0),
-    _Rule(r"(controller|drives\.\*\.controller)\.position_gain", "controller"),
-    _Rule(r"(controller|drives\.\*\.controller)\.velocity_gain", "controller"),
-    _Rule(r"(environment|contact)\.stiffness", "environment"),
+    _Rule(r"drives\.\*\.signal\.duration", "move", 2.0),
+    _Rule(r"drives\.\*\.controller\.position_gain", "controller"),
+    _Rule(r"drives\.\*\.controller\.velocity_gain", "controller"),
+    _Rule(r"contact\.stiffness", "environment"),
     _Rule(r"contact\.shape\.distance", "environment", span=0.03, log=False, words="distance of the wall"),
     _Rule(r"contact\.shape\.radius", "environment", span=0.03, log=False, words="radius of the surface touched"),
     _Rule(r"contact\.shape\.position\.\*", "environment", span=0.03, log=False, words="place of the surface along {}"),
-    _Rule(r"(environment|contact)\.damping", "environment"),
-    _Rule(r"(environment|contact)\.friction", "environment", 3.0, log=False),
-    _Rule(r"environment\.preload", "environment", 3.0, room=20.0, log=False),
-    _Rule(r"gear\.damping|joints\.\*\.gear\.damping", "gear", real=True),
-    _Rule(r"link\.modes\.\*\.damping_time|links\.\*\.beam\.damping_time", "links"),
-    _Rule(r"motor\.(inertia|friction)|joints\.\*\.motor\.(inertia|friction\.viscous)", "motor"),
+    _Rule(r"contact\.damping", "environment"),
+    _Rule(r"contact\.friction", "environment", 3.0, log=False),
+    _Rule(r"contact\.preload", "environment", 3.0, room=20.0, log=False),
+    _Rule(r"joints\.\*\.gear\.damping", "gear", real=True),
+    _Rule(r"links\.\*\.beam\.damping_time", "links"),
+    _Rule(r"joints\.\*\.motor\.(inertia|friction\.viscous)", "motor"),
     _Rule(r"joints\.\*\.friction\.viscous", "motor"),
-    _Rule(r"payload\.inertia", "payload", 3.0, log=False),
 )
 _ALONE = 2
 """Numbers of a kind that have a slider each; more of them move together."""
 
 
-def knobs_of(sheet: PaperRobot | Robot) -> list[Knob]:
+def knobs_of(sheet: Any) -> list[Knob]:
     """All that a page could change, the most useful first; a zero, where structure may hang on it, stays as it is."""
     numbers = list(sheet_numbers(sheet))
     found: list[Knob] = []
@@ -134,19 +131,19 @@ def knobs_of(sheet: PaperRobot | Robot) -> list[Knob]:
     return found
 
 
-def _useful(sheet: PaperRobot | Robot, number: SheetNumber, rule: _Rule) -> bool:
+def _useful(sheet: Robot, number: SheetNumber, rule: _Rule) -> bool:
     """A load of an arm is on the link with its tip; a plane moves along its normal; a slider is finite."""
     if not math.isfinite(number.value):
         return False
-    if isinstance(sheet, Robot) and number.kind == "contact.shape.position.*":
+    if number.kind == "contact.shape.position.*":
         return sheet.contact is not None and int(number.path[-1]) == sheet.contact.shape.steep_axis
-    if isinstance(sheet, Robot) and number.kind == "links.*.bodies.*.mass":
+    if number.kind == "links.*.bodies.*.mass":
         tip = sheet.tip.link if sheet.tip else sheet.links[-1].name if sheet.links else ""
         return number.owner == tip and number.value > 0
     return number.value > 0 or (rule.room > 0 and number.least < 0)
 
 
-def _knobs(sheet: PaperRobot | Robot, group: Sequence[SheetNumber], rule: _Rule) -> Iterator[Knob]:
+def _knobs(sheet: Robot, group: Sequence[SheetNumber], rule: _Rule) -> Iterator[Knob]:
     if len(group) <= _ALONE:
         for number in group:
             low, high = _reach(sheet, number, rule)
@@ -157,7 +154,7 @@ def _knobs(sheet: PaperRobot | Robot, group: Sequence[SheetNumber], rule: _Rule)
     yield _knob(sheet, group, (1.0, least, most), _log(least, rule))
 
 
-def _knob(sheet: PaperRobot | Robot, group: Sequence[SheetNumber], span: tuple[float, float, float], log: bool) -> Knob:
+def _knob(sheet: Robot, group: Sequence[SheetNumber], span: tuple[float, float, float], log: bool) -> Knob:
     entries = [real_entry(sheet, number.path) for number in group]
     reals, factors = [path for path, _ in entries if path], {factor for _, factor in entries}
     common = factors.pop() if len(factors) == 1 else None
@@ -165,8 +162,8 @@ def _knob(sheet: PaperRobot | Robot, group: Sequence[SheetNumber], span: tuple[f
     return Knob(group[0].kind, targets, *span, log, tuple(reals) if len(reals) == len(group) else (), common)
 
 
-def _reach(sheet: PaperRobot | Robot, number: SheetNumber, rule: _Rule) -> tuple[float, float]:
-    if rule.span and isinstance(sheet, Robot):
+def _reach(sheet: Robot, number: SheetNumber, rule: _Rule) -> tuple[float, float]:
+    if rule.span:
         away = rule.span * stretched_length(sheet)
         least = number.value - away if number.least < 0 else max(number.value - away, number.value / rule.reach)
         return least, number.value + away
@@ -193,9 +190,7 @@ def _label(number: SheetNumber, knob: Knob) -> str:
     return f"{words}, {owner}" if owner else words
 
 
-def sliders_of(
-    sheet: PaperRobot | Robot, knobs: Sequence[Knob], most: int = MOST, *, factors: bool = True
-) -> list[Slider]:
+def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: bool = True) -> list[Slider]:
     """The sliders of these knobs, each as known and, where it makes sense, as the factor of the real robot.
 
     Without ``factors`` all are as known.

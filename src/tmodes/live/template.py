@@ -6,10 +6,8 @@ import re
 from typing import Any
 
 from tmodes.io.sheet_write import arm_to_yaml
-from tmodes.io.write import robot_to_yaml
 from tmodes.io.yaml_text import scalar_text
 from tmodes.live.map import LiveMap
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 
 __all__ = ["sheet_template"]
@@ -17,7 +15,7 @@ __all__ = ["sheet_template"]
 _NUMBER = re.compile(r"(?<![\w.+-])[-+]?(?:\d+\.\d*(?:e[-+]?\d+)?)(?![\w.])")
 
 
-def sheet_template(sheet: PaperRobot | Robot, live: LiveMap) -> list[Any]:
+def sheet_template(sheet: Robot, live: LiveMap) -> list[Any]:
     """Text, and lines with open places: ``{"parts": [text, {"slider", "base"}, text, ...], "optional"}``.
 
     A place says which slider fills it, and of numbers that move in proportion by which ``base`` it is multiplied (None:
@@ -25,8 +23,7 @@ def sheet_template(sheet: PaperRobot | Robot, live: LiveMap) -> list[Any]:
     ``-1``: no slider's. ``{"header": text}``: left out with all such lines.
     """
     marks, places, optional = _marked(sheet, live)
-    changed = sheet.with_(marks)
-    text = arm_to_yaml(changed) if isinstance(changed, Robot) else robot_to_yaml(changed)
+    text = arm_to_yaml(sheet.with_(marks))
     found: list[Any] = []
     bare = not sheet.real
     for line in text.splitlines(keepends=True):
@@ -52,7 +49,7 @@ def _parts(line: str, numbers: list[re.Match[str]], places: dict[str, Any]) -> l
     return [*parts, line[end:]]
 
 
-def _marked(sheet: PaperRobot | Robot, live: LiveMap) -> tuple[dict[str, float], dict[str, Any], dict[str, int]]:
+def _marked(sheet: Robot, live: LiveMap) -> tuple[dict[str, float], dict[str, Any], dict[str, int]]:
     """Numbers that stand nowhere else in the sheet, by path; what each stands for; and whose lines may be left out."""
     marks: dict[str, float] = {}
     places: dict[str, Any] = {}

@@ -20,7 +20,7 @@ from tmodes.kinds.contacts.registry import Contact
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
-__all__ = ["arm_vibrations", "vibration_numbers"]
+__all__ = ["vibration_numbers", "vibrations_info"]
 
 Array = NDArray[np.float64]
 
@@ -44,7 +44,7 @@ def vibration_numbers(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Arr
     }
 
 
-def arm_vibrations(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Any]:
+def vibrations_info(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Any]:
     """What ``ArmBundle`` of ``web/src/live/bundle.ts`` holds of them; ``model`` as the run has it."""
     point = [] if plan.touch is None else [plan.touch.point]
     modes, why = _modes(arm, model)

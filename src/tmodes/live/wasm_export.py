@@ -17,13 +17,8 @@ from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration
 from tmodes.io.atomic import file_error
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.live.module import LiveModule
-from tmodes.live.wasm_motion import ModelFunctions, arm_module
-from tmodes.live.wasm_paper import robot_module
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
-from tmodes.paper.modes import closed_loop_spectrum
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import run_setup
@@ -44,15 +39,15 @@ class Exported:
     description: Mapping[str, Any]
 
 
-def exported(sheet: PaperRobot | Robot, name: str, program: Path = _PROGRAM) -> Exported:
-    """The files of a robot or an arm whose names begin with ``name``.
+def exported(sheet: Any, name: str, program: Path = _PROGRAM) -> Exported:
+    """The files of a robot whose names begin with ``name``.
 
     ``program``: the built engine. Raises :class:`tmodes.errors.ResultFileError` where that is not there.
     """
     if not program.exists():
         hint = "in a checkout of the sources: python tools/web.py (needs Node); or install the wheel, which has it"
         raise file_error(program, "no file", "the engine of the pages, built", hint)
-    module, info = _of_arm(sheet) if isinstance(sheet, Robot) else _of_robot(sheet)
+    module, info = _described(sheet)
     description = {"name": sheet.name, "layout": module.layout} | info
     data = json.dumps(description, allow_nan=False, separators=(",", ":")).replace("<", "\\u003c")
     code = program.read_text(encoding="utf-8").rstrip() + f"\n\nexport const description = {data};\n"
@@ -65,18 +60,7 @@ def exported(sheet: PaperRobot | Robot, name: str, program: Path = _PROGRAM) -> 
     }, description)  # fmt: skip
 
 
-def _of_robot(robot: PaperRobot) -> tuple[LiveModule, dict[str, Any]]:
-    pair, runs, highest = robot.pair(), {}, 0.0
-    for name, which, drive in (("reference", pair.nominal, Drive.PRESCRIBED), ("real", pair.real, Drive.CONTROLLED)):
-        mechanism, parameters = which.split(drive)
-        state = PaperModel(mechanism).rest(which.reference.start, parameters)
-        runs[name] = _run(parameters.vector, which.wanted(drive), state, which.integration)
-        highest = max(highest, closed_loop_spectrum(which, drive=drive).highest)
-    info = _settings(pair.real.integration, highest)
-    return robot_module(pair, [info["method"]]), info | {"runs": runs}
-
-
-def _of_arm(arm: Robot) -> tuple[LiveModule, dict[str, Any]]:
+def _described(arm: Robot) -> tuple[LiveModule, dict[str, Any]]:
     pair, functions = arm.pair(), ModelFunctions(arm.pair(), _STATIONS)
     follows = {"reference": (pair.nominal, Follow.WANTED), "real": (pair.real, Follow.SHEET)}
     runs = {}
@@ -87,7 +71,7 @@ def _of_arm(arm: Robot) -> tuple[LiveModule, dict[str, Any]]:
             moved = run_setup(which, follow)
             runs[name] = _run(moved.model.numbers.vector, moved.planned.schedule, moved.start, which.integration)
     info = _settings(pair.real.integration, regime.spectrum.highest)
-    return arm_module(functions, [info["method"]], slopes=False), info | {"runs": runs}
+    return live_module(functions, [info["method"]], slopes=False), info | {"runs": runs}
 
 
 def _settings(given: Integration, highest: float) -> dict[str, Any]:

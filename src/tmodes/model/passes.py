@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.equations.line.schedule import Lines, line_schedule
 from tmodes.equations.mechanics import Mechanics
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
@@ -73,6 +74,22 @@ class ArmPasses:
     def elastic(self, rows: Rows) -> Blocks:
         """Outputs of :func:`tmodes.equations.recursion.elastic.elastic_forces`."""
         return evaluate(self.parameters, self.schedule("elastic"), self._common(rows, None, None), rows.count)
+
+    @cached_property
+    def _lines(self) -> dict[tuple[tuple[float, ...], bool], Lines]:
+        return {}
+
+    def lines(self, s: tuple[float, ...], *, loaded: bool = False) -> Lines:
+        """The elastic lines at the places ``s`` along each link; ``loaded``: forces act on the points."""
+        if (s, loaded) not in self._lines:
+            self._lines[s, loaded] = line_schedule(self.parts, np.array(s), loaded=loaded)
+        return self._lines[s, loaded]
+
+    def on_lines(
+        self, lines: Lines, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
+    ) -> Blocks:
+        """Outputs of the schedule of the elastic lines."""
+        return evaluate(lines.numbers, lines.schedule, self.inertial(rows, a, base, wrenches), rows.count)
 
     @cached_property
     def rotor_inertias(self) -> Array:

@@ -106,4 +106,8 @@ def structure(of: Mechanism | ClosedLoop) -> object:
     if isinstance(of, Mechanism):
         return of
     nodes = tuple((part.hinge, part.drive, part.link and part.link.kernels) for part in of.parts.nodes)
-    return nodes, tuple((drive.servo, drive.winding) for drive in of.plan.drives), of.parts.numbers.size
+    return (
+        nodes,
+        tuple((drive.servo and drive.servo.key, drive.winding) for drive in of.plan.drives),
+        of.parts.numbers.size,
+    )

@@ -106,7 +106,7 @@ def initial_value(arm: Robot, joint: str) -> float:
         if name in info:
             return info[name]
     sheet = next((drive for drive in arm.drives if drive.joint == joint), None)
-    if sheet and sheet.command in (Command.POSITION, Command.PRESCRIBED):
+    if sheet and sheet.command.is_motion:
         return float(sheet.signal.schedule(arm.integration.duration).at(0.0))
     return 0.0
 
@@ -115,18 +115,18 @@ def _drive(
     arm: Robot, joint: Joint, index: int, sheet: DriveSheet | None, signals: _Signals, follow: Follow
 ) -> DrivePlan:
     winding, numbers = _winding(joint.motor)
-    command = sheet.command if sheet else Command.PRESCRIBED
-    exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command is Command.POSITION)
     if sheet is None or follow is Follow.HELD:
         held = Constant(type="constant", value=initial_value(arm, joint.name))
-        return DrivePlan(joint.name, signals.add(held, "initial"), None, winding, (0.0, 0.0, *numbers))
+        return DrivePlan(joint.name, signals.add(held, "initial"), None, winding, numbers)
+    command = sheet.command
+    exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command.is_motion)
     signal = signals.add(sheet.signal, f"drives.{index}.signal")
     if exact:
-        return DrivePlan(joint.name, signal, None, winding, (0.0, 0.0, *numbers))
-    gains = (sheet.controller.position_gain, sheet.controller.velocity_gain) if sheet.controller else (0.0, 0.0)
-    driven = winding is not Winding.NONE and command in (Command.POSITION, Command.VOLTAGE)
-    servo = Servo(controlled=command is Command.POSITION, driven=driven, winding=winding)
-    return DrivePlan(joint.name, signal, servo, winding, (*gains, *numbers))
+        return DrivePlan(joint.name, signal, None, winding, numbers)
+    noise = signals.add(sheet.noise, f"drives.{index}.noise") if sheet.noise else -1
+    driven = winding is not Winding.NONE and (command.is_controlled or command is Command.VOLTAGE)
+    servo = Servo(sheet.controller, driven=driven, winding=winding, noisy=noise >= 0)
+    return DrivePlan(joint.name, signal, servo, winding, servo.numbers(numbers), noise)
 
 
 def _kind(joint: Joint, plan: DrivePlan) -> Drive:

@@ -2,8 +2,8 @@
 
 import type { LiveBundle, SceneContact } from "../contract";
 import type { Numbers } from "../pack";
-import type { LoadsInfo } from "./arm_loads";
-import type { LoadInfo } from "./arm_wrench";
+import type { LoadsInfo } from "./loads";
+import type { LoadInfo } from "./wrench";
 import type { Layout } from "./engine";
 
 /** Numbers of a run as functions of its knobs, as tmodes/live/forms.py finds them. */
@@ -34,49 +34,6 @@ export interface Place {
 
 export type SheetPart = string | { header: string } | { parts: (string | Place)[]; optional: number };
 
-/** What both kinds of bundles hold. */
-export interface Bundle extends LiveBundle {
-  leftOut: { path: string; reason: string }[];
-  map: MapInfo;
-  module: Numbers;
-  layout: Layout;
-  settings: {
-    method: string;
-    duration: number;
-    step: number;
-    maxSteps: number;
-    relativeTolerance: number;
-    absoluteTolerance: number;
-    note: string;
-  };
-  times: Numbers;
-  frames: Numbers;
-  stations: Numbers;
-  sheet: SheetPart[];
-}
-
-/** Of the 2010 robot: `free` are the deformations that can move, `basis` [6, 5] takes them to coordinates. */
-export interface RobotBundle extends Bundle {
-  kind: "robot";
-  contact: boolean;
-  free: number[];
-  basis: Numbers;
-  lengths: number[];
-  /** Shares of the move between which the wanted motion keeps its speed: what a spectrum is of. */
-  steady: [number, number];
-  modes: RobotModes;
-}
-
-/**
- * Cases of its motor with the directions that are free in them [6, m]; how the undeformed robot turns [6]; springs as
- * rows of the coordinates [6] and the names of their numbers (k, or 3 EI and l).
- */
-export interface RobotModes {
-  cases: { name: string; columns: Numbers }[];
-  turn: number[];
-  springs: { element: string; row: number[]; stiffness: string; length: string }[];
-}
-
 /** Samples that are shown in space, of a run of so many: its last one, wherever it broke off, among them. */
 export function framesOf(bundle: Bundle, count: number): number[] {
   const frames = Array.from(bundle.frames.data).filter((frame) => frame < count);
@@ -96,7 +53,7 @@ export interface Affine {
 }
 
 /** How one run of an arm starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
-export interface ArmRunInfo {
+export interface RunInfo {
   state: { q: [number, number]; v: [number, number]; currents: [number, number]; works: [number, number] };
   start: Numbers;
   info: number[];
@@ -104,10 +61,26 @@ export interface ArmRunInfo {
   signals: number;
 }
 
-/** Of an arm; `links` are those of its scene: at which of the picture's points each begins, a rigid one's far end. */
-export interface ArmBundle extends Bundle {
-  kind: "arm";
-  runs: { reference?: ArmRunInfo; real: ArmRunInfo };
+/** All of it; `links` are those of the scene: at which of the picture's points each begins, a rigid one's far end. */
+export interface Bundle extends LiveBundle {
+  leftOut: { path: string; reason: string }[];
+  map: MapInfo;
+  module: Numbers;
+  layout: Layout;
+  settings: {
+    method: string;
+    duration: number;
+    step: number;
+    maxSteps: number;
+    relativeTolerance: number;
+    absoluteTolerance: number;
+    note: string;
+  };
+  times: Numbers;
+  frames: Numbers;
+  stations: Numbers;
+  sheet: SheetPart[];
+  runs: { reference?: RunInfo; real: RunInfo };
   restSize: number;
   atRest: boolean;
   base: Numbers;
@@ -128,7 +101,7 @@ export interface ArmBundle extends Bundle {
   touch: Surface | null;
   /** The coordinates that give way, the linear map [n, n] to gross motion, and the row of a base under weight. */
   split: { free: number[]; gross: Numbers; weight: Numbers };
-  modes: ArmModes | null;
+  modes: ModesInfo | null;
   /** Why there are no modes. */
   noModes: string;
 }
@@ -144,7 +117,7 @@ export interface Surface {
 }
 
 /** The rest about which modes are reported, the row of a base under weight, and by case the coordinates that move. */
-export interface ArmModes {
+export interface ModesInfo {
   rest: Numbers;
   /** The coordinates that weight and loads move there; others are driven. */
   free: number[];

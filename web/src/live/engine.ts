@@ -6,7 +6,6 @@ import { EngineError, expect, known } from "./engine_error";
 /** What tmodes/live/module.py reports of a module. */
 export interface Layout {
   format: number;
-  kind: "robot" | "arm";
   cells: string[];
   options: string[];
   arguments: string[];

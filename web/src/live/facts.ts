@@ -1,4 +1,4 @@
-// Headline numbers of a run in the page, by the ids and words of tmodes/report/facts.py and robot_facts.py.
+// Headline numbers of a run in the page, by the ids and words of tmodes/report/facts.py.
 
 import type { LiveRun } from "../contract_parts";
 import { digits, info } from "../format";
@@ -52,7 +52,7 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
 
 function settling(times: Float64Array, deviation: Float64Array, moveEnd: number | null): Facts[string] {
   const unseen = (why: string): Facts[string] => ({ value: null, note: `not seen: ${why}` });
-  if (moveEnd === null) return unseen("what moves the arm changes up to the end of the run");
+  if (moveEnd === null) return unseen("what moves the robot changes up to the end of the run");
   const end = times[times.length - 1];
   if (end <= moveEnd * (1 + 1e-9)) {
     const when = `the run ends at ${figures(end, 6)} s, the move at ${figures(moveEnd, 6)} s`;
@@ -115,10 +115,4 @@ export function energyFacts(series: SeriesOf, count: number): Facts {
   const residual = Math.abs(series.energy_balance.data[worst(series.energy_balance.data.subarray(0, count))]);
   const note = moved ? `worst residual, ${info(residual, "J")}, over ${info(moved, "J")} moved` : "nothing moved";
   return { "energy.residual": { value: moved ? residual / moved : null, note } };
-}
-
-/** The value of largest size of a series, and when. */
-export function largestFact(times: Float64Array, values: Float64Array, width = 1): Facts[string] {
-  const k = worst(values);
-  return { value: Math.abs(values[k]), note: `at ${figures(times[Math.floor(k / width)])} s` };
 }

@@ -1,4 +1,4 @@
-// Which damped motion is which undamped mode: as tmodes/analysis/modes.py and arm_modes.py pair them.
+// Which damped motion is which undamped mode: as tmodes/analysis/modes/ pairs them.
 
 import type { Motions, Undamped } from "./eigen";
 
@@ -51,26 +51,7 @@ function kinds({ values, count }: Motions): { rings: boolean[]; stands: boolean[
   };
 }
 
-/** Of the 2010 robot: the most alike first, ringing ones before those that do not; of these the slowest first. */
-export function greedyPartners(alike: Float64Array, motions: Motions, n: number): number[] {
-  const { count, values } = motions;
-  const { rings, stands } = kinds(motions);
-  const partners = new Array<number>(n).fill(-1);
-  const open = () => partners.flatMap((partner, i) => (partner < 0 ? [i] : []));
-  const best = (pairs: [number, number][]) =>
-    pairs.reduce((a, b) => (alike[b[0] * count + b[1]] > alike[a[0] * count + a[1]] ? b : a));
-  const left = new Set(rings.flatMap((ring, k) => (ring ? [k] : [])));
-  while (left.size && open().length) {
-    const [i, k] = best(open().flatMap((one) => [...left].map((m): [number, number] => [one, m])));
-    partners[i] = k;
-    left.delete(k);
-  }
-  const slowest = stands.flatMap((stand, k) => (stand ? [k] : [])).sort((a, b) => values.re[b] - values.re[a]);
-  for (const k of slowest.slice(0, open().length)) partners[best(open().map((i) => [i, k]))[0]] = k;
-  return partners;
-}
-
-/** Of arms: each motion once, so that all together are as alike as can be, ringing ones and slow ones before others. */
+/** Each motion once, so that all pairs together are as alike as possible; oscillating and slow ones before others. */
 export function bestPartners(alike: Float64Array, motions: Motions, n: number): number[] {
   const { count, values } = motions;
   const { rings, stands } = kinds(motions);

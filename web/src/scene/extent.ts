@@ -1,7 +1,7 @@
 // How large a scene is: the box about all that moves in all runs, and the sizes that follow from it.
 import { Box3, Vector3 } from "three";
 import type { Page } from "../contract";
-import type { Widths } from "./robot";
+import type { Widths } from "./links";
 import { round125 } from "./units";
 
 export interface Extent extends Widths {

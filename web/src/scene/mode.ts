@@ -2,7 +2,7 @@
 import { Group } from "three";
 import type { Mode, Scene } from "../contract";
 import { Motion } from "./motion";
-import { RobotView } from "./robot";
+import { RobotView } from "./links";
 import type { Shared } from "./run";
 import { turnAlong } from "./turn";
 

@@ -5,7 +5,7 @@ import type { Extent } from "./extent";
 import { Arrow, surfaceMesh, Trace } from "./marks";
 import type { Arrays, Motion } from "./motion";
 import type { Palette } from "./palette";
-import { RobotView, type Body, type Look } from "./robot";
+import { RobotView, type Body, type Look } from "./links";
 import type { Settings } from "./settings";
 import { paints, ShownRun, type Range } from "./shown";
 

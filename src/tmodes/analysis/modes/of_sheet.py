@@ -108,7 +108,7 @@ def servos_of(arm: Robot, model: Model) -> dict[str, Servo]:
     for drive in arm.drives:
         names = [name for name in (f"{drive.joint}.motor", drive.joint) if name in model.coordinates]
         if drive.controller and names:
-            gains = drive.controller.position_gain, drive.controller.velocity_gain
+            gains = drive.controller.local_gains()
             found[names[0]] = _servo(motors.get(drive.joint), *gains)
     return found
 

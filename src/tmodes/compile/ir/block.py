@@ -60,7 +60,7 @@ def write_main(
 ) -> Any:
     """The private function ``name(workspace)`` of a schedule: all its calls, to kernels of other libraries, or none.
 
-    ``offset`` tells where a block begins; by default it is the schedule's own. Of a schedule that is unrolled, as none
+    ``offset`` says where a block begins; by default it is the schedule's own. Of a schedule that is unrolled, as none
     with other offsets is, :func:`call_prepare` must be called for new parameters.
     """
     if offset is None and arithmetic.unrolls and pays(schedule):
@@ -136,7 +136,7 @@ class ScheduleRate:
     """A schedule as the right-hand side of the time loops: the counterpart of :class:`tmodes.compile.ir.lower.Lowered`.
 
     ``step_offset``: where in the held memory the length of an implicit step is put; ``gate_offset``: where two numbers
-    stand that are both positive while a force acts that sets in and ends; None where there is none. ``call_from``: as
+    stand that are both positive while a force acts that starts and ends; None where there is none. ``call_from``: as
     ``call`` with one more pointer after the state, to the coordinates and rates that springs start from.
     """
 
@@ -174,7 +174,7 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
 
 
 def _write_call(module: Any, schedule: Any, main: Any, name: str, taken: tuple[str, ...]) -> Any:
-    """The private function ``name(time, taken..., held, out)``; springs start from the state where nothing is told."""
+    """The private function ``name(time, taken..., held, out)``; springs start from the state where nothing is given."""
     kinds = [("time", F64), *((label, POINTER) for label in (*taken, "held", "out"))]
     call = declare(module, name, VOID, kinds, private=True)
     call.attributes.add("noinline")

@@ -1,4 +1,4 @@
-"""Native kernels of values, slopes and weights, each ``kernel(values, slopes, row)``: a row tells where its blocks are.
+"""Native kernels of values, slopes and weights, each ``kernel(values, slopes, row)``: a row says where its blocks are.
 
 Slopes may be ``lanes`` wide, values never: what depends on no slope is computed once for all directions.
 """

@@ -34,7 +34,7 @@ def library(
 ) -> Library:
     """The functions of one module: as loaded before, from the cache, or written, optimised and kept.
 
-    Without a ``level`` what is written tells it.
+    Without a ``level`` it follows from what is written.
     """
     key = f"{name}\n{key}\n{host()}\n{cache.source_digest()}"
     if key not in _loaded:
@@ -164,5 +164,5 @@ def native_functions(name: str, write: Callable[[], Any], functions: dict[str, i
 
 
 def row_function(symbol: str, write: Callable[[], tuple[Any, int]]) -> Library:
-    """One function ``symbol(values, slopes, row)``; ``write`` gives its module and the level, ``symbol`` tells all."""
+    """One function ``symbol(values, slopes, row)``; ``write`` gives its module and the level."""
     return library(symbol, symbol, write, {symbol: 3})

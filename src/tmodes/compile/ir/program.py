@@ -95,7 +95,7 @@ def _is_fixed(program: Program, instruction: Instruction) -> bool:
 
 
 def _instruction(function: ca.Function, k: int, registers: dict[int, int]) -> Instruction:
-    """Instruction ``k`` of a function, which is no output; ``registers`` tells which value each register holds."""
+    """Instruction ``k`` of a function, which is no output; ``registers`` says which value each register holds."""
     operation, reads = function.instruction_id(k), function.instruction_input(k)
     if operation == ca.OP_CONST:
         return Instruction("constant", value=function.instruction_constant(k))

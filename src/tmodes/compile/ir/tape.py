@@ -116,7 +116,7 @@ class Tape:
         """Carry weights of the outputs to what is ``wanted``; where ``kept`` is set they add to what stands there.
 
         The outputs' weights stand behind the workspace, all others at the places of their values. ``settled``: True,
-        the weights of what settled calls gave are carried on; False, they are gathered, beside those ``kept``.
+        the weights of what settled calls gave are carried on; False, they are gathered, with those ``kept``.
         """
         table, depends = Table(), self._dependence(wanted)
         known = kept | (self._given(settled=True) if settled is not None else False)

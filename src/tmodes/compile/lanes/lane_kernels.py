@@ -15,7 +15,7 @@ __all__ = ["schedule_lane_loops", "time_lane_loops"]
 def time_lane_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Library:
     """The explicit loops of :func:`tmodes.compile.loops.loops.time_loops` over runs side by side.
 
-    ``NAME.work`` tells how many numbers the loop ``NAME`` works on.
+    ``NAME.work`` says how many numbers the loop ``NAME`` works on.
     """
 
     def write() -> Any:

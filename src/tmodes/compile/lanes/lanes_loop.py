@@ -39,7 +39,7 @@ LANE_ARGUMENTS = (
 """Arguments of a loop, in order; the last three are int64, the others point to doubles.
 
 Of ``memory``, ``y``, ``k1``, ``p`` and ``segments`` the numbers of the lanes stand side by side; ``knots`` and ``rows``
-of a lane begin a stride after those of the lane before; ``out`` is (runs, samples, size), where ``places`` tells which
+of a lane begin a stride after those of the lane before; ``out`` is (runs, samples, size), where ``places`` says which
 run is whose.
 """
 
@@ -77,7 +77,7 @@ class LanesLoop:
         return self.builder.alloca(self.lanes.kind, name=label)
 
     def _lay_out(self, scratch_arrays: Sequence[str]) -> None:
-        """The arrays inside ``work``; an exported function ``NAME.work`` tells how many numbers they need."""
+        """The arrays inside ``work``; an exported function ``NAME.work`` says how many numbers they need."""
         sizes = {"held": self.rate.held_size, "row": self.rate.row, "shown": self.size}
         sizes |= dict.fromkeys(scratch_arrays, self.size)
         self.array, start = {"y": self.argument["y"], "k1": self.argument["k1"]}, 0

@@ -51,7 +51,7 @@ class Layout:
         return [self._block(slot) for slot in slots if slot.region == "changing" and slot.size]
 
     def _pack(self, schedule: Any) -> None:
-        """Room for each block from the call that writes it to the last that reads it; what is told stays to the end."""
+        """Room for each block from the call that writes it to the last that reads it; outputs stay to the end."""
         last: dict[int, int] = {}
         for index, (_, inputs, outputs) in enumerate(schedule.calls):
             last |= dict.fromkeys(self._blocks((*inputs, *outputs)), index)
@@ -79,7 +79,7 @@ class Layout:
         self._end += size
 
     def _give_back(self, block: int) -> None:
-        """Free the room of a block, joined with the free room beside it."""
+        """Free the room of a block, joined with the free room next to it."""
         self._free = sorted([*self._free, (self._places[block], self._sizes[block])])
         joined = self._free[:1]
         for start, room in self._free[1:]:

@@ -1,6 +1,6 @@
 """As many lanes as a vector of this processor holds: eight doubles where it has AVX-512, else four.
 
-What a lane computes does not depend on how many stand beside it.
+What a lane computes does not depend on how many are next to it.
 """
 
 from __future__ import annotations

@@ -33,7 +33,7 @@ _METHOD = ExplicitMethod(_CONTROL, _STIFFNESS, _END)
 
 
 def write_dop853_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
-    """Write the loop: steps end exactly on the knots, where the first stage is taken anew."""
+    """Write the loop: steps end exactly on the knots, where the first stage is evaluated again."""
     loop = TimeLoop(module, name, lowered, (*_K[1:], "probe", "new", "local", "between"), guarded)
     gate, step = _METHOD.begin(loop, lowered.gate_offset)
     time, h = step.time, step.h
@@ -80,7 +80,7 @@ def _with_dense_error(loop: TimeLoop, error: Any, time: Any, h: Any, time_after:
     """The larger of the step's error and, where a sample lies in it, that of the polynomial between its ends.
 
     Takes the stages of the polynomial. Fast motions that are stable but not followed (step times eigenvalue near the
-    limit) leave the ends of a step untouched and not what lies between; its last term tells.
+    limit) leave the ends of a step untouched and not what lies between; its last term shows it.
     """
     b: Any = loop.builder
     worst = loop.local("worst")

@@ -51,7 +51,7 @@ STAGES = tuple(f"k{i}" for i in range(1, 8))
 
 
 def write_dormand_prince_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
-    """Write the loop: steps end exactly on the knots, where the first stage is taken anew."""
+    """Write the loop: steps end exactly on the knots, where the first stage is evaluated again."""
     loop = TimeLoop(module, name, lowered, (*STAGES[1:], "probe", "new", "local"), guarded)
     gate, step = _METHOD.begin(loop, lowered.gate_offset)
     time, h = step.time, step.h

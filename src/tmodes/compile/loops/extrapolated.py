@@ -32,7 +32,7 @@ class Extrapolated:
     """Places of a step."""
 
     inputs = ("step", "start")
-    """What the evaluation takes beside time, state and row."""
+    """What the evaluation takes besides time, state and row."""
 
     @cached_property
     def a(self) -> Array:
@@ -66,7 +66,7 @@ class Extrapolated:
         return np.full(len(evaluations), self.stages)
 
     def weighted(self, used: Counts, places: SamplePlaces) -> tuple[Counts, Array]:
-        """Places of each step, and weights (n, stages) of them in samples; the start counts once more than told."""
+        """Places of each step, and weights (n, stages) of them in samples; the start counts once more than listed."""
         weights = _dense(places.share - 1.0) @ _terms(self.b)
         weights[:, 0] -= 1.0
         return used, weights

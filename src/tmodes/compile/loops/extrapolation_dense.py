@@ -13,7 +13,7 @@ import numpy as np
 from llvmlite import ir
 
 from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
-from tmodes.compile.loops.extrapolation_rows import RowsBeside, constants
+from tmodes.compile.loops.extrapolation_rows import PairedRows, constants
 from tmodes.compile.loops.tableau import difference_weights, spread_weights
 from tmodes.compile.loops.time_loop import TimeLoop
 
@@ -23,8 +23,8 @@ __all__ = ["DenseOutput"]
 class DenseOutput:
     """Gives the motion between both ends of a step, by the states of all rows."""
 
-    def __init__(self, loop: TimeLoop, beside: RowsBeside) -> None:
-        self.loop, self.beside, self.rows, self.b = loop, beside, beside.rows, loop.builder
+    def __init__(self, loop: TimeLoop, paired: PairedRows) -> None:
+        self.loop, self.paired, self.rows, self.b = loop, paired, paired.rows, loop.builder
         with self.b.goto_entry_block():
             self.terms = self.b.alloca(F64, size=whole((self.rows + 1) * loop.size), name="terms")
         lines = [spread_weights(difference_weights(self.rows, order), self.rows) for order in range(1, self.rows)]
@@ -48,7 +48,7 @@ class DenseOutput:
             b.store(b.fsub(load(b, self.loop.array[start], i), load(b, self.loop.array[end], i)), missing)
             with counted(b, self.rows - 1, "order") as k:
                 order = b.add(k, whole(1))
-                total = self.beside.weighted(self.table, k, i)
+                total = self.paired.weighted(self.table, k, i)
                 store(b, total, self.terms, b.add(b.mul(order, whole(n)), i))
                 b.store(b.fsub(b.load(missing, typ=F64), b.fmul(self._sign(order), total)), missing)
             last = b.fmul(self._sign(whole(self.rows)), b.load(missing, typ=F64))

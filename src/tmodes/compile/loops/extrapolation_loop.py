@@ -12,7 +12,7 @@ from typing import Any
 
 from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
 from tmodes.compile.loops.extrapolation_dense import DenseOutput
-from tmodes.compile.loops.extrapolation_rows import RowsBeside, constants
+from tmodes.compile.loops.extrapolation_rows import PairedRows, constants
 from tmodes.compile.loops.gate import Gate
 from tmodes.compile.loops.motion_norm import MotionNorm
 from tmodes.compile.loops.rows_rate import RowsRate
@@ -48,9 +48,9 @@ class _Writer:
 
     def __init__(self, loop: TimeLoop, rate: RowsRate, pairs: int) -> None:
         self.loop, self.b = loop, loop.builder
-        self.beside = RowsBeside(loop, rate, pairs, ROWS)
+        self.paired = PairedRows(loop, rate, pairs, ROWS)
         self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop, rate.gate_offset)
-        self.dense = DenseOutput(loop, self.beside)
+        self.dense = DenseOutput(loop, self.paired)
         steady, limit = steady_weights(), limit_weights(ROWS)
         weights = {"new": steady, "apart": {row: steady[row] - limit[row] for row in limit}}
         self.tables = {label: self._table(label, info) for label, info in weights.items()}
@@ -67,10 +67,10 @@ class _Writer:
             loop.put("h", loop.intrinsic("minnum", number(_FIRST_STEP), b.fsub(loop.knot(1), loop.knot(0))))
         time, wanted = loop.get("t"), loop.get("h")
         h, last, time_after = loop.step_until(loop.knot(1))
-        self.beside.take(time, h)
+        self.paired.take(time, h)
         with counted(b, loop.size, "combined") as i:
             for label, table in self.tables.items():
-                store(b, self.beside.weighted(table, whole(0), i), loop.array[label], i)
+                store(b, self.paired.weighted(table, whole(0), i), loop.array[label], i)
         error = self.norm.of_error(lambda i: load(b, loop.array["apart"], i), "new", "y", h)
         loop.add("done", 1.0)
         error = b.fmul(error, number(_CAUTION))

@@ -21,7 +21,7 @@ from tmodes.compile.loops.rows_rate import RowsRate
 from tmodes.compile.loops.tableau import LANES, passes_of, schedule_of
 from tmodes.compile.loops.time_loop import TimeLoop
 
-__all__ = ["RowsBeside", "constants"]
+__all__ = ["PairedRows", "constants"]
 
 _LINE = 64
 
@@ -36,7 +36,7 @@ def constants(loop: TimeLoop, name: str, numbers: ArrayLike) -> Any:
     return loop.builder.bitcast(table, POINTER)
 
 
-class RowsBeside:
+class PairedRows:
     """Takes all steps of a tableau and keeps their states.
 
     Slot 0 of what is kept holds the start in all lanes, slot p + 1 the states after pass p.
@@ -85,9 +85,9 @@ class RowsBeside:
         b, n = self.b, self.pairs
         moved, start = (at(b, self.loop.held, offset) for offset in (self.rate.state_offset, self.rate.start_offset))
         with counted(b, n, "expect") as i:
-            beside = b.add(i, whole(n))
-            place, rate = (self._begun(p, k, begins) for k in (i, beside))
-            self._put([(moved, beside), (start, beside)], rate)
+            paired = b.add(i, whole(n))
+            place, rate = (self._begun(p, k, begins) for k in (i, paired))
+            self._put([(moved, paired), (start, paired)], rate)
             self._put([(moved, i), (start, i)], b.fadd(place, b.fmul(step, rate)))
         with counted(b, self.loop.size - 2 * n, "others") as i:
             other = b.add(i, whole(2 * n))
@@ -110,8 +110,8 @@ class RowsBeside:
             return value
 
         with counted(b, n, "pair") as i:
-            beside = b.add(i, whole(n))
-            moved(i, moved(beside, self._at(self.slope, beside)))
+            paired = b.add(i, whole(n))
+            moved(i, moved(paired, self._at(self.slope, paired)))
         with counted(b, self.loop.size - 2 * n, "rest") as i:
             other = b.add(i, whole(2 * n))
             moved(other, self._at(self.slope, other))

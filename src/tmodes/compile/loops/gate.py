@@ -1,4 +1,4 @@
-"""Where a force sets in or ends within a step: a step that changes the state of a gate is shortened onto the change.
+"""Where a force starts or ends within a step: a step that changes the state of a gate is shortened onto the change.
 
 A gate is open while both of its numbers are positive: the depth of a point inside a surface, and the push of spring and
 damper. A smooth method that steps over the change would not see it, or see it too late, and its error estimate neither.

@@ -29,7 +29,7 @@ class ImplicitStep:
         self.loop, self.rate, self.pairs, self.b = loop, rate, pairs, loop.builder
 
     def evaluate(self, time: Any, h: Any, into: str) -> None:
-        """Rates at ``ahead`` of springs that start from ``start``, with h D + h^2 K beside the masses."""
+        """Rates at ``ahead`` of springs that start from ``start``, with h D + h^2 K added to the masses."""
         loop, b = self.loop, self.b
         store(b, h, loop.held, self.rate.step_offset)
         states = [loop.array["ahead"], loop.array["start"]]
@@ -41,9 +41,9 @@ class ImplicitStep:
         """``state`` moved on by h with its accelerations; coordinates follow the new rates."""
         b, n, x, found = self.b, self.pairs, self.loop.array[state], self.loop.array[slope]
         with counted(b, n, "pair") as i:
-            beside = b.add(i, whole(n))
-            rate = b.fadd(load(b, x, beside), b.fmul(h, load(b, found, beside)))
-            store(b, rate, x, beside)
+            paired = b.add(i, whole(n))
+            rate = b.fadd(load(b, x, paired), b.fmul(h, load(b, found, paired)))
+            store(b, rate, x, paired)
             store(b, b.fadd(load(b, x, i), b.fmul(h, rate)), x, i)
         with counted(b, self.loop.size - 2 * n, "rest") as i:
             place = b.add(i, whole(2 * n))

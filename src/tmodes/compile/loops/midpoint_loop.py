@@ -4,7 +4,7 @@ a = acceleration at (q + q+)/2, (v + v+)/2; v+ = v + h a, q+ = q + h (v + v+)/2:
 damping of its own; quadratic energies of a linear arm are kept exactly, others without drift, as time can be reversed
 (E. Hairer, C. Lubich, G. Wanner, Geometric Numerical Integration, sections II.1, XI.3). A step is solved by iterating
 the recursion: geometry where the last iteration put the middle, springs and dampers from the step's start with
-h D/2 + h^2 K/4 beside the masses, so that stiffness does not hold back the iteration.
+h D/2 + h^2 K/4 added to the masses, so that stiffness does not hold back the iteration.
 """
 
 from __future__ import annotations
@@ -79,12 +79,12 @@ class _Middle:
         b, n, array = self.b, self.pairs, self.loop.array
         self.loop.copy("ahead", "y")
         with counted(b, n, "pair") as i:
-            beside = b.add(i, whole(n))
-            rate = load(b, array["y"], beside)
+            paired = b.add(i, whole(n))
+            rate = load(b, array["y"], paired)
             moved = b.fadd(load(b, array["y"], i), b.fmul(half, rate))
             store(b, moved, array["ahead"], i)
             store(b, moved, array["start"], i)
-            store(b, rate, array["start"], beside)
+            store(b, rate, array["start"], paired)
 
     def _put_middle(self, half: Any) -> None:
         """The middle by the rates found: the coordinates follow its own rates."""
@@ -96,9 +96,9 @@ def _move(loop: TimeLoop, pairs: int, time: Any, place: Any) -> None:
     """``y`` moved on by ``time`` with the accelerations of the step, written to an address."""
     b, y, slope = loop.builder, loop.array["y"], loop.array["slope"]
     with counted(b, pairs, "move") as i:
-        beside = b.add(i, whole(pairs))
-        rate, change = load(b, y, beside), b.fmul(time, load(b, slope, beside))
-        store(b, b.fadd(rate, change), place, beside)
+        paired = b.add(i, whole(pairs))
+        rate, change = load(b, y, paired), b.fmul(time, load(b, slope, paired))
+        store(b, b.fadd(rate, change), place, paired)
         mean = b.fadd(rate, b.fmul(number(0.5), change))
         store(b, b.fadd(load(b, y, i), b.fmul(time, mean)), place, i)
     with counted(b, loop.size - 2 * pairs, "rest") as i:

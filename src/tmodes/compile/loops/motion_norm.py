@@ -35,11 +35,11 @@ class MotionNorm:
         b, n, rest = self.b, self.pairs, self.loop.size - 2 * self.pairs
         b.store(number(0.0), self.total)
         with counted(b, n, "pair") as i:
-            beside = b.add(i, whole(n))
+            paired = b.add(i, whole(n))
             scale = self._scale(self._size(i, one, before))
             self._add(b.fdiv(error(i), scale))
-            rate = error(beside)
-            shares = [b.fdiv(b.fmul(h, rate), scale), b.fdiv(rate, self._scale(self._size(beside, one, before)))]
+            rate = error(paired)
+            shares = [b.fdiv(b.fmul(h, rate), scale), b.fdiv(rate, self._scale(self._size(paired, one, before)))]
             self._add(self.loop.intrinsic("minnum", *(self.loop.intrinsic("fabs", share) for share in shares)))
         b.store(number(0.0), self.largest)
         with counted(b, rest, "size") as i:

@@ -1,6 +1,6 @@
 """The exact Jacobian of a schedule's rates, column by column in native code, by forward differentiation of its kernels.
 
-Every number of the workspace stands beside its derivative; a column is one pass with the direction of one state.
+Every number of the workspace is next to its derivative; a column is one pass with the direction of one state.
 """
 
 from __future__ import annotations

@@ -16,7 +16,7 @@ _AT_ONCE = 8
 
 
 def spread_parameters(b: Any, source: Any, workspace: Any, size: int, width: int, *, same: bool = False) -> None:
-    """Parameters at the start of the workspace; beside each, its copies (``same``) or derivatives, which are zero."""
+    """Parameters at the start of the workspace; next to each, its copies (``same``) or derivatives, which are zero."""
     with counted(b, size, "parameter") as k:
         place, value = b.mul(k, whole(width)), load(b, source, k)
         store(b, value, workspace, place)
@@ -34,20 +34,20 @@ def copy_rows(b: Any, rows: Any, workspace: Any, blocks: list[tuple[int, int]], 
     first = 0
     if width == 1:
         for offset, size in blocks:
-            beside, place = at(b, rows, first), at(b, workspace, offset)
-            source, target = (beside, place) if into else (place, beside)
+            paired, place = at(b, rows, first), at(b, workspace, offset)
+            source, target = (paired, place) if into else (place, paired)
             _copy_block(b, source, target, size)
             first += size
         return
     for offset, size in blocks:
         with counted(b, size, "block") as k:
             for lane in range(width):
-                beside = b.add(k, whole(lane * length + first))
+                paired = b.add(k, whole(lane * length + first))
                 place = b.add(b.mul(k, whole(width)), whole(offset * width + lane))
                 if into:
-                    store(b, load(b, rows, beside), workspace, place)
+                    store(b, load(b, rows, paired), workspace, place)
                 else:
-                    store(b, load(b, workspace, place), rows, beside)
+                    store(b, load(b, workspace, place), rows, paired)
         first += size
 
 
@@ -79,8 +79,8 @@ def _copy_by_table(b: Any, rows: Any, workspace: Any, blocks: list[tuple[int, in
     with counted(b, len(places), "number") as k:
         place = b.sext(b.load(b.gep(table, [k], source_etype=I32), typ=I32), I64)
         for lane in range(width):
-            beside, there = b.add(k, whole(lane * len(places))), b.add(place, whole(lane))
+            paired, there = b.add(k, whole(lane * len(places))), b.add(place, whole(lane))
             if into:
-                store(b, load(b, rows, beside), workspace, there)
+                store(b, load(b, rows, paired), workspace, there)
             else:
-                store(b, load(b, workspace, there), rows, beside)
+                store(b, load(b, workspace, there), rows, paired)

@@ -40,7 +40,7 @@ class RungeKutta:
     own: int
     dense: Callable[[Array], Array]
     inputs = ()
-    """What the evaluation takes beside time, state and row: nothing."""
+    """What the evaluation takes besides time, state and row: nothing."""
 
     @property
     def stages(self) -> int:

@@ -18,7 +18,7 @@ __all__ = ["StepControl", "add_local_errors", "first_stage", "mean_square", "pow
 
 @dataclass(frozen=True)
 class StepControl:
-    """How the error of a step tells the length of the next: factor = safety old^beta / error^(1/order - 3/4 beta).
+    """How the error of a step gives the length of the next: factor = safety old^beta / error^(1/order - 3/4 beta).
 
     The factor stays between ``smallest`` and ``largest``; ``damping``: what beta takes from the exponent.
     """

@@ -1,6 +1,6 @@
 """Stiffness seen during a run: explicit steps that are held back by stability, no longer by their error.
 
-The last two stages of a step lie at the same time; the difference of their slopes over that of their states tells the
+The last two stages of a step lie at the same time; the difference of their slopes over that of their states gives the
 largest |eigenvalue| of the motion, about. Where step times eigenvalue stands at the method's limit, step after step,
 the motion is stiff: E. Hairer, G. Wanner, Solving Ordinary Differential Equations II, section IV.2. A fast vibration
 that hardly decays has imaginary eigenvalues, where the limit may be far lower; but steps that stand there may follow

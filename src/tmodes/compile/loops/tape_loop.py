@@ -1,4 +1,4 @@
-"""The native loop that runs a table of rows, and the small operations that a table needs beside kernels."""
+"""The native loop that runs a table of rows, and the small operations that a table needs besides kernels."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """What every native time loop shares: its arguments, its memory between calls, and its written samples.
 
-A loop runs until all samples are written, the run fails, or ``chunk`` steps are done; called again it goes on from its
+A loop runs until all samples are written, the run fails, or ``chunk`` steps are done; called again it resumes from its
 memory as if it had never stopped, so progress, interruption and checkpoints change no bit of the result.
 """
 

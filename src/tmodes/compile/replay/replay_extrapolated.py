@@ -27,7 +27,7 @@ def extrapolated_loops() -> Library:
 class _Extrapolated(ReplayLoop):
     """Places are the states of a step: 0 its start, then row by row those after each Euler step.
 
-    ``a`` tells the row of a place and the place before it, ``b`` the share of each place in the end of a step, ``c``
+    ``a`` gives the row of a place and the place before it, ``b`` the share of each place in the end of a step, ``c``
     the time of a place as a share of the step.
     """
 
@@ -57,21 +57,21 @@ class _Extrapolated(ReplayLoop):
         pairs = b.mul(self.n["pairs"], lanes)
         self.copy(state, source, b.mul(self.n["size"], lanes))
         with counted(b, pairs, "ahead") as i:
-            beside = b.add(i, pairs)
-            rate = load(b, source, beside)
+            paired = b.add(i, pairs)
+            rate = load(b, source, paired)
             moved = b.fadd(load(b, source, i), b.fmul(part, rate))
             store(b, moved, state, i)
             store(b, moved, start, i)
-            store(b, rate, start, beside)
+            store(b, rate, start, paired)
 
     def move(self, target: Any, source: Any, rates: Any, part: Any, lanes: Any) -> None:
         """A state moved on by ``part``, or slopes of one."""
         b = self.b
         pairs, size = (b.mul(self.n[label], lanes) for label in ("pairs", "size"))
         with counted(b, pairs, "pair") as i:
-            beside = b.add(i, pairs)
-            rate = b.fadd(load(b, source, beside), b.fmul(part, load(b, rates, beside)))
-            store(b, rate, target, beside)
+            paired = b.add(i, pairs)
+            rate = b.fadd(load(b, source, paired), b.fmul(part, load(b, rates, paired)))
+            store(b, rate, target, paired)
             store(b, b.fadd(load(b, source, i), b.fmul(part, rate)), target, i)
         twice = b.add(pairs, pairs)
         with counted(b, b.sub(size, twice), "rest") as i:

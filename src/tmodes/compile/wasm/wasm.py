@@ -24,7 +24,7 @@ TRIPLE = "wasm32-unknown-unknown"
 
 @dataclass(frozen=True)
 class Part:
-    """Code of one module of IR: ``key`` tells all of it, ``write`` gives it, ``symbols`` are the functions in it.
+    """Code of one module of IR: ``key`` identifies it, ``write`` gives it, ``symbols`` are the functions in it.
 
     ``exported``: whether these are to be seen outside. ``simd``: whether it works on vectors. ``level``: how far it is
     optimised, 0 for straight lines in which each value is computed once.
@@ -111,8 +111,8 @@ define internal double {}(double %a, double %b) alwaysinline {{
   %before = fcmp {} double %b, %a
   %extreme = select i1 %before, double %b, double %a
   %none = fcmp uno double %a, %a
-  %told = select i1 %none, double %b, double %extreme
-  ret double %told
+  %reported = select i1 %none, double %b, double %extreme
+  ret double %reported
 }}
 """
 

@@ -35,6 +35,8 @@ class Driver:
     kind: DriveKind
     kind_numbers: Slot
     current: int
+    controls: int
+    """Where its controller's own states begin among those of all."""
 
     @property
     def coordinate(self) -> int:
@@ -59,7 +61,8 @@ class ClosedLoop:
             got, expected = "a moving base", f"a base that stands still with the equations `{chain.equations}`"
             raise InputError("base_motion", got, expected, "remove `base_motion`, or take `equations: recursion`")
         numbers = self.parts.numbers
-        self.drivers = tuple(self._driver(drive) for drive in plan.drives)
+        begin = [sum(d.servo.states for d in plan.drives[:k] if d.servo) for k in range(len(plan.drives))]
+        self.drivers = tuple(self._driver(drive, first) for drive, first in zip(plan.drives, begin, strict=True))
         self.loads = [numbers.block(load.wrench) for load in plan.loads]
         self.always = numbers.block([1.0, 0.0, 0.0])
         self.touch = numbers.block(plan.touch.numbers) if plan.touch else None
@@ -67,7 +70,7 @@ class ClosedLoop:
         moved = [*placed.rotation.ravel(), *placed.position, *chain.gravity]
         self.base = numbers.block(moved if plan.base else resting_base(chain))
 
-    def _driver(self, plan: DrivePlan) -> Driver:
+    def _driver(self, plan: DrivePlan, controls: int) -> Driver:
         names = [part.node.joint.name for part in self.parts.nodes]
         index = names.index(plan.joint)
         part = self.parts.nodes[index]
@@ -77,12 +80,12 @@ class ClosedLoop:
             kind, slot = drive_kind(free), self.parts.numbers.block(drive_numbers(free))
         currents = self.plan.currents
         current = currents.index(plan.joint) if plan.joint in currents else -1
-        return Driver(plan, part, index, self.parts.numbers.block(plan.numbers), kind, slot, current)
+        return Driver(plan, part, index, self.parts.numbers.block(plan.numbers), kind, slot, current, controls)
 
     @property
     def layout(self) -> StateLayout:
         """Where the state holds what."""
-        return StateLayout.of(self.parts.size, len(self.plan.currents))
+        return StateLayout.of(self.parts.size, len(self.plan.currents), len(self.plan.controls))
 
     @cached_property
     def rate(self) -> Schedule:
@@ -108,9 +111,10 @@ class ClosedLoop:
 
     def _rate(self, instant: Instant) -> Schedule:
         currents = [instant.change[k] for k in sorted(instant.change)]
+        controls = [instant.controls[k] for k in sorted(instant.controls)]
         works = Powers(instant).works
         instant.schedule.often = True
-        instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *works)
+        instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *controls, *works)
         return instant.schedule
 
     @cached_property

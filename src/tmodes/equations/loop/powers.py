@@ -5,7 +5,7 @@ from __future__ import annotations
 from typing import TYPE_CHECKING, Any
 
 from tmodes.equations.loop.contact_kernels import CONTACT_TOLD
-from tmodes.equations.loop.control_kernels import needed_kernel
+from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.load_kernels import power_kernel
 from tmodes.equations.loop.plan import WORKS
@@ -105,7 +105,7 @@ class Powers:
 
     def _needed(self, k: int, driver: Driver, load: Slot) -> None:
         signal, inertia = self.instant.signals[driver.plan.signal], driver.kind_numbers.part(0, 1)
-        found = self._call(needed_kernel(driver.plan.winding), driver.numbers, inertia, signal, load)
+        found = self._call(needed_kernel(driver.plan.winding), driver.numbers.part(0, WINDING), inertia, signal, load)
         self.info[k] = found[1]
         self.powers["motor"].append(self._product(found[0], signal.part(1, 1)))
 

@@ -165,14 +165,15 @@ class Passes(Coordinates):
         for k in self.wrenches:
             point = self.parts.points[k]
             if point.node == index and self.parts.station(point) is None:
-                bias = self._pushed(k, way, way.tip, bias)
+                bias = self.pushed(k, way, way.tip, bias)
         return inertia, bias
 
     def frame(self, section: Slot | None) -> Slot:
         """Rotation of a section in its link."""
         return section.part(0, 9) if section else self.none[9]
 
-    def _pushed(self, k: int, way: Way, section: Slot | None, bias: Slot) -> Slot:
+    def pushed(self, k: int, way: Way, section: Slot | None, bias: Slot) -> Slot:
+        """A bias force less the wrench on point ``k``, which moves with a section of the link, or with its axes."""
         assert way.root_pose is not None  # noqa: S101
         arm, wrench = self.parts.offsets[k].part(9, 3), self.wrenches[k]
         kernel = push_kernel(on_section=section is not None)
@@ -189,7 +190,7 @@ class Passes(Coordinates):
             for k in self.wrenches:
                 point = self.parts.points[k]
                 if point.node == index and self.parts.station(point) == number:
-                    force = self._pushed(k, way, section, force)
+                    force = self.pushed(k, way, section, force)
             if body or force is not self.none[FORCE]:
                 (terms,) = self.schedule.call(link.kernels.station_load(), terms, section, body or self.none[10], force)
         return terms

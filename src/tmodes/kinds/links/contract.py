@@ -17,6 +17,7 @@ from numpy.typing import NDArray
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.links.facts import LinkFacts
+from tmodes.kinds.links.line import CubicLine, LineOfLink
 
 __all__ = ["Body", "ElasticForces", "Link", "LinkNumbers", "LinkStructure", "QuadraticStructure", "Row"]
 
@@ -226,6 +227,10 @@ class Link(LinkFacts):
     def has_stations(self) -> bool:
         """Whether bodies and points can be anywhere along it."""
         return bool(self.stations((0.5,)))
+
+    def lines(self, stations: tuple[float, ...], s: Array) -> Sequence[LineOfLink]:
+        """Its elastic lines, one after the other from root to tip, at the places ``s`` of each."""
+        return [CubicLine(self.length, stations, s)]
 
     @abstractmethod
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:

@@ -11,7 +11,9 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
 from tmodes.kinds.links.facts import ends
+from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.segment_link import segment_link
+from tmodes.kinds.links.segment_places import SegmentLine
 
 __all__ = ["Segment", "SegmentStructure"]
 
@@ -109,6 +111,10 @@ class Segment(Link):
                 for axis in ("y", "z")
             },
         }
+
+    def lines(self, stations: tuple[float, ...], s: NDArray[np.float64]) -> Sequence[LineOfLink]:
+        """One cubic."""
+        return [SegmentLine(self.length, stations, s, bend_y=self.bend_y, bend_z=self.bend_z)]
 
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:  # noqa: ARG002
         """Length, and the springs and dampers against the angles."""

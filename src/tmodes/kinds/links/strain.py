@@ -16,7 +16,9 @@ from tmodes.kinds.links.beam_rule import beam_rule
 from tmodes.kinds.links.beam_tables import beam_tables
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
 from tmodes.kinds.links.facts import AngleLimit, ends
+from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.strain_link import strain_link
+from tmodes.kinds.links.strain_places import BeamLine
 from tmodes.kinds.links.strain_shape import StrainShape
 
 __all__ = ["Beam", "BeamPiece", "StrainStructure"]
@@ -158,6 +160,10 @@ class Beam(BeamNumbers, Link):
             "bare_twist_Hz": bare.twist_Hz,
             "damping_time_s": self.damping_time,
         }
+
+    def lines(self, stations: tuple[float, ...], s: NDArray[np.float64]) -> Sequence[LineOfLink]:
+        """One line, section by section as the model has it."""
+        return [BeamLine(self.length, stations, s, beam=self)]
 
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
         """Quadrature, integrals of the functions, stiffness."""

@@ -1,0 +1,158 @@
+"""An arm as a WebAssembly module: planned as it is known, run as it really is, its rest, its picture, its energies."""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, replace
+from functools import cached_property
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.chain.chain import Chain, Point
+from tmodes.compile.loops.loops import EXPLICIT, EXTRAPOLATION, ROSENBROCK
+from tmodes.compile.wasm.wasm_parts import schedule_loop, schedule_samples
+from tmodes.equations.loop.closed_loop import ClosedLoop
+from tmodes.equations.mechanics import mechanics
+from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.live.module import Functions, LiveModule
+from tmodes.model.model import Model
+from tmodes.model.passes import ArmPasses
+from tmodes.sheet import RobotPair
+from tmodes.simulation.plan import Follow, Planned, planned
+
+__all__ = ["ModelFunctions", "live_module", "needed_for", "stationed"]
+
+Array = NDArray[np.float64]
+
+
+@dataclass(frozen=True, eq=False)
+class ModelFunctions:
+    """What an arm's module is made of: the plans of its regimes, and the passes over its chain.
+
+    ``stations``: places along each link, 0 its root and 1 its tip, of which the picture is made.
+    """
+
+    pair: RobotPair
+    stations: tuple[float, ...]
+
+    @cached_property
+    def plans(self) -> dict[str, Planned]:
+        """What happens: ``reference`` where there is one, ``real``, and ``rest``, in which every drive stands."""
+        nominal, real = self.pair.nominal, self.pair.real
+        commanded = any(drive.command.is_controlled for drive in nominal.drives)
+        reference = Follow.WANTED if commanded else Follow.SHEET if nominal.real else None
+        follows = {"reference": (nominal, reference), "real": (real, Follow.SHEET), "rest": (real, Follow.HELD)}
+        return {name: planned(arm, follow) for name, (arm, follow) in follows.items() if follow}
+
+    @cached_property
+    def loops(self) -> dict[str, ClosedLoop]:
+        """The closed loops of the plans."""
+        return {name: ClosedLoop(plan.plan) for name, plan in self.plans.items()}
+
+    @cached_property
+    def passes(self) -> dict[str, ArmPasses]:
+        """The recursion's passes: over the real ``chain``, and over the one with a point at each station (``pose``)."""
+        chain = self.pair.real.model_copy(update={"drives": ()}).chain()
+        return {"chain": Model(chain).passes, "pose": ArmPasses(mechanics(stationed(chain, self.stations)))}
+
+    def numbers(self) -> dict[str, Array]:
+        """All that a changed sheet changes, but for the signals of the runs.
+
+        Parameters of the functions by what stands before the dot of their names, and the row of signals at rest.
+        """
+        loops = {name: loop.parts.numbers.vector for name, loop in self.loops.items()}
+        row = self.plans["rest"].schedule.rows_at(np.zeros(1))[0]
+        return loops | {name: passes.parameters for name, passes in self.passes.items()} | {"rest_row": row}
+
+
+def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
+    """All functions of an arm; ``slopes``: ``rest.rate`` tells its derivatives too, half as much code again.
+
+    Loops: ``reference.METHOD`` (where there is a reference run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
+    of both as of :class:`tmodes.simulation.loop.LoopModel`; ``rest.rate``, whose accelerations vanish at
+    rest, where ``held`` coordinates stand by themselves; ``inertia`` and ``elastic`` as of
+    :class:`tmodes.model.passes.ArmPasses`; ``pose``: the motion of every station (24 numbers each: rotation, position,
+    velocity, rate, accelerations), link by link; ``loaded``: the forces of ``inertia`` with wrenches on the points,
+    where any act; ``elastic.slopes``: the forces of ``elastic`` with their derivatives.
+    """
+    made = Functions()
+    for name, loop in arm.loops.items():
+        if name == "rest":
+            kind = "derivative" if slopes else "double"
+            parts = schedule_samples("rest.rate", loop.rate, kind)
+            made.schedule("rest.rate", parts, loop.rate, stride=2 if slopes else 1)
+            continue
+        sizes = {"size": loop.layout.size, "row": loop.plan.row_size, "parameters": loop.rate.parameters}
+        for method in methods:
+            made.loop(f"{name}.{method}", _loop(f"{name}.{method}", loop, method), **sizes)
+        for label in ("observe", "rate"):
+            schedule = getattr(loop, label)
+            made.schedule(f"{name}.{label}", schedule_samples(f"{name}.{label}", schedule), schedule)
+    chain = arm.passes["chain"]
+    passes = {
+        "inertia": chain.schedule("inertia"), "elastic": chain.schedule("elastic"),
+        "pose": needed_for(arm.passes["pose"].schedule("inertia"), ("points",)),
+    }  # fmt: skip
+    plan = arm.plans["real"].plan
+    if plan.loads or plan.touch:
+        passes["loaded"] = needed_for(chain.schedule("inertia", loaded=True), ("forces",))
+    for label, schedule in passes.items():
+        made.schedule(label, schedule_samples(label, schedule), schedule)
+    springs = needed_for(passes["elastic"], ("forces",))
+    made.schedule("elastic.slopes", schedule_samples("elastic.slopes", springs, "derivative"), springs, stride=2)
+    return made.module("robot", **_info(arm))
+
+
+def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:
+    count = loop.parts.size
+    if method in EXPLICIT:
+        return schedule_loop(symbol, loop.rate, 2 * count, method)
+    if method == ROSENBROCK:
+        return schedule_loop(symbol, loop.rate, 2 * count, method, pairs=count, columns=loop.layout.works.start)
+    rate = loop.euler_rate if method == EXTRAPOLATION else loop.implicit_rate
+    return schedule_loop(symbol, rate, 2 * count, method, pairs=count)
+
+
+def _info(arm: ModelFunctions) -> Mapping[str, Any]:
+    """What else an engine must know: coordinates, where a state holds what, which coordinates stand at rest."""
+    loop, rest = arm.loops["real"], arm.loops["rest"]
+    places = {name: [part.start, part.stop] for name, part in loop.layout._asdict().items()}
+    held = sorted({driver.coordinate for driver in rest.drivers})
+    nodes = loop.plan.chain.nodes
+    return {
+        "coordinates": [*loop.parts.names], "state": places, "held": held, "stations": [*arm.stations],
+        "links": [{"name": node.name, "kind": type(node.link).__name__.lower()} for node in nodes],
+        "drives": [driver.plan.joint for driver in loop.drivers],
+    }  # fmt: skip
+
+
+def stationed(chain: Chain, stations: Sequence[float]) -> Chain:
+    """The same chain with a named point at each station of each link that bends, and at the root of others.
+
+    A rigid link and the paper's mode have one point; that of a mode is its tip.
+    """
+    points = []
+    for index, node in enumerate(chain.nodes):
+        places = stations if node.link.has_stations else (1.0,)
+        points += [Point(f"{index}.{s}", index, s) for s in places]
+    return replace(chain, points=tuple(points))
+
+
+def needed_for(schedule: Schedule, outputs: Sequence[str]) -> Schedule:
+    """The same schedule with these outputs alone, and only the calls that they need."""
+    wanted = np.zeros(schedule.workspace, dtype=bool)
+    for name in outputs:
+        _mark(wanted, schedule, schedule.outputs[name])
+    kept = []
+    for call in reversed(schedule.calls):
+        if any(wanted[schedule.offset(slot) :][: slot.size].any() for slot in call[2]):
+            _mark(wanted, schedule, call[1])
+            kept.append(call)
+    return replace(schedule, calls=kept[::-1], outputs={name: schedule.outputs[name] for name in outputs})
+
+
+def _mark(wanted: NDArray[np.bool_], schedule: Schedule, slots: Sequence[Slot]) -> None:
+    for slot in slots:
+        wanted[schedule.offset(slot) :][: slot.size] = True

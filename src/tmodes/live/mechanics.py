@@ -1,0 +1,131 @@
+"""The mechanics in a live bundle: the compiled module, and the structure of its numbers."""
+
+from __future__ import annotations
+
+from collections.abc import Sequence
+from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
+
+from tmodes.analysis.line.line import elastic_line
+from tmodes.analysis.quasistatic import deflections, elastic_names
+from tmodes.chain.chain import Chain, JointKind
+from tmodes.live.functions import ModelFunctions, live_module
+from tmodes.live.loads import joint_limits, load_places, packed_loads, yield_strengths
+from tmodes.live.numbers import follow_of
+from tmodes.live.vibrations import vibrations_info
+from tmodes.model.model import Model
+from tmodes.result.lines import POINT_LIKE, without_elasticity
+from tmodes.sheet import Robot, RobotPair
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.plan import Follow, planned, starts_at_rest
+from tmodes.simulation.start import RunSetup, run_setup
+
+__all__ = ["mechanics", "why_not_mechanics"]
+
+Array = NDArray[np.float64]
+
+
+def why_not_mechanics(arm: Robot) -> str:
+    """Why a page cannot run this robot, in words; empty where it can."""
+    if arm.base_motion is not None:
+        return "its base moves"
+    if any(node.link.bends and not node.link.has_stations for node in arm.chain().nodes):
+        return "a link is made of segments"
+    return ""
+
+
+def mechanics(
+    pair: RobotPair, stations: tuple[float, ...], method: str, *, compared: bool, surfaces: Sequence[str] = ()
+) -> dict[str, Any]:
+    """All of it. Arrays are in SI units, coordinates in their order.
+
+    ``compared``: whether there is a reference run; ``surfaces``: links that have one, shown though they be a point.
+    """
+    functions = ModelFunctions(pair, stations)
+    module = live_module(functions, [method], slopes=False)
+    runs = {"real": run_setup(pair.real)}
+    if compared:
+        runs = {"reference": run_setup(pair.nominal, follow_of(pair.nominal, "reference"))} | runs
+    real = runs["real"]
+    model = Model(real.planned.chain)
+    return {
+        "module": np.frombuffer(module.wasm, dtype=np.uint8),
+        "layout": module.layout,
+        "runs": {name: _run(regime) for name, regime in runs.items()},
+        "restSize": LoopModel(planned(pair.real, Follow.HELD).plan).layout.size,
+        "atRest": starts_at_rest(pair.real),
+        "base": model.at_rest(gravity=0.0),
+        "gravity": np.asarray(model.chain.gravity, dtype=float),
+        "deflections": _affine(lambda q: deflections(model, q), model.nq),
+        "deformations": list(elastic_names(model)),
+        "turning": [node.joint.name for node in model.chain.nodes if node.joint.kind is JointKind.REVOLUTE],
+        "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
+        "links": _links(model, functions, stations, surfaces),
+        "carried": _carried(pair, real, stations),
+        "surface": pair.real.contact and pair.real.contact.shape.drawing(),
+        "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
+        "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
+        **vibrations_info(pair.real, real.planned.plan, model),
+    }
+
+
+def _run(regime: RunSetup) -> dict[str, Any]:
+    """Where its state holds what, how it starts, what its sheet says of that, and drives that follow exactly."""
+    layout, names = regime.model.layout, regime.model.coordinates
+    info = regime.arm.initial
+    return {
+        "state": {name: [part.start, part.stop] for name, part in layout._asdict().items()},
+        "start": regime.start,
+        "info": [names.index(name) for name in info.coordinates],
+        "exact": [
+            [driver.coordinate, driver.plan.signal] for driver in regime.model.loop.drivers if driver.plan.servo is None
+        ],
+        "signals": len(regime.planned.each),
+    }
+
+
+def _affine(function: Any, size: int) -> dict[str, Array]:
+    """Matrix and constant of an affine function of coordinates."""
+    info = function(np.concatenate([np.zeros((1, size)), np.eye(size)]))
+    return {"matrix": np.ascontiguousarray((info[1:] - info[0]).T), "constant": info[0].copy()}
+
+
+def _carried(pair: RobotPair, real: RunSetup, stations: tuple[float, ...]) -> dict[str, Any]:
+    """How loads along the links are found; which of their places are shown; what they are compared with."""
+    plan, parts = real.planned.plan, real.model.loop.parts
+    kept = pair.real.integration.line_points
+    places = load_places(kept)
+    return packed_loads(plan, parts, places).layout | {
+        "kept": kept,
+        "shown": np.searchsorted(places, np.array(stations) - 1e-12).astype(np.int32),
+        "strengths": yield_strengths(pair.nominal, plan.chain),
+        "limits": joint_limits(pair.nominal, plan, parts),
+    }
+
+
+def _links(
+    model: Model, functions: ModelFunctions, stations: tuple[float, ...], surfaces: Sequence[str]
+) -> list[dict[str, Any]]:
+    """Links that are drawn: at which of the picture's points each begins, and of a rigid one where its far end is.
+
+    After them those without length that have a surface, in the order of ``surfaces``, as the page's own scene has them.
+    """
+    lines, chain = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0]).links, model.chain
+    found, carriers, point = [], {}, 0
+    for node in chain.nodes:
+        bends = node.link.bends
+        line = lines[node.name]
+        if line.length > POINT_LIKE:
+            end = np.zeros(3) if bends else line.rotation[0, 0].T @ (line.position[0, 1] - line.position[0, 0])
+            found.append({"name": node.name, "bends": bends, "point": point, "end": end})
+        elif not bends:
+            carriers[node.name] = {"name": node.name, "bends": False, "point": point, "end": np.zeros(3)}
+        point += len(stations) if bends else 1
+    _check_points(point, functions.passes["pose"].parts.chain)
+    return found + [carriers[name] for name in surfaces if name in carriers]
+
+
+def _check_points(count: int, chain: Chain) -> None:
+    assert count == len(chain.points)  # noqa: S101

@@ -1,0 +1,164 @@
+// The picture of the robot at the display frames: where its links are, bent, without elasticity, and as planned.
+
+import type { SceneContact } from "../contract";
+import type { LiveRun } from "../contract_parts";
+import type { Numbers } from "../pack";
+import { doubles, type Affine, type Bundle } from "./bundle";
+import type { Engine } from "./engine";
+import type { Blocks } from "./map";
+import { rowsOf, sizes, type SeriesOf } from "./series";
+
+const POINT = 24;
+
+/** y = matrix x + constant of rows x [n, columns]. */
+export function affine(one: Affine, rows: Float64Array, count: number): Float64Array {
+  const [height, width] = one.matrix.shape;
+  const found = new Float64Array(count * height);
+  for (let k = 0; k < count; k += 1) {
+    for (let i = 0; i < height; i += 1) {
+      let value = one.constant.data[i];
+      for (let j = 0; j < width; j += 1) value += one.matrix.data[i * width + j] * rows[k * width + j];
+      found[k * height + i] = value;
+    }
+  }
+  return found;
+}
+
+interface Pose {
+  line: Numbers; // [m, L, S, 3]
+  roots: Numbers; // [m, L, 4]
+}
+
+/**
+ * Scene of a run, whose numbers are those of the passes to the stations and of the surface; `loads`: what else may
+ * colour the links.
+ */
+export function sceneOf(
+  engine: Engine,
+  bundle: Bundle,
+  { pose: parameters, surface }: Blocks,
+  series: SeriesOf,
+  times: Float64Array,
+  frames: number[],
+  loads: LiveRun["scene"]["colours"],
+): LiveRun["scene"] {
+  const at = (name: string) =>
+    rowsOf(
+      series[name].data,
+      series[name].shape.slice(1).reduce((a, b) => a * b, 1),
+      frames,
+    );
+  const m = frames.length;
+  const real = poseOf(engine, bundle, parameters, at("q"), m);
+  const lineAt = (q: Float64Array) => poseOf(engine, bundle, parameters, q, m).line;
+  const rigidAt = (q: Float64Array) => lineAt(affine(bundle.straight, q, m));
+  const rigid = rigidAt(at("q"));
+  const numbers = (name: string) => ({ data: at(name), shape: [m, ...series[name].shape.slice(1)] });
+  const compared = "q_reference" in series;
+  const shape = real.line.shape.slice(0, 3);
+  const away = (real.line.data as Float64Array).map((value, k) => value - rigid.data[k]);
+  return {
+    times: { data: rowsOf(times, 1, frames), shape: [m] },
+    line: real.line,
+    rigid,
+    roots: real.roots,
+    reference: compared ? lineAt(at("q_reference")) : null,
+    referenceRigid: compared ? rigidAt(at("q_reference")) : null,
+    colours: [
+      ...loads,
+      {
+        id: "displacement",
+        label: "Displacement by all elasticity",
+        unit: "m",
+        values: { data: sizes(away, 3), shape },
+      },
+    ],
+    tip: numbers("tip"),
+    tipReference: compared ? numbers("tip_reference") : null,
+    contact:
+      bundle.contactPoint < 0
+        ? null
+        : {
+            force: numbers("contact_force"),
+            at: contactPlace(bundle, series, frames),
+            surface: surfaceAt(bundle, surface),
+          },
+  };
+}
+
+/** The surface where it is now: `numbers` are its place and its radius. */
+function surfaceAt({ surface }: Bundle, numbers: Float64Array): SceneContact["surface"] | undefined {
+  const place: [number, number, number] = [numbers[0], numbers[1], numbers[2]];
+  if (surface?.kind === "plane") return { ...surface, position: place };
+  return surface ? { ...surface, center: place, radius: numbers[3] } : undefined;
+}
+
+function contactPlace(bundle: Bundle, series: SeriesOf, frames: number[]): Numbers {
+  const points = series.position.shape[1];
+  const all = rowsOf(series.position.data, 3 * points, frames);
+  const data = new Float64Array(3 * frames.length);
+  for (let k = 0; k < frames.length; k += 1) {
+    for (let j = 0; j < 3; j += 1) data[3 * k + j] = all[3 * (k * points + bundle.contactPoint) + j];
+  }
+  return { data, shape: [frames.length, 3] };
+}
+
+/** Lines and roots of all links at coordinates q [count, nq]. */
+export function poseOf(
+  engine: Engine,
+  bundle: Bundle,
+  parameters: Float64Array,
+  q: Float64Array,
+  count: number,
+): Pose {
+  const still = new Float64Array(q.length / count);
+  const { points } = engine.sample("pose", parameters, { q, v: still, a: still, base: doubles(bundle.base) }, count);
+  const [L, S] = [bundle.links.length, bundle.stations.data.length];
+  const each = points.length / count / POINT;
+  const line = new Float64Array(count * L * S * 3);
+  const roots = new Float64Array(count * L * 4);
+  for (let k = 0; k < count; k += 1) {
+    bundle.links.forEach((link, l) => {
+      const root = points.subarray((k * each + link.point) * POINT, (k * each + link.point + 1) * POINT);
+      roots.set(quaternion(root), (k * L + l) * 4);
+      if (k) steady(roots, (k * L + l) * 4, 4 * L);
+      for (let s = 0; s < S; s += 1) {
+        const to = ((k * L + l) * S + s) * 3;
+        const from = (k * each + link.point + s) * POINT + 9;
+        for (let i = 0; i < 3; i += 1)
+          line[to + i] = link.bends ? points[from + i] : onRigid(root, doubles(link.end), i, bundle.stations.data[s]);
+      }
+    });
+  }
+  return { line: { data: line, shape: [count, L, S, 3] }, roots: { data: roots, shape: [count, L, 4] } };
+}
+
+/** Turns the sign of the quaternion at `place` to the side of the one `before` it: both are the same rotation. */
+function steady(roots: Float64Array, place: number, before: number): void {
+  let along = 0;
+  for (let i = place; i < place + 4; i += 1) along += roots[i] * roots[i - before];
+  if (along < 0) for (let i = place; i < place + 4; i += 1) roots[i] *= -1;
+}
+
+function onRigid(root: Float64Array, end: Float64Array, axis: number, s: number): number {
+  return root[9 + axis] + s * (root[3 * axis] * end[0] + root[3 * axis + 1] * end[1] + root[3 * axis + 2] * end[2]);
+}
+
+/** x, y, z, w of a rotation, row-major. */
+export function quaternion(r: ArrayLike<number>): [number, number, number, number] {
+  const trace = r[0] + r[4] + r[8];
+  if (trace > 0) {
+    const s = 2 * Math.sqrt(1 + trace);
+    return [(r[7] - r[5]) / s, (r[2] - r[6]) / s, (r[3] - r[1]) / s, s / 4];
+  }
+  if (r[0] > r[4] && r[0] > r[8]) {
+    const s = 2 * Math.sqrt(1 + r[0] - r[4] - r[8]);
+    return [s / 4, (r[1] + r[3]) / s, (r[2] + r[6]) / s, (r[7] - r[5]) / s];
+  }
+  if (r[4] > r[8]) {
+    const s = 2 * Math.sqrt(1 + r[4] - r[0] - r[8]);
+    return [(r[1] + r[3]) / s, s / 4, (r[5] + r[7]) / s, (r[2] - r[6]) / s];
+  }
+  const s = 2 * Math.sqrt(1 + r[8] - r[0] - r[4]);
+  return [(r[2] + r[6]) / s, (r[5] + r[7]) / s, s / 4, (r[3] - r[1]) / s];
+}

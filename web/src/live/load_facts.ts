@@ -1,0 +1,68 @@
+// Headline numbers of the loads along the links, and of the joints' limits, as tmodes/report/run_facts.py.
+
+import { info } from "../format";
+import type { Largest, LimitInfo, Loads, LoadsInfo, Quantity } from "./loads";
+import { figures, type Facts } from "./facts";
+import { columns, type SeriesOf } from "./series";
+
+export function loadFacts(loads: Loads, { strengths, places, kept }: LoadsInfo, times: Float64Array): Facts {
+  const part = [
+    loads.every > 1 ? `one sample in ${loads.every}` : "",
+    kept > places.data.length ? `${places.data.length} places along each link` : "",
+  ];
+  const seen = part.some(Boolean) ? ` (looked at: ${part.filter(Boolean).join(", ")})` : "";
+  const of = (name: Quantity) => loads.links.flatMap(({ largest }) => largest[name] ?? []);
+  const fact = (id: string, found: Largest[]): Facts => {
+    const one = most(found, ({ value }) => value);
+    const place = one && id !== "deflection.max" ? ` at s = ${figures(one.s, 2)}` : "";
+    return one
+      ? { [id]: { value: one.value, note: `${one.link}${place}, at ${figures(times[one.sample])} s${seen}` } }
+      : {};
+  };
+  const share = most(
+    of("stress").filter(({ link }) => link in strengths),
+    ({ link, value }) => value / strengths[link],
+  );
+  const strength = share ? strengths[share.link] : 1;
+  const margin =
+    share &&
+    `of ${info(strength, "Pa")}, ${share.link}; margin ${figures(100 * (1 - share.value / strength))} %${seen}`;
+  return {
+    ...fact("deflection.max", of("deflection")),
+    ...fact("moment.max", of("moment")),
+    ...fact("stress.max", of("stress")),
+    ...(share && margin ? { "stress.share": { value: (100 * share.value) / strength, note: margin } } : {}),
+  };
+}
+
+/** The largest share of a limit of a joint: of its speed, its effort, its range (from its middle). */
+export function limitFact(limits: LimitInfo[], series: SeriesOf): Facts {
+  const worst = most(limits.flatMap((limit) => sharesOf(limit, series)), ({ share }) => share);
+  return worst ? { "limits.share": { value: 100 * worst.share, note: worst.note } } : {};
+}
+
+function sharesOf(
+  { joint, coordinate, drive, unit, effortUnit, speed, effort, range }: LimitInfo,
+  series: SeriesOf,
+): { share: number; note: string }[] {
+  const largest = (name: string, column: number, middle = 0) =>
+    columns(series[name].data, series[name].shape[1], [column]).reduce(
+      (size, value) => Math.max(size, Math.abs(value - middle)),
+      0,
+    );
+  const shared = (size: number, limit: number, what: string, of: string) => ({
+    share: size / limit,
+    note: `${what} of ${joint}: ${info(size, of)} of ${info(limit, of)}`,
+  });
+  return [
+    ...(speed ? [shared(largest("v", coordinate), speed, "speed", `${unit}/s`)] : []),
+    ...(effort && drive >= 0 ? [shared(largest("effort", drive), effort, "effort", effortUnit)] : []),
+    ...(range
+      ? [{ share: largest("q", coordinate, range[0]) / range[1], note: `range of ${joint}, from its middle` }]
+      : []),
+  ];
+}
+
+function most<T>(all: T[], size: (one: T) => number): T | null {
+  return all.reduce<T | null>((best, one) => (best === null || size(one) > size(best) ? one : best), null);
+}

@@ -1,0 +1,47 @@
+// One robot in motion, the nominal (reference) or the actual one: its numbers, its signals and its run.
+
+import { firstState } from "./rest";
+import { doubles, type Bundle, type RunInfo } from "./bundle";
+import type { Engine } from "./engine";
+import { integrate, type RunResult, type Watch } from "./engine_run";
+import type { Blocks } from "./map";
+import { range } from "./series";
+import * as signals from "./signals";
+
+export type Name = "reference" | "real";
+
+/** One arm in motion, and what is observed of it. */
+export interface Regime {
+  name: Name;
+  info: RunInfo;
+  blocks: Blocks;
+  schedule: signals.Schedule;
+  run: RunResult;
+}
+
+/** It in motion with these numbers; raises an error where it cannot start. */
+export async function moved(
+  engine: Engine, bundle: Bundle, values: readonly number[], name: Name, blocks: Blocks, watch: Watch,
+): Promise<Regime> {
+  const { settings } = bundle;
+  const info = bundle.runs[name]!;
+  const each = range(0, info.signals).map((k) =>
+    signals.until(signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]), settings.duration),
+  );
+  const schedule = signals.merged(each);
+  if (!each.length) schedule.knots[1] = settings.duration;
+  const run = await integrate(
+    engine,
+    {
+      loop: `${name}.${settings.method}`,
+      parameters: blocks.parameters,
+      knots: schedule.knots,
+      rows: signals.rowsOf(schedule),
+      state: firstState(engine, bundle, values, name, schedule),
+      times: doubles(bundle.times),
+      settings,
+    },
+    watch,
+  );
+  return { name, info, blocks, schedule, run };
+}

@@ -1,0 +1,98 @@
+// A run in the page: from values of the sliders to all that a page shows of it, as tmodes/simulation/simulate.py does.
+
+import type { LiveRun } from "../contract_parts";
+import { factsOf } from "./run_facts";
+import { limitFact, loadFacts } from "./load_facts";
+import { linePanel, loadColours } from "./load_picture";
+import { loadsOf } from "./loads";
+import { moved, type Name, type Regime } from "./regime";
+import { sceneOf } from "./live_scene";
+import { compared, seenOf, seriesOf } from "./run_series";
+import { framesOf, type Bundle } from "./bundle";
+import type { Engine } from "./engine";
+import type { Watch } from "./engine_run";
+import { brokenOff, type Facts } from "./facts";
+import type { Kept } from "./kept";
+import { numbersOf } from "./map";
+import { range } from "./series";
+import * as signals from "./signals";
+
+const FEWEST = 32; // samples of a spectrum
+
+/**
+ * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the real arm's
+ * motion.
+ */
+export async function runOf(
+  engine: Engine, bundle: Bundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
+  moving: (real: Regime) => void = () => undefined,
+): Promise<LiveRun> {
+  const began = performance.now();
+  const names: Name[] = bundle.runs.reference ? ["reference", "real"] : ["real"];
+  const regimes: Regime[] = [];
+  for (const [k, name] of names.entries()) {
+    const part: Watch = { ...watch, progress: (share) => watch.progress?.((k + share) / names.length) };
+    const blocks = numbersOf(bundle.map, values, name);
+    const make = () => moved(engine, bundle, values, name, blocks, part);
+    regimes.push(await (name === "reference" ? kept.of(blocks, make) : make()));
+  }
+  const real = regimes[regimes.length - 1];
+  moving(real);
+  const seconds = (performance.now() - began) / 1000;
+  const count = Math.min(...regimes.map((regime) => regime.run.times.length));
+  const [own, planned] = [real, ...regimes.slice(0, -1)].map((regime) => seenOf(engine, bundle, regime, count));
+  const times = real.run.times.subarray(0, count);
+  const series = { ...seriesOf(bundle, real, own, count), ...(planned ? compared(bundle, own, planned, count) : {}) };
+  const frames = framesOf(bundle, count);
+  const end = moveEnd(real.schedule);
+  const failed = regimes.find((regime) => regime.run.status !== "finished");
+  const loads = loadsOf(bundle, real.blocks.carried, series, times, real.schedule, frames);
+  const facts: Facts = {
+    ...factsOf(bundle, times, series, end),
+    ...loadFacts(loads, bundle.carried, times),
+    ...limitFact(bundle.carried.limits, series),
+  };
+  const colours = loadColours(bundle, loads.links, frames.length);
+  return {
+    status: failed ? failed.run.status : "finished",
+    message: failed ? `${failed === real ? "actual robot" : "reference"}: ${failed.run.message}` : real.run.message,
+    seconds,
+    times,
+    series,
+    scene: sceneOf(engine, bundle, real.blocks, series, times, frames, colours),
+    line: linePanel(bundle, loads.links, frames.length),
+    span: spanOf(times, end),
+    facts: failed ? brokenOff(facts) : facts,
+  };
+}
+
+/** The time after the move, where the run goes on long enough, else the whole run, as tmodes/report/spectra.py. */
+function spanOf(times: Float64Array, end: number | null): [number, number] {
+  const last = times[times.length - 1];
+  const first = end === null ? -1 : times.findIndex((time) => time >= end * (1 + 1e-9));
+  return [first >= 0 && times.length - first >= FEWEST ? times[first] : times[0], last];
+}
+
+/** When the last signal stops changing [s]; null where one never does. */
+function moveEnd(all: signals.Schedule): number | null {
+  const pieces = all.knots.length - 1;
+  const width = all.degree + 1;
+  for (let piece = pieces - 1; piece >= 0; piece -= 1) {
+    for (let signal = 0; signal < all.signals; signal += 1) {
+      const own = all.coefficients.subarray(
+        (piece * all.signals + signal) * width,
+        (piece * all.signals + signal + 1) * width,
+      );
+      const length = all.knots[piece + 1] - all.knots[piece];
+      const size = Math.max(
+        ...range(0, pieces).map((k) => Math.abs(all.coefficients[(k * all.signals + signal) * width])),
+        1e-12,
+      );
+      const changes = own.some((value, power) => power > 0 && Math.abs(value) * length ** power > 1e-9 * size);
+      if (changes) return piece === pieces - 1 ? null : all.knots[piece + 1];
+      const before = piece && signals.valueAt(all, signal, all.knots[piece] - 1e-9 * length);
+      if (piece && Math.abs(own[0] - before) > 1e-6 * size) return all.knots[piece];
+    }
+  }
+  return 0;
+}

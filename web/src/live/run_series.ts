@@ -1,0 +1,124 @@
+// The series of a run, from the outputs of its model and its chain at the samples.
+
+import type { Regime } from "./regime";
+import { affine } from "./live_scene";
+import { doubles, type Bundle } from "./bundle";
+import type { Engine, Samples } from "./engine";
+import { columns, difference, energyBalance, range, shaped, sizes, type SeriesOf } from "./series";
+import { rowsAt } from "./signals";
+
+/** What is known of the samples of a regime: what its model reports, and the motion and energies of its chain. */
+export interface Seen {
+  model: Samples;
+  points: Float64Array; // [n, points, 24]
+  energy: Float64Array; // [n, 4]
+}
+
+const POINT = 24;
+
+/** What is known of the first `count` samples. */
+export function seenOf(engine: Engine, bundle: Bundle, regime: Regime, count: number): Seen {
+  const time = regime.run.times.subarray(0, count);
+  const state = regime.run.states.subarray(0, count * (regime.run.states.length / regime.run.times.length));
+  const row = rowsAt(regime.schedule, time);
+  const inputs = { time, state, row, step: new Float64Array(1) };
+  const model = engine.sample(`${regime.name}.observe`, regime.blocks.parameters, inputs, count);
+  const { q, v, a } = model;
+  const base = doubles(bundle.base);
+  const { chain, rotors } = regime.blocks;
+  const { points } = engine.sample("inertia", chain, { q, v, a, base }, count);
+  const still = new Float64Array(rotors.length);
+  const momentum = engine.sample("inertia", chain, { q, v: still, a: v, base }, count);
+  const elastic = engine.sample("elastic", chain, { q, v, base }, count).energies;
+  return { model, points, energy: energiesOf(bundle, v, rotors, momentum, elastic, count) };
+}
+
+/** Kinetic, of gravity, of gears, of links [n, 4]. */
+function energiesOf(
+  bundle: Bundle,
+  v: Float64Array,
+  rotors: Float64Array,
+  momentum: Samples,
+  elastic: Float64Array,
+  count: number,
+): Float64Array {
+  const n = rotors.length;
+  const each = elastic.length / count;
+  const energy = new Float64Array(4 * count);
+  for (let k = 0; k < count; k += 1) {
+    for (let j = 0; j < n; j += 1) {
+      const rate = v[k * n + j];
+      energy[4 * k] += ((momentum.forces[k * n + j] + rotors[j] * rate) * rate) / 2;
+    }
+    for (let j = 0; j < 3; j += 1) energy[4 * k + 1] -= momentum.moment[3 * k + j] * bundle.gravity.data[j];
+    for (let j = 0; j < each; j += 1) energy[4 * k + 2 + (j % 2)] += elastic[k * each + j];
+  }
+  return energy;
+}
+
+/** The series that the real arm has by itself. */
+export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }: Seen, count: number): SeriesOf {
+  const n = model.q.length / count;
+  const drives = model.gear.length / count;
+  const places = points.length / count / POINT;
+  const width = real.run.states.length / real.run.times.length;
+  const work = columns(real.run.states.subarray(0, count * width), width, range(...real.info.state.works));
+  const drive = (which: number) =>
+    shaped(
+      columns(
+        model.drives,
+        4 * drives,
+        range(0, drives).map((k) => 4 * k + which),
+      ),
+      count,
+      drives,
+    );
+  const vectors = (start: number) =>
+    columns(
+      points,
+      places * POINT,
+      range(0, places).flatMap((k) => range(0, 3).map((i) => k * POINT + start + i)),
+    );
+  const axes = columns(points, places * POINT, range(0, places).flatMap((k) => range(k * POINT, k * POINT + 9)));
+  const series: SeriesOf = {
+    q: shaped(model.q, count, n), v: shaped(model.v, count, n), a: shaped(model.a, count, n),
+    deformation: shaped(affine(bundle.deflections, model.q, count), count, bundle.deformations.length),
+    position: shaped(vectors(9), count, places, 3), velocity: shaped(vectors(12), count, places, 3),
+    acceleration: shaped(vectors(18), count, places, 3), rotation: shaped(axes, count, places, 3, 3),
+    tip: shaped(columns(points, places * POINT, [9, 10, 11]), count, 3),
+    tip_velocity: shaped(columns(points, places * POINT, [12, 13, 14]), count, 3),
+    energy: shaped(energy, count, 4), work: shaped(work, count, work.length / count),
+    energy_balance: shaped(energyBalance(energy, work, count, 3), count),
+  };
+  if (drives)
+    Object.assign(series, { wanted: drive(3), effort: drive(0), gear_torque: shaped(model.gear, count, drives) });
+  if (drives && bundle.electric) Object.assign(series, { voltage: drive(1), current: drive(2) });
+  if (bundle.contactPoint < 0) return series;
+  const contact = (which: number[]) => columns(model.contact, 6, which);
+  return {
+    ...series, contact_force: shaped(contact([0, 1, 2]), count, 3), contact_force_normal: shaped(contact([3]), count),
+    penetration: shaped(contact([4]), count),
+  };
+}
+
+/** Those that need the reference: what it does, and how far the real arm is from it. */
+export function compared(bundle: Bundle, own: Seen, planned: Seen, count: number): SeriesOf {
+  const n = planned.model.q.length / count;
+  const places = planned.points.length / count / POINT;
+  const [tip, wanted] = [own, planned].map(({ points }) => columns(points, places * POINT, [9, 10, 11]));
+  const series: SeriesOf = {
+    q_reference: shaped(planned.model.q, count, n),
+    v_reference: shaped(planned.model.v, count, n),
+    deformation_reference: shaped(
+      affine(bundle.deflections, planned.model.q, count),
+      count,
+      bundle.deformations.length,
+    ),
+    gear_torque_reference: shaped(planned.model.gear, count, planned.model.gear.length / count),
+    tip_reference: shaped(wanted, count, 3),
+    deviation: shaped(sizes(difference(tip, wanted), 3), count),
+  };
+  if (bundle.contactPoint >= 0)
+    series.contact_force_normal_reference = shaped(columns(planned.model.contact, 6, [3]), count);
+  return series;
+}

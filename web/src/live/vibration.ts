@@ -1,0 +1,117 @@
+// Small vibrations of a robot about its rest, as tmodes/analysis/modes/ finds them.
+
+import { linearAtRest, type Linear } from "./linear_model";
+import { restFor } from "./rest";
+import { poseOf } from "./live_scene";
+import { doubles, type Bundle } from "./bundle";
+import { damped, undamped } from "./eigen";
+import type { Engine } from "./engine";
+import type { Facts } from "./facts";
+import { numbersOf, type Blocks } from "./map";
+import { motionOf, ringing, info, type Found } from "./modes";
+import type { Vibration } from "../contract_parts";
+import { bestPartners, likeness } from "./partners";
+import type { Schedule } from "./signals";
+
+const ROUNDING = 1e-13;
+const NOTHING = 1e-13;
+const FREE = "whole arm, free";
+const LOADS = "whole arm, in its weight and loads";
+
+/** Modes, marks and the first frequency for values of the sliders; a sentence where there are none. */
+export function vibrationOf(
+  engine: Engine, bundle: Bundle, values: readonly number[], blocks: Blocks, schedule: Schedule,
+): { vibration: Vibration | string; facts: Facts } {
+  if (!bundle.modes) return { vibration: bundle.noModes, facts: {} };
+  try {
+    const { rest, linear } = aboutRest(engine, bundle, values, schedule);
+    const cases = Object.fromEntries(
+      bundle.modes.cases.map(({ name, moving }) => [name, modesOf(bundle, blocks, linear, name, moving)]),
+    );
+    return info(cases, rest, (q, count) => poseOf(engine, bundle, blocks.pose, q, count).line);
+  } catch (problem) {
+    return { vibration: problem instanceof Error ? problem.message : String(problem), facts: {} };
+  }
+}
+
+function aboutRest(
+  engine: Engine,
+  bundle: Bundle,
+  values: readonly number[],
+  schedule: Schedule,
+): { rest: Float64Array; linear: Linear } {
+  let last: ReturnType<typeof linearAtRest> = null;
+  restFor(bundle, values, "real", doubles(bundle.modes!.rest), (set, from) => {
+    last = linearAtRest(engine, bundle, numbersOf(bundle.map, set, "real"), schedule, from);
+    return last && last.rest;
+  });
+  return last!;
+}
+
+function modesOf(bundle: Bundle, blocks: Blocks, linear: Linear, name: string, moving: number[]): Found[] {
+  const whole = Math.sqrt(linear.mass.length);
+  const m = moving.length;
+  if (!m) return [];
+  const part = (matrix: Float64Array) =>
+    Float64Array.from({ length: m * m }, (_, k) => matrix[moving[Math.floor(k / m)] * whole + moving[k % m]]);
+  const [mass, damping, stiffness] = [part(linear.mass), part(linear.damping), part(linear.stiffness)];
+  const controlled = name === "controlled";
+  if (controlled) {
+    bundle.modes!.servos.forEach(({ coordinate }, k) => {
+      const at = moving.indexOf(coordinate) * (m + 1);
+      stiffness[at] += blocks.servos[2 * k];
+      damping[at] += blocks.servos[2 * k + 1];
+    });
+  }
+  const still = undamped(mass, stiffness, m);
+  const motions = damped(mass, damping, stiffness, m, still);
+  const partners = bestPartners(likeness(still, motions, m, mass), motions, m);
+  const zero = NOTHING * m * still.squares.reduce((most, value) => Math.max(most, Math.abs(value)), 0);
+  return Array.from({ length: m }, (_, k) => {
+    const shape = new Float64Array(whole);
+    moving.forEach((coordinate, i) => { shape[coordinate] = still.shapes[i * m + k]; });
+    const stored = storedIn(bundle, blocks, linear.elastic, shape, controlled);
+    const motion = motionOf(motions, partners[k], whole, m, (c, i) => (moving[i] === c ? 1 : 0));
+    const square = still.squares[k];
+    const total = stored.reduce((sum, { energy }) => sum + energy, 0);
+    if (Math.abs(square) <= zero && total <= zero)
+      return { frequency: 0, rings: null, damping: 0, element: FREE, ...motion };
+    const { size, rings, damping: ratio } = ringing(motions, partners[k]);
+    const frequency = (controlled && rings ? size : Math.sqrt(Math.max(square, 0))) / (2 * Math.PI);
+    const most = stored.reduce((a, b) => (b.energy > a.energy ? b : a), stored[0]);
+    return {
+      frequency,
+      rings,
+      damping: Math.abs(ratio) > ROUNDING ? ratio : 0,
+      element: total > zero && most ? most.element : LOADS,
+      ...motion,
+    };
+  });
+}
+
+/** Twice the energy of a shape in each spring, and in the controllers. */
+function storedIn(
+  bundle: Bundle,
+  blocks: Blocks,
+  elastic: Float64Array,
+  shape: Float64Array,
+  controlled: boolean,
+): { element: string; energy: number }[] {
+  const n = shape.length;
+  const force = (row: number) => {
+    let sum = 0;
+    for (let j = 0; j < n; j += 1) sum += elastic[row * n + j] * shape[j];
+    return sum;
+  };
+  const { springs, servos } = bundle.modes!;
+  const found = springs.map(({ element, rows, gear }) => {
+    if (!gear) return { element, energy: rows.reduce((sum, row) => sum + shape[row] * force(row), 0) };
+    const own = elastic[rows[0] * (n + 1)];
+    return { element, energy: own ? force(rows[0]) ** 2 / own : 0 };
+  });
+  if (!controlled) return found;
+  return [
+    ...found,
+    ...servos.map(({ coordinate, element }, k) => ({ element, energy: blocks.servos[2 * k] * shape[coordinate] ** 2 })),
+  ];
+}
