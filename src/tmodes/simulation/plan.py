@@ -16,6 +16,7 @@ from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan
 from tmodes.errors import InputError
 from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.signals.registry import MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 
@@ -117,14 +118,14 @@ def _drive(
 ) -> DrivePlan:
     winding, numbers = _winding(axis.joint.motor)
     if sheet is None or follow is Follow.HELD:
-        held = Constant(type="constant", value=initial_value(arm, axis.name))
+        held = constant_signal(initial_value(arm, axis.name))
         return DrivePlan(axis.name, signals.add(held, "initial"), None, winding, numbers)
     command = sheet.command
     exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command.is_motion)
     signal = signals.add(sheet.signal, f"drives.{index}.signal")
     if exact:
         return DrivePlan(axis.name, signal, None, winding, numbers)
-    noise = signals.add(sheet.noise, f"drives.{index}.noise") if sheet.noise else -1
+    noise = signals.add(sheet.disturbance, f"drives.{index}.noise") if sheet.disturbance else -1
     driven = winding is not Winding.NONE and (command.is_controlled or command is Command.VOLTAGE)
     servo = Servo(sheet.controller, driven=driven, winding=winding, noisy=noise >= 0)
     return DrivePlan(axis.name, signal, servo, winding, servo.numbers(numbers), noise)
