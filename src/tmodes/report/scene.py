@@ -9,7 +9,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
-from tmodes.chain.chain import RigidLink
 from tmodes.model.model import Model
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
 from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
@@ -153,7 +152,7 @@ def _base(model: Model, data: Any) -> Array:
 
 def _link(arm: Robot, model: Model, name: str, stations: Array) -> dict[str, Any]:
     node = next(node for node in model.chain.nodes if node.name == name)
-    bends = not isinstance(node.link, RigidLink)
+    bends = node.link.bends
     length = getattr(node.link, "length", 0.0)
     return {"name": name, "bends": bends, "length": length, "section": section_of(arm, name, stations)}
 
