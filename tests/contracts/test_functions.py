@@ -15,11 +15,11 @@ from tmodes.model.evaluator import evaluate
 FUNCTIONS: dict[str, Any] = {
     "sin": f.sin, "cos": f.cos, "tan": f.tan, "fabs": f.fabs, "exp": f.exp, "tanh": f.tanh,
     "sqrt": lambda x: f.sqrt(x * x + 1.0), "fmin": lambda x: f.fmin(x, 0.3), "fmax": lambda x: f.fmax(0.3, x),
-    "if_else": lambda x: f.if_else(x > 0.3, x**3, 1 / (x - 2.5)),
+    "if_else": lambda x: f.if_else(x > 0.3, x**3, 1 / (x - 2.5)), "atan2": lambda x: f.atan2(x, x * x - 4.0),
 }  # fmt: skip
 NUMPY: dict[str, Any] = {
     "sqrt": lambda x: np.sqrt(x * x + 1.0), "fmin": lambda x: np.minimum(x, 0.3), "fmax": lambda x: np.maximum(x, 0.3),
-    "if_else": lambda x: np.where(x > 0.3, x**3, 1 / (x - 2.5)),
+    "if_else": lambda x: np.where(x > 0.3, x**3, 1 / (x - 2.5)), "atan2": lambda x: np.arctan2(x, x * x - 4.0),
 }  # fmt: skip
 PLACES = np.array([[-31.0], [-2.7], [-0.4], [-1e-9], [0.0], [0.2], [0.31], [1.9], [29.0]])
 

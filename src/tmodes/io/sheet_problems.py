@@ -1,9 +1,8 @@
-"""What the validator found wrong in an arm's data sheet, in our words: which, got, expected, mend."""
+"""What the validator found wrong in a data sheet, in our words: which, got, expected, hint."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from enum import Enum
 from itertools import islice
 from typing import Any
 
@@ -11,9 +10,9 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from tmodes.errors import InputError
-from tmodes.io.sheet_fields import ROOT, ChainPlace, Step, chosen, inside, keys, place_of
+from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, place_of, root_of
 from tmodes.io.sheet_units import at
-from tmodes.io.sheet_words import kind_of
+from tmodes.io.sheet_words import choices, kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 
@@ -59,7 +58,7 @@ def _problems(detail: ErrorDetails, data: Any) -> Iterator[Complaint]:
 def _steps(loc: tuple[Step, ...], data: Any) -> tuple[Step, ...]:
     """The validator's location without the kinds that it names on the way into a section, a signal, a material."""
     steps: list[Step] = []
-    place: ChainPlace | None = ROOT
+    place: ChainPlace | None = root_of(data)
     value = data
     skipped = False
     for step in loc:
@@ -85,13 +84,15 @@ def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
     known = keys(_group(steps[:-1], data))
     key = str(steps[-1])
     close = nearest(key, known)
-    hint = f"did you mean `{close}`?" if close else _elsewhere(key)
+    group = named(steps[:-1], data)
+    hint = f"did you mean `{group}.{close}`?" if close and group else f"did you mean `{close}`?"
+    hint = hint if close else _elsewhere(key, data)
     return InputError("", "an unknown key", f"one of {', '.join(known) or 'the known keys'}", hint)
 
 
-def _elsewhere(key: str) -> str:
+def _elsewhere(key: str, data: Any) -> str:
     """A key that belongs to the sheet's outermost level, or to none."""
-    return f"put `{key}` at the outermost level" if key in keys(ROOT.annotation) else "remove it"
+    return f"put `{key}` at the outermost level" if key in keys(root_of(data).annotation) else "remove it"
 
 
 def _short(steps: tuple[Step, ...], data: Any) -> InputError:
@@ -105,8 +106,8 @@ def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
     expected = place.expected if place else "a value"
     if place and place.info and place.info.description:
         expected += f": {place.meaning}"
-    choices = _choices(place) if place else []
-    lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in choices or ["..."]) if steps else ""
+    words = choices(place.members, place.info) if place else []
+    lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in words or ["..."]) if steps else ""
     return InputError("", "nothing", expected, f"add the line {lines}" if lines else "add it")
 
 
@@ -128,7 +129,7 @@ def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
 def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) -> InputError:
     value, place = detail["input"], place_of(steps, data)
     if place is None or not steps:
-        expected = f"a group with the keys {', '.join(keys(ROOT.annotation))}" if not steps else detail["msg"]
+        expected = f"a group with the keys {', '.join(keys(root_of(data).annotation))}" if not steps else detail["msg"]
         return InputError("", shown(value), expected, "compare it with a published robot")
     bounds = {} if place.extra.get("span") else detail.get("ctx", {})
     if LARGEST in map(_magnitude, bounds.values()):
@@ -151,14 +152,6 @@ def _hint(place: ChainPlace, value: Any) -> str:
         return "check sign, size and unit"
     if place.unit is not None:
         return f"write {place.expected}"
-    if isinstance(value, str) and (close := nearest(value, _choices(place))):
+    if isinstance(value, str) and (close := nearest(value, choices(place.members, place.info))):
         return f"did you mean `{close}`?"
-    return f"write the {place.meaning} as {place.expected}"
-
-
-def _choices(place: ChainPlace) -> list[str]:
-    return [str(choice.value) for member in place.members if _is_enum(member) for choice in member]
-
-
-def _is_enum(member: Any) -> bool:
-    return isinstance(member, type) and issubclass(member, Enum)
+    return f"write {place.expected}"

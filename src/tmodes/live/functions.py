@@ -10,17 +10,17 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Chain, Point, RigidLink, Segment
-from tmodes.compile.loops.loops import EXPLICIT, EXTRAPOLATION, ROSENBROCK
+from tmodes.chain.chain import Chain, Point
 from tmodes.compile.wasm.wasm_parts import schedule_loop, schedule_samples
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.mechanics import mechanics
+from tmodes.integrate.method import EULER, JACOBIAN
+from tmodes.integrate.registry import integrator
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.live.module import Functions, LiveModule
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
 from tmodes.sheet import RobotPair
-from tmodes.sheet.parts import Command
 from tmodes.simulation.plan import Follow, Planned, planned
 
 __all__ = ["ModelFunctions", "live_module", "needed_for", "stationed"]
@@ -42,7 +42,7 @@ class ModelFunctions:
     def plans(self) -> dict[str, Planned]:
         """What happens: ``reference`` where there is one, ``real``, and ``rest``, in which every drive stands."""
         nominal, real = self.pair.nominal, self.pair.real
-        commanded = any(drive.command is Command.POSITION for drive in nominal.drives)
+        commanded = any(drive.command.is_controlled for drive in nominal.drives)
         reference = Follow.WANTED if commanded else Follow.SHEET if nominal.real else None
         follows = {"reference": (nominal, reference), "real": (real, Follow.SHEET), "rest": (real, Follow.HELD)}
         return {name: planned(arm, follow) for name, (arm, follow) in follows.items() if follow}
@@ -108,11 +108,11 @@ def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = T
 
 def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:
     count = loop.parts.size
-    if method in EXPLICIT:
+    if integrator(method).is_explicit:
         return schedule_loop(symbol, loop.rate, 2 * count, method)
-    if method == ROSENBROCK:
+    if integrator(method).asks == JACOBIAN:
         return schedule_loop(symbol, loop.rate, 2 * count, method, pairs=count, columns=loop.layout.works.start)
-    rate = loop.euler_rate if method == EXTRAPOLATION else loop.implicit_rate
+    rate = loop.euler_rate if integrator(method).asks == EULER else loop.implicit_rate
     return schedule_loop(symbol, rate, 2 * count, method, pairs=count)
 
 
@@ -136,7 +136,7 @@ def stationed(chain: Chain, stations: Sequence[float]) -> Chain:
     """
     points = []
     for index, node in enumerate(chain.nodes):
-        places = (1.0,) if isinstance(node.link, RigidLink | Segment) else stations
+        places = stations if node.link.has_stations else (1.0,)
         points += [Point(f"{index}.{s}", index, s) for s in places]
     return replace(chain, points=tuple(points))
 

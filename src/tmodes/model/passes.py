@@ -8,6 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.equations.line.schedule import Lines, line_schedule
 from tmodes.equations.mechanics import Mechanics
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import BASE, resting_base
@@ -75,13 +76,29 @@ class ArmPasses:
         return evaluate(self.parameters, self.schedule("elastic"), self._common(rows, None, None), rows.count)
 
     @cached_property
+    def _lines(self) -> dict[tuple[tuple[float, ...], bool], Lines]:
+        return {}
+
+    def lines(self, s: tuple[float, ...], *, loaded: bool = False) -> Lines:
+        """The elastic lines at the places ``s`` along each link; ``loaded``: forces act on the points."""
+        if (s, loaded) not in self._lines:
+            self._lines[s, loaded] = line_schedule(self.parts, np.array(s), loaded=loaded)
+        return self._lines[s, loaded]
+
+    def on_lines(
+        self, lines: Lines, rows: Rows, a: ArrayLike, base: ArrayLike | None, wrenches: ArrayLike | None
+    ) -> Blocks:
+        """Outputs of the schedule of the elastic lines."""
+        return evaluate(lines.numbers, lines.schedule, self.inertial(rows, a, base, wrenches), rows.count)
+
+    @cached_property
     def rotor_inertias(self) -> Array:
         """Inertia of the rotors along each coordinate."""
         rotors = np.zeros(self.parts.size)
-        for part in self.parts.nodes:
-            motor = part.node.joint.motor
-            if motor and part.effort >= 0:
-                rotors[part.motor if part.motor >= 0 else part.angle] += motor.inertia
+        for axis in self.parts.axes:
+            motor = axis.node.joint.motor
+            if motor and axis.effort >= 0:
+                rotors[axis.input] += motor.inertia
         return rotors
 
     def at_rest(self, *, gravity: float = 1.0) -> Array:

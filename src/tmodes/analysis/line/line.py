@@ -1,8 +1,6 @@
 """The elastic line of any link, at any point and sample: where it is, how it bends, what it carries, its stress.
 
-What a section carries is the balance of everything outboard of it. The beam's own inertia is that of the model at its
-Gauss points, carried between them by the polynomials through them; so the balance at the root is exactly the model's
-own, and along the line it is smooth. The moment that bends it, EI kappa, is its projection on the link's functions.
+All of it is computed by one compiled schedule, see :mod:`tmodes.equations.line.schedule`.
 
 Eq. (29)-(33) [derived]: the moment along any link in space, of all that moves outboard of it.
 {test_static_tip_force, test_rotating_beam}
@@ -11,21 +9,21 @@ Eq. (29)-(33) [derived]: the moment along any link in space, of all that moves o
 from __future__ import annotations
 
 from collections.abc import Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, fields
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.analysis.line.loads import NodeLoads, node_loads
-from tmodes.analysis.line.shape import Shape, beam_shape, segment_shape
-from tmodes.analysis.line.stress import Stress, stress_of
-from tmodes.analysis.line.tables import LineTables, line_tables
-from tmodes.analysis.line.walk import Walked, info_places, walk
-from tmodes.chain.chain import Beam, Node, RigidLink, Segment
+from tmodes.chain.chain import Node
+from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
+from tmodes.kinds.links.line import LineOfLink
+from tmodes.kinds.links.line_place import layout
+from tmodes.model.evaluator import Rows
 from tmodes.model.model import Model
 
-__all__ = ["Largest", "LinkLine", "LinkLines", "elastic_line"]
+__all__ = ["Largest", "LinkLine", "LinkLines", "Shape", "Stress", "elastic_line"]
 
 Array = NDArray[np.float64]
 
@@ -35,8 +33,39 @@ STATIONS = 21
 _MOST_NUMBERS = 500_000_000
 """Numbers of an answer (4 GB) beyond which it is refused."""
 
-_PER_PLACE = 40
-"""Numbers told of one place at one sample, about."""
+
+@dataclass(frozen=True, eq=False)
+class Shape:
+    """n samples, S places. ``deflection`` (n, S, 2) [m] along y and z of the root, off its tangent; ``slope`` (n, S, 2)
+    [rad]: angle of the tangent against the root's, seen in its x-y and x-z planes.
+
+    ``curvature`` (n, S, 2) [1/m] about y and z and ``twist`` (n, S) [rad/m] in section axes, with those of the unloaded
+    line; ``stretch`` (n, S) [-]. ``elastic_moment`` (n, S, 3) [N*m]: torsion, about y, about z, as curvature and its
+    rate ask of the material, EI (kappa + eta kappa'); ``elastic_force`` (n, S) [N] likewise of the stretch.
+    """  # noqa: D205
+
+    deflection: Array
+    slope: Array
+    curvature: Array
+    twist: Array
+    stretch: Array
+    elastic_moment: Array
+    elastic_force: Array
+
+
+@dataclass(frozen=True, eq=False)
+class Stress:
+    """Largest stresses of each section, (n, S), n samples, S places.
+
+    ``strain`` [-] and ``normal_stress`` [Pa] of the outer fibre where axial force and bending add up; ``shear_stress``
+    [Pa] of torsion (shear of the transverse force is small in slender beams and left out); ``mises_stress`` [Pa].
+    Exact for round sections and the corners of boxes; for others not less than the true values.
+    """
+
+    strain: Array
+    normal_stress: Array
+    shear_stress: Array
+    mises_stress: Array
 
 
 @dataclass(frozen=True)
@@ -110,24 +139,16 @@ def elastic_line(
     """The lines of all links at n samples of coordinates, rates and accelerations, each (n, nq) or (nq,).
 
     ``stations``: how many places along each link, or which (0..1); ``wrenches`` (n, points, 6) and ``base`` (n, 24) as
-    :meth:`tmodes.model.model.ArmModel.inverse_dynamics` takes them. Raises :class:`tmodes.errors.InputError` for places
+    :meth:`tmodes.model.model.Model.inverse_dynamics` takes them. Raises :class:`tmodes.errors.InputError` for places
     off the link and :class:`tmodes.errors.SimulationError` for more than memory should hold.
     """
     asked = _asked(stations)
     q = np.atleast_2d(np.asarray(q, dtype=float))
-    v, a = (np.broadcast_to(np.asarray(x, dtype=float), q.shape) for x in (v, a))
-    nodes = model.chain.nodes
-    _refuse_huge(len(q) * len(asked) * len(nodes) * _PER_PLACE)
-    tables = [_tables(model, index, asked) for index in range(len(nodes))]
-    pushed = None if wrenches is None else _rows(wrenches, (len(q), len(model.parts.points), 6))
-    bases = _rows(model.at_rest() if base is None else base, (len(q), 24))
-    walked = walk(model, tables, asked, q, v, a, bases)
-    loads = node_loads(model, tables, walked, pushed)
-    lines = {}
-    for index, node in enumerate(nodes):
-        lines[node.name] = _line(model, index, asked, tables[index], walked, loads[index], q, v)
-    roots = np.stack([np.concatenate([load.root.force, load.root.moment], axis=-1) for load in loads], axis=1)
-    return LinkLines(lines, roots)
+    lines = model.passes.lines(tuple(asked), loaded=wrenches is not None)
+    _refuse_huge(len(q) * lines.schedule.output_size)
+    found = model.passes.on_lines(lines, Rows(q, v, model.nq), a, base, wrenches)
+    named = [line for index in range(len(model.chain.nodes)) for line in _lines(model, index, asked, lines, found)]
+    return LinkLines({line.name: line for line in named}, found[ROOTS].reshape(len(q), -1, 6))
 
 
 def _asked(stations: int | Sequence[float]) -> Array:
@@ -142,64 +163,38 @@ def _refuse_huge(numbers: int) -> None:
     if numbers > _MOST_NUMBERS:
         raise SimulationError(
             f"the elastic lines would take {numbers * 8 / 1e9:.1f} GB; expected at most "
-            f"{_MOST_NUMBERS * 8 / 1e9:.0f} GB. Ask fewer samples at once, or fewer stations"
+            f"{_MOST_NUMBERS * 8 / 1e9:.0f} GB. Ask for fewer samples at once, or fewer stations"
         )
 
 
-def _rows(values: ArrayLike, shape: tuple[int, ...]) -> Array:
-    array = np.asarray(values, dtype=float)
-    return np.broadcast_to(array.reshape((-1, *shape[1:])), shape)
+def _lines(model: Model, index: int, asked: Array, lines: Lines, found: dict[str, Array]) -> list[LinkLine]:
+    node = model.chain.nodes[index]
+    if not lines.links[index]:
+        return [_straight(node.name, index, asked, lines.ends[index], found[node.name])]
+    return [_bent(node, index, line, found[node.name + line.suffix]) for line in lines.links[index]]
 
 
-def _tables(model: Model, index: int, asked: Array) -> LineTables | None:
-    beam, link = model.chain.nodes[index].link, model.parts.nodes[index].link
-    if link is None or not isinstance(beam, Beam):
-        return None
-    stations = tuple(s for s, _ in link.stations)
-    return line_tables(beam, stations, info_places(asked, stations))
+def _bent(node: Node, index: int, line: LineOfLink, found: Array) -> LinkLine:
+    rows = found.reshape(len(found), len(line.s), -1)
+    places = {name: rows[..., part] for name, part in layout(stressed=line.stressed).items()}
+    values = {name: part[..., 0] if part.shape[-1] == 1 else part for name, part in places.items()}
+    rotation = places["rotation"].reshape(*rows.shape[:2], 3, 3)
+
+    def owned(kind: type) -> dict[str, Any]:
+        return {field.name: values[field.name] for field in fields(kind)}
+
+    return LinkLine(
+        node.name + line.suffix, index, node.link.kind, line.length, line.s, values["position"], rotation,
+        values["moment"], values["shear"], values["axial"], Shape(**owned(Shape)),
+        Stress(**owned(Stress)) if line.stressed else None,
+    )  # fmt: skip
 
 
-def _line(
-    model: Model, index: int, asked: Array, table: LineTables | None, walked: list[Walked], loads: NodeLoads,
-    q: Array, v: Array,
-) -> LinkLine:  # fmt: skip
-    node, way, part = model.chain.nodes[index], walked[index], model.parts.nodes[index].link
-    if part is None or isinstance(node.link, RigidLink):
-        return _straight(model, index, asked, way)
-    info = slice(1, 1 + len(asked))
-    rotation, position = way.rotation[:, info], way.position[:, info]
-    if isinstance(node.link, Segment):
-        shape = segment_shape(node.link, asked, position, q[:, part.own], v[:, part.own])
-    else:
-        assert table is not None  # noqa: S101
-        shape = beam_shape(table, info, rotation, position, q[:, part.own], v[:, part.own])
-    back = rotation.swapaxes(-1, -2)
-    force, moment = ((back @ x[:, info, :, None])[..., 0] for x in (loads.places.force, loads.places.moment))
-    axial = force[..., 0]
-    stress = stress_of(node.link, asked, moment, axial) if isinstance(node.link, Beam) else None
-    turned = way.root.rotation[:, None]
-    world = way.root.position[:, None] + (turned @ position[..., None])[..., 0]
-    kind = "segment" if isinstance(node.link, Segment) else "strain"
-    return LinkLine(node.name, index, kind, node.link.length, asked, world, turned @ rotation, moment, force[..., 1:],
-                    axial, shape, stress)  # fmt: skip
-
-
-def _straight(model: Model, index: int, asked: Array, way: Walked) -> LinkLine:
+def _straight(name: str, index: int, asked: Array, end: Array, found: Array) -> LinkLine:
     """From the root of a rigid link to the farthest thing on it: a joint, else a point, else a center of mass."""
-    end = _far_end(model, index, model.chain.nodes[index])
-    rotation, length = way.root.rotation, float(np.linalg.norm(end))
-    position = way.root.position[:, None] + asked[:, None] * (rotation @ end)[:, None]
-    turned = np.broadcast_to(rotation[:, None], (len(rotation), len(asked), 3, 3))
-    unknown = np.full((len(rotation), len(asked), 3), np.nan)
-    name = model.chain.nodes[index].name
-    return LinkLine(name, index, "rigid", length, asked, position, turned, unknown, unknown[..., 1:], unknown[..., 0])
-
-
-def _far_end(model: Model, index: int, node: Node) -> Array:
-    joints = [other.joint.placement.position for other in model.chain.nodes if other.parent == index]
-    points = [point.offset.position for point in model.parts.points if point.node == index]
-    bodies = [body.center for body in node.link.bodies] if isinstance(node.link, RigidLink) else []
-    for places in (joints, points, bodies):
-        if places:
-            return np.asarray(max(places, key=lambda place: float(np.linalg.norm(place))), dtype=float)
-    return np.zeros(3)
+    start, stop = (found[:, None, RIGID[part]] for part in ("position", "end"))
+    position = start + asked[:, None] * (stop - start)
+    rotation = np.broadcast_to(found[:, RIGID["rotation"]].reshape(-1, 1, 3, 3), (*position.shape[:2], 3, 3))
+    unknown, length = np.full(position.shape, np.nan), float(np.linalg.norm(end))
+    return LinkLine(name, index, "rigid", length, asked, position, rotation, unknown, unknown[..., 1:],
+                    unknown[..., 0])  # fmt: skip

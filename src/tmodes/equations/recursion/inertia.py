@@ -2,14 +2,15 @@
 
 from __future__ import annotations
 
+from dataclasses import dataclass, field
+
 from tmodes.equations.recursion.body_kernels import body_moment_kernel, point_kernel, times_kernel
-from tmodes.equations.recursion.hinge import HELD
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["inertia_forces"]
+__all__ = ["Balance", "balance", "inertia_forces"]
 
 
 def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
@@ -20,74 +21,94 @@ def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
     """
     way = Passes(parts, posed=True, loaded=loaded)
     way.take_wrenches()
+    found = balance(way, way.schedule.input("a", parts.size))
     schedule = way.schedule
-    a = schedule.input("a", parts.size)
-    way.outwards()
-    roots, tips = _accelerations(way, a)
-    _points(way, a, roots, tips)
-    _moment(way)
-    loads: list[Slot] = []
-    for index, tip in enumerate(tips):
-        inertia, bias = way.load_of_tip(index)
-        loads.append(schedule.call(times_kernel(), inertia, tip, bias)[0])
-    joints: dict[int, Slot] = {}
-    links: dict[int, Slot] = {}
-    at_base = way.none[FORCE]
-    for index in reversed(range(len(parts.nodes))):
-        part, found = parts.nodes[index], way.ways[index]
-        force = loads[index]
-        if part.link and found.tip:
-            terms = way.terms_with_stations(index)
-            blocks = (terms, found.tip, roots[index], way.bend(part.link, a), force)
-            force, links[part.link.first] = schedule.call(part.link.kernels.load(), *blocks)
-        parent = part.node.parent
-        total = loads[parent] if parent >= 0 else at_base
-        total, along = schedule.call(part.hinge.load(), force, found.hinge, part.axis, total)
-        if part.angle >= 0:
-            joints[part.angle] = along
-        if parent >= 0:
-            loads[parent] = total
-        else:
-            at_base = total
-    schedule.output("forces", *way.by_coordinate({}, joints, links))
-    schedule.output("base_force", at_base)
+    schedule.output("points", *_points(way, found))
+    schedule.output("moment", _moment(way))
+    schedule.output("forces", *way.by_coordinate({}, found.joints, found.links))
+    schedule.output("base_force", found.at_base)
     return schedule
 
 
-def _accelerations(way: Passes, a: Slot) -> tuple[list[Slot], list[Slot]]:
+@dataclass
+class Balance:
+    """Motion and forces that the accelerations ``a`` need, by index of the node, in the axes of its link.
+
+    ``roots`` and ``tips``: accelerations less gravity; ``loads``: force on the tip by what moves with it and
+    outboard of it; ``forces``: that on the root. ``joints`` and ``links``: forces along their coordinates, by the index
+    of the first of them.
+    """
+
+    a: Slot
+    at_base: Slot
+    roots: list[Slot] = field(default_factory=list)
+    tips: list[Slot] = field(default_factory=list)
+    loads: list[Slot] = field(default_factory=list)
+    forces: dict[int, Slot] = field(default_factory=dict)
+    joints: dict[int, Slot] = field(default_factory=dict)
+    links: dict[int, Slot] = field(default_factory=dict)
+
+
+def balance(way: Passes, a: Slot) -> Balance:
+    """The calls of inverse dynamics, outwards and back, added to the schedule of ``way``."""
+    way.outwards()
+    found, schedule, parts = Balance(a, way.none[FORCE]), way.schedule, way.parts
+    _accelerations(way, found)
+    for index, tip in enumerate(found.tips):
+        inertia, bias = way.load_of_tip(index)
+        found.loads.append(schedule.call(times_kernel(), inertia, tip, bias)[0])
+    for index in reversed(range(len(parts.nodes))):
+        part, here = parts.nodes[index], way.ways[index]
+        force = found.loads[index]
+        if part.link and here.tip:
+            terms = way.terms_with_stations(index)
+            blocks = (terms, here.tip, found.roots[index], way.bend(part.link, a), force)
+            force, found.links[part.link.first] = schedule.call(part.link.kernels.load(), *blocks)
+        found.forces[index] = force
+        parent = part.node.parent
+        total = found.loads[parent] if parent >= 0 else found.at_base
+        total, along = schedule.call(part.hinge.load(), force, here.hinge, here.axis, total)
+        found.joints |= {axis.angle: along.part(axis.place, 1) for axis in part.axes}
+        if parent >= 0:
+            found.loads[parent] = total
+        else:
+            found.at_base = total
+    return found
+
+
+def _accelerations(way: Passes, found: Balance) -> None:
     """Accelerations of the roots and of the tips when all coordinates accelerate as given."""
-    roots: list[Slot] = []
-    tips: list[Slot] = []
-    held = way.parts.none[HELD]
-    for part, found in zip(way.parts.nodes, way.ways, strict=True):
-        before = tips[part.node.parent] if part.node.parent >= 0 else way.base.part(0, FORCE)
-        given = a.part(part.angle, 1) if part.angle >= 0 else way.none[1]
-        root, _ = way.schedule.call(part.hinge.as_driven().onward(), before, found.hinge, part.axis, held, given)
-        roots.append(root)
-        if part.link and found.tip:
-            (root,) = way.schedule.call(part.link.kernels.motion(), root, found.tip, way.bend(part.link, a))
-        tips.append(root)
-    return roots, tips
+    a = found.a
+    for part, here in zip(way.parts.nodes, way.ways, strict=True):
+        before = found.tips[part.node.parent] if part.node.parent >= 0 else way.base.part(0, FORCE)
+        given = a.part(part.angle, part.size) if part.axes else way.none[1]
+        hinge = part.hinge.as_driven()
+        root, _ = way.schedule.call(hinge.onward(), before, here.hinge, here.axis, way.none[hinge.held], given)
+        found.roots.append(root)
+        if part.link and here.tip:
+            (root,) = way.schedule.call(part.link.kernels.motion(), root, here.tip, way.bend(part.link, a))
+        found.tips.append(root)
 
 
-def _points(way: Passes, a: Slot, roots: list[Slot], tips: list[Slot]) -> None:
+def _points(way: Passes, found: Balance) -> list[Slot]:
     """Pose, rate and acceleration of each named point."""
     info: list[Slot] = []
     for point, offset in zip(way.parts.points, way.parts.offsets, strict=True):
-        found, link = way.ways[point.node], way.parts.nodes[point.node].link
+        here, link = way.ways[point.node], way.parts.nodes[point.node].link
         number = way.parts.station(point)
-        pose, section, motion = found.tip_pose, found.tip, tips[point.node]
+        pose, section, motion = here.tip_pose, here.tip, found.tips[point.node]
         if number is not None and link:
-            pose, section = found.section_poses[number], found.sections[number]
-            (motion,) = way.schedule.call(link.kernels.motion(), roots[point.node], section, way.bend(link, a))
+            pose, section = here.section_poses[number], here.sections[number]
+            blocks = (found.roots[point.node], section, way.bend(link, found.a))
+            (motion,) = way.schedule.call(link.kernels.motion(), *blocks)
         assert pose is not None  # noqa: S101
-        rate = section.part(12, 3) if section else found.tip_rate
+        rate = section.part(12, 3) if section else here.tip_rate
         kernel = point_kernel(on_section=section is not None)
         info += way.schedule.call(kernel, pose, way.frame(section), rate, motion, offset)
-    way.schedule.output("points", *info)
+    return info
 
 
-def _moment(way: Passes) -> None:
+def _moment(way: Passes) -> Slot:
     """Sum of mass times position, for the potential of gravity."""
     total = way.none[3]
     for part, found in zip(way.parts.nodes, way.ways, strict=True):
@@ -101,4 +122,4 @@ def _moment(way: Passes) -> None:
             (total,) = way.schedule.call(part.link.kernels.moment(), terms, found.root_pose, total)
         if part.tip_body and found.tip_pose:
             (total,) = way.schedule.call(body_moment_kernel(), part.tip_body, found.tip_pose, total)
-    way.schedule.output("moment", total)
+    return total

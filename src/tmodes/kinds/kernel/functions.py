@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-__all__ = ["cos", "exp", "fabs", "fmax", "fmin", "if_else", "sin", "sqrt", "tan", "tanh"]
+__all__ = ["atan2", "cos", "exp", "fabs", "fmax", "fmin", "if_else", "sin", "sqrt", "tan", "tanh"]
 
 _HALVINGS = 10
 """exp(x) is found at x/2^10 and squared ten times."""
@@ -103,6 +103,27 @@ def tanh(x: Any) -> Any:
     growth = _growth(2 * fmin(fabs(x), _SATURATED))
     value = growth / (growth + 2)
     return if_else(x < 0, -value, value)
+
+
+_ANGLE_HALVINGS = 4
+_ANGLE_TERMS = 8
+"""Terms of the series of the arc tangent: exact where the halved angle has a tangent below 0.1."""
+
+_TINY = 1e-300
+
+
+def atan2(y: Any, x: Any) -> Any:
+    """Angle of the point (x, y) against the x axis [rad], 0 at the origin; of a symbolic operand to a few roundings."""
+    if _is_number(x) or _is_array(x):
+        return np.arctan2(y, x)
+    tangent = y / (sqrt(x * x + y * y) + fabs(x) + _TINY)
+    for _ in range(_ANGLE_HALVINGS - 1):
+        tangent = tangent / (1 + sqrt(1 + tangent * tangent))
+    square, series = tangent * tangent, 0.0
+    for k in reversed(range(_ANGLE_TERMS)):
+        series = series * square + (-1) ** k / (2 * k + 1)
+    acute = 2**_ANGLE_HALVINGS * tangent * series
+    return if_else(x < 0, if_else(y < 0, -math.pi, math.pi) - acute, acute)
 
 
 def _growth(x: Any) -> Any:

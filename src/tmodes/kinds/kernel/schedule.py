@@ -37,11 +37,11 @@ class Divisible(Protocol):
 
 
 class Numbers:
-    """The parameters of a robot in one vector, in blocks."""
+    """The parameters of a robot in one vector, in blocks; ``start``: how many others stand before them."""
 
-    def __init__(self) -> None:
+    def __init__(self, start: int = 0) -> None:
         self._values: list[NDArray[np.float64]] = []
-        self.size = 0
+        self.size = start
 
     def block(self, values: ArrayLike) -> Slot:
         """Append a block of numbers."""
@@ -53,7 +53,7 @@ class Numbers:
 
     @property
     def vector(self) -> NDArray[np.float64]:
-        """All numbers."""
+        """All numbers of the blocks."""
         return np.concatenate(self._values) if self._values else np.zeros(0)
 
 

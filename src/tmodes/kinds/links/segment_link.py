@@ -9,7 +9,7 @@ from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.spatial import Force
 from tmodes.kinds.links.terms import Section
 
-__all__ = ["segment_link"]
+__all__ = ["segment_link", "turned_axes"]
 
 
 def segment_link(bend_y: bool, bend_z: bool, length: Any, rate: Any, q: Any, qd: Any) -> list[Any]:
@@ -33,13 +33,18 @@ def segment_link(bend_y: bool, bend_z: bool, length: Any, rate: Any, q: Any, qd:
     return Section(tangent.rotation, place, tangent.rate, columns, bias).packed()
 
 
+def turned_axes(about_y: Any, about_z: Any) -> v.Matrix:
+    """Axes turned about z, then about the turned y: Rz Ry."""
+    cy, sy, cz, sz = cos(about_y), sin(about_y), cos(about_z), sin(about_z)
+    return [[cz * cy, -sz, cz * sy], [sz * cy, cz, sz * sy], [-sy, 0.0, cy]]
+
+
 class _Turned:
     """Axes turned about z, then about the turned y, with their angular velocity and its bias acceleration."""
 
     def __init__(self, about_y: Any, about_z: Any, rate_y: Any, rate_z: Any, spin: v.Vector) -> None:
-        cy, sy, cz, sz = cos(about_y), sin(about_y), cos(about_z), sin(about_z)
-        self.rotation = [[cz * cy, -sz, cz * sy], [sz * cy, cz, sz * sy], [-sy, 0.0, cy]]
-        self.columns = [[-sz, cz, 0.0], v.unit(2)]
+        self.rotation = turned_axes(about_y, about_z)
+        self.columns = [[row[1] for row in self.rotation], v.unit(2)]
         after_z = v.add(spin, v.scale(rate_z, v.unit(2)))
         turn_y = v.scale(rate_y, self.columns[0])
         self.rate = v.add(after_z, turn_y)

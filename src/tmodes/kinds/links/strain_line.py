@@ -6,13 +6,13 @@ The frame is integrated from section to section by the fourth-order Magnus step 
 from __future__ import annotations
 
 from dataclasses import dataclass, field
-from typing import Any
+from typing import Any, NamedTuple
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.links.strain_shape import StrainShape, TableReader
 
-__all__ = ["SectionState", "StrainLine", "strain_line"]
+__all__ = ["SectionState", "StrainLine", "Turned", "curvature_sums", "magnus_turn", "strain_line"]
 
 _TERMS = 7
 """Terms of the series of the rotation: 1e-15 up to 0.6 radian between two points, 1e-12 up to 1.0, 1e-9 up to 1.6."""
@@ -89,31 +89,51 @@ def _magnus_step(
     n = shape.turning
     alpha = [table("alpha", interval * n + j) for j in range(n)]
     beta = [table("beta", interval * n + j) for j in range(n)]
-    a, b = _sums(shape, alpha, q), _sums(shape, beta, q)
+    a, b = curvature_sums(shape, alpha, q), curvature_sums(shape, beta, q)
     if shape.curved:
         a = v.add(a, [table("rest", interval * 3 + c) for c in range(3)])
-    ad, bd = _sums(shape, alpha, qd), _sums(shape, beta, qd)
+    ad, bd = curvature_sums(shape, alpha, qd), curvature_sums(shape, beta, qd)
     turn = v.add(a, v.cross(a, b))
     turn_rate = v.add(ad, v.cross(ad, b), v.cross(a, bd))
     turn_bias = v.scale(2, v.cross(ad, bd))
+    turned = magnus_turn(old.rotation, old.rate, old.bias, turn, turn_rate, turn_bias)
+    columns = _columns(shape, turned.spread, a, b, alpha, beta, old.columns)
+    return SectionState(turned.rotation, turned.rate, turned.bias, columns)
+
+
+class Turned(NamedTuple):
+    """A section after a step; ``spread``: its angular velocity per rate of the rotation vector of the step."""
+
+    rotation: v.Matrix
+    rate: v.Vector
+    bias: v.Vector
+    spread: v.Matrix
+
+
+def magnus_turn(
+    rotation: v.Matrix, rate: v.Vector, bias: v.Vector, turn: v.Vector, turn_rate: v.Vector, turn_bias: v.Vector
+) -> Turned:
+    """Turn a section by the rotation vector ``turn`` in its own axes, with the first and second derivatives of it.
+
+    ``bias``: its angular acceleration, without the part that ``turn_bias`` leaves out of the second derivative.
+    """
     z = v.dot(turn, turn)
     f1, f2, f3 = (v.series(z, first, _TERMS) for first in (1, 2, 3))
     g2, g3 = (v.slope_of_series(z, first, _TERMS) for first in (2, 3))
-    once = [v.cross(row, turn) for row in old.rotation]
+    once = [v.cross(row, turn) for row in rotation]
     twice = [v.cross(row, turn) for row in once]
-    spread = _mix(old.rotation, (f2, once), (f3, twice))
+    spread = _mix(rotation, (f2, once), (f3, twice))
     gained = v.matvec(spread, turn_rate)
     c1 = v.cross(turn, turn_rate)
     inner = v.add(
         v.scale(2 * v.dot(turn, turn_rate), v.add(v.scale(g2, c1), v.scale(g3, v.cross(turn, c1)))),
         v.scale(f3, v.cross(turn_rate, c1)),
     )
-    bias = v.add(old.bias, v.cross(old.rate, gained), v.matvec(old.rotation, inner), v.matvec(spread, turn_bias))
-    columns = _columns(shape, spread, a, b, alpha, beta, old.columns)
-    return SectionState(_mix(old.rotation, (f1, once), (f2, twice)), v.add(old.rate, gained), bias, columns)
+    bias = v.add(bias, v.cross(rate, gained), v.matvec(rotation, inner), v.matvec(spread, turn_bias))
+    return Turned(_mix(rotation, (f1, once), (f2, twice)), v.add(rate, gained), bias, spread)
 
 
-def _sums(shape: StrainShape, weights: list[Any], q: Any) -> v.Vector:
+def curvature_sums(shape: StrainShape, weights: list[Any], q: Any) -> v.Vector:
     """Sum of weight times coordinate for each component of curvature."""
     sums = v.zero()
     for j, direction in enumerate(shape.directions):

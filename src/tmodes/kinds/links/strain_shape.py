@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from itertools import accumulate
 from typing import Any
 
 __all__ = ["StrainShape", "TableReader"]
@@ -75,6 +76,11 @@ class StrainShape:
             "to_station": g * len(self.stations),
         }
 
+    @cached_property
+    def table_starts(self) -> dict[str, int]:
+        """Where each table begins."""
+        return dict(zip(self.tables, accumulate(self.tables.values(), initial=0), strict=False))
+
     @property
     def table_size(self) -> int:
         """Numbers in all tables."""
@@ -99,12 +105,7 @@ class TableReader:
     """Entries of the packed tables of a strain link, by name."""
 
     def __init__(self, shape: StrainShape, packed: Any) -> None:
-        self._packed = packed
-        self._start: dict[str, int] = {}
-        start = 0
-        for name, size in shape.tables.items():
-            self._start[name] = start
-            start += size
+        self._packed, self._start = packed, shape.table_starts
 
     def __call__(self, name: str, index: int = 0) -> Any:
         """Entry ``index`` of a table."""

@@ -1,0 +1,89 @@
+"""What is computed at a place of a bending link, and the expressions that all kinds of links have in common."""
+
+from __future__ import annotations
+
+from dataclasses import dataclass
+from itertools import accumulate
+from typing import Any
+
+from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.kernel.functions import fabs, sqrt
+
+__all__ = ["LOADS", "PLACE", "Shape", "Stressed", "layout", "packed_place"]
+
+PLACE = {
+    "position": 3, "rotation": 9, "deflection": 2, "slope": 2, "moment": 3, "shear": 2, "axial": 1, "curvature": 2,
+    "twist": 1, "stretch": 1, "elastic_moment": 3, "elastic_force": 1,
+}  # fmt: skip
+"""Quantities of a place with their numbers, in the order in which they are computed.
+
+Position and rotation are in the world, deflection and slope in the axes of the root, the others in section axes.
+"""
+
+STRESS = {"strain": 1, "mises_stress": 1, "normal_stress": 1, "shear_stress": 1}
+"""Quantities of a place where section and material are known, after those of all places."""
+
+LOADS = ("deflection", "slope", "moment", "shear", "axial")
+
+
+def layout(*, stressed: bool) -> dict[str, slice]:
+    """Where each quantity of a place stands."""
+    sizes = PLACE | (STRESS if stressed else {})
+    ends = list(accumulate(sizes.values()))
+    return {name: slice(end - size, end) for (name, size), end in zip(sizes.items(), ends, strict=True)}
+
+
+@dataclass
+class Shape:
+    """Curvature about y and z, twist and stretch of a section, with the moment and force of the material against them.
+
+    ``slope``: angle of the tangent against that of the root, in the x-y and the x-z plane of the root.
+    """
+
+    slope: list[Any]
+    curvature: list[Any]
+    twist: Any
+    stretch: Any
+    elastic_moment: v.Vector
+    elastic_force: Any
+
+
+@dataclass
+class Stressed:
+    """Stress of a section by the numbers ``per``: Young's modulus, strain per moment about y, about z and per force,
+    shear stress per torsional moment. ``ring``: the outer fibre is a circle, on which both bending moments add up.
+
+    sigma = |N| E/EA + |M| E r/EI; tau = G r M_x/GJ of a circle, else with r of a bound: Saint-Venant's shear is at most
+    that of a strip of the section's thickness, and that of its corner's distance.
+    """  # noqa: D205
+
+    per: Any
+    ring: bool
+
+    def packed(self, moment: v.Vector, axial: Any) -> list[Any]:
+        """Strain, von Mises stress, normal and shear stress."""
+        young, per_y, per_z, per_force, per_torsion = (self.per[k] for k in range(5))
+        about_y, about_z = fabs(moment[1]) * per_y, fabs(moment[2]) * per_z
+        bending = sqrt(about_y * about_y + about_z * about_z) if self.ring else about_y + about_z
+        strain = bending + fabs(axial) * per_force
+        normal, shear = young * strain, fabs(moment[0]) * per_torsion
+        return [strain, sqrt(normal * normal + 3 * shear * shear), normal, shear]
+
+
+def packed_place(
+    pose: Any, rotation: v.Matrix, position: v.Vector, force: v.Vector, moment: v.Vector, shape: Shape,
+    stressed: Stressed | None = None,
+) -> list[Any]:  # fmt: skip
+    """All quantities of a place.
+
+    ``pose`` of the root in the world; in the axes of the root ``rotation`` and ``position`` of the section, ``force``
+    and ``moment`` by the outboard part on the inboard one.
+    """
+    world, across = v.tri(pose), v.transpose(rotation)
+    force, moment = v.matvec(across, force), v.matvec(across, moment)
+    place = v.add(v.vec(pose, 9), v.matvec(world, position))
+    stress = stressed.packed(moment, force[0]) if stressed else []
+    return v.flat(
+        place, v.matmul(world, rotation), position[1:], shape.slope, moment, force[1:], force[0], shape.curvature,
+        shape.twist, shape.stretch, shape.elastic_moment, shape.elastic_force, stress,
+    )  # fmt: skip
