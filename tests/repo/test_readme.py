@@ -24,7 +24,7 @@ def test_quick_start_has_exactly_two_lines() -> None:
 
 
 def test_pipeline_is_the_same_everywhere() -> None:
-    line = next(line for line in README.splitlines() if line.startswith("    Robot ─splits→"))
+    line = next(line for line in README.splitlines() if line.startswith("    Sheet (YAML"))
     assert line in (ROOT / "CONTRIBUTING.md").read_text(encoding="utf-8").splitlines()
 
 
