@@ -41,7 +41,7 @@ def _commanded(nominal: Robot) -> bool:
 def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
-    ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
+    ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own extend to
     ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``pose``, of the passes to these,
     ``surface``, the place of what is touched, ``carried`` of :func:`tmodes.live.loads.packed_loads`, and the blocks
     of :func:`tmodes.live.vibrations.vibration_numbers`.

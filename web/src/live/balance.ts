@@ -1,4 +1,4 @@
-// What every section of an arm carries at one sample: the balance of all that is outboard of it, d'Alembert's forces
+// What every section of a robot carries at one sample: the balance of all that is outboard of it, d'Alembert's forces
 // and given wrenches, as tmodes/analysis/line/loads.py. Loads are reported as the outboard part acts on the inboard
 // one.
 

@@ -1,4 +1,4 @@
-// Weight and inertia of the rigid bodies that are fixed to a frame of an arm, as a load on it.
+// Weight and inertia of the rigid bodies that are fixed to a frame of a robot, as a load on it.
 
 import { addMoved, GAIN, RATE, TURNING } from "./frame";
 import { add, addCross, addTurned, along, type Reals } from "./space";

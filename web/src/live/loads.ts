@@ -1,4 +1,4 @@
-// The loads along an arm's links over a run: what is largest of all samples, and all of it at the frames that are
+// The loads along a robot's links over a run: what is largest of all samples, and all of it at the frames that are
 // shown.
 
 import { FRAME, GAIN, PLACE } from "./frame";

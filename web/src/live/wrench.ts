@@ -1,4 +1,4 @@
-// What a load does to its named point of an arm at a time: force and moment in world axes.
+// What a load does to its named point of a robot at a time: force and moment in world axes.
 
 import { valueAt, type Schedule } from "./signals";
 import type { Reals } from "./space";
