@@ -9,7 +9,7 @@ from typing import Any
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import fabs, sqrt
 
-__all__ = ["LOADS", "PLACE", "Shape", "Stressed", "layout", "packed_place"]
+__all__ = ["LOADS", "PLACE", "Shape", "Stressed", "in_section", "layout", "packed_place"]
 
 PLACE = {
     "position": 3, "rotation": 9, "deflection": 2, "slope": 2, "moment": 3, "shear": 2, "axial": 1, "curvature": 2,
@@ -46,6 +46,8 @@ class Shape:
     stretch: Any
     elastic_moment: v.Vector
     elastic_force: Any
+    deflection: list[Any] | None = None
+    """Where it is not the place off the root's x axis."""
 
 
 @dataclass
@@ -70,20 +72,24 @@ class Stressed:
         return [strain, sqrt(normal * normal + 3 * shear * shear), normal, shear]
 
 
+def in_section(rotation: v.Matrix, *vectors: v.Vector) -> list[v.Vector]:
+    """Vectors in the axes that are the columns of ``rotation``."""
+    return [v.matvec(v.transpose(rotation), vector) for vector in vectors]
+
+
 def packed_place(
-    pose: Any, rotation: v.Matrix, position: v.Vector, force: v.Vector, moment: v.Vector, shape: Shape,
+    pose: Any, rotation: v.Matrix, position: v.Vector, moment: v.Vector, force: v.Vector, shape: Shape,
     stressed: Stressed | None = None,
 ) -> list[Any]:  # fmt: skip
     """All quantities of a place.
 
-    ``pose`` of the root in the world; in the axes of the root ``rotation`` and ``position`` of the section, ``force``
-    and ``moment`` by the outboard part on the inboard one.
+    ``pose`` of the root in the world; ``rotation`` and ``position`` of the section in the axes of the root; ``moment``
+    and ``force`` by the outboard part on the inboard one, in section axes.
     """
-    world, across = v.tri(pose), v.transpose(rotation)
-    force, moment = v.matvec(across, force), v.matvec(across, moment)
+    world = v.tri(pose)
     place = v.add(v.vec(pose, 9), v.matvec(world, position))
     stress = stressed.packed(moment, force[0]) if stressed else []
     return v.flat(
-        place, v.matmul(world, rotation), position[1:], shape.slope, moment, force[1:], force[0], shape.curvature,
-        shape.twist, shape.stretch, shape.elastic_moment, shape.elastic_force, stress,
+        place, v.matmul(world, rotation), shape.deflection or position[1:], shape.slope, moment, force[1:], force[0],
+        shape.curvature, shape.twist, shape.stretch, shape.elastic_moment, shape.elastic_force, stress,
     )  # fmt: skip
