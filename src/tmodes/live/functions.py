@@ -20,7 +20,6 @@ from tmodes.live.module import Functions, LiveModule
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
 from tmodes.sheet import RobotPair
-from tmodes.sheet.parts import Command
 from tmodes.simulation.plan import Follow, Planned, planned
 
 __all__ = ["ModelFunctions", "live_module", "needed_for", "stationed"]
@@ -42,7 +41,7 @@ class ModelFunctions:
     def plans(self) -> dict[str, Planned]:
         """What happens: ``reference`` where there is one, ``real``, and ``rest``, in which every drive stands."""
         nominal, real = self.pair.nominal, self.pair.real
-        commanded = any(drive.command is Command.POSITION for drive in nominal.drives)
+        commanded = any(drive.command.is_controlled for drive in nominal.drives)
         reference = Follow.WANTED if commanded else Follow.SHEET if nominal.real else None
         follows = {"reference": (nominal, reference), "real": (real, Follow.SHEET), "rest": (real, Follow.HELD)}
         return {name: planned(arm, follow) for name, (arm, follow) in follows.items() if follow}

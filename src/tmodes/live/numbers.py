@@ -16,7 +16,6 @@ from tmodes.live.vibrations import vibration_numbers
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
 from tmodes.sheet import Robot
-from tmodes.sheet.parts import Command
 from tmodes.simulation.plan import Follow, planned
 
 __all__ = ["Blocks", "follow_of", "has_reference", "run_numbers", "whole", "whole_moves"]
@@ -37,7 +36,7 @@ def has_reference(nominal: Robot) -> bool:
 
 
 def _commanded(nominal: Robot) -> bool:
-    return any(drive.command is Command.POSITION for drive in nominal.drives)
+    return any(drive.command.is_controlled for drive in nominal.drives)
 
 
 def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:

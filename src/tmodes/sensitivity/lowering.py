@@ -105,5 +105,7 @@ def structure(of: Mechanism | ClosedLoop) -> object:
     """What the numbers do not tell: runs of one structure have the same code."""
     if isinstance(of, Mechanism):
         return of
-    nodes = tuple((part.hinge, part.drive, part.link and part.link.kernels) for part in of.parts.nodes)
-    return nodes, tuple((drive.servo, drive.winding) for drive in of.plan.drives), of.parts.numbers.size
+    drives = tuple(axis.drive for axis in of.parts.axes)
+    nodes = tuple((part.hinge, part.link and part.link.kernels) for part in of.parts.nodes), drives
+    servos = tuple((drive.servo and drive.servo.key, drive.winding) for drive in of.plan.drives)
+    return nodes, servos, of.parts.numbers.size

@@ -5,15 +5,16 @@ from __future__ import annotations
 from collections.abc import Mapping
 from difflib import get_close_matches
 from enum import StrEnum
-from typing import Annotated, Any, Literal, Self, Union
+from typing import Annotated, Any, Self, Union
 
 from pydantic import Field, SerializeAsAny, field_validator, model_validator
 
+from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.registry import link_sheets, link_words, sheet_of
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, quantity, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, quantity, refuse
 from tmodes.kinds.signals.signals import Signal
 
 __all__ = [
@@ -26,7 +27,6 @@ __all__ = [
     "LoadFrame",
     "LoadSheet",
     "PointSheet",
-    "PositionControl",
     "TipSheet",
 ]
 
@@ -117,13 +117,15 @@ class Command(StrEnum):
     EFFORT = "effort"  # of the joint
     PRESCRIBED = "prescribed"  # the motion itself: of the motor behind an elastic gear, else of the joint
 
+    @property
+    def is_motion(self) -> bool:
+        """Whether the signal is a position over time."""
+        return self in {Command.POSITION, Command.PRESCRIBED}
 
-class PositionControl(DataSheet):
-    """Proportional-derivative control; gains in V/rad where the motor has a resistance, else in N*m/rad."""
-
-    type: Literal["pd"] = Field(description="kind of controller")
-    position_gain: float = not_negative("gain", "Kp", "position gain")
-    velocity_gain: float = not_negative("gain*s", "Kv", "velocity gain")
+    @property
+    def is_controlled(self) -> bool:
+        """Whether a controller keeps the position."""
+        return self is Command.POSITION
 
 
 class DriveSheet(DataSheet):
@@ -132,16 +134,20 @@ class DriveSheet(DataSheet):
     joint: str = Field(min_length=1, max_length=100, description="which joint")
     command: Command = Field(strict=False, description="what the signal is")
     signal: Signal
-    controller: PositionControl | None = Field(default=None, description="what keeps a wanted position")
+    controller: Controller | None = Field(default=None, description="what keeps a wanted position")
+    noise: Signal | None = Field(
+        default=None, description="error on the wanted position as the controller sees it; of a sensor with other sign"
+    )
 
     @model_validator(mode="after")
     def _is_controlled(self) -> Self:
-        if self.command is Command.POSITION and self.controller is None:
+        if self.command.is_controlled and self.controller is None:
             hint = "add `controller: {type: pd, ...}`, or take the command `prescribed`"
             refuse([Issue("controller", "nothing", "a controller for the command `position`", hint)])
-        if self.command is not Command.POSITION and self.controller is not None:
-            got = f"a controller beside the command `{self.command}`"
-            refuse([Issue("controller", got, "no controller", "remove it, or take the command `position`")])
+        for name in ("controller", "noise"):
+            if not self.command.is_controlled and getattr(self, name) is not None:
+                got = f"a {name} with the command `{self.command}`"
+                refuse([Issue(name, got, f"no {name}", "remove it, or take the command `position`")])
         return self
 
 

@@ -14,7 +14,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.equations.loop.control_kernels import Servo
+from tmodes.equations.loop.control_kernels import WINDING, Servo
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration, Method
 from tmodes.simulation.callback_stops import SetIn
@@ -36,7 +36,11 @@ def driven_by(regime: RunSetup) -> RunSetup:
     """The regime with the efforts of its servos taken from the rows."""
     plan = regime.planned.plan
     drives = tuple(
-        replace(drive, servo=Servo(controlled=False, driven=False, winding=drive.winding)) if drive.servo else drive
+        replace(
+            drive, servo=Servo(None, driven=False, winding=drive.winding), numbers=drive.numbers[:WINDING], noise=-1
+        )
+        if drive.servo
+        else drive
         for drive in plan.drives
     )
     own = replace(plan, drives=drives)

@@ -56,7 +56,7 @@ class RunSetup:
         """Eigenvalues of the robot under its drives at its start, by exact derivatives."""
         model = self.model
         matrix = model.jacobian(0.0, self.start, self.first_row)
-        return spectrum_of(matrix, model.coordinates, [f"{name}.current" for name in model.plan.currents])
+        return spectrum_of(matrix, model.coordinates, list(model.plan.further_states))
 
     def by(self, method: Method, otherwise: Integration | None) -> RunSetup:
         """The same with an integrator chosen, and the settings with which to continue where the motion is stiff."""
@@ -128,6 +128,8 @@ def _first_state(
 ) -> Array:
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)
+    state[layout.controls] = model.plan.controls
+    _refuse_unknown_feedback(model)
     state[layout.q] = rest.q if rest else _undeformed(names, held)
     motors = {name.removesuffix(".motor"): name for name in names if name.endswith(".motor")}
     for group, block in (("coordinates", layout.q), ("rates", layout.v)):
@@ -144,6 +146,16 @@ def _first_state(
             for block, derivative in ((layout.q, 0), (layout.v, 1)):
                 state[block][driver.coordinate] = plan.signals.at(0.0, derivative)[driver.plan.signal]
     return state
+
+
+def _refuse_unknown_feedback(model: LoopModel) -> None:
+    for drive in model.plan.drives:
+        law = drive.servo.controller if drive.servo else None
+        unknown = law.unknown(model.coordinates) if law else []
+        if unknown:
+            known = ", ".join(model.coordinates[:8]) + ("..." if len(model.coordinates) > 8 else "")
+            which = f"controller of {drive.joint}"
+            raise InputError(which, f"the unknown coordinate {unknown[0]!r}", f"one of {known}", "correct it")
 
 
 def _undeformed(names: tuple[str, ...], held: Mapping[str, float]) -> Array:

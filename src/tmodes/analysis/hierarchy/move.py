@@ -18,7 +18,6 @@ from tmodes.errors import SimulationError
 from tmodes.kinds.signals.signals import Constant, MergedSchedule, Quintic, merge
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
-from tmodes.sheet.parts import Command
 
 __all__ = ["Move", "chosen_move", "followed"]
 
@@ -60,7 +59,7 @@ def chosen_move(arm: Robot, lowest_frequency: float) -> Move:
     """The arm's own drives where they are smooth; else 0.2 rad in each joint over max(0.5 s, three periods)."""
     chain = whole_chain(arm)
     joints, mix = [joint.name for joint in driven(chain)], input_mix(chain)
-    own = {drive.joint: drive for drive in arm.drives if drive.command in {Command.POSITION, Command.PRESCRIBED}}
+    own = {drive.joint: drive for drive in arm.drives if drive.command.is_motion}
     if own:
         until = min(arm.integration.duration, _LONGEST)
         signals = [own[name].signal if name in own else _held(arm, name) for name in joints]
@@ -128,7 +127,7 @@ class _Stepper:
 
     def __init__(self, model: Model, move: Move) -> None:
         self.model, self.move = model, move
-        self.given = np.array([part.angle for part in model.parts.nodes if part.given >= 0], dtype=int)
+        self.given = np.array(model.parts.held, dtype=int)
 
     def extrapolated(self, time: float, q: Array, v: Array, size: float) -> tuple[Array, float]:
         """(2, nq) after a step, and the last correction of the coordinates (Aitken and Neville, columns j)."""

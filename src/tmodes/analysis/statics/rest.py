@@ -10,7 +10,7 @@ from tmodes.analysis.statics.loads import Load
 from tmodes.analysis.statics.path import Progress
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
-from tmodes.sheet.parts import Command, LoadFrame
+from tmodes.sheet.parts import LoadFrame
 
 __all__ = ["arm_rest", "first_commands", "first_value", "sheet_loads"]
 
@@ -47,7 +47,7 @@ def first_commands(arm: Robot, model: Model) -> dict[str, float]:
     """Coordinates whose position a drive commands, at time 0 [rad, m]; a motor's where its gear is elastic."""
     commands = {}
     for drive in arm.drives:
-        if drive.command in {Command.POSITION, Command.PRESCRIBED}:
+        if drive.command.is_motion:
             motor = f"{drive.joint}.motor"
             name = motor if motor in model.coordinates else drive.joint
             if name in model.coordinates:

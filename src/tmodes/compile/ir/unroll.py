@@ -73,11 +73,12 @@ def _span(schedule: Any, slot: Any) -> range:
 
 
 class _Numbered:
-    """Values in the order in which they are first computed, each once (value numbering); zeros fold away."""
+    """Values in the order in which they are first computed, each once (value numbering); zeros and ones fold away."""
 
     def __init__(self) -> None:
         self._known: dict[Instruction, int] = {}
         self.zero = self.value("constant")
+        self.one = self.value("constant", value=1.0)
 
     @property
     def values(self) -> list[Instruction]:
@@ -89,6 +90,8 @@ class _Numbered:
             folded = self._folded(kind, args)
             if folded is not None:
                 return folded
+        if kind == "mul" and self.one in args:
+            return args[0] if args[1] == self.one else args[1]
         args = tuple(sorted(args)) if kind in _COMMUTATIVE else args
         return self._known.setdefault(Instruction(kind, args, source, value), len(self._known))
 

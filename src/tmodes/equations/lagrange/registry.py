@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from difflib import get_close_matches
 
+from tmodes.equations.lagrange.filipovic2010 import CONSISTENT, PRINTED
 from tmodes.equations.lagrange.system import System
 from tmodes.errors import InputError
 from tmodes.sheet.robot import RECURSION
 
 __all__ = ["register_system", "system_named"]
 
-_SYSTEMS: dict[str, System] = {}
+_SYSTEMS: dict[str, System] = {system.name: system for system in (PRINTED, CONSISTENT)}
 
 
 def register_system(system: System) -> System:

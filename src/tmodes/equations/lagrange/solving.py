@@ -12,10 +12,11 @@ import casadi as ca
 import numpy as np
 
 from tmodes.equations.lagrange.kernels import LEVER, SystemKernels, entries, unpacked
+from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Inertia
 
-__all__ = ["Solver", "attached_kernel", "push_rows_kernel"]
+__all__ = ["Solver", "attached_kernel", "push_rows_kernel", "world_axes_kernel"]
 
 
 def push_rows_kernel(own: int) -> Kernel:
@@ -29,26 +30,33 @@ def push_rows_kernel(own: int) -> Kernel:
 
 
 def attached_kernel(own: int) -> Kernel:
-    """(lever, Jacobian's lever, pose, drift less gravity, inertia, its bias) -> (matrix (own, own), rows).
+    """(lever, Jacobian's lever, drift less gravity, inertia, its bias) -> (matrix (own, own), rows).
 
-    Of an inertia about a point, in the point's axes, that moves with it; ``drift``: the point's acceleration where the
+    Of an inertia about a point, in world axes, that moves with it; ``drift``: the point's acceleration where the
     coordinates have none.
     """
 
-    def build(lever: Any, jacobian: Any, pose: Any, drift: Any, inertia: Any, bias: Any) -> list[list[Any]]:
-        axes = ca.reshape(ca.vertcat(*(pose[k] for k in range(9))), 3, 3).T
+    def build(lever: Any, jacobian: Any, drift: Any, inertia: Any, bias: Any) -> list[list[Any]]:
         info = Inertia.of(inertia)
         blocks = [[info.linear, _transposed(info.coupling)], [info.coupling, info.angular]]
-        turned = ca.diagcat(axes, axes)
-        own_axes = ca.vertcat(*(ca.horzcat(*map(_matrix, row)) for row in blocks))
-        whole = turned @ own_axes @ turned.T
-        force = turned @ ca.vertcat(*(bias[3 + k] for k in range(3)), *(bias[k] for k in range(3)))
+        whole = ca.vertcat(*(ca.horzcat(*map(_matrix, row)) for row in blocks))
+        force = ca.vertcat(*(bias[3 + k] for k in range(3)), *(bias[k] for k in range(3)))
         to_rows, motion = _lever(lever, own), _lever(jacobian, own)
         matrix = to_rows @ whole @ motion.T
         return [entries(matrix.T), entries(to_rows @ (whole @ ca.SX(drift) + force))]
 
-    sizes = (LEVER * own, LEVER * own, 15, FORCE, INERTIA, FORCE)
+    sizes = (LEVER * own, LEVER * own, FORCE, INERTIA, FORCE)
     return Kernel(f"lagrange attached {own}", sizes, (own * own, own), build)
+
+
+def world_axes_kernel() -> Kernel:
+    """(pose) -> the same place and velocity, in world axes."""
+
+    def build(pose: Any) -> list[list[Any]]:
+        axes = [1.0 if i == j else 0.0 for i in range(3) for j in range(3)]
+        return [[*axes, *(pose[k] for k in range(9, POSE))]]
+
+    return Kernel("lagrange world axes", (POSE,), (POSE,), build)
 
 
 def _lever(values: Any, own: int) -> Any:

@@ -6,19 +6,19 @@ h > 0 its accelerations are those of a linearly implicit Euler step of h.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
-from tmodes.chain.chain import Drive
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.plan import DrivePlan, LoopPlan, StateLayout
 from tmodes.equations.loop.powers import Powers
 from tmodes.equations.mechanics import Mechanics, mechanics
-from tmodes.equations.recursion.drive_kernels import DriveKind, drive_kind, drive_numbers
-from tmodes.equations.recursion.parts import NodePart, Parts
+from tmodes.equations.recursion.drive_kernels import DriveKernels, drive_kernels, drive_numbers
+from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import resting_base
 from tmodes.errors import InputError
+from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 
 __all__ = ["ClosedLoop", "Driver"]
@@ -29,17 +29,19 @@ class Driver:
     """A drive of the plan at its node: the numbers and kernels that its motion needs."""
 
     plan: DrivePlan
-    part: NodePart
+    part: AxisPart
     index: int
     numbers: Slot
-    kind: DriveKind
+    kind: DriveKernels
     kind_numbers: Slot
     current: int
+    controls: int
+    """Where its controller's own states begin among those of all."""
 
     @property
     def coordinate(self) -> int:
         """Index of the coordinate that its motor turns."""
-        return self.part.motor if self.part.motor >= 0 else self.part.angle
+        return self.part.input
 
 
 @dataclass(eq=False)
@@ -59,7 +61,8 @@ class ClosedLoop:
             got, expected = "a moving base", f"a base that stands still with the equations `{chain.equations}`"
             raise InputError("base_motion", got, expected, "remove `base_motion`, or take `equations: recursion`")
         numbers = self.parts.numbers
-        self.drivers = tuple(self._driver(drive) for drive in plan.drives)
+        begin = [sum(d.servo.states for d in plan.drives[:k] if d.servo) for k in range(len(plan.drives))]
+        self.drivers = tuple(self._driver(drive, first) for drive, first in zip(plan.drives, begin, strict=True))
         self.loads = [numbers.block(load.wrench) for load in plan.loads]
         self.always = numbers.block([1.0, 0.0, 0.0])
         self.touch = numbers.block(plan.touch.numbers) if plan.touch else None
@@ -67,22 +70,20 @@ class ClosedLoop:
         moved = [*placed.rotation.ravel(), *placed.position, *chain.gravity]
         self.base = numbers.block(moved if plan.base else resting_base(chain))
 
-    def _driver(self, plan: DrivePlan) -> Driver:
-        names = [part.node.joint.name for part in self.parts.nodes]
-        index = names.index(plan.joint)
-        part = self.parts.nodes[index]
+    def _driver(self, plan: DrivePlan, controls: int) -> Driver:
+        part = next(axis for axis in self.parts.axes if axis.axis.name == plan.joint)
         kind, slot = part.drive, part.drive_numbers
         if kind is None or slot is None:
-            free = replace(part.node.joint, drive=Drive.EFFORT)
-            kind, slot = drive_kind(free), self.parts.numbers.block(drive_numbers(free))
+            joint, free = part.node.joint, drive_kind("effort")
+            kind, slot = drive_kernels(joint, free), self.parts.numbers.block(drive_numbers(joint, free))
         currents = self.plan.currents
         current = currents.index(plan.joint) if plan.joint in currents else -1
-        return Driver(plan, part, index, self.parts.numbers.block(plan.numbers), kind, slot, current)
+        return Driver(plan, part, part.index, self.parts.numbers.block(plan.numbers), kind, slot, current, controls)
 
     @property
     def layout(self) -> StateLayout:
         """Where the state holds what."""
-        return StateLayout.of(self.parts.size, len(self.plan.currents))
+        return StateLayout.of(self.parts.size, len(self.plan.currents), len(self.plan.controls))
 
     @cached_property
     def rate(self) -> Schedule:
@@ -108,9 +109,10 @@ class ClosedLoop:
 
     def _rate(self, instant: Instant) -> Schedule:
         currents = [instant.change[k] for k in sorted(instant.change)]
+        controls = [instant.controls[k] for k in sorted(instant.controls)]
         works = Powers(instant).works
         instant.schedule.often = True
-        instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *works)
+        instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *controls, *works)
         return instant.schedule
 
     @cached_property

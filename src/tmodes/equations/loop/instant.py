@@ -8,6 +8,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import TYPE_CHECKING
 
+from tmodes.equations.loop.control_kernels import View
 from tmodes.equations.loop.friction import solved
 from tmodes.equations.loop.load_kernels import load_kernel
 from tmodes.equations.loop.signals_kernels import base_kernel, replacing_kernel, signal_kernel
@@ -28,7 +29,8 @@ class Instant:
     """Blocks of one schedule by what they mean.
 
     ``way`` and ``solution`` have what the passes found; ``accelerations`` are blocks in the order of the coordinates.
-    By the number of a drive: ``efforts`` of servos, and ``told`` (4); by the number of a current: its ``change``.
+    By the number of a drive: ``efforts`` of servos, ``info`` (4), and rates of the controller's own states
+    (``controls``); by the number of a current: its ``change``.
     ``dead``: wrenches on points but for the contact's.
     """
 
@@ -52,6 +54,7 @@ class Instant:
         self.efforts: dict[int, Slot] = {}
         self.info: dict[int, Slot] = {}
         self.change: dict[int, Slot] = {}
+        self.controls: dict[int, Slot] = {}
         self.dead: dict[int, Slot] = {}
         self.mass_step = self.none[1]
         self._push()
@@ -134,11 +137,13 @@ class Instant:
                 else:
                     given[plan.joint] = signal.part(2, 1)
                 continue
-            found = self._serve(driver, *self.start)
-            efforts[plan.joint], feedback[plan.joint], change, self.info[k] = found
+            efforts[plan.joint], feedback[plan.joint], change, *found = self._serve(driver, *self.start)
             self.efforts[k] = efforts[plan.joint]
-            if self.apart:  # what is told and works is the effort where the state is
-                self.efforts[k], _, _, self.info[k] = self._serve(driver, self.way.q, self.way.v)
+            if self.apart:  # what is shown, what works and own states are of the effort where the state is
+                self.efforts[k], _, _, *found = self._serve(driver, self.way.q, self.way.v)
+            self.info[k] = found[0]
+            if len(found) > 1:
+                self.controls[k] = found[1]
             if driver.current >= 0:
                 self.change[driver.current] = change
         parts, none = self.parts, self.none
@@ -154,11 +159,22 @@ class Instant:
         return start
 
     def _serve(self, driver: Driver, q: Divisible, rates: Slot) -> tuple[Slot, ...]:
-        """The servo's effort, feedback, rate of the current, and what is told, at coordinates and rates."""
-        place, signal = driver.coordinate, self.signals[driver.plan.signal]
-        assert driver.plan.servo is not None  # noqa: S101
-        blocks = (driver.numbers, signal, q.part(place, 1), rates.part(place, 1), self._current(driver), self.step)
-        return self.call(driver.plan.servo.kernel(), *blocks)
+        """The outputs of the servo's kernel at coordinates and rates."""
+        place, signal, servo = driver.coordinate, self.signals[driver.plan.signal], driver.plan.servo
+        assert servo is not None  # noqa: S101
+        blocks = [driver.numbers, signal, q.part(place, 1), rates.part(place, 1), self._current(driver), self.step]
+        if servo.noisy:
+            blocks.append(self.signals[driver.plan.noise])
+        if servo.states:
+            blocks.append(self.state.part(self.loop.layout.controls.start + driver.controls, servo.states))
+        if not servo.sees_all:
+            return self.call(servo.kernel(), *blocks)
+        names = tuple(other.plan.joint for other in self.loop.drivers)
+        view = View(tuple(self.parts.names), names, len(self.plan.currents), place)
+        setpoints = self.pack(*(self.signals[other.plan.signal] for other in self.loop.drivers))
+        currents = self.state.part(self.loop.layout.currents.start, view.currents)
+        size = self.parts.size
+        return self.call(servo.kernel(view), *blocks, q.part(0, size), rates.part(0, size), currents, setpoints)
 
     def _current(self, driver: Driver) -> Slot:
         if driver.current < 0:

@@ -30,7 +30,8 @@ BROUGHT_IN = 3
 class DrivePlan:
     """What moves one joint: a servo, or nothing but its signal, which it then follows exactly (``servo`` None).
 
-    ``numbers``: Kp, Kv, R, CE, CM, L.
+    ``numbers``: R, CE, CM, L, then those of the controller; ``noise``: the signal of the error with which the
+    controller sees its wanted value, -1 for none.
     """
 
     joint: str
@@ -38,6 +39,7 @@ class DrivePlan:
     servo: Servo | None
     winding: Winding
     numbers: tuple[float, ...]
+    noise: int = -1
 
     @property
     def has_current(self) -> bool:
@@ -91,20 +93,37 @@ class LoopPlan:
         """Joints whose motor current is a state."""
         return tuple(drive.joint for drive in self.drives if drive.has_current)
 
+    @property
+    def further_states(self) -> tuple[str, ...]:
+        """Names of the states between the rates and the works."""
+        own = [(drive.joint, drive.servo.states) for drive in self.drives if drive.servo]
+        names = (f"{joint}.controller{k + 1}" for joint, count in own for k in range(count))
+        return (*(f"{name}.current" for name in self.currents), *names)
+
+    @property
+    def controls(self) -> tuple[float, ...]:
+        """The own states of all controllers at time 0, in the order of the drives."""
+        laws = [drive.servo.controller for drive in self.drives if drive.servo]
+        return tuple(float(value) for law in laws if law for value in law.initial())
+
 
 class StateLayout(NamedTuple):
-    """Where a state holds what: coordinates, rates, motor currents [A], works [J]."""
+    """Where a state holds what: coordinates, rates, motor currents [A], controllers' own states, works [J]."""
 
     q: slice
     v: slice
     currents: slice
+    controls: slice
     works: slice
 
     @classmethod
-    def of(cls, coordinates: int, currents: int) -> StateLayout:
-        """Of so many coordinates and currents."""
-        n, end = coordinates, 2 * coordinates + currents
-        return cls(slice(0, n), slice(n, 2 * n), slice(2 * n, end), slice(end, end + len(WORKS)))
+    def of(cls, coordinates: int, currents: int, controls: int) -> StateLayout:
+        """Of so many coordinates, currents, and own states of controllers."""
+        n, electric = coordinates, 2 * coordinates + currents
+        end = electric + controls
+        return cls(
+            slice(0, n), slice(n, 2 * n), slice(2 * n, electric), slice(electric, end), slice(end, end + len(WORKS))
+        )
 
     @property
     def size(self) -> int:

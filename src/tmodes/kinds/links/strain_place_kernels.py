@@ -11,7 +11,7 @@ from tmodes.kinds.kernel.functions import atan2, cos, sin
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import POSE
-from tmodes.kinds.links.line_place import PLACE, STRESS, Shape, Stressed, in_section, packed_place
+from tmodes.kinds.links.line_place import PLACE, STRESS, STRESS_NUMBERS, Shape, Stressed, in_section, packed_place
 from tmodes.kinds.links.strain_line import curvature_sums, magnus_turn
 from tmodes.kinds.links.strain_shape import StrainShape
 
@@ -53,7 +53,8 @@ class BeamKernels:
         shape, g = self.shape, self.shape.points
         return self.interval | {
             "reach": g, "outboard": g, "levers": g * (g + 1) // 2, "turning": shape.rotary * g,
-            "functions": shape.size, "stiffness": len(shape.stiffness_sizes), "stress": 5 if self.fibre else 0,
+            "functions": shape.size, "stiffness": len(shape.stiffness_sizes),
+            "stress": STRESS_NUMBERS if self.fibre else 0,
         }  # fmt: skip
 
     @property

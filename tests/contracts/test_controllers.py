@@ -1,0 +1,166 @@
+"""What every controller keeps, those of a user's script among them: one of them, an LQR, is defined here."""
+
+from __future__ import annotations
+
+from typing import Any, ClassVar, Literal
+
+import numpy as np
+import pytest
+from pydantic import Field
+from scipy.linalg import solve_continuous_are
+
+from arm.run.sheets import ZERO, arm, beam
+from tmodes.integrate.settings import Method
+from tmodes.kinds.controllers.registry import Controller, Measured
+from tmodes.kinds.kernel import vectors
+from tmodes.model.model import Model
+from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.simulate import simulate_motion
+from tmodes.simulation.start import run_setup
+from tmodes.simulation.trajectory import integrate
+
+
+@Controller.register()
+class LQR(Controller):
+    """Feedback of the whole state, and of the integral of the own error."""
+
+    sees_all: ClassVar[bool] = True
+
+    type: Literal["lqr"] = Field(description="kind of controller")
+    row: tuple[float, ...] = Field(strict=False, description="row of K, of (q, v, integral)")
+
+    def numbers(self) -> tuple[float, ...]:
+        return self.row
+
+    def initial(self) -> tuple[float, ...]:
+        return (0.0,)
+
+    def command(self, p: Any, m: Measured, x: list[Any]) -> Any:
+        reference = [m.setpoints[0][0]] * 2 + [0.0] * (len(m.q) - 2)
+        error = [s - r for s, r in zip([*m.q, *m.v, *x], [*reference, *[0.0] * len(m.v), 0.0], strict=True)]
+        return -vectors.total([p[k] * e for k, e in enumerate(error)])
+
+    def rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
+        return [m.position - m.wanted]
+
+
+def robot(controller, **more):
+    """An elastic joint that carries a beam with a load: four coordinates."""
+    joint = {"name": "hub", "type": "revolute", "parent": "base", "child": "beam", "axis": [0, 0, 1],
+             "motor": {"inertia": 0.2, "side": "joint"}, "gear": {"stiffness": 300.0, "damping": 0.5}}  # fmt: skip
+    link = {"name": "beam", "beam": beam({"bend_z": 2}, 1.0, 40.0, 0.5, damping_time=1e-4),
+            "bodies": [{"name": "load", "mass": 0.3, "center": [0, 0, 0], "at": 1.0}]}  # fmt: skip
+    signal = {"type": "step", "start": 0.0, "end": 0.3, "time": 0.1}
+    drive = {"joint": "hub", "command": "position", "signal": signal, "controller": controller} | more.pop("drive", {})
+    settings = {"duration": 0.6, "output_step": 0.01, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-10}
+    return arm(gravity=0.0, joints=[joint], links=[link], drives=[drive],
+               integration=settings | more.pop("integration", {}), **more)  # fmt: skip
+
+
+def gains() -> list[float]:
+    """The gains of least cost: a Riccati equation of the linearised robot."""
+    model = Model(robot({"type": "pd", "position_gain": 0.0, "velocity_gain": 0.0}).chain())
+    n = model.nq
+    mass, damping, stiffness = model.linearised(np.zeros(n))
+    a, b = np.zeros((2 * n + 1, 2 * n + 1)), np.zeros((2 * n + 1, 1))
+    a[:n, n : 2 * n], a[2 * n, 0] = np.eye(n), 1.0
+    a[n : 2 * n, :n], a[n : 2 * n, n : 2 * n] = -np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)
+    b[n : 2 * n, 0] = np.linalg.solve(mass, np.eye(n)[:, 0])
+    weight = np.diag([100.0] * n + [1.0] * n + [200.0])
+    return (b.T @ solve_continuous_are(a, b, weight, np.eye(1)))[0].tolist()
+
+
+@pytest.fixture(scope="module")
+def lqr():
+    return {"type": "lqr", "row": gains()}
+
+
+PD = {"type": "pd", "position_gain": 80.0, "velocity_gain": 9.0}
+
+
+def examples(lqr):
+    """One of each member; a member without an example fails."""
+    return {
+        "pd": PD,
+        "pid": {"type": "pid", "position_gain": 80.0, "integral_gain": 50.0, "velocity_gain": 9.0, "limit": 15.0},
+        "state_feedback": {"type": "state_feedback", "position_gains": {"hub.motor": 80.0, "beam.bend_z1": 2.0},
+                           "velocity_gains": {"hub.motor": 9.0, "hub": 1.0}},
+        "lqr": lqr,
+    }  # fmt: skip
+
+
+@pytest.mark.parametrize("name", sorted(Controller.registered))
+def test_member(name, lqr):
+    """Runs natively as written, in a batch, by explicit and implicit methods; other numbers take the same code."""
+    sheet = robot(examples(lqr)[name])
+    setup = run_setup(sheet)
+    model, law = setup.model, sheet.drives[0].controller
+    assert law is not None
+    rng = np.random.default_rng(4)
+    state = 0.2 * rng.standard_normal(model.layout.size)
+    row = setup.planned.schedule.rows_at([0.3])[0]
+    q, v, x = (state[part] for part in (model.layout.q, model.layout.v, model.layout.controls))
+    seen = Measured(0.3, 0.0, 0.0, q[0], v[0], 0.0, [*q], [*v], model.coordinates, [], [[0.3, 0.0, 0.0]], ("hub",))
+    wanted = float(law.command(law.numbers(), seen, [*x]))
+    assert model.observe([0.3], state, row)["drives"][0, 0, 0] == pytest.approx(wanted, rel=1e-12)
+    rate = model.rate([0.3], state, row)[0]
+    assert rate[model.layout.controls] == pytest.approx(law.rates(law.numbers(), seen, [*x]), rel=1e-12)
+    run = simulate_motion(sheet)
+    assert np.abs(run.energy_balance).max() < 1e-6 * run.energy_moved
+    assert run.q[-1, 0] == pytest.approx(0.3, abs=0.15)
+    for method in ("extrapolation", "rosenbrock"):
+        other = simulate_motion(sheet.with_({"integration.method": method}))
+        assert np.abs(other.q - run.q).max() < 1e-6, method
+    numbers = np.array([model.numbers.vector, model.numbers.vector * 1.001])
+    settings = sheet.integration.model_copy(update={"method": Method.DORMAND_PRINCE})
+    batch = model.simulate_batch(numbers, setup.planned.schedule, setup.start, settings)
+    single = integrate(model, model.numbers, setup.planned.schedule, setup.start, settings)
+    # A limit that is met a rounding earlier or later lets the step control take other steps.
+    assert np.abs(batch.states[0] - single.states).max() < 1e-9 * np.abs(single.states).max()
+    longer = type(law).of(law.model_dump() | {key: _more(value) for key, value in law.model_dump().items()})
+    assert longer.structure == law.structure
+
+
+def _more(value: Any) -> Any:
+    if isinstance(value, float):
+        return 1.1 * value
+    return {key: 1.1 * item for key, item in value.items()} if isinstance(value, dict) else value
+
+
+def test_lqr_settles_faster_than_pd(lqr):
+    last = {
+        name: simulate_motion(robot(law, integration={"duration": 2.0})) for name, law in (("lqr", lqr), ("pd", PD))
+    }
+    swing = {name: np.abs(run.q[-60:, 2]).max() for name, run in last.items()}
+    assert swing["lqr"] < 0.3 * swing["pd"]
+    assert last["lqr"].q[-1, 1] == pytest.approx(0.3, abs=0.03)
+
+
+def test_derivative_by_a_number_under_full_feedback(lqr):
+    """Of the final state by the load's mass: against central differences."""
+    sheet, path = robot(lqr, integration={"duration": 0.3, "method": "dormand_prince"}), "links.beam.bodies.load.mass"
+    slope = forward_sensitivities(sheet, [path]).by[path][-1]
+    ends = [simulate_motion(sheet.with_({path: 0.3 + step})).q[-1] for step in (1e-4, -1e-4)]
+    assert slope[:4] == pytest.approx((ends[0] - ends[1]) / 2e-4, rel=1e-5, abs=1e-7)
+
+
+def test_noise_is_seen_by_the_controller_alone():
+    """With the noise's own signal as command the effort is the same; the wanted value on show is without it."""
+    noise = {"type": "noise", "deviation": 0.01, "frequency": 50.0, "seed": 2}
+    quiet = {"type": "constant", "value": 0.0}
+    run = simulate_motion(robot(PD, drive={"signal": quiet, "noise": noise}))
+    same = simulate_motion(robot(PD, drive={"signal": noise}))
+    assert np.abs(run.q - same.q).max() < 1e-12
+    assert np.abs(run.q).max() > 1e-4
+    assert np.abs(run.wanted).max() == 0.0
+
+
+def test_unknown_coordinate_is_named():
+    law = {"type": "state_feedback", "position_gains": {"hub.motr": 1.0}}
+    with pytest.raises(Exception, match=r"hub\.motr"):
+        simulate_motion(robot(law))
+
+
+def test_no_controller_without_a_wanted_position():
+    with pytest.raises(Exception, match="controller"):
+        robot(PD, drive={"command": "torque", "signal": ZERO})
