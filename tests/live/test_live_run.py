@@ -18,7 +18,7 @@ from tmodes.report.meshes import with_shapes
 from tmodes.report.pack import pack
 from tmodes.report.scene_chain import arm_scene
 from tmodes.result import Result, assemble_result
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.simulate import simulate_motion
@@ -215,7 +215,7 @@ def test_saved_sheet_is_that_of_the_settings(live: LiveMap, runs: list[dict[str,
 
 def test_an_arm_without_a_reference_run(tmp_path: Path) -> None:
     """A step that no motor can follow: nothing is compared, and nothing is missing."""
-    arm = load_sheet("quanser_2dsfl", {"integration.duration": 0.3, "integration.method": "dop853"})
+    arm = load("quanser_2dsfl", {"integration.duration": 0.3, "integration.method": "dop853"})
     assert isinstance(arm, Robot)
     result = result_of(arm)
     bundle = live_bundle(result)

@@ -9,7 +9,7 @@ import math
 import unicodedata
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import BaseModel, Field, model_validator
@@ -26,9 +26,6 @@ from tmodes.paper.mechanism import Drive, Mechanism, Parameters, Reading
 from tmodes.paper.mode import FlexibleLink
 from tmodes.paper.motor import Motor
 from tmodes.paper.payload import Payload
-
-if TYPE_CHECKING:
-    from tmodes.notebook import Shown
 
 __all__ = ["FACTOR", "FORMAT", "PLANT", "PaperPair", "PaperRobot"]
 
@@ -102,15 +99,6 @@ class PaperRobot(DataSheet):
         from tmodes.io.check import changed_robot
 
         return changed_robot(self.model_dump(mode="json"), changes)
-
-    def show(self, height: int = 760) -> Shown:
-        """The viewer of this robot at rest with its modes, for a notebook; ``height`` in pixels.
-
-        Raises :class:`tmodes.errors.SimulationError` where it has no rest.
-        """
-        from tmodes.notebook import show
-
-        return show(self, height=height)
 
     def numbers(self) -> Iterator[tuple[str, float]]:
         """Path and value [SI] of every number that is an input of the equations."""

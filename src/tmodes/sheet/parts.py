@@ -139,6 +139,12 @@ class DriveSheet(DataSheet):
         default=None, description="error on the wanted position as the controller sees it; of a sensor with other sign"
     )
 
+    @property
+    def disturbance(self) -> Any:
+        """The noise; None where it is zero at all times."""
+        silent = getattr(self.noise, "deviation", 1.0) == 0.0 and getattr(self.noise, "mean", 1.0) == 0.0
+        return None if silent else self.noise
+
     @model_validator(mode="after")
     def _is_controlled(self) -> Self:
         if self.command.is_controlled and self.controller is None:

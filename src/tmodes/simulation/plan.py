@@ -125,7 +125,7 @@ def _drive(
     signal = signals.add(sheet.signal, f"drives.{index}.signal")
     if exact:
         return DrivePlan(axis.name, signal, None, winding, numbers)
-    noise = signals.add(sheet.noise, f"drives.{index}.noise") if sheet.noise else -1
+    noise = signals.add(sheet.disturbance, f"drives.{index}.noise") if sheet.disturbance else -1
     driven = winding is not Winding.NONE and (command.is_controlled or command is Command.VOLTAGE)
     servo = Servo(sheet.controller, driven=driven, winding=winding, noisy=noise >= 0)
     return DrivePlan(axis.name, signal, servo, winding, servo.numbers(numbers), noise)

@@ -7,7 +7,7 @@ from pydantic import Field
 
 from tmodes.kinds.schema.quantity import DataSheet, any_sign, positive
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.noise_of_reference import ReferenceNoise
+from tmodes.paper.noise_of_reference import CommandNoise
 
 __all__ = ["TrapezoidalMove"]
 
@@ -28,7 +28,7 @@ class TrapezoidalMove(DataSheet):
     ramp_fraction: float = positive(
         "-", "ramp", "share of the duration that each ramp takes", at_most=0.5, smallest=1e-6
     )
-    noise: ReferenceNoise = Field(default_factory=ReferenceNoise)
+    noise: CommandNoise = Field(default_factory=CommandNoise)
 
     def schedule(self) -> Schedule:
         """The move as three pieces of second degree; two pieces when the ramps meet."""
