@@ -28,7 +28,9 @@ MOST_VALUES = 200_000
 
 MOST_DEPTH = 40
 
-FACTORED = ("gravity", "base", "joints", "links", "tip", "points", "couplings", "loads", "drives", "contact")
+FACTORED = (
+    "gravity", "base", "joints", "links", "tip", "points", "couplings", "loads", "drives", "contact", "parameters",
+)  # fmt: skip
 """The groups of which a number may be otherwise in the real arm."""
 
 
