@@ -25,9 +25,11 @@ from tmodes.bench import peer_mujoco, peer_pinocchio
 from tmodes.bench.clock import now
 from tmodes.bench.missing import PeerMissing
 from tmodes.bench.rigid import RigidChain
-from tmodes.chain.chain import Beam, BeamPiece, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Placement
+from tmodes.chain.chain import Beam, BeamPiece, Chain, Friction, Gear, Joint, Motor, Node, Placement
 from tmodes.compile.ir import kernels
 from tmodes.equations.recursion.forward import forward_dynamics
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 _SAMPLES = 2_000
@@ -43,7 +45,7 @@ def chain(joints: int, functions: int = 3) -> Chain:
     nodes = []
     for k in range(joints):
         joint = Joint(
-            f"j{k}", JointKind.REVOLUTE, Placement(turned if k % 2 else np.eye(3)), drive=Drive.ELASTIC,
+            f"j{k}", joint_kind("revolute"), Placement(turned if k % 2 else np.eye(3)), drive=drive_kind("elastic"),
             motor=Motor(0.2, Friction(0.1)), gear=Gear((8000.0,), damping=1.0),
         )  # fmt: skip
         link = Beam(0.4, (piece,), twist=1, bend_y=functions, bend_z=functions, damping_time=3e-5)

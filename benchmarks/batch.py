@@ -23,13 +23,14 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmodes.chain.chain import Body, Chain, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.chain.chain import Body, Chain, Joint, Node, Placement, RigidLink
 from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.compile.native import processor
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
 from tmodes.simulation.batch.work import LaneNumbers
@@ -64,7 +65,7 @@ class Case:
 def seed() -> Case:
     """The robot of the paper, its whole move."""
     robot = load_robot("filipovic2010")
-    mechanism, parameters = robot.split(Drive.CONTROLLED)
+    mechanism, parameters = robot.split(drive_kind("controlled"))
     model, settings = PaperModel(mechanism), robot.integration.model_copy(update={"output_step": 0.01})
     start = model.rest(robot.reference.start, parameters)
     return Case("seed's robot, 2 s", model, parameters.vector, robot.reference.schedule(), start, settings)
@@ -79,7 +80,7 @@ def chain(joints: int) -> Case:
     nodes = []
     for k in range(joints):
         placed = Placement(about_z @ about_x, rng.uniform(-0.1, 0.1, 3))
-        joint = Joint(f"j{k}", JointKind.REVOLUTE, placed, np.eye(3)[k % 3])
+        joint = Joint(f"j{k}", joint_kind("revolute"), placed, np.eye(3)[k % 3])
         nodes.append(Node(f"l{k}", k - 1, joint, RigidLink((body,))))
     model = LoopModel(LoopPlan(Chain("rigid", tuple(nodes), np.array([0.0, 0.0, -9.81])), (), 0, 0))
     duration, start = _DURATIONS[joints], np.zeros(model.layout.size)

@@ -15,11 +15,9 @@ from tmodes.chain.chain import (
     BeamPiece,
     Body,
     Chain,
-    Drive,
     Friction,
     Gear,
     Joint,
-    JointKind,
     Motor,
     Node,
     Placement,
@@ -27,6 +25,8 @@ from tmodes.chain.chain import (
     RigidLink,
     Segment,
 )
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 
 __all__ = ["random_body", "random_chain", "random_placement", "random_state"]
 
@@ -56,16 +56,24 @@ def _axis(rng: Generator) -> Array:
 
 
 def _joint(rng: Generator, name: str, rigid: bool) -> Joint:
-    kind = rng.choice([JointKind.REVOLUTE, JointKind.REVOLUTE, JointKind.PRISMATIC, JointKind.FIXED])
+    kind = rng.choice([joint_kind("revolute"), joint_kind("revolute"), joint_kind("prismatic"), joint_kind("fixed")])
     placement, axis = random_placement(rng), _axis(rng)
-    if kind == JointKind.FIXED:
-        return Joint(name, JointKind.FIXED, placement)
-    drive = Drive.EFFORT if rigid else Drive(rng.choice([Drive.EFFORT, Drive.ELASTIC, Drive.SPRING]))
+    if kind == joint_kind("fixed"):
+        return Joint(name, joint_kind("fixed"), placement)
+    drive = (
+        drive_kind("effort")
+        if rigid
+        else rng.choice([drive_kind("effort"), drive_kind("elastic"), drive_kind("spring")])
+    )
     motor = None
-    if drive is Drive.ELASTIC or (drive is Drive.EFFORT and rng.random() < 0.5):
+    if drive is drive_kind("elastic") or (drive is drive_kind("effort") and rng.random() < 0.5):
         motor = Motor(float(rng.uniform(0.02, 0.3)), Friction(viscous=0.0 if rigid else float(rng.uniform(0, 0.5))))
-    gear = None if drive is Drive.EFFORT else Gear((float(rng.uniform(20, 300)),), damping=float(rng.uniform(0, 1)))
-    return Joint(name, JointKind(kind), placement, axis, drive=drive, motor=motor, gear=gear)
+    gear = (
+        None
+        if drive is drive_kind("effort")
+        else Gear((float(rng.uniform(20, 300)),), damping=float(rng.uniform(0, 1)))
+    )
+    return Joint(name, joint_kind(str(kind)), placement, axis, drive=drive, motor=motor, gear=gear)
 
 
 def _piece(rng: Generator, end: float, axial: bool) -> BeamPiece:
@@ -122,7 +130,7 @@ def random_chain(seed: int, nodes: int = 4, *, rigid: bool = False) -> Chain:
 
 
 def _coordinates(node: Node) -> bool:
-    return node.joint.kind is not JointKind.FIXED
+    return node.joint.kind is not joint_kind("fixed")
 
 
 def random_state(seed: int, coordinates: tuple[str, ...], bend: float = 0.3) -> tuple[Array, Array, Array]:

@@ -10,8 +10,10 @@ import pytest
 from numpy.typing import NDArray
 
 from arm.random_chains import random_chain, random_state
-from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, RigidLink, Segment
+from tmodes.chain.chain import Body, Chain, Joint, Motor, Node, Placement, RigidLink, Segment
 from tmodes.errors import InputError, SimulationError
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
@@ -31,8 +33,8 @@ def model_of(seed: int) -> Model:
 def gripped() -> Model:
     """A bending link between a joint that is prescribed and one that is driven."""
     body = Body(1.0, np.array([0.1, 0.02, -0.03]), np.diag([0.02, 0.03, 0.04]))
-    first = Joint("lift", JointKind.PRISMATIC, Placement(), np.array([0.0, 0.0, 1.0]), Drive.PRESCRIBED)
-    second = Joint("turn", JointKind.REVOLUTE, Placement(), np.array([0.0, 1.0, 0.0]), Drive.EFFORT)
+    first = Joint("lift", joint_kind("prismatic"), Placement(), np.array([0.0, 0.0, 1.0]), drive_kind("prescribed"))
+    second = Joint("turn", joint_kind("revolute"), Placement(), np.array([0.0, 1.0, 0.0]), drive_kind("effort"))
     segment = Segment(0.5, stiffness_y=40.0, stiffness_z=60.0, bodies=(body,))
     nodes = (Node("a", -1, first, segment), Node("b", 0, second, RigidLink((body,))))
     return Model(Chain("gripped", nodes, GRAVITY))
@@ -135,7 +137,7 @@ def test_linearisation_is_that_of_the_inverse_dynamics() -> None:
 
 def test_a_coordinate_without_mass_is_named() -> None:
     axis = np.array([0.0, 0.0, 1.0])
-    joint = Joint("idle", JointKind.REVOLUTE, Placement(), axis, Drive.EFFORT, motor=Motor(0.0))
+    joint = Joint("idle", joint_kind("revolute"), Placement(), axis, drive_kind("effort"), motor=Motor(0.0))
     model = Model(Chain("bare", (Node("a", -1, joint, RigidLink()),), GRAVITY))
     with pytest.raises(SimulationError, match="idle"):
         model.forward_dynamics_derivatives([0.0], [0.0])

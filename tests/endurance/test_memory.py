@@ -9,10 +9,12 @@ import casadi as ca
 import numpy as np
 import pytest
 
-from tmodes.chain.chain import Body, Chain, Drive, Gear, Joint, JointKind, Motor, Node, Placement, RigidLink
+from tmodes.chain.chain import Body, Chain, Gear, Joint, Motor, Node, Placement, RigidLink
 from tmodes.compile.ir import kernels
 from tmodes.compile.loops import loops
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.model.model import Model
 from tmodes.paper.mechanism import Parameters
@@ -47,7 +49,7 @@ def test_many_steps_in_one_process() -> None:
 
     def run(count: int) -> Any:
         settings = Integration(
-            method=Method.RK4, step=step, duration=count * step, output_step=count * step / 100, max_steps=10**9
+            method="rk4", step=step, duration=count * step, output_step=count * step / 100, max_steps=10**9
         )
         return integrate(oscillator, numbers, still, np.array([1.0, 0.0]), settings)
 
@@ -68,8 +70,8 @@ def robot(number: int) -> Chain:
     nodes = []
     for k in range(9):
         digit = number // 3**k % 3
-        kind = JointKind.PRISMATIC if digit == 1 else JointKind.REVOLUTE
-        elastic: dict[str, Any] = {"drive": Drive.ELASTIC, "motor": Motor(0.1), "gear": Gear((100.0,))}
+        kind = joint_kind("prismatic") if digit == 1 else joint_kind("revolute")
+        elastic: dict[str, Any] = {"drive": drive_kind("elastic"), "motor": Motor(0.1), "gear": Gear((100.0,))}
         place = Placement(np.eye(3), np.array([0.1, 0.0, 0.0]))
         joint = Joint(f"j{k}", kind, place, **(elastic if digit == 2 else {}))
         nodes.append(Node(f"l{k}", k - 1, joint, RigidLink((Body(1.0, np.array([0.05, 0, 0]), 0.01 * np.eye(3)),))))

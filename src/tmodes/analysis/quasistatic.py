@@ -12,7 +12,6 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.chain.chain import Drive
 from tmodes.model.model import Model
 
 __all__ = [
@@ -112,8 +111,7 @@ def held_shape(
 
 def sprung(model: Model) -> list[int]:
     """Coordinates of the joints behind an elastic gear, in the order of the nodes."""
-    parts = model.parts.nodes
-    return [part.angle for part in parts if part.angle >= 0 and part.node.joint.drive in {Drive.ELASTIC, Drive.SPRING}]
+    return [axis.angle for axis in model.parts.axes if axis.axis.drive.has_gear]
 
 
 def gear_inputs(model: Model, values: Array, *, rest: bool = False) -> Array:
@@ -121,13 +119,12 @@ def gear_inputs(model: Model, values: Array, *, rest: bool = False) -> Array:
     couplings = np.eye(len(model.motors)) if model.chain.couplings is None else np.asarray(model.chain.couplings)
     motors, column = values[:, model.motors] @ couplings.T, 0
     columns = []
-    for part in model.parts.nodes:
-        joint = part.node.joint
-        if part.angle >= 0 and joint.drive is Drive.ELASTIC:
+    for axis in model.parts.axes:
+        if axis.motor >= 0:
             columns.append(motors[:, column])
             column += 1
-        elif part.angle >= 0 and joint.drive is Drive.SPRING:
-            columns.append(np.full(len(values), joint.rest if rest else 0.0))
+        elif axis.axis.drive.has_gear:
+            columns.append(np.full(len(values), axis.node.joint.rest if rest else 0.0))
     return np.stack(columns, axis=1) if columns else np.zeros((len(values), 0))
 
 

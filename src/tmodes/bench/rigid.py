@@ -10,7 +10,8 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Body, Chain, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.chain.chain import Body, Chain, Joint, Node, Placement, RigidLink
+from tmodes.kinds.joints.registry import joint_kind
 
 __all__ = ["CENTER", "GRAVITY", "INERTIA", "MASS", "TURNED", "RigidChain"]
 
@@ -60,6 +61,6 @@ class RigidChain:
         """The same robot as a chain of this package."""
         nodes = []
         for k, (axis, place) in enumerate(zip(self.axes, self.places, strict=True)):
-            joint = Joint(f"j{k}", JointKind.REVOLUTE, Placement(TURNED, place), np.eye(3)[axis])
+            joint = Joint(f"j{k}", joint_kind("revolute"), Placement(TURNED, place), np.eye(3)[axis])
             nodes.append(Node(f"l{k}", k - 1, joint, RigidLink((Body(MASS, CENTER, np.diag(INERTIA)),))))
         return Chain("bench", tuple(nodes), GRAVITY)

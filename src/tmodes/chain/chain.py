@@ -12,29 +12,32 @@ All numbers are SI and reflected to the joint side of the reducer. Everything he
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from dataclasses import dataclass, field
-from enum import StrEnum
+from collections.abc import Mapping, Sequence
+from dataclasses import dataclass, field, replace
+from functools import partial
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.frame import Placement
+from tmodes.kinds.drives.contract import DriveKind
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.contract import Coordinate, JointKind
 from tmodes.kinds.links.contract import Body, Link
 from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.strain import Beam, BeamPiece
 
 __all__ = [
+    "Axis",
     "Beam",
     "BeamPiece",
     "Body",
     "Chain",
-    "Drive",
     "Friction",
     "Gear",
     "Joint",
-    "JointKind",
     "Link",
     "Motor",
     "Node",
@@ -92,39 +95,70 @@ class Gear:
     backlash_rounding: float = 1e-5
 
 
-class JointKind(StrEnum):
-    """How a joint moves along or about its axis."""
+class Axis(NamedTuple):
+    """A coordinate of a joint: its name among the coordinates of the chain, its unit, its drive."""
 
-    REVOLUTE = "revolute"
-    PRISMATIC = "prismatic"
-    FIXED = "fixed"
+    name: str
+    joint: Joint
+    coordinate: Coordinate
+    drive: DriveKind
 
-
-class Drive(StrEnum):
-    """What moves a joint, and which coordinates it has: the group's AE, LE, AR, and a given motion; LR is FIXED."""
-
-    EFFORT = "effort"  # the joint's effort is given; a motor behind a rigid gear adds its inertia and friction
-    ELASTIC = "elastic"  # a motor with its own coordinate behind an elastic gear
-    SPRING = "spring"  # an elastic gear whose motor is locked; without a gear the joint is free
-    PRESCRIBED = "prescribed"  # the joint's motion is given
+    @property
+    def motor(self) -> str:
+        """Name of its motor's coordinate."""
+        return f"{self.name}.motor"
 
 
 @dataclass(frozen=True, eq=False)
 class Joint:
-    """A joint: ``axis`` (3,), a unit vector in the joint frame; ``friction`` acts on the joint's own rate."""
+    """A joint: ``axis`` (3,), a unit vector in the joint frame; ``friction`` acts on the joint's own rates.
+
+    ``drive``, ``motor``, ``gear`` and ``friction`` are those of each of its coordinates; ``drives``: where the kinds of
+    drive differ between them. ``parameters``: further numbers of its kind.
+    """
 
     name: str
     kind: JointKind
     placement: Placement = field(default_factory=Placement)
     axis: Array = field(default_factory=lambda: np.array([0.0, 0.0, 1.0]))
-    drive: Drive = Drive.EFFORT
+    drive: DriveKind = field(default_factory=partial(drive_kind, "effort"))
     motor: Motor | None = None
     gear: Gear | None = None
     friction: Friction = Friction()
     rest: float = 0.0
-    """Where the locked motor of SPRING stands [rad or m]."""
+    """Where the locked motor of a spring stands [rad or m]."""
     lower: float = -np.inf
     upper: float = np.inf
+    parameters: tuple[float, ...] = ()
+    drives: tuple[DriveKind, ...] = ()
+
+    @property
+    def moves(self) -> bool:
+        """Whether it has a coordinate."""
+        return self.kind.moves
+
+    @property
+    def axes(self) -> tuple[Axis, ...]:
+        """Its coordinates."""
+        coordinates = enumerate(self.kind.coordinates)
+        return tuple(Axis(each.of(self.name), self, each, self.drive_of(k)) for k, each in coordinates)
+
+    @property
+    def numbers(self) -> Array:
+        """Axis and parameters, as the formulas of its kind take them."""
+        return np.array([*self.axis, *self.parameters], dtype=float)
+
+    def driven_by(self, *drives: DriveKind) -> Joint:
+        """The same joint with a kind of drive for each coordinate."""
+        return replace(self, drive=drives[0] if drives else self.drive, drives=drives if len(drives) > 1 else ())
+
+    def drive_of(self, place: int) -> DriveKind:
+        """The kind of drive of one of its coordinates."""
+        return self.drives[place] if self.drives else self.drive
+
+    def placed(self, q: Sequence[float]) -> Placement:
+        """The link's frame in the joint's at coordinates q."""
+        return Placement(*self.kind.placement(q, [*map(float, self.numbers)]))
 
 
 @dataclass(frozen=True, eq=False)
@@ -163,6 +197,16 @@ class Chain:
     couplings: Array | None = None
     equations: str = "recursion"
     parameters: Mapping[str, float] = field(default_factory=dict)
+
+    @property
+    def axes(self) -> list[Axis]:
+        """The coordinates of all joints, in their order."""
+        return [axis for node in self.nodes for axis in node.joint.axes]
+
+    @property
+    def sliding(self) -> set[str]:
+        """Names of the coordinates of joints and motors that are distances [m]."""
+        return {name for axis in self.axes if axis.coordinate.slides for name in (axis.name, axis.motor)}
 
     @property
     def tip(self) -> Point:

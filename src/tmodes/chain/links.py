@@ -7,7 +7,8 @@ from dataclasses import dataclass, replace
 
 import numpy as np
 
-from tmodes.chain.chain import Body, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.chain.chain import Body, Joint, Node, Placement, RigidLink
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.sheet import LoweredLink, Spot, moved_body, placed, sheet_body
 from tmodes.sheet.parts import LinkSheet
 
@@ -64,7 +65,7 @@ def _bending(info: LoweredLink, node: Node, frame: Placement) -> Lowered:
     nodes = list(root)
     for k, link in enumerate(info.links):
         name = node.name if len(info.links) == 1 else f"{node.name}.{k + 1}"
-        own = joint if k == 0 else Joint(name, JointKind.FIXED)
+        own = joint if k == 0 else Joint(name, joint_kind("fixed"))
         nodes.append(Node(name, node.parent, own, link))
 
     def spot(s: float) -> Spot:
@@ -77,15 +78,13 @@ def _bending(info: LoweredLink, node: Node, frame: Placement) -> Lowered:
 def _root(node: Node, root: Placement, bodies: tuple[Body, ...] = ()) -> tuple[tuple[Node, ...], Joint]:
     """What stands before a beam whose root is at ``root`` in the joint's moved frame, and the joint that carries it.
 
-    Turning the frames of the joint itself is enough where its motion commutes with the offset of the root: always but
-    for a revolute joint whose axis misses the root. There, and for bodies at the root, a rigid link comes first.
+    Turning the frames of the joint itself is enough where its motion commutes with the offset of the root, as that of
+    a revolute joint does whose axis meets the root. Else, and for bodies at the root, a rigid link comes first.
     """
     joint = node.joint
-    across = np.cross(joint.axis, root.position)
-    commutes = joint.kind is not JointKind.REVOLUTE or float(np.abs(across).max()) == 0.0
-    if commutes and not bodies:
-        axis = joint.axis if joint.kind is JointKind.FIXED else root.rotation.T @ joint.axis
+    if joint.kind.commutes(joint.axis, root.rotation, root.position) and not bodies:
+        axis = root.rotation.T @ joint.axis if joint.moves else joint.axis
         return (), replace(joint, placement=joint.placement @ root, axis=axis)
     name = f"{node.name}.root"
     first = replace(node, name=name, link=RigidLink(tuple(moved_body(body, root) for body in bodies)))
-    return (first,), Joint(name, JointKind.FIXED, root)
+    return (first,), Joint(name, joint_kind("fixed"), root)

@@ -9,11 +9,9 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import (
     Chain,
-    Drive,
     Friction,
     Gear,
     Joint,
-    JointKind,
     Motor,
     Node,
     Placement,
@@ -21,9 +19,12 @@ from tmodes.chain.chain import (
     RigidLink,
 )
 from tmodes.chain.links import Lowered, lowered_link, placed
+from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
-from tmodes.kinds.joints.joint import JointSheet, JointState, JointType, MeasuredFrom
-from tmodes.kinds.schema.axes import rotation_about, unit
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.joint import JointSheet, MeasuredFrom
+from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.schema.axes import unit
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command, TipSheet
 from tmodes.sheet.topology import last_link, parents, rooted_order
@@ -84,42 +85,37 @@ def _frames(joint: JointSheet, holder: _Hung | None) -> tuple[Placement, Placeme
 
 
 def _joint(sheet: JointSheet, placement: Placement, arm: Robot) -> Joint:
-    axis = unit(sheet.axis) if sheet.axis else np.array([0.0, 0.0, 1.0])
+    axis, parameters = unit(sheet.axis) if sheet.axis else np.array([0.0, 0.0, 1.0]), sheet.numbers
     if sheet.is_locked:
-        return Joint(sheet.name, JointKind.FIXED, placement @ _locked(sheet, axis), axis)
-    drive, limits = _drive(sheet, arm), sheet.limits
+        still = Placement(*sheet.kind.placement([sheet.locked_at] * sheet.kind.size, [*axis, *parameters]))
+        return Joint(sheet.name, joint_kind("fixed"), placement @ still, axis)
+    drives, limits = tuple(_drive(sheet, name, arm) for name in sheet.coordinates), sheet.limits
+    drive = drives[0]
     lower, upper = (limits.lower, limits.upper) if limits else (None, None)
     return Joint(
         name=sheet.name,
-        kind=JointKind(str(sheet.type)),
+        kind=sheet.kind,
         placement=placement,
         axis=axis,
         drive=drive,
-        motor=_motor(sheet.motor) if sheet.motor and drive in {Drive.EFFORT, Drive.ELASTIC} else None,
-        gear=_gear(sheet.gear) if sheet.gear and drive in {Drive.SPRING, Drive.ELASTIC} else None,
+        motor=_motor(sheet.motor) if sheet.motor and drive.takes_effort else None,
+        gear=_gear(sheet.gear) if sheet.gear and drive.has_gear else None,
         friction=_friction(sheet.friction),
         rest=sheet.locked_at,
         lower=-np.inf if lower is None else lower,
         upper=np.inf if upper is None else upper,
+        parameters=parameters,
+        drives=drives if len({*drives}) > 1 else (),
     )
 
 
-def _locked(sheet: JointSheet, axis: NDArray[np.float64]) -> Placement:
-    """The motion of a joint that does not move: to where it is locked."""
-    if sheet.type is JointType.REVOLUTE:
-        return Placement(rotation=rotation_about(axis, sheet.locked_at))
-    if sheet.type is JointType.PRISMATIC:
-        return Placement(position=axis * sheet.locked_at)
-    return Placement()
-
-
-def _drive(sheet: JointSheet, arm: Robot) -> Drive:
-    if sheet.state is not JointState.ACTIVE:
-        return Drive.SPRING  # of a free joint without a gear: nothing holds it
+def _drive(sheet: JointSheet, coordinate: str, arm: Robot) -> DriveKind:
+    if not sheet.is_active:
+        return drive_kind("spring" if sheet.is_elastic else "free")
     if sheet.is_elastic:
-        return Drive.ELASTIC
-    commands = [drive.command for drive in arm.drives if drive.joint == sheet.name]
-    return Drive.PRESCRIBED if Command.PRESCRIBED in commands else Drive.EFFORT
+        return drive_kind("elastic")
+    commands = [drive.command for drive in arm.drives if drive.joint == coordinate]
+    return drive_kind("prescribed" if Command.PRESCRIBED in commands else "effort")
 
 
 def _friction(sheet: FrictionSheet | None) -> Friction:
@@ -160,7 +156,7 @@ def _couplings(arm: Robot, nodes: list[Node]) -> NDArray[np.float64] | None:
     """Gear inputs over motor angles, in the order of the nodes with an elastic drive; None where each has its own."""
     if not arm.couplings:
         return None
-    names = [node.joint.name for node in nodes if node.joint.drive is Drive.ELASTIC]
+    names = [axis.name for node in nodes for axis in node.joint.axes if axis.drive.has_motor]
     matrix = np.eye(len(names))
     for joint, factors in arm.couplings.items():
         row = names.index(joint)

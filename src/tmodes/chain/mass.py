@@ -7,9 +7,9 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Node, Placement
+from tmodes.chain.chain import Axis, Body, Chain, Joint, Node, Placement
 from tmodes.chain.lowering import lowered
-from tmodes.kinds.schema.axes import cross_matrix, rotation_about
+from tmodes.kinds.schema.axes import cross_matrix
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet import Robot
 
@@ -29,8 +29,8 @@ def massless_issues(arm: Robot) -> Iterator[Issue]:
     chain = lowered(arm)
     yield from _same_names(chain)
     sheets = {joint.name: index for index, joint in enumerate(arm.joints)}
-    for node, moved in zip(chain.nodes, _carried(chain), strict=True):
-        if got := _nothing_moved(node.joint, moved):
+    for index, (node, moved) in enumerate(zip(chain.nodes, _carried(chain), strict=True)):
+        if got := _nothing_moved(node.joint, index, moved):
             link = arm.joints[sheets[node.joint.name]].child
             hint = f"give `{link}`, or a link that it carries, a body with mass and inertia; or fix the joint"
             expected = "mass beyond a joint that moves"
@@ -44,18 +44,23 @@ def _same_names(chain: Chain) -> Iterator[Issue]:
         yield Issue("links", f"`{name}`, also the name of a part of a link", "names of their own", "rename the link")
 
 
-def _nothing_moved(joint: Joint, moved: Array) -> str:
+def _nothing_moved(joint: Joint, index: int, moved: Array) -> str:
     """What is missing in the inertia (6, 6), about the joint's frame, that a joint moves; empty when nothing is."""
-    if joint.kind is JointKind.FIXED or joint.drive is Drive.PRESCRIBED:
-        return ""
-    if joint.drive is Drive.EFFORT and joint.motor is not None:
-        return ""
-    if moved[3, 3] <= 0:
+    free = [k for k, axis in enumerate(joint.axes) if not _has_inertia(axis)]
+    if free and moved[3, 3] <= 0:
         return f"has no mass and is moved by `{joint.name}`"
-    about = float(joint.axis @ moved[:3, :3] @ joint.axis)
-    if joint.kind is JointKind.REVOLUTE and about <= NEGLIGIBLE * float(np.trace(moved[:3, :3])):
-        return f"has no inertia about the axis of `{joint.name}`"
+    columns = np.array([each.packed() for each in joint.kind.subspace(_general(joint, index), joint.numbers)])
+    turning, along = float(np.trace(moved[:3, :3])), float(moved[3, 3])
+    for column in columns[free]:
+        size = turning * float(column[:3] @ column[:3]) + along * float(column[3:] @ column[3:])
+        if float(column @ moved @ column) <= NEGLIGIBLE * size:
+            return f"has no inertia about the axis of `{joint.name}`"
     return ""
+
+
+def _has_inertia(axis: Axis) -> bool:
+    """Whether a coordinate needs no mass: its motion is given, or a rotor turns with it."""
+    return axis.drive.is_given or (axis.drive.carries_rotor and axis.joint.motor is not None)
 
 
 def _carried(chain: Chain) -> list[Array]:
@@ -64,7 +69,8 @@ def _carried(chain: Chain) -> list[Array]:
     for index in range(len(chain.nodes) - 1, -1, -1):
         node = chain.nodes[index]
         if node.parent >= 0:
-            offset = _length(chain.nodes[node.parent]) @ node.joint.placement @ _motion(node.joint, index)
+            joint = node.joint
+            offset = _length(chain.nodes[node.parent]) @ joint.placement @ joint.placed(_general(joint, index))
             inertias[node.parent] = inertias[node.parent] + _seen(inertias[index], offset)
     return inertias
 
@@ -78,12 +84,9 @@ def _length(node: Node) -> Placement:
     return Placement(position=np.array([node.link.length, 0.0, 0.0]))
 
 
-def _motion(joint: Joint, index: int) -> Placement:
+def _general(joint: Joint, index: int) -> list[float]:
     """A general position of a joint; no two alike."""
-    value = 0.5 + np.sin(2.0 + 3.0 * index) / 3
-    if joint.kind is JointKind.REVOLUTE:
-        return Placement(rotation=rotation_about(joint.axis, value))
-    return Placement(position=joint.axis * value) if joint.kind is JointKind.PRISMATIC else Placement()
+    return [0.5 + float(np.sin(2.0 + 3.0 * index + k)) / 3 for k in range(joint.kind.size)]
 
 
 def _spatial(body: Body) -> Array:

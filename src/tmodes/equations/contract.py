@@ -8,7 +8,7 @@ from __future__ import annotations
 
 from typing import Any, Protocol
 
-from tmodes.equations.recursion.parts import NodePart, Parts
+from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import Blocks
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
 
@@ -27,11 +27,11 @@ class Way(Protocol):
     wrenches: dict[int, Slot]
     """Number of a point -> force and moment on it, in world axes."""
 
-    def angle(self, part: NodePart) -> tuple[Slot, Slot]:
+    def angle(self, axis: AxisPart) -> tuple[Slot, Slot]:
         """Coordinate and rate of a joint."""
         ...
 
-    def motor(self, part: NodePart) -> tuple[Slot, Slot]:
+    def motor(self, axis: AxisPart) -> tuple[Slot, Slot]:
         """Angle and rate of a motor."""
         ...
 
@@ -69,7 +69,7 @@ class Dynamics(Protocol):
         """Accelerations of the coordinates, in their order."""
         ...
 
-    def force_along(self, index: int) -> Slot:
+    def force_along(self, axis: AxisPart) -> Slot:
         """Force that the bodies ask of a prescribed joint."""
         ...
 

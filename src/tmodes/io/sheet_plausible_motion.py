@@ -6,7 +6,6 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from tmodes.kinds.joints.joint import JointType
 from tmodes.sheet.checks import coordinate_count
 
 if TYPE_CHECKING:
@@ -44,7 +43,7 @@ def implausible_motion(arm: Robot) -> Iterator[str]:
 
 def _limits(arm: Robot) -> Iterator[str]:
     for joint in arm.joints:
-        if joint.type is JointType.PRISMATIC and joint.limits:
+        if joint.unit == "m" and joint.limits:
             for name in ("lower", "upper"):
                 value = getattr(joint.limits, name)
                 if value is not None and abs(value) > TRAVEL:
@@ -52,11 +51,11 @@ def _limits(arm: Robot) -> Iterator[str]:
 
 
 def _signals(arm: Robot) -> Iterator[str]:
-    kinds = {joint.name: joint.type for joint in arm.joints}
+    units = {name: joint.unit for joint in arm.joints for name in joint.coordinates}
     for index, drive in enumerate(arm.drives):
         if not drive.command.is_motion:
             continue
-        path, slides = f"drives.{index} (`{drive.joint}`)", kinds[drive.joint] is JointType.PRISMATIC
+        path, slides = f"drives.{index} (`{drive.joint}`)", units[drive.joint] == "m"
         value = _largest(drive.signal)
         if slides and abs(value) > TRAVEL:
             yield _far(f"{path}.signal", value)

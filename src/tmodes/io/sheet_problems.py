@@ -3,7 +3,6 @@
 from __future__ import annotations
 
 from collections.abc import Iterator, Mapping
-from enum import Enum
 from itertools import islice
 from typing import Any
 
@@ -13,7 +12,7 @@ from pydantic_core import ErrorDetails
 from tmodes.errors import InputError
 from tmodes.io.sheet_fields import ROOT, ChainPlace, Step, chosen, inside, keys, place_of
 from tmodes.io.sheet_units import at
-from tmodes.io.sheet_words import kind_of
+from tmodes.io.sheet_words import choices, kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 
@@ -105,8 +104,8 @@ def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
     expected = place.expected if place else "a value"
     if place and place.info and place.info.description:
         expected += f": {place.meaning}"
-    choices = _choices(place) if place else []
-    lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in choices or ["..."]) if steps else ""
+    words = choices(place.members, place.info) if place else []
+    lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in words or ["..."]) if steps else ""
     return InputError("", "nothing", expected, f"add the line {lines}" if lines else "add it")
 
 
@@ -151,14 +150,6 @@ def _hint(place: ChainPlace, value: Any) -> str:
         return "check sign, size and unit"
     if place.unit is not None:
         return f"write {place.expected}"
-    if isinstance(value, str) and (close := nearest(value, _choices(place))):
+    if isinstance(value, str) and (close := nearest(value, choices(place.members, place.info))):
         return f"did you mean `{close}`?"
     return f"write the {place.meaning} as {place.expected}"
-
-
-def _choices(place: ChainPlace) -> list[str]:
-    return [str(choice.value) for member in place.members if _is_enum(member) for choice in member]
-
-
-def _is_enum(member: Any) -> bool:
-    return isinstance(member, type) and issubclass(member, Enum)

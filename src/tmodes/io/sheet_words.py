@@ -13,10 +13,12 @@ from pydantic.fields import FieldInfo
 from tmodes.kinds.links.registry import link_sheets
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.kind import Kind
+from tmodes.kinds.schema.names import NameOf
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
 __all__ = [
     "bounds",
+    "choices",
     "expected_kind",
     "fields",
     "first_line",
@@ -81,12 +83,19 @@ def expected_kind(members: list[Any], info: FieldInfo | None) -> str:
     member = members[0]
     if is_group(member):
         return f"a group with the keys {', '.join(fields(member))}"
-    if inspect.isclass(member) and issubclass(member, Enum):
-        return f"one of {', '.join(str(choice.value) for choice in member)}"
+    if names := choices(members, info):
+        return f"one of {', '.join(names)}"
     plain = {tuple: f"a list{_length(info, 'items')}", dict: "a group of names"}
     if origin := get_origin(member):
         return repr(get_args(member)[0]) if origin is Literal else plain[origin]
     return "true or false" if member is bool else f"text{_length(info, 'characters')}"
+
+
+def choices(members: list[Any], info: FieldInfo | None) -> list[str]:
+    """The words that a place allows, where it allows only some."""
+    of_kinds = [name for rule in (info.metadata if info else ()) if isinstance(rule, NameOf) for name in rule.names]
+    enums = [member for member in members if inspect.isclass(member) and issubclass(member, Enum)]
+    return of_kinds or [str(choice.value) for member in enums for choice in member]
 
 
 def bounds(info: FieldInfo | None, annotation: Any) -> str:

@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.model_validity import yield_strength
-from tmodes.chain.chain import Beam, Chain, JointKind, Node
+from tmodes.chain.chain import Beam, Chain, Node
 from tmodes.equations.loop.plan import LoadPlan, LoopPlan
 from tmodes.equations.recursion.parts import NodePart, Parts, packed_bodies
 from tmodes.kinds.joints.joint import Limits
@@ -161,7 +161,7 @@ def joint_limits(arm: Robot, plan: LoopPlan, parts: Parts) -> list[dict[str, Any
     Where in coordinates and drives (-1: none) each joint is, with its units; what is not limited is None.
     """
     drives = [drive.joint for drive in plan.drives]
-    sliding = {node.joint.name for node in plan.chain.nodes if node.joint.kind is JointKind.PRISMATIC}
+    sliding = plan.chain.sliding
     return [
         {
             "joint": joint.name, "coordinate": parts.names.index(joint.name),

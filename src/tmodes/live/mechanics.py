@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names
-from tmodes.chain.chain import Chain, JointKind, RigidLink, Segment
+from tmodes.chain.chain import Chain, RigidLink, Segment
 from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.live.loads import joint_limits, load_places, packed_loads, yield_strengths
 from tmodes.live.numbers import follow_of
@@ -60,7 +60,7 @@ def mechanics(
         "gravity": np.asarray(model.chain.gravity, dtype=float),
         "deflections": _affine(lambda q: deflections(model, q), model.nq),
         "deformations": list(elastic_names(model)),
-        "turning": [node.joint.name for node in model.chain.nodes if node.joint.kind is JointKind.REVOLUTE],
+        "turning": [axis.name for axis in model.chain.axes if not axis.coordinate.slides],
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
         "links": _links(model, functions, stations, surfaces),
         "carried": _carried(pair, real, stations),

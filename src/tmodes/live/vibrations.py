@@ -14,9 +14,9 @@ from tmodes.analysis.statics.compliance import spring_rows
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.rest import arm_rest
 from tmodes.equations.loop.plan import LoopPlan
-from tmodes.equations.recursion.drive_law import FRICTION
 from tmodes.errors import SimulationError
 from tmodes.kinds.contacts.registry import Contact
+from tmodes.kinds.drives.laws import FRICTION
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -99,7 +99,7 @@ def _cases(rest: Equilibrium, servos: dict[str, Any]) -> list[dict[str, Any]]:
 
 
 def _dry(model: Model) -> list[int]:
-    slots = [part.drive_numbers for part in model.parts.nodes if part.drive_numbers]
+    slots = [axis.drive_numbers for axis in model.parts.axes if axis.drive_numbers]
     return [slot.start + k for slot in slots for k in _DRY]
 
 

@@ -95,10 +95,10 @@ class ArmPasses:
     def rotor_inertias(self) -> Array:
         """Inertia of the rotors along each coordinate."""
         rotors = np.zeros(self.parts.size)
-        for part in self.parts.nodes:
-            motor = part.node.joint.motor
-            if motor and part.effort >= 0:
-                rotors[part.motor if part.motor >= 0 else part.angle] += motor.inertia
+        for axis in self.parts.axes:
+            motor = axis.node.joint.motor
+            if motor and axis.effort >= 0:
+                rotors[axis.input] += motor.inertia
         return rotors
 
     def at_rest(self, *, gravity: float = 1.0) -> Array:

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
-from tmodes.chain.chain import JointKind, RigidLink
+from tmodes.chain.chain import RigidLink
 from tmodes.model.model import Model
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
 from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
@@ -149,7 +149,7 @@ def _link(arm: Robot, model: Model, name: str, stations: Array) -> dict[str, Any
 def _joints(model: Model, names: list[str]) -> Any:
     """The joints that move, each at the root of a link that is drawn, its axis in the axes of that root."""
     for node in model.chain.nodes:
-        if node.name in names and node.joint.kind is not JointKind.FIXED:
+        if node.name in names and node.joint.moves:
             yield {
                 "name": node.joint.name,
                 "link": names.index(node.name),

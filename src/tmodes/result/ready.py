@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from tmodes.chain.chain import Chain, Drive, JointKind, RigidLink
+from tmodes.chain.chain import Chain, RigidLink
 from tmodes.errors import InputError
 from tmodes.integrate.settings import refuse_too_large
 from tmodes.sheet import Robot
@@ -55,9 +55,9 @@ def ready_to_run(arm: Robot) -> Robot:
 def movable_joints(chain: Chain) -> Iterator[tuple[str, bool]]:
     """Joints that a drive could move, and whether they have a motor."""
     for node in chain.nodes:
-        joint = node.joint
-        if joint.kind is not JointKind.FIXED and joint.drive is not Drive.SPRING:
-            yield joint.name, joint.motor is not None
+        for axis in node.joint.axes:
+            if axis.drive.is_driven:
+                yield axis.name, node.joint.motor is not None
 
 
 def _free(name: str, has_motor: bool) -> dict[str, Any]:

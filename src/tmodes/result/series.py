@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import deflections, elastic_names
-from tmodes.chain.chain import JointKind
 from tmodes.simulation.motion_run import RunData
 
 __all__ = ["Variables", "coordinate_units", "coordinates_of", "motion_series"]
@@ -63,10 +62,10 @@ def _parents(run: RunData, links: list[str]) -> dict[str, Any]:
 
 def coordinate_units(run: RunData) -> list[str]:
     """The unit of each coordinate: rad, m along prismatic joints, 1 of stretch."""
-    sliding = {node.joint.name for node in run.chain.nodes if node.joint.kind is JointKind.PRISMATIC}
+    sliding = run.chain.sliding
     joints = len(run.model.motors) + len(run.model.joints)
     return [
-        ("m" if name.removesuffix(".motor") in sliding else "rad")
+        ("m" if name in sliding else "rad")
         if k < joints
         else ("1" if name.rpartition(".")[2].startswith("stretch") else "rad")
         for k, name in enumerate(run.coordinates)

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING
 import numpy as np
 
 from tmodes import upward
-from tmodes.kinds.joints.joint import JointSheet, JointState
+from tmodes.kinds.joints.joint import JointSheet
 from tmodes.kinds.schema.frames import Convention
 from tmodes.kinds.schema.quantity import SMALLEST, Issue
 from tmodes.sheet.parts import Command, DriveSheet, TipSheet
@@ -71,8 +71,8 @@ def _point(arm: Robot, path: str, point: TipSheet) -> Iterator[Issue]:
 
 
 def _drives(arm: Robot) -> Iterator[Issue]:
-    joints = {joint.name: joint for joint in arm.joints}
-    active = [name for name, joint in joints.items() if not joint.is_locked and joint.state is JointState.ACTIVE]
+    joints = {name: joint for joint in arm.joints for name in (joint.coordinates or [joint.name])}
+    active = [name for name, joint in joints.items() if not joint.is_locked and joint.is_active]
     seen: set[str] = set()
     for index, drive in enumerate(arm.drives):
         path = f"drives.{index}"
@@ -100,7 +100,7 @@ def _drive(path: str, drive: DriveSheet, joint: JointSheet) -> Iterator[Issue]:
 
 
 def _couplings(arm: Robot) -> Iterator[Issue]:
-    elastic = [joint.name for joint in arm.joints if joint.is_elastic and joint.state is JointState.ACTIVE]
+    elastic = [name for joint in arm.joints if joint.is_elastic and joint.is_active for name in joint.coordinates]
     hint = "couplings are between the gears of active joints"
     for joint, factors in arm.couplings.items():
         yield from _unknown(f"couplings.{joint}", joint, elastic, hint)
@@ -128,7 +128,7 @@ def _singular(couplings: Mapping[str, Mapping[str, float]], names: list[str]) ->
 
 
 def _initial(arm: Robot) -> Iterator[Issue]:
-    names = [*(joint.name for joint in arm.joints), *(joint.child for joint in arm.joints)]
+    names = [name for joint in arm.joints for name in (joint.name, joint.child, *joint.coordinates)]
     for group in ("coordinates", "rates"):
         for name in getattr(arm.initial, group):
             if name not in names and name.rpartition(".")[0] not in names:
@@ -161,6 +161,6 @@ def coordinate_count(arm: Robot) -> int:
 
 
 def _counts(arm: Robot) -> tuple[int, int, int]:
-    moving = sum(1 for joint in arm.joints if not joint.is_locked)
-    motors = sum(1 for joint in arm.joints if joint.is_elastic)
+    moving = sum(joint.kind.size for joint in arm.joints if not joint.is_locked)
+    motors = sum(joint.kind.size for joint in arm.joints if joint.is_elastic)
     return moving, motors, sum(link.beam.coordinate_count for link in arm.links if link.beam and link.name != BASE)

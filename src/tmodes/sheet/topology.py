@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections import Counter
 from collections.abc import Iterator, Sequence
 
-from tmodes.kinds.joints.joint import JointSheet, JointType
+from tmodes.kinds.joints.joint import JointSheet
 from tmodes.kinds.schema.quantity import Issue
 
 __all__ = ["BASE", "last_link", "parents", "rooted_order", "tree_issues"]
@@ -41,7 +41,7 @@ def last_link(joints: Sequence[JointSheet]) -> str:
     """The link behind the most joints that move, of several the last of the sheet: where the tip is, unless told."""
     names, moving = parents(joints), {BASE: 0}
     for index in rooted_order(joints):
-        moving[joints[index].child] = moving[names[index]] + (joints[index].type is not JointType.FIXED)
+        moving[joints[index].child] = moving[names[index]] + joints[index].kind.size
     most = max(moving.values())
     return next(joint.child for joint in reversed(joints) if moving.get(joint.child) == most)
 

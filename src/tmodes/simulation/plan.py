@@ -9,11 +9,13 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.chain.chain import Beam, Chain, Drive, Joint, JointKind, Motor
+from tmodes.chain.chain import Axis, Beam, Chain, Motor
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, Winding
 from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan
 from tmodes.errors import InputError
+from tmodes.kinds.drives.contract import DriveKind
+from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.kinds.signals.signals import Constant, MergedSchedule, merge
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
@@ -74,15 +76,15 @@ def planned(arm: Robot, follow: Follow = Follow.SHEET, like: Chain | None = None
     chain = like or arm.model_copy(update={"drives": ()}).chain()  # every joint with its motor, none prescribed
     drives, joints, undriven = [], {}, []
     for node in chain.nodes:
-        joint = node.joint
-        if joint.kind is JointKind.FIXED or joint.drive is Drive.SPRING:
-            continue
-        index, sheet = sheets.get(joint.name, (-1, None))
-        if sheet is None:
-            undriven.append(joint.name)
-        plan = _drive(arm, joint, index, sheet, signals, follow)
-        drives.append(plan)
-        joints[joint.name] = replace(joint, drive=_kind(joint, plan))
+        kinds = []
+        for axis in node.joint.axes:
+            kinds.append(axis.drive)
+            if axis.drive.is_driven:
+                index, sheet = sheets.get(axis.name, (-1, None))
+                undriven += [axis.name] if sheet is None else []
+                drives.append(_drive(arm, axis, index, sheet, signals, follow))
+                kinds[-1] = _kind(axis, drives[-1])
+        joints[node.joint.name] = node.joint.driven_by(*kinds)
     nodes = tuple(replace(node, joint=joints.get(node.joint.name, node.joint)) for node in chain.nodes)
     chain = replace(chain, nodes=nodes)
     names = [point.name for point in chain.points]
@@ -112,28 +114,26 @@ def initial_value(arm: Robot, joint: str) -> float:
 
 
 def _drive(
-    arm: Robot, joint: Joint, index: int, sheet: DriveSheet | None, signals: _Signals, follow: Follow
+    arm: Robot, axis: Axis, index: int, sheet: DriveSheet | None, signals: _Signals, follow: Follow
 ) -> DrivePlan:
-    winding, numbers = _winding(joint.motor)
+    winding, numbers = _winding(axis.joint.motor)
     if sheet is None or follow is Follow.HELD:
-        held = Constant(type="constant", value=initial_value(arm, joint.name))
-        return DrivePlan(joint.name, signals.add(held, "initial"), None, winding, numbers)
+        held = Constant(type="constant", value=initial_value(arm, axis.name))
+        return DrivePlan(axis.name, signals.add(held, "initial"), None, winding, numbers)
     command = sheet.command
     exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command.is_motion)
     signal = signals.add(sheet.signal, f"drives.{index}.signal")
     if exact:
-        return DrivePlan(joint.name, signal, None, winding, numbers)
+        return DrivePlan(axis.name, signal, None, winding, numbers)
     noise = signals.add(sheet.noise, f"drives.{index}.noise") if sheet.noise else -1
     driven = winding is not Winding.NONE and (command.is_controlled or command is Command.VOLTAGE)
     servo = Servo(sheet.controller, driven=driven, winding=winding, noisy=noise >= 0)
-    return DrivePlan(joint.name, signal, servo, winding, servo.numbers(numbers), noise)
+    return DrivePlan(axis.name, signal, servo, winding, servo.numbers(numbers), noise)
 
 
-def _kind(joint: Joint, plan: DrivePlan) -> Drive:
+def _kind(axis: Axis, plan: DrivePlan) -> DriveKind:
     """An elastic gear keeps its motor's coordinate, moved as given or by a servo; a rigid one has none."""
-    if joint.drive is Drive.ELASTIC:
-        return Drive.ELASTIC
-    return Drive.PRESCRIBED if plan.servo is None else Drive.EFFORT
+    return drive_kind("prescribed") if plan.servo is None and not axis.drive.has_motor else axis.drive
 
 
 def _winding(motor: Motor | None) -> tuple[Winding, tuple[float, ...]]:

@@ -8,7 +8,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import JointKind
 from tmodes.equations.lagrange.layout import ENERGIES
 from tmodes.model.model import Model, PointMotion
 from tmodes.sheet import Robot
@@ -109,20 +108,17 @@ def _column(at: Instants, column: int) -> Array:
 
 def _units(regime: RunSetup) -> list[str]:
     """Unit of each coordinate: of a sliding joint m, of a link's stretch none, of all others rad."""
-    nodes = regime.planned.chain.nodes
     units = dict.fromkeys(regime.model.coordinates, "rad")
     units |= {name: "-" for name in units if name.rpartition(".")[2].startswith("stretch")}
-    for node in nodes:
-        if node.joint.kind is JointKind.PRISMATIC:
-            units |= {name: "m" for name in (node.joint.name, f"{node.joint.name}.motor") if name in units}
+    units |= dict.fromkeys(regime.planned.chain.sliding, "m")
     return [units[name] for name in regime.model.coordinates]
 
 
 def _drives(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
     found = {}
-    kinds = {node.joint.name: node.joint.kind for node in regime.planned.chain.nodes}
+    sliding = regime.planned.chain.sliding
     for k, drive in enumerate(regime.planned.plan.drives):
-        effort = "N" if kinds[drive.joint] is JointKind.PRISMATIC else "N*m"
+        effort = "N" if drive.joint in sliding else "N*m"
         for column, (name, unit) in enumerate(zip(_DRIVEN, (effort, "V", "A"), strict=True)):
             found[f"{drive.joint}.{name}"] = Quantity(
                 unit, lambda at, k=k, column=column: seen.observed(at)["drives"][:, k, column]

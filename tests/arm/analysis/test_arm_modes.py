@@ -13,9 +13,10 @@ from arm.statics.beams import clamped
 from arm.statics.test_elements import ROD, geared, on_joint
 from tmodes.analysis.modes.modes import MotorState, Servo, _undamped, arm_modes
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, JointKind, Motor, Node, Segment
+from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, Motor, Node, Segment
 from tmodes.errors import SimulationError
 from tmodes.kinds.contacts.registry import Contact
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 INERTIA, ROTOR, STIFFNESS = 0.1 + 2 * 0.25, 0.1, 300.0
@@ -171,7 +172,7 @@ def test_growth_time():
 def test_of_a_large_arm_the_lowest_modes_are_reported():
     """A pile of 70 segments: the first modes are those that all of them together have."""
     segment = Segment(1 / 70, 3e4, 3e4, 0.3, 0.3, bodies=(Body(0.01, NONE, np.zeros((3, 3))),))
-    joints = [Joint(f"j{k}", JointKind.FIXED) for k in range(70)]
+    joints = [Joint(f"j{k}", joint_kind("fixed")) for k in range(70)]
     nodes = tuple(Node(f"n{k}", k - 1, joint, segment) for k, joint in enumerate(joints))
     rest = equilibrium(Model(Chain("pile", nodes, NONE)))
     modes = arm_modes(rest)

@@ -8,7 +8,8 @@ import pytest
 from arm.statics.test_elements import geared, on_joint
 from tmodes.analysis.statics.compliance import LOADS, point_compliance, springs_of
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, JointKind, Node
+from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, Node
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 STIFFNESS, BENDING, TORSION, LENGTH = 300.0, 7.5, 5.0, 1.2
@@ -69,7 +70,7 @@ def test_elements_are_all_of_the_elastic_slope():
 
 def test_a_rigid_arm_does_not_give():
     chain = Chain(
-        "rigid", (Node("link", -1, Joint("clamp", JointKind.REVOLUTE), arm().chain.nodes[0].link),), np.zeros(3)
+        "rigid", (Node("link", -1, Joint("clamp", joint_kind("revolute")), arm().chain.nodes[0].link),), np.zeros(3)
     )
     found = point_compliance(equilibrium(Model(chain), held=dict.fromkeys(Model(chain).coordinates, 0.0)))
     assert (found.stiffness == np.inf).all()

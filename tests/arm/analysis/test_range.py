@@ -11,7 +11,8 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.model_validity import STRAIN_LIMIT, run_warnings
 from tmodes.analysis.range import link_angles, link_ranges
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.chain.chain import Chain, Joint, JointKind, Node, Segment
+from tmodes.chain.chain import Chain, Joint, Node, Segment
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -32,7 +33,7 @@ def test_an_arc_of_a_circle(turn, verdict):
 @pytest.mark.parametrize(("angle", "verdict"), [(0.05, "good"), (0.2, "fair"), (0.5, "beyond the model")])
 def test_segments_hold_for_small_angles(angle, verdict):
     link = Segment(0.5, 100.0, 100.0)
-    model = Model(Chain("one", (Node("link", -1, Joint("clamp", JointKind.FIXED), link),), np.zeros(3)))
+    model = Model(Chain("one", (Node("link", -1, Joint("clamp", joint_kind("fixed")), link),), np.zeros(3)))
     (found,) = link_ranges(model, np.array([0.0, angle]))
     assert found.angle_rad == pytest.approx(angle)
     assert found.slope_rad == pytest.approx(1.5 * angle)

@@ -210,13 +210,14 @@ def test_elasticity_over_a_urdf_holds_no_urdf(name):
 )
 def test_elasticity_over_the_urdf_is_an_arm(name, beams, gears, mass):
     """Where example-robot-data is installed: what bends, and the mass on the joints is the URDF's."""
-    from tmodes.chain.chain import Beam, Drive, RigidLink
+    from tmodes.chain.chain import Beam, RigidLink
     from tmodes.io.elasticity import read_elasticity
+    from tmodes.kinds.drives.registry import drive_kind
 
     with resources.as_file(FOLDER / f"{name}.yaml") as path:
         nodes = Robot.model_validate(read_elasticity(path, [robots_folder()]).data).chain().nodes
     assert sum(isinstance(node.link, Beam) for node in nodes) == beams
-    assert sum(node.joint.drive is Drive.ELASTIC for node in nodes) == gears
+    assert sum(node.joint.drive is drive_kind("elastic") for node in nodes) == gears
     bodies = sum(body.mass for node in nodes if isinstance(node.link, RigidLink) for body in node.link.bodies)
     lines = sum(
         piece.mass[0] * node.link.length for node in nodes if isinstance(node.link, Beam) for piece in node.link.pieces

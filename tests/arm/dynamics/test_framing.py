@@ -10,10 +10,12 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from arm.random_chains import random_body, random_placement
-from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
+from tmodes.chain.chain import Body, Chain, Joint, Motor, Node, Placement, Point, RigidLink
 from tmodes.compile.ir.kernel_function import kernel_function
 from tmodes.equations.recursion.framing import STRAIGHT, Framing, ScrewWay
 from tmodes.equations.recursion.screw_rates import rates_kernel
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])
@@ -43,7 +45,7 @@ PLACES = {
 def tree(place: Placement, kinds: str = "RRRR", seed: int = 0, **changed) -> Chain:
     """Four joints in a row, and a branch of two at the second; each joint stands on the one before as ``place``."""
     rng = np.random.default_rng(seed)
-    named = {"R": JointKind.REVOLUTE, "P": JointKind.PRISMATIC, "F": JointKind.FIXED}
+    named = {"R": joint_kind("revolute"), "P": joint_kind("prismatic"), "F": joint_kind("fixed")}
     nodes = []
     for k, (kind, parent) in enumerate(zip(kinds + "RR", (-1, 0, 1, 2, 1, 4), strict=True)):
         joint = Joint(f"j{k}", named[kind], random_placement(rng) if k == 0 else place, Z)
@@ -64,13 +66,13 @@ def newton_euler(chain: Chain, q, v, a):
         arm, axis = joint.position - frame.position, joint.rotation @ node.joint.axis
         linear = linear + np.cross(alpha, arm) + np.cross(w, np.cross(w, arm))
         k, link = None, joint
-        if node.joint.kind is not JointKind.FIXED:
+        if node.joint.kind is not joint_kind("fixed"):
             k = next(order)
-        if node.joint.kind is JointKind.REVOLUTE:
+        if node.joint.kind is joint_kind("revolute"):
             link = joint @ Placement(Rotation.from_rotvec(q[k] * node.joint.axis).as_matrix())
             alpha = alpha + np.cross(w, v[k] * axis) + a[k] * axis
             w = w + v[k] * axis
-        elif node.joint.kind is JointKind.PRISMATIC:
+        elif node.joint.kind is joint_kind("prismatic"):
             slid = q[k] * axis
             link = Placement(joint.rotation, joint.position + slid)
             linear = linear + np.cross(alpha, slid) + np.cross(w, np.cross(w, slid))
@@ -85,7 +87,7 @@ def newton_euler(chain: Chain, q, v, a):
             moment = moment + np.cross(arm, push) + inertia @ alpha + np.cross(w, inertia @ w)
             force = force + push
         if k is not None:
-            turning = node.joint.kind is JointKind.REVOLUTE
+            turning = node.joint.kind is joint_kind("revolute")
             motor = node.joint.motor.inertia if node.joint.motor else 0.0
             result[k] = axis @ (moment if turning else force) + motor * a[k]
         if node.parent >= 0:
@@ -159,9 +161,9 @@ def test_general_way_has_its_lever_and_its_turn() -> None:
 def test_quarter_turns_are_exact() -> None:
     """A chain that hangs straight down hangs still, to the bit, whichever way its axes and frames are turned."""
     quarter = Placement(np.array([[0.0, 0.0, 1.0], [1.0, 0.0, 0.0], [0.0, 1.0, 0.0]]))
-    joint = Joint("a", JointKind.REVOLUTE, Placement(), np.array([0.0, 1.0, 0.0]))
-    other = Joint("b", JointKind.REVOLUTE, Placement(quarter.rotation, np.array([0.0, 0.0, -0.5])), Z)
-    last = Joint("c", JointKind.REVOLUTE, Placement(quarter.rotation.T, np.array([0.0, -0.25, 0.0])), X)
+    joint = Joint("a", joint_kind("revolute"), Placement(), np.array([0.0, 1.0, 0.0]))
+    other = Joint("b", joint_kind("revolute"), Placement(quarter.rotation, np.array([0.0, 0.0, -0.5])), Z)
+    last = Joint("c", joint_kind("revolute"), Placement(quarter.rotation.T, np.array([0.0, -0.25, 0.0])), X)
     bodies = [(0.0, 0.0, -0.3), (0.0, -0.2, 0.0), (0.0, 0.0, -0.1)]
     links = [RigidLink((Body(1.5, np.array(center), np.diag([0.1, 0.2, 0.3])),)) for center in bodies]
     nodes = (Node("one", -1, joint, links[0]), Node("two", 0, other, links[1]), Node("three", 1, last, links[2]))
@@ -172,7 +174,7 @@ def test_quarter_turns_are_exact() -> None:
 def test_prescribed_joint_among_others() -> None:
     """A given motion, with the joints around it free: the free ones need no effort but their own."""
     chain = tree(PLACES["general"])
-    held = replace(chain.nodes[2], joint=replace(chain.nodes[2].joint, drive=Drive.PRESCRIBED))
+    held = replace(chain.nodes[2], joint=replace(chain.nodes[2].joint, drive=drive_kind("prescribed")))
     chain = replace(chain, nodes=(*chain.nodes[:2], held, *chain.nodes[3:]))
     model, rng = Model(chain), np.random.default_rng(2)
     q, v, a = (rng.normal(size=model.nq) for _ in range(3))

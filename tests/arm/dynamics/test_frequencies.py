@@ -11,7 +11,8 @@ from scipy.linalg import eigh
 
 from arm.dynamics.exact_beams import bending, ritz_errors, rotating, torsion
 from arm.oracle.robots import piece
-from tmodes.chain.chain import Beam, Body, Chain, Joint, JointKind, Node, Placement, RigidLink, Segment
+from tmodes.chain.chain import Beam, Body, Chain, Joint, Node, Placement, RigidLink, Segment
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
@@ -61,7 +62,7 @@ def cantilever(number: int, mu: float = 0.0, j: float = 0.0, **beam: Any) -> Bea
 
 def clamped(link: Any) -> Chain:
     """The link on a fixed base, no gravity."""
-    return Chain("clamped", (Node("beam", -1, Joint("clamp", JointKind.FIXED), link),), np.zeros(3))
+    return Chain("clamped", (Node("beam", -1, Joint("clamp", joint_kind("fixed")), link),), np.zeros(3))
 
 
 def frequencies(chain: Chain, shift: float = 0.0) -> Array:
@@ -118,8 +119,8 @@ def test_hub_beam_payload(number: int, hub: float, mu: float, j: float) -> None:
     """A free hub with inertia, the beam clamped to it, a payload with inertia at its end."""
     rotor = Body(1.0, inertia=hub * MASS * LENGTH**3 * np.eye(3))
     nodes = (
-        Node("hub", -1, Joint("pin", JointKind.REVOLUTE), RigidLink((rotor,))),
-        Node("beam", 0, Joint("clamp", JointKind.FIXED), cantilever(number, mu, j)),
+        Node("hub", -1, Joint("pin", joint_kind("revolute")), RigidLink((rotor,))),
+        Node("beam", 0, Joint("clamp", joint_kind("fixed")), cantilever(number, mu, j)),
     )
     found = frequencies(Chain("hub", nodes, np.zeros(3)), shift=UNIT**2) / UNIT
     assert_errors(found, bending(number, mu, j, hub), ritz_errors(number, mu=mu, j=j, hub=hub), floor=1e-9)
@@ -166,7 +167,7 @@ def segments(number: int, rotary: bool = True) -> Chain:
     mass = 33 / 140 * MASS * part
     lump = Body(mass, inertia=(mass * part**2 / 4 if rotary else 0.0) * np.diag([0.0, 0.0, 1.0]))
     link = Segment(part, 0.0, 3 * BENDING / part**3, bend_y=False, bodies=(lump,))
-    nodes = (Node(f"part{i}", i - 1, Joint(f"weld{i}", JointKind.FIXED), link) for i in range(number))
+    nodes = (Node(f"part{i}", i - 1, Joint(f"weld{i}", joint_kind("fixed")), link) for i in range(number))
     return Chain("segments", tuple(nodes), np.zeros(3))
 
 
@@ -218,8 +219,8 @@ def test_rotating_cantilever(speed: float, radius: float, mu: float, lag: bool) 
     flap, swing = (0, number) if lag else (number, 0)
     beam = Beam(LENGTH, (section,), bend_y=flap, bend_z=swing, points=number + 2, bodies=body)
     hub = RigidLink((Body(1.0, inertia=np.eye(3)),))
-    shaft = Node("hub", -1, Joint("spin", JointKind.REVOLUTE), hub)
-    clamp = Joint("clamp", JointKind.FIXED, Placement(position=np.array([radius * LENGTH, 0.0, 0.0])))
+    shaft = Node("hub", -1, Joint("spin", joint_kind("revolute")), hub)
+    clamp = Joint("clamp", joint_kind("fixed"), Placement(position=np.array([radius * LENGTH, 0.0, 0.0])))
     nodes = (shaft, Node("beam", 0, clamp, beam))
     found = steady(Chain("rotor", nodes, np.zeros(3)), speed * UNIT) / UNIT
     expected = rotating(3, speed, lag=lag, radius=radius, mu=mu)

@@ -13,7 +13,9 @@ from arm.oracle.lagrange import Lagrangian
 from arm.oracle.pair import SPRUNG, Pair, assert_equations_agree, assert_near, assert_parts_agree
 from arm.oracle.robots import GRAVITY, arms, turned
 from arm.random_chains import random_body, random_state
-from tmodes.chain.chain import Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, RigidLink
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, RigidLink
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 RUBBED = Friction(0.3, 0.5, 0.2, 0.4, 1e-2)
@@ -22,12 +24,12 @@ LINEAR, RISING = Gear((100.0,), damping=0.5), Gear((100.0, 200.0, 300.0), (5.0, 
 
 def joint(name: str, **changed: Any) -> Joint:
     """An oblique revolute joint driven directly, changed."""
-    oblique = Joint(name, JointKind.REVOLUTE, turned([1, 1, 0], 0.4, [0.3, 0.0, 0.1]), np.array([0.0, 0.6, 0.8]))
+    oblique = Joint(name, joint_kind("revolute"), turned([1, 1, 0], 0.4, [0.3, 0.0, 0.1]), np.array([0.0, 0.6, 0.8]))
     return replace(oblique, **changed)
 
 
 def elastic(name: str, gear: Gear = LINEAR, **changed: Any) -> Joint:
-    return joint(name, drive=Drive.ELASTIC, motor=Motor(0.2, Friction(0.1)), gear=gear, **changed)
+    return joint(name, drive=drive_kind("elastic"), motor=Motor(0.2, Friction(0.1)), gear=gear, **changed)
 
 
 def arm(first: Joint, second: Joint, **changed: Any) -> Chain:
@@ -43,11 +45,13 @@ CASES = {
     "friction": arm(joint("a", friction=RUBBED), joint("b", motor=Motor(0.1, RUBBED), friction=RUBBED)),
     "elastic": arm(elastic("a", friction=RUBBED), elastic("b")),
     "rising_gear": arm(elastic("a", RISING), elastic("b", RISING)),
-    "slide": arm(joint("a", kind=JointKind.PRISMATIC), elastic("b", kind=JointKind.PRISMATIC)),
-    "spring": arm(joint("a", drive=Drive.SPRING, gear=LINEAR, rest=0.4), joint("b")),
-    "locked_motor": arm(joint("a", drive=Drive.SPRING, gear=RISING, rest=0.4, motor=Motor(0.3, RUBBED)), joint("b")),
+    "slide": arm(joint("a", kind=joint_kind("prismatic")), elastic("b", kind=joint_kind("prismatic"))),
+    "spring": arm(joint("a", drive=drive_kind("spring"), gear=LINEAR, rest=0.4), joint("b")),
+    "locked_motor": arm(
+        joint("a", drive=drive_kind("spring"), gear=RISING, rest=0.4, motor=Motor(0.3, RUBBED)), joint("b")
+    ),
     "coupled": arm(elastic("a"), elastic("b"), couplings=np.array([[1.0, 0.2], [-0.3, 0.9]])),
-    "fixed": arm(joint("a", kind=JointKind.FIXED), joint("b")),
+    "fixed": arm(joint("a", kind=joint_kind("fixed")), joint("b")),
 }
 
 
@@ -102,10 +106,12 @@ def test_backlash_is_a_dead_zone_rounded_at_its_edges() -> None:
 def test_given_motion_of_a_joint(name: str, which: int) -> None:
     """A prescribed joint: its acceleration is what is given, all others those of the Lagrangian with that one known."""
     chain = arms()[name]
-    moving = [i for i, node in enumerate(chain.nodes) if node.joint.kind is not JointKind.FIXED]
+    moving = [i for i, node in enumerate(chain.nodes) if node.joint.kind is not joint_kind("fixed")]
     nodes = list(chain.nodes)
     info = nodes[moving[which]]
-    nodes[moving[which]] = replace(info, joint=replace(info.joint, drive=Drive.PRESCRIBED, motor=None, gear=None))
+    nodes[moving[which]] = replace(
+        info, joint=replace(info.joint, drive=drive_kind("prescribed"), motor=None, gear=None)
+    )
     chain = replace(chain, nodes=tuple(nodes))
     model, oracle = Model(chain), Lagrangian(chain)
     assert tuple(model.coordinates) == oracle.coordinates

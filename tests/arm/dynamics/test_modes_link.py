@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.chain.chain import Body, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node
+from tmodes.chain.chain import Body, Chain, Friction, Gear, Joint, Motor, Node
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.modes import ModesLink
 from tmodes.model.model import Model
 from tmodes.paper.mechanism import Drive as PaperDrive
@@ -47,7 +49,7 @@ def chain_of(robot: Any) -> Chain:
     """Motor, elastic gear, and one link."""
     motor = Motor(robot.motor.inertia, Friction(robot.motor.friction))
     gear = Gear((robot.gear.stiffness,), damping=robot.gear.damping)
-    joint = Joint("joint", JointKind.REVOLUTE, drive=Drive.ELASTIC, motor=motor, gear=gear)
+    joint = Joint("joint", joint_kind("revolute"), drive=drive_kind("elastic"), motor=motor, gear=gear)
     payload = Body(robot.payload.mass, np.zeros(3), robot.payload.inertia * np.eye(3))
     link = ModesLink(tuple(robot.link.modes), ((1.0, payload),))
     return Chain("paper", (Node("link", -1, joint, link),), np.array([0.0, 0.0, -robot.gravity]))

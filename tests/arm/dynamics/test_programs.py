@@ -13,7 +13,7 @@ import pytest
 from arm.random_chains import random_chain
 from tmodes.bench.gcc import build
 from tmodes.bench.rigid import RigidChain
-from tmodes.chain.chain import Chain, Drive, Gear, Motor
+from tmodes.chain.chain import Chain, Gear, Motor
 from tmodes.compile.ir import kernels
 from tmodes.compile.ir.c_text import c_text
 from tmodes.compile.ir.kernel_function import kernel_function
@@ -21,6 +21,7 @@ from tmodes.compile.ir.ordering import in_good_order, kernel_program
 from tmodes.compile.ir.program import READ, Instruction, block_program
 from tmodes.compile.ir.tracing import traced
 from tmodes.compile.ir.unroll import Unrolled
+from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.model.model import Model
 
@@ -138,7 +139,7 @@ def test_c_does_all_operations() -> None:
 
 def chain(joints: int, *, geared: bool) -> Chain:
     rigid = RigidChain(joints).chain()
-    changed = {"drive": Drive.ELASTIC, "motor": Motor(0.1), "gear": Gear((50.0,))} if geared else {}
+    changed = {"drive": drive_kind("elastic"), "motor": Motor(0.1), "gear": Gear((50.0,))} if geared else {}
     return replace(rigid, nodes=tuple(replace(node, joint=replace(node.joint, **changed)) for node in rigid.nodes))
 
 

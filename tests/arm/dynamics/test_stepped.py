@@ -10,7 +10,8 @@ import pytest
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Joint, JointKind, Node, Point
+from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Joint, Node, Point
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
@@ -39,7 +40,7 @@ def clamped(case: tuple[float, tuple[BeamPiece, ...]], **more: Any) -> Model:
     """The beam on a wall, no gravity, its tip told."""
     length, pieces = case
     link = Beam(length, pieces, **{"twist": 1, "bend_y": 3, "bend_z": 3, **more})
-    node = Node("rod", -1, Joint("wall", JointKind.FIXED), link)
+    node = Node("rod", -1, Joint("wall", joint_kind("fixed")), link)
     return Model(Chain("stepped", (node,), np.zeros(3), points=(Point("tip", 0),)))
 
 

@@ -7,7 +7,8 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tmodes.chain.chain import Beam, JointKind, Placement
+from tmodes.chain.chain import Beam, Placement
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.sheet import Robot
 
 __all__ = ["chain_frames", "mass_matrix", "matrix", "sheet_frames"]
@@ -48,9 +49,9 @@ def chain_frames(data: dict[str, Any], angles: dict[str, float]) -> dict[str, np
     for node in chain.nodes:
         joint, moved = node.joint, np.eye(4)
         angle = angles.get(joint.name, 0.0)
-        if joint.kind is JointKind.REVOLUTE:
+        if joint.kind is joint_kind("revolute"):
             moved[:3, :3] = Rotation.from_rotvec(angle * joint.axis).as_matrix()
-        elif joint.kind is JointKind.PRISMATIC:
+        elif joint.kind is joint_kind("prismatic"):
             moved[:3, 3] = angle * joint.axis
         before = tips[node.parent] if node.parent >= 0 else _four(chain.base)
         frames[joint.name] = before @ _four(joint.placement) @ moved

@@ -10,12 +10,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from arm.files.frames import chain_frames, matrix, sheet_frames
-from tmodes.chain.chain import Beam, Drive
+from tmodes.chain.chain import Beam
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.io.elasticity_beam import section_axes
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_files import read_arm_data
 from tmodes.io.urdf import read_urdf
+from tmodes.kinds.drives.registry import drive_kind
 from tmodes.sheet import Robot
 
 INERTIAL = """<inertial><origin xyz="0.1 0.02 0.2" rpy="0.3 -0.4 0.5"/><mass value="2.4"/>
@@ -151,7 +152,7 @@ assumed: the stiffness
     assert joints["lift"].locked_at == pytest.approx(np.pi / 2)
     assert arm.gravity == (0.0, 0.0, -1.62)
     pan = next(node.joint for node in arm.chain().nodes if node.joint.name == "pan")
-    assert (pan.drive, pan.gear.stiffness, pan.motor.inertia) == (Drive.ELASTIC, (5000.0,), 0.2)
+    assert (pan.drive, pan.gear.stiffness, pan.motor.inertia) == (drive_kind("elastic"), (5000.0,), 0.2)
     assert (arm.name, arm.assumed) == ("bent", "the stiffness")
 
 

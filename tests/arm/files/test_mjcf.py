@@ -11,10 +11,10 @@ import numpy as np
 import pytest
 
 from arm.files.frames import mass_matrix, sheet_frames
-from tmodes.chain.chain import Drive
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_files import read_arm_data
+from tmodes.kinds.drives.registry import drive_kind
 
 needs_mujoco = pytest.mark.skipif(find_spec("mujoco") is None, reason="needs MuJoCo (`pip install mujoco`)")
 
@@ -103,7 +103,7 @@ def test_limits_friction_and_motor(tmp_path: Path) -> None:
 def test_a_passive_spring_is_an_elastic_gear_with_a_locked_motor(tmp_path: Path) -> None:
     path = written(tmp_path, SPRING.format('stiffness="40" springref="0.25" damping="0.5"', ""))
     joint: Any = sheet_from_data(*read_arm_data(path)).chain().nodes[0].joint
-    assert (joint.drive, joint.gear.stiffness, joint.rest) == (Drive.SPRING, (40.0,), 0.25)
+    assert (joint.drive, joint.gear.stiffness, joint.rest) == (drive_kind("spring"), (40.0,), 0.25)
     assert joint.friction.viscous == 0.5
 
 

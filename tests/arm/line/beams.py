@@ -6,7 +6,9 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.chain.chain import Beam, BeamPiece, Chain, Drive, Joint, JointKind, Node, Placement, Point
+from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, Node, Placement, Point
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 __all__ = ["EI", "LENGTH", "MASS", "beam", "clamped", "piece", "turning"]
@@ -30,11 +32,11 @@ def beam(**more: Any) -> Beam:
 
 def clamped(link: Any = None, *, gravity: Any = DOWN, points: tuple[Point, ...] = ()) -> Model:
     """A beam that stands out of a wall along x."""
-    node = Node("rod", -1, Joint("wall", JointKind.FIXED), link or beam())
+    node = Node("rod", -1, Joint("wall", joint_kind("fixed")), link or beam())
     return Model(Chain("clamped", (node,), np.asarray(gravity, dtype=float), points=points))
 
 
-def turning(link: Any = None, *, gravity: Any = (0.0, 0.0, 0.0), drive: Drive = Drive.PRESCRIBED) -> Model:
+def turning(link: Any = None, *, gravity: Any = (0.0, 0.0, 0.0), drive: str = "prescribed") -> Model:
     """A beam on a hinge about z."""
-    joint = Joint("hub", JointKind.REVOLUTE, Placement(), drive=drive)
+    joint = Joint("hub", joint_kind("revolute"), Placement(), drive=drive_kind(drive))
     return Model(Chain("turning", (Node("rod", -1, joint, link or beam()),), np.asarray(gravity, dtype=float)))

@@ -12,8 +12,9 @@ from arm.oracle.robots import arms
 from arm.random_chains import random_chain, random_state
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import held_shape
-from tmodes.chain.chain import Body, Chain, JointKind, Point
+from tmodes.chain.chain import Body, Chain, Point
 from tmodes.errors import InputError, SimulationError
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 S = np.linspace(0, 1, 21)
@@ -56,7 +57,7 @@ def test_balance_of_everything_outboard_is_the_joint_force_of_the_model(name: st
     for index, part in enumerate(model.parts.nodes):
         if part.angle >= 0:
             axis = lines[part.node.name].rotation[:, 0] @ part.node.joint.axis
-            turns = part.node.joint.kind is JointKind.REVOLUTE
+            turns = part.node.joint.kind is joint_kind("revolute")
             load = lines.roots[:, index, 3:] if turns else lines.roots[:, index, :3]
             got = -(load * axis).sum(axis=1)
             assert np.abs(got - wanted[:, part.angle]).max() < 1e-12 * np.abs(wanted).max()
@@ -267,7 +268,7 @@ def test_segment_in_balance_carries_what_bends_it() -> None:
     """In equilibrium the moment of a tip force is the mode's own all along."""
     from tmodes.chain.chain import Joint, Node, Segment
 
-    node = Node("mode", -1, Joint("wall", JointKind.FIXED), Segment(0.5, 800.0, 800.0, bodies=(Body(0.2),)))
+    node = Node("mode", -1, Joint("wall", joint_kind("fixed")), Segment(0.5, 800.0, 800.0, bodies=(Body(0.2),)))
     model = Model(Chain("mode", (node,), np.zeros(3)))
     push = np.array([0.0, 1e-6, 0.0, 0.0, 0.0, 0.0])[None, None]
     q = np.array([0.0, 1e-6 * 0.5 / (800.0 * 0.25)])

@@ -12,7 +12,9 @@ from arm.line.beams import EI, LENGTH, MASS, beam, clamped, piece, turning
 from arm.oracle.robots import arms
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names, held_shape, split_motion
-from tmodes.chain.chain import Chain, Drive, Gear, Joint, JointKind, Motor, Node
+from tmodes.chain.chain import Chain, Gear, Joint, Motor, Node
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 
@@ -39,8 +41,8 @@ def test_held_shape_is_an_equilibrium_of_the_loads_and_the_gross_motion() -> Non
         wrenches = rng.normal(size=(30, len(model.parts.points), 6))
         found, held = held_shape(model, q, v, a, wrenches=wrenches)
         assert held.all()
-        elastic = [part.angle for part in model.parts.nodes if part.node.joint.drive is Drive.ELASTIC]
-        sprung = [part.angle for part in model.parts.nodes if part.node.joint.drive is Drive.SPRING]
+        elastic = [part.angle for part in model.parts.nodes if part.node.joint.drive is drive_kind("elastic")]
+        sprung = [part.angle for part in model.parts.nodes if part.node.joint.drive is drive_kind("spring")]
         still, gain = v.copy(), a.copy()
         for x in (still, gain):
             x[:, elastic], x[:, sprung], x[:, model.deformations] = x[:, model.motors], 0.0, 0.0
@@ -55,7 +57,9 @@ def test_gear_deflection_is_output_less_input() -> None:
     from tmodes.chain.chain import Body, Placement, RigidLink
 
     tilted = Placement(np.array([[1.0, 0, 0], [0, 0, -1.0], [0, 1.0, 0]]))
-    joint = Joint("hub", JointKind.REVOLUTE, tilted, drive=Drive.ELASTIC, motor=Motor(0.1), gear=Gear((500.0,)))
+    joint = Joint(
+        "hub", joint_kind("revolute"), tilted, drive=drive_kind("elastic"), motor=Motor(0.1), gear=Gear((500.0,))
+    )
     node = Node("arm", -1, joint, RigidLink((Body(2.0, np.array([0.5, 0, 0])),)))
     model = Model(Chain("one", (node,), np.array([0.0, 0.0, -9.81])))
     assert elastic_names(model) == ("hub.gear",)

@@ -9,7 +9,8 @@ import numpy as np
 
 from arm.oracle.motion import Motion, moves
 from arm.oracle.rotation import vee
-from tmodes.chain.chain import Beam, Drive, Friction, Gear, Motor, Node, Segment
+from tmodes.chain.chain import Beam, Friction, Gear, Motor, Node, Segment
+from tmodes.kinds.drives.registry import drive_kind
 
 __all__ = ["elastic_gear", "elastic_link", "gravity", "kinetic", "lost", "momentum"]
 
@@ -57,7 +58,7 @@ def elastic_gear(motion: Motion) -> Any:
     inputs = _gear_inputs(motion)
     total = ca.SX(0)
     for node in _moving(motion):
-        if node.joint.gear is not None and node.joint.drive in {Drive.ELASTIC, Drive.SPRING}:
+        if node.joint.gear is not None and node.joint.drive in {drive_kind("elastic"), drive_kind("spring")}:
             total += _wound(node.joint.gear, inputs[node.joint.name] - motion.joint[node.joint.name])
     return total
 
@@ -68,7 +69,7 @@ def _gear_inputs(motion: Motion) -> dict[str, Any]:
     mixed = motors if motion.chain.couplings is None else ca.SX(np.asarray(motion.chain.couplings)) @ motors
     names = [name.removesuffix(".motor") for name in motion.motor]
     inputs: dict[str, Any] = {name: mixed[i] for i, name in enumerate(names)}
-    return inputs | {n.joint.name: n.joint.rest for n in _moving(motion) if n.joint.drive is Drive.SPRING}
+    return inputs | {n.joint.name: n.joint.rest for n in _moving(motion) if n.joint.drive is drive_kind("spring")}
 
 
 def _wound(gear: Gear, angle: Any) -> Any:
@@ -124,12 +125,12 @@ def _moving(motion: Motion) -> list[Node]:
 
 def _rotor(node: Node) -> Motor | None:
     """The joint's motor, if it has one that is not locked."""
-    return None if node.joint.drive is Drive.SPRING else node.joint.motor
+    return None if node.joint.drive is drive_kind("spring") else node.joint.motor
 
 
 def _motor_index(motion: Motion, node: Node) -> int:
     """Where the rotor's rate stands in v: its own coordinate, or the joint behind a rigid gear."""
-    own = f"{node.joint.name}.motor" if node.joint.drive is Drive.ELASTIC else node.joint.name
+    own = f"{node.joint.name}.motor" if node.joint.drive is drive_kind("elastic") else node.joint.name
     return list(motion.coordinates).index(own)
 
 
@@ -160,7 +161,7 @@ def _rayleigh(motion: Motion, v: Any) -> Any:
     total = ca.SX(0)
     inputs = _gear_inputs(motion)
     for node in _moving(motion):
-        if node.joint.gear is not None and node.joint.drive in {Drive.ELASTIC, Drive.SPRING}:
+        if node.joint.gear is not None and node.joint.drive in {drive_kind("elastic"), drive_kind("spring")}:
             moved = ca.SX(inputs[node.joint.name])
             speed = ca.jtimes(moved, turned, v[: turned.numel()]) if turned.numel() else 0
             total += node.joint.gear.damping * (speed - rates[node.joint.name]) ** 2 / 2

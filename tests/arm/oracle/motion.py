@@ -10,7 +10,9 @@ import numpy as np
 
 from arm.oracle.line import DIRECTIONS, Line, counts
 from arm.oracle.rotation import about
-from tmodes.chain.chain import Beam, Body, Chain, Drive, Joint, JointKind, Node, Placement, Segment
+from tmodes.chain.chain import Beam, Body, Chain, Joint, Node, Placement, Segment
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 
 __all__ = ["Frame", "Mass", "Motion", "moves"]
 
@@ -42,7 +44,7 @@ class Mass:
 
 def moves(joint: Joint) -> bool:
     """Whether the joint has a coordinate."""
-    return joint.kind is not JointKind.FIXED
+    return joint.kind is not joint_kind("fixed")
 
 
 def _symbols(names: list[str]) -> dict[str, Any]:
@@ -62,7 +64,7 @@ class Motion:
     def __post_init__(self) -> None:
         nodes = self.chain.nodes
         moving = [node.joint for node in nodes if moves(node.joint)]
-        self.motor = _symbols([f"{joint.name}.motor" for joint in moving if joint.drive is Drive.ELASTIC])
+        self.motor = _symbols([f"{joint.name}.motor" for joint in moving if joint.drive is drive_kind("elastic")])
         self.joint = _symbols([joint.name for joint in moving])
         self.link = {node.name: _symbols(_link_names(node)) for node in nodes}
         for index, node in enumerate(nodes):
@@ -87,8 +89,8 @@ class Motion:
     def _turned(self, frame: Frame, joint: Joint) -> Frame:
         if not moves(joint):
             return frame
-        moved = self.joint[joint.name] - (0.0 if joint.drive is Drive.SPRING else joint.rest)
-        if joint.kind is JointKind.REVOLUTE:
+        moved = self.joint[joint.name] - (0.0 if joint.drive is drive_kind("spring") else joint.rest)
+        if joint.kind is joint_kind("revolute"):
             return frame.then(np.zeros(3), about(joint.axis, moved))
         return frame.then(np.asarray(joint.axis, float) * moved, np.eye(3))
 

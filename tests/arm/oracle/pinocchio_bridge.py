@@ -7,7 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.chain.chain import Body, Chain, Joint, JointKind, Motor, Node, Placement, Point, RigidLink
+from tmodes.chain.chain import Body, Chain, Joint, Motor, Node, Placement, Point, RigidLink
+from tmodes.kinds.joints.registry import joint_kind
 
 __all__ = ["chain_of", "model_of"]
 
@@ -23,7 +24,7 @@ def model_of(chain: Chain) -> Any:
     for node in chain.nodes:
         parent, home = homes[node.parent] if node.parent >= 0 else (0, _se3(chain.base))
         placed = home * _se3(node.joint.placement)
-        if node.joint.kind is not JointKind.FIXED:
+        if node.joint.kind is not joint_kind("fixed"):
             parent = model.addJoint(parent, _joint(node.joint), placed, node.joint.name)
             placed = pinocchio.SE3.Identity()
             if node.joint.motor is not None:
@@ -47,7 +48,7 @@ def _se3(placement: Placement) -> Any:
 
 def _joint(joint: Joint) -> Any:
     pinocchio: Any = import_module("pinocchio")
-    revolute = joint.kind is JointKind.REVOLUTE
+    revolute = joint.kind is joint_kind("revolute")
     kind = pinocchio.JointModelRevoluteUnaligned if revolute else pinocchio.JointModelPrismaticUnaligned
     return kind(*[float(part) for part in joint.axis])
 
@@ -76,10 +77,10 @@ def _node(model: Any, i: int) -> Node:
     return Node(f"link_{name}", int(model.parents[i]) - 1, joint, RigidLink((body,)))
 
 
-def _axis(joint: Any) -> tuple[JointKind, Any]:
+def _axis(joint: Any) -> tuple[Any, Any]:
     """Kind and axis of a joint from what Pinocchio calls it: JointModelRZ, JointModelPX, ...RevoluteUnaligned."""
     name = joint.shortname().removeprefix("JointModel")
-    kind = JointKind.REVOLUTE if name.startswith("R") else JointKind.PRISMATIC
+    kind = joint_kind("revolute") if name.startswith("R") else joint_kind("prismatic")
     if name.endswith("Unaligned"):
         return kind, np.array(joint.extract().axis)
     return kind, np.eye(3)[AXES[name[-1]]]

@@ -13,11 +13,9 @@ from tmodes.chain.chain import (
     BeamPiece,
     Body,
     Chain,
-    Drive,
     Friction,
     Gear,
     Joint,
-    JointKind,
     Motor,
     Node,
     Placement,
@@ -25,6 +23,8 @@ from tmodes.chain.chain import (
     RigidLink,
     Segment,
 )
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 
 __all__ = ["GRAVITY", "arms", "piece", "turned", "ur5", "ur5_table"]
 
@@ -57,10 +57,10 @@ def _ur5_node(table: dict[str, Any], i: int, elastic: bool) -> Node:
     row, gear = table["joints"][i], table["elastic"]
     joint = Joint(
         row["name"],
-        JointKind.REVOLUTE,
+        joint_kind("revolute"),
         Placement(np.array(row["placement_R"]), np.array(row["placement_p"])),
         np.array(row["axis"], float),
-        drive=Drive.ELASTIC if elastic else Drive.EFFORT,
+        drive=drive_kind("elastic") if elastic else drive_kind("effort"),
         motor=Motor(gear["B"][i]) if elastic else None,
         gear=Gear((gear["K"][i],), damping=gear["D"][i]) if elastic else None,
     )
@@ -91,10 +91,10 @@ def piece(
 def _elastic(name: str, placement: Placement, axis: list[float], stiffness: float, rotor: float) -> Joint:
     return Joint(
         name,
-        JointKind.REVOLUTE,
+        joint_kind("revolute"),
         placement,
         np.array(axis) / np.linalg.norm(axis),
-        drive=Drive.ELASTIC,
+        drive=drive_kind("elastic"),
         motor=Motor(rotor, Friction(viscous=0.4)),
         gear=Gear((stiffness,), damping=0.8),
     )
@@ -144,8 +144,8 @@ def _curved_and_stretched() -> Chain:
         rest_curvature=np.array([0.2, 0.3, -0.4]),
         bodies=((0.4, Body(0.3, np.array([0.0, 0.02, 0.01]), np.diag([1e-4, 2e-4, 2e-4]))), (1.0, PAYLOAD)),
     )
-    slide = Joint("slide", JointKind.PRISMATIC, turned([0, 1, 0], 0.4), np.array([0.6, 0.0, 0.8]), motor=Motor(0.7))
-    fixed = Joint("flange", JointKind.FIXED, turned([1, 1, 0], 0.5, [0.0, 0.1, 0.2]))
+    slide = Joint("slide", joint_kind("prismatic"), turned([0, 1, 0], 0.4), np.array([0.6, 0.0, 0.8]), motor=Motor(0.7))
+    fixed = Joint("flange", joint_kind("fixed"), turned([1, 1, 0], 0.5, [0.0, 0.1, 0.2]))
     nodes = (
         Node("carriage", -1, slide, RigidLink((Body(2.0, np.array([0.1, 0, 0.05]), 0.02 * np.eye(3)),))),
         Node("mount", 0, fixed, RigidLink()),
@@ -162,14 +162,16 @@ def _branched() -> Chain:
     blade = Beam(0.6, (piece(6.0, 0.3),), bend_z=3, basis="tip_weighted", points=5, damping_time=1e-3)
     passive = Joint(
         "wrist",
-        JointKind.REVOLUTE,
+        joint_kind("revolute"),
         turned([1, 0, 0], 1.2, [0.2, 0, 0.1]),
         np.array([0.0, 1.0, 0.0]),
-        drive=Drive.SPRING,
+        drive=drive_kind("spring"),
         gear=Gear((25.0,), damping=0.2),
         friction=Friction(viscous=0.1),
     )
-    hinge = Joint("hinge", JointKind.REVOLUTE, turned([0, 0, 1], 0.8), np.array([0.0, 0.6, -0.8]), motor=Motor(0.03))
+    hinge = Joint(
+        "hinge", joint_kind("revolute"), turned([0, 0, 1], 0.8), np.array([0.0, 0.6, -0.8]), motor=Motor(0.03)
+    )
     hand = RigidLink((Body(0.6, np.array([0.1, 0.02, 0.0]), np.diag([1e-3, 2e-3, 2e-3])),))
     nodes = (
         Node("trunk", -1, _elastic("waist", Placement(), [0, 1, 4], 400.0, 0.3), trunk),
@@ -185,7 +187,7 @@ def _branched() -> Chain:
 def _segmented() -> Chain:
     """The paper's modes as links: two segments in both planes behind an elastic gear, then one in one plane."""
     lump, payload = Body(0.12, inertia=0.01 * np.eye(3)), PAYLOAD
-    fixed = Joint("lower_upper", JointKind.FIXED)
+    fixed = Joint("lower_upper", joint_kind("fixed"))
     lower = Segment(0.6, 2e3, 1.5e3, 0.4, 0.3, bodies=(lump,))
     nodes = (
         Node(

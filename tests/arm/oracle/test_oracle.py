@@ -11,14 +11,16 @@ from arm.oracle.lagrange import Lagrangian
 from arm.oracle.pinocchio_bridge import model_of
 from arm.oracle.robots import arms, piece, ur5, ur5_table
 from arm.random_chains import random_chain, random_state
-from tmodes.chain.chain import Beam, Body, Chain, Drive, Gear, Joint, JointKind, Motor, Node, Segment
+from tmodes.chain.chain import Beam, Body, Chain, Gear, Joint, Motor, Node, Segment
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 
 pytest.importorskip("casadi")
 
 
 def clamped(beam: Beam) -> Lagrangian:
     """A beam on a fixed base, no gravity."""
-    return Lagrangian(Chain("clamped", (Node("beam", -1, Joint("clamp", JointKind.FIXED), beam),), np.zeros(3)))
+    return Lagrangian(Chain("clamped", (Node("beam", -1, Joint("clamp", joint_kind("fixed")), beam),), np.zeros(3)))
 
 
 @pytest.mark.peer
@@ -79,7 +81,9 @@ def test_stiffness_of_a_uniform_link_is_diagonal() -> None:
 
 def test_motor_behind_a_gear_is_a_two_mass_oscillator() -> None:
     """Two rotors on one axis: w^2 = k (1/I + 1/J)."""
-    joint = Joint("hub", JointKind.REVOLUTE, drive=Drive.ELASTIC, motor=Motor(0.2), gear=Gear((50.0,), damping=0.3))
+    joint = Joint(
+        "hub", joint_kind("revolute"), drive=drive_kind("elastic"), motor=Motor(0.2), gear=Gear((50.0,), damping=0.3)
+    )
     segment = Segment(0.4, 1.0, 1.0, bend_y=False, bend_z=False, bodies=(Body(2.0, inertia=0.1 * np.eye(3)),))
     oracle = Lagrangian(Chain("c", (Node("rotor", -1, joint, segment),), np.zeros(3)))
     mass, damping, stiffness = oracle.linearised(np.zeros(2), np.zeros(2))
@@ -105,7 +109,7 @@ def test_power_is_balanced(name: str) -> None:
 def test_torque_of_a_free_axis_is_the_rate_of_angular_momentum() -> None:
     """No gravity, first joint about the world's z, no motor on it: its row of the inverse dynamics is dL_z/dt."""
     chain = arms()["twist_and_bend"]
-    free = Joint("shoulder", JointKind.REVOLUTE)
+    free = Joint("shoulder", joint_kind("revolute"))
     nodes = (replace(chain.nodes[0], joint=free), *chain.nodes[1:])
     oracle = Lagrangian(replace(chain, nodes=nodes, gravity=np.zeros(3)))
     q, v, a = random_state(5, oracle.coordinates)

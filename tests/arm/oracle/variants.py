@@ -10,19 +10,8 @@ import casadi as ca
 import numpy as np
 
 from arm.oracle.line import Line, counts
-from tmodes.chain.chain import (
-    Beam,
-    BeamPiece,
-    Body,
-    Chain,
-    Friction,
-    Joint,
-    JointKind,
-    Node,
-    Placement,
-    RigidLink,
-    Segment,
-)
+from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, Node, Placement, RigidLink, Segment
+from tmodes.kinds.joints.registry import joint_kind
 
 __all__ = ["carried", "reordered", "rigidified", "split_placements", "stiffened", "without_springs"]
 
@@ -88,7 +77,7 @@ def split_placements(chain: Chain, placement: Placement) -> Chain:
     nodes: list[Node] = []
     for node in chain.nodes:
         parent = 2 * node.parent + 1 if node.parent >= 0 else -1
-        fixed = Joint(f"{node.joint.name}_flange", JointKind.FIXED, node.joint.placement @ placement.inverse())
+        fixed = Joint(f"{node.joint.name}_flange", joint_kind("fixed"), node.joint.placement @ placement.inverse())
         nodes.append(Node(f"{node.name}_flange", parent, fixed, RigidLink()))
         moved = replace(node, parent=len(nodes) - 1, joint=replace(node.joint, placement=placement))
         nodes.append(moved)
@@ -105,7 +94,7 @@ def rigidified(chain: Chain) -> Chain:
         if isinstance(node.link, Beam):
             line = Line(node.link, ca.SX.zeros(sum(counts(node.link))))
             nodes.append(replace(placed, link=RigidLink(_bodies(node.link, line))))
-            end = Joint(f"{node.joint.name}_end", JointKind.FIXED, _numbers(*line.tip))
+            end = Joint(f"{node.joint.name}_end", joint_kind("fixed"), _numbers(*line.tip))
             nodes.append(Node(f"{node.name}_end", len(nodes) - 1, end, RigidLink()))
         else:
             nodes.append(placed)

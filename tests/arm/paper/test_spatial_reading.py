@@ -7,7 +7,9 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.chain.chain import Body, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Segment
+from tmodes.chain.chain import Body, Chain, Friction, Gear, Joint, Motor, Node, Segment
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 from tmodes.paper.mechanism import Drive as SeedDrive
 from tmodes.paper.model import PaperModel
@@ -18,7 +20,7 @@ def spatial_chain(robot: Any) -> Chain:
     """Motor, gear and two segments; the masses of Eq. (13) at the segments' tips."""
     motor = Motor(robot.motor.inertia, Friction(robot.motor.friction))
     gear = Gear((robot.gear.stiffness,), damping=robot.gear.damping)
-    joint = Joint("root", JointKind.REVOLUTE, drive=Drive.ELASTIC, motor=motor, gear=gear)
+    joint = Joint("root", joint_kind("revolute"), drive=drive_kind("elastic"), motor=motor, gear=gear)
     loads = ((0.0, 0.0), (robot.payload.mass, robot.payload.inertia))
     nodes = []
     for k, (mode, (mass, inertia)) in enumerate(zip(robot.link.modes, loads, strict=True)):
@@ -26,7 +28,7 @@ def spatial_chain(robot: Any) -> Chain:
         body = Body(mode.tip_mass + mass, np.zeros(3), np.diag([0.0, across, across]))
         stiffness, damping = mode.tip_stiffness, mode.tip_damping
         segment = Segment(mode.length, stiffness, stiffness, damping, damping, bodies=(body,))
-        nodes.append(Node(f"mode{k + 1}", k - 1, joint if k == 0 else Joint("on", JointKind.FIXED), segment))
+        nodes.append(Node(f"mode{k + 1}", k - 1, joint if k == 0 else Joint("on", joint_kind("fixed")), segment))
     return Chain("spatial", tuple(nodes), np.array([0.0, 0.0, -robot.gravity]))
 
 

@@ -9,8 +9,9 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tmodes.chain.chain import Beam, Chain, JointKind, Placement, RigidLink
+from tmodes.chain.chain import Beam, Chain, Placement, RigidLink
 from tmodes.errors import InputErrors
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.sheet import Robot
 
 SECTION = {"bending_stiffness": [120.0, 80.0], "torsional_stiffness": 60.0, "mass_per_length": 0.7}
@@ -97,9 +98,9 @@ def points(chain: Chain, values: dict[str, float]) -> dict[str, np.ndarray]:
         before = tips[node.parent] if node.parent >= 0 else matrix(chain.base)
         value = values.get(node.joint.name, 0.0)
         motion = np.eye(4)
-        if node.joint.kind is JointKind.REVOLUTE:
+        if node.joint.kind is joint_kind("revolute"):
             motion = turned(node.joint.axis, value)
-        elif node.joint.kind is JointKind.PRISMATIC:
+        elif node.joint.kind is joint_kind("prismatic"):
             motion = at(node.joint.axis * value)
         frames.append(before @ matrix(node.joint.placement) @ motion)
         length = 0.0 if isinstance(node.link, RigidLink) else node.link.length

@@ -8,7 +8,8 @@ import numpy as np
 
 from arm.statics.exact import Load as ExactLoad
 from tmodes.analysis.statics.equilibrium import Load
-from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, JointKind, Node
+from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, Node
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 __all__ = ["clamped", "loads_of"]
@@ -28,7 +29,7 @@ def clamped(
     polar = (1e-4 * mass * length**2, 1e-4 * mass * length**2)
     piece = BeamPiece(1.0, bend_y, bend_z, torsion, (axial, axial), (mass, mass), (polar, (0.0, 0.0), (0.0, 0.0)))
     link = Beam(length, (piece,), **beam)
-    return Model(Chain("clamped", (Node("beam", -1, Joint("clamp", JointKind.FIXED), link),), np.array(gravity)))
+    return Model(Chain("clamped", (Node("beam", -1, Joint("clamp", joint_kind("fixed")), link),), np.array(gravity)))
 
 
 def loads_of(load: ExactLoad) -> list[Load]:

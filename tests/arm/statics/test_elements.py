@@ -18,10 +18,8 @@ from tmodes.chain.chain import (
     BeamPiece,
     Body,
     Chain,
-    Drive,
     Gear,
     Joint,
-    JointKind,
     Motor,
     Node,
     Placement,
@@ -29,6 +27,8 @@ from tmodes.chain.chain import (
     RigidLink,
 )  # fmt: skip
 from tmodes.kinds.contacts.registry import Contact
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
 
 LENGTH, BENDING = 1.2, 7.466666666666667
@@ -49,9 +49,10 @@ def on_joint(joint: Joint, link, *, gravity=DOWN, tip=(0.0, 0.0, 0.0), **more) -
     return Model(Chain("one", (Node("link", -1, joint, link),), np.asarray(gravity), points=points, **more))
 
 
-def geared(stiffness=(300.0,), drive=Drive.ELASTIC, kind=JointKind.REVOLUTE, axis=(0.0, 1.0, 0.0), **gear) -> Joint:
-    motor = Motor(0.1) if drive is Drive.ELASTIC else None
-    return Joint("hinge", kind, axis=np.array(axis), drive=drive, motor=motor, gear=Gear(stiffness, **gear))
+def geared(stiffness=(300.0,), drive="elastic", kind="revolute", axis=(0.0, 1.0, 0.0), **gear) -> Joint:
+    motor = Motor(0.1) if drive == "elastic" else None
+    drives, kinds = drive_kind(drive), joint_kind(kind)
+    return Joint("hinge", kinds, axis=np.array(axis), drive=drives, motor=motor, gear=Gear(stiffness, **gear))
 
 
 ROD = RigidLink((Body(2.0, np.array([0.5, 0.0, 0.0]), 0.1 * np.eye(3)),))
@@ -89,7 +90,7 @@ def test_twist_and_stretch():
     assert travel == pytest.approx([2.1428571428571428e-05, 0, 0], abs=1e-14)
 
 
-@pytest.mark.parametrize("drive", [Drive.ELASTIC, Drive.SPRING])
+@pytest.mark.parametrize("drive", ["elastic", "spring"])
 def test_posture_of_gear_and_link(drive):
     """k L/EI = 5, payload -0.5 EI/L^2, weight -0.3 EI/L^3: reference values of an independent solver, 1e-9."""
     piece = BeamPiece(1.0, (1.0, 1.0), (1.0, 1.0), (1.0, 1.0), (0.0, 0.0), (1.0, 1.0))
@@ -148,7 +149,7 @@ def test_backlash_is_crossed():
 
 
 def test_prismatic_spring():
-    joint = geared((500.0,), Drive.SPRING, JointKind.PRISMATIC, (0.0, 0.0, 1.0))
+    joint = geared((500.0,), "spring", "prismatic", (0.0, 0.0, 1.0))
     assert equilibrium(on_joint(joint, ROD)).named["hinge"] == pytest.approx(-2 * 9.81 / 500, rel=1e-12)
 
 
@@ -173,7 +174,7 @@ def test_column_on_a_gear_buckles_at_its_stiffness():
 
 def test_loose_joint_sinks_to_its_lowest_place():
     """No spring holds it: it hangs, stable, at the frequency of a pendulum."""
-    joint = Joint("hinge", JointKind.REVOLUTE, axis=np.array([0.0, 1.0, 0.0]))
+    joint = Joint("hinge", joint_kind("revolute"), axis=np.array([0.0, 1.0, 0.0]))
     rest = equilibrium(on_joint(joint, ROD), free=["hinge"], start={"hinge": 0.3})
     assert rest.named["hinge"] == pytest.approx(np.pi / 2, abs=1e-9)
     assert rest.stable

@@ -9,7 +9,7 @@ import numpy as np
 
 from tmodes.analysis.describe.bare import bare_beam
 from tmodes.chain.chain import Beam, Body, Chain, Node, Segment
-from tmodes.kinds.joints.joint import JointSheet, JointState, JointType
+from tmodes.kinds.joints.joint import JointSheet
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
@@ -29,7 +29,7 @@ def joint_rows(arm: Robot) -> list[dict[str, Any]]:
             "command": commands.get(joint.name),
             "lower": joint.limits.lower if joint.limits else None,
             "upper": joint.limits.upper if joint.limits else None,
-            "unit": "m" if joint.type is JointType.PRISMATIC else "rad",
+            "unit": joint.unit,
         }
         for joint in arm.joints
     ]
@@ -37,7 +37,7 @@ def joint_rows(arm: Robot) -> list[dict[str, Any]]:
 
 def _letters(joint: JointSheet) -> str:
     """AE, LE, AR or LR; a fixed joint is LR: locked and rigid."""
-    active = joint.state is JointState.ACTIVE and joint.type is not JointType.FIXED
+    active = joint.is_active and joint.kind.moves
     return f"{'A' if active else 'L'}{'E' if joint.is_elastic else 'R'}"
 
 
@@ -144,7 +144,7 @@ def gear_rows(arm: Robot, links: Sequence[Mapping[str, Any]]) -> list[dict[str, 
             {
                 "joint": joint.name,
                 "stiffness": stiffness,
-                "unit": "N/m" if joint.type is JointType.PRISMATIC else "N*m/rad",
+                "unit": joint.kind.coordinates[0].stiffness_unit,
                 "torque_limits": list(joint.gear.torque_limits),
                 "backlash": joint.gear.backlash,
                 "damping": joint.gear.damping,

@@ -147,11 +147,8 @@ def _at_rest(name: str, sheet: Robot, move: Move) -> _Start:
 def _posed(model: Model, inputs: Array) -> Array:
     """Undeformed poses (n, nq) of gear inputs (n, joints)."""
     q = np.zeros((len(inputs), model.nq))
-    for part in model.parts.nodes:
-        if part.given >= 0:
-            q[:, part.angle] = inputs[:, part.given]
-        elif part.angle >= 0:
-            q[:, part.angle] = part.node.joint.rest
+    for axis in model.parts.axes:
+        q[:, axis.angle] = inputs[:, axis.given] if axis.given >= 0 else axis.node.joint.rest
     return q
 
 
@@ -159,7 +156,7 @@ def _vibrations(model: Model, q: Array) -> tuple[tuple[float, ...], float]:
     """First three frequencies [Hz], gear inputs standing still, and the largest eigenvalue [1/s]."""
     from scipy.linalg import eigh
 
-    given = [part.angle for part in model.parts.nodes if part.given >= 0]
+    given = model.parts.held
     free = np.setdiff1d(np.arange(model.nq), given)
     if not len(free):
         return (), 0.0

@@ -127,7 +127,7 @@ class _Stepper:
 
     def __init__(self, model: Model, move: Move) -> None:
         self.model, self.move = model, move
-        self.given = np.array([part.angle for part in model.parts.nodes if part.given >= 0], dtype=int)
+        self.given = np.array(model.parts.held, dtype=int)
 
     def extrapolated(self, time: float, q: Array, v: Array, size: float) -> tuple[Array, float]:
         """(2, nq) after a step, and the last correction of the coordinates (Aitken and Neville, columns j)."""

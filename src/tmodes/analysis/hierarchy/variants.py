@@ -8,8 +8,9 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Chain, Drive, Joint, JointKind, Node, Placement, RigidLink
+from tmodes.chain.chain import Axis, Chain, Joint, Node, Placement, RigidLink
 from tmodes.errors import InputError
+from tmodes.kinds.drives.registry import drive_kind
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
@@ -61,25 +62,32 @@ def moved_chain(chain: Chain) -> Chain:
     """
     nodes: list[Node] = []
     last: dict[int, int] = {-1: -1}
+    given = drive_kind("prescribed")
     for index, node in enumerate(chain.nodes):
         parent, joint = last[node.parent], node.joint
-        if joint.kind is not JointKind.FIXED and joint.drive is Drive.ELASTIC:
+        if any(axis.drive.has_motor for axis in joint.axes):
+            _refuse_several(joint)
             name = f"{joint.name}.input"
-            nodes.append(Node(name, parent, replace(joint, name=name, drive=Drive.PRESCRIBED, gear=None), RigidLink()))
-            sprung = replace(joint, placement=Placement(), drive=Drive.SPRING, motor=None, rest=0.0)
+            nodes.append(Node(name, parent, replace(joint, name=name, drive=given, gear=None), RigidLink()))
+            sprung = replace(joint, placement=Placement(), drive=drive_kind("spring"), motor=None, rest=0.0)
             parent, joint = len(nodes) - 1, sprung
-        elif joint.kind is not JointKind.FIXED and joint.drive is Drive.EFFORT:
-            joint = replace(joint, drive=Drive.PRESCRIBED)
+        elif joint.moves and joint.drive.takes_effort:
+            joint = replace(joint, drive=given, drives=())
         nodes.append(Node(node.name, parent, joint, node.link))
         last[index] = len(nodes) - 1
     points = tuple(replace(point, node=last[point.node]) for point in chain.points or (chain.tip,))
     return replace(chain, nodes=tuple(nodes), points=points, couplings=None)
 
 
-def driven(chain: Chain) -> list[Joint]:
-    """Joints that a motor or an effort moves, in the order of the chain."""
-    moving = [node.joint for node in chain.nodes if node.joint.kind is not JointKind.FIXED]
-    return [joint for joint in moving if joint.drive in {Drive.ELASTIC, Drive.EFFORT}]
+def _refuse_several(joint: Joint) -> None:
+    if joint.kind.size > 1:
+        got, expected = f"an elastic gear on a {joint.kind} joint", "one coordinate behind each elastic gear"
+        raise InputError(f"joints.{joint.name}", got, expected, "make its gear rigid for the model hierarchy")
+
+
+def driven(chain: Chain) -> list[Axis]:
+    """Coordinates that a motor or an effort moves, in the order of the chain."""
+    return [axis for axis in chain.axes if axis.drive.takes_effort]
 
 
 def input_mix(chain: Chain) -> NDArray[np.float64]:
@@ -87,6 +95,6 @@ def input_mix(chain: Chain) -> NDArray[np.float64]:
     joints = driven(chain)
     mix = np.eye(len(joints))
     if chain.couplings is not None:
-        elastic = [k for k, joint in enumerate(joints) if joint.drive is Drive.ELASTIC]
+        elastic = [k for k, axis in enumerate(joints) if axis.drive.has_motor]
         mix[np.ix_(elastic, elastic)] = chain.couplings
     return mix

@@ -14,7 +14,7 @@ from tmodes.analysis.statics.compliance import Spring, springs_of
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.held import driven
 from tmodes.analysis.statics.stability import mass_root
-from tmodes.chain.chain import Chain, Drive, Friction
+from tmodes.chain.chain import Chain, Friction
 from tmodes.model.model import Model
 
 __all__ = ["ArmMode", "MotorState", "Servo", "arm_modes", "moving_coordinates", "without_dry_friction"]
@@ -131,7 +131,7 @@ def _controlled(mode: ArmMode, value: complex) -> ArmMode:
 def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
     """Indices of the coordinates that move in one of the cases of :func:`arm_modes`."""
     model = rest.model
-    prescribed = {part.angle for part in model.parts.nodes if part.node.joint.drive is Drive.PRESCRIBED}
+    prescribed = set(model.parts.held)
     added: Sequence[int] = driven(model) if motors is MotorState.FREE else [model.coordinates.index(n) for n in servos]
     return np.array(sorted(({*rest.free.tolist(), *added}) - prescribed), dtype=np.intp)
 

@@ -103,7 +103,7 @@ def servos_of(arm: Robot, model: Model) -> dict[str, Servo]:
 
     Volts become torque by CM/R, and the back electromotive force damps: Eq. (41) of Filipovic & Djuric 2010.
     """
-    motors = {node.joint.name: node.joint.motor for node in model.chain.nodes}
+    motors = {axis.name: axis.joint.motor for axis in model.chain.axes}
     found = {}
     for drive in arm.drives:
         names = [name for name in (f"{drive.joint}.motor", drive.joint) if name in model.coordinates]

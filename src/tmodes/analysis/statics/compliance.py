@@ -103,8 +103,8 @@ def springs_of(model: Model, q: Array) -> dict[str, Spring]:
 
 def spring_rows(model: Model) -> tuple[dict[str, int], dict[str, list[int]]]:
     """The joint of each elastic gear, and the coordinates of each kind of bending of a link, by the springs' names."""
-    parts = [part for part in model.parts.nodes if part.drive and part.drive.ranges]
-    gears = {f"{part.node.joint.name}.gear": part.angle for part in parts}
+    axes = [axis for axis in model.parts.axes if axis.drive and axis.drive.ranges]
+    gears = {f"{axis.axis.name}.gear": axis.angle for axis in axes}
     links: dict[str, list[int]] = {}
     for k in model.deformations:
         links.setdefault(model.coordinates[k].rstrip("0123456789"), []).append(int(k))

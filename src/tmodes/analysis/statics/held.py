@@ -8,7 +8,6 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import gear_inputs, sprung
-from tmodes.chain.chain import Drive
 from tmodes.errors import InputError
 from tmodes.model.model import Model
 
@@ -22,9 +21,7 @@ LARGEST = 1e6
 
 def driven(model: Model) -> list[int]:
     """Coordinates that a drive holds: motors before elastic gears, and joints driven directly or prescribed."""
-    parts = [part for part in model.parts.nodes if part.angle >= 0]
-    direct = [part.angle for part in parts if part.node.joint.drive in {Drive.EFFORT, Drive.PRESCRIBED}]
-    return sorted([*direct, *(part.motor for part in parts if part.motor >= 0)])
+    return sorted(axis.input for axis in model.parts.axes if axis.axis.drive.is_driven)
 
 
 def free_coordinates(model: Model, held: Mapping[str, float], free: Sequence[str]) -> NDArray[np.intp]:

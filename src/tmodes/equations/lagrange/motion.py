@@ -9,6 +9,7 @@ from tmodes.equations.lagrange.chained import ChainedSystem
 from tmodes.equations.lagrange.solving import Solver, attached_kernel, push_rows_kernel, world_axes_kernel
 from tmodes.equations.recursion.coordinates import Coordinates
 from tmodes.equations.recursion.driven import Driven
+from tmodes.equations.recursion.parts import AxisPart
 from tmodes.equations.recursion.passes import Blocks
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Divisible, Slot
@@ -112,9 +113,8 @@ class LagrangeDynamics(Driven):
         kernels, none = chained.kernels, way.none[1]
         first = self.parts.joints.start
         efforts, own = [none] * len(self.parts.joints), [none] * len(self.parts.joints)
-        for index, part in enumerate(self.parts.nodes):
-            if part.angle >= 0:
-                efforts[part.angle - first], own[part.angle - first] = self.drive(index, part)
+        for axis in self.parts.axes:
+            efforts[axis.angle - first], own[axis.angle - first] = self.drive(axis)
         self.couple_motors()
         mass, bias = way.call(kernels.terms(), *way.state, way.pull, chained.unit)
         start = way.bodies(self.start[0]), way.bodies(self.start[1])
@@ -124,15 +124,14 @@ class LagrangeDynamics(Driven):
         self._balance, self._carried = (mass, bias, force, added, way.pushed()), carried
         (found,) = way.call(self._solver.kernel(), *self._balance, *efforts, *own, *carried)
         self.found = found
-        motors = self.motor_accelerations({part.angle: found.part(part.angle - first, 1)
-                                           for part in self.parts.nodes if part.angle >= 0})  # fmt: skip
+        motors = self.motor_accelerations({i: found.part(i - first, 1) for i in self.parts.joints})
         self.accelerations = [*(motors[i] for i in self.parts.motors), found]
         return self.accelerations
 
-    def force_along(self, index: int) -> Slot:
+    def force_along(self, axis: AxisPart) -> Slot:
         """Force that the bodies ask of a prescribed joint, after the run."""
         (forces,) = self.way.call(self._solver.residual(), *self._balance, self.found, *self._carried)
-        return forces.part(self.parts.nodes[index].angle - self.parts.joints.start, 1)
+        return forces.part(axis.angle - self.parts.joints.start, 1)
 
     def point(self, k: int) -> tuple[Slot, ...]:
         """Pose, rate and acceleration (less gravity) of a point in the world."""

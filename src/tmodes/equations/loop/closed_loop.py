@@ -6,19 +6,19 @@ h > 0 its accelerations are those of a linearly implicit Euler step of h.
 
 from __future__ import annotations
 
-from dataclasses import dataclass, field, replace
+from dataclasses import dataclass, field
 from functools import cached_property
 
-from tmodes.chain.chain import Drive
 from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.plan import DrivePlan, LoopPlan, StateLayout
 from tmodes.equations.loop.powers import Powers
 from tmodes.equations.mechanics import Mechanics, mechanics
-from tmodes.equations.recursion.drive_kernels import DriveKind, drive_kind, drive_numbers
-from tmodes.equations.recursion.parts import NodePart, Parts
+from tmodes.equations.recursion.drive_kernels import DriveKernels, drive_kernels, drive_numbers
+from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import resting_base
 from tmodes.errors import InputError
+from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 
 __all__ = ["ClosedLoop", "Driver"]
@@ -29,10 +29,10 @@ class Driver:
     """A drive of the plan at its node: the numbers and kernels that its motion needs."""
 
     plan: DrivePlan
-    part: NodePart
+    part: AxisPart
     index: int
     numbers: Slot
-    kind: DriveKind
+    kind: DriveKernels
     kind_numbers: Slot
     current: int
     controls: int
@@ -41,7 +41,7 @@ class Driver:
     @property
     def coordinate(self) -> int:
         """Index of the coordinate that its motor turns."""
-        return self.part.motor if self.part.motor >= 0 else self.part.angle
+        return self.part.input
 
 
 @dataclass(eq=False)
@@ -71,16 +71,14 @@ class ClosedLoop:
         self.base = numbers.block(moved if plan.base else resting_base(chain))
 
     def _driver(self, plan: DrivePlan, controls: int) -> Driver:
-        names = [part.node.joint.name for part in self.parts.nodes]
-        index = names.index(plan.joint)
-        part = self.parts.nodes[index]
+        part = next(axis for axis in self.parts.axes if axis.axis.name == plan.joint)
         kind, slot = part.drive, part.drive_numbers
         if kind is None or slot is None:
-            free = replace(part.node.joint, drive=Drive.EFFORT)
-            kind, slot = drive_kind(free), self.parts.numbers.block(drive_numbers(free))
+            joint, free = part.node.joint, drive_kind("effort")
+            kind, slot = drive_kernels(joint, free), self.parts.numbers.block(drive_numbers(joint, free))
         currents = self.plan.currents
         current = currents.index(plan.joint) if plan.joint in currents else -1
-        return Driver(plan, part, index, self.parts.numbers.block(plan.numbers), kind, slot, current, controls)
+        return Driver(plan, part, part.index, self.parts.numbers.block(plan.numbers), kind, slot, current, controls)
 
     @property
     def layout(self) -> StateLayout:

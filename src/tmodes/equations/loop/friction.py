@@ -12,6 +12,7 @@ from dataclasses import dataclass, field
 from typing import TYPE_CHECKING, Any
 
 from tmodes.equations.contract import Dynamics
+from tmodes.equations.recursion.parts import AxisPart
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 
@@ -47,10 +48,10 @@ class Solution:
             self._means[one, other] = self.instant.call(kernel, self.weight, one, other)[0]
         return self._means[one, other]
 
-    def force_along(self, index: int) -> Slot:
-        """Force that the bodies ask of a prescribed joint, by the index of its node."""
-        one = self.first.force_along(index)
-        return self.mean(one, self.second.force_along(index)) if self.second else one
+    def force_along(self, axis: AxisPart) -> Slot:
+        """Force that the bodies ask of a prescribed coordinate of a joint."""
+        one = self.first.force_along(axis)
+        return self.mean(one, self.second.force_along(axis)) if self.second else one
 
     def at_base(self) -> tuple[Slot, Slot]:
         """Inertia and bias force of all that hangs on the base."""

@@ -93,7 +93,7 @@ class Powers:
             return forces.part(1, 1), self._gear_torque(driver, forces)
         if part.given < 0:
             return forces.part(0, 1), None
-        return self._added(forces.part(0, 1), self.solution.force_along(driver.index)), None
+        return self._added(forces.part(0, 1), self.solution.force_along(part)), None
 
     def _gear_torque(self, driver: Driver, forces: Slot) -> Slot:
         """The torque in an elastic gear: the force on the motor less the motor's friction."""
@@ -111,11 +111,11 @@ class Powers:
 
     def _lose(self) -> None:
         """Losses of what no drive of the plan moves: locked springs, and the links."""
-        driven = {driver.index for driver in self.loop.drivers}
-        for index, part in enumerate(self.parts.nodes):
-            if part.drive and part.drive_numbers and index not in driven:
-                blocks = (part.drive_numbers, *self.way.motor(part), *self.way.angle(part))
-                lost = self._call(part.drive.elastic(), *blocks)[2]
+        driven = {driver.part.angle for driver in self.loop.drivers}
+        for axis in self.parts.axes:
+            if axis.drive and axis.drive_numbers and axis.angle not in driven:
+                blocks = (axis.drive_numbers, *self.way.motor(axis), *self.way.angle(axis))
+                lost = self._call(axis.drive.elastic(), *blocks)[2]
                 self.powers["gear_damping"].append(lost.part(0, 1))
                 self.powers["friction"].append(lost.part(1, 1))
         self.powers["link_damping"] += self.way.link_losses()

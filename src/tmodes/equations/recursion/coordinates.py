@@ -2,10 +2,11 @@
 
 from __future__ import annotations
 
+from collections.abc import Sequence
 from typing import Any
 
 from tmodes.equations.recursion.drive_kernels import mixing_kernel
-from tmodes.equations.recursion.parts import LinkPart, NodePart, Parts
+from tmodes.equations.recursion.parts import AxisPart, LinkPart, Parts
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
 
@@ -19,16 +20,24 @@ class Coordinates:
         self.parts, self.schedule, self.q, self.v = parts, schedule, q, v
         self.none = parts.none
 
-    def angle(self, part: NodePart) -> tuple[Slot, Slot]:
-        """Coordinate and rate of a joint."""
-        return self._pair(part.angle)
+    def angle(self, axis: AxisPart) -> tuple[Slot, Slot]:
+        """A coordinate of a joint and its rate."""
+        return self._pair(axis.angle)
 
-    def motor(self, part: NodePart) -> tuple[Slot, Slot]:
+    def motor(self, axis: AxisPart) -> tuple[Slot, Slot]:
         """Angle and rate of a motor."""
-        return self._pair(part.motor)
+        return self._pair(axis.motor)
 
-    def _pair(self, index: int) -> tuple[Slot, Slot]:
-        return (self.none[1], self.none[1]) if index < 0 else (self.q.part(index, 1), self.v.part(index, 1))
+    def _pair(self, index: int, size: int = 1) -> tuple[Slot, Slot]:
+        return (self.none[1], self.none[1]) if index < 0 else (self.q.part(index, size), self.v.part(index, size))
+
+    def packed(self, slots: Sequence[Slot]) -> Slot:
+        """One number for each coordinate of a joint as one block; zero for a joint that does not move."""
+        if len(slots) < 2:
+            return slots[0] if slots else self.none[1]
+        if all(slot is self.none[1] for slot in slots):
+            return self.none[len(slots)]
+        return self.schedule.call(packing_kernel((1,) * len(slots)), *slots)[0]
 
     def bend(self, link: LinkPart, block: Divisible) -> Slot:
         """The link's part of a block of all coordinates."""

@@ -1,9 +1,7 @@
-"""Kernels of a joint's drive: motor, elastic gear, friction. Everything after the reducer.
+"""Kernels of the drive of one coordinate of a joint. Everything after the reducer.
 
-Motor row, Eq. (39) of Filipovic & Djuric 2010, the sign of the gear torque turned: I th'' = u - friction - tg,
-tg = C(xi) + B xi', xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control
-of elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2). A step h adds hB + h^2 C to the own inertia; the
-torques start from the angles and rates that are given.
+The formulas are those of the kind of drive (:mod:`tmodes.kinds.drives`). A step h adds hB + h^2 C to the own inertia;
+the torques start from the angles and rates that are given.
 """
 
 from __future__ import annotations
@@ -11,23 +9,24 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from tmodes.chain.chain import Drive, Friction, Gear, Joint, Motor
-from tmodes.equations.recursion.drive_law import FRICTION, DriveLaw
+from tmodes.chain.chain import Friction, Gear, Joint, Motor
+from tmodes.kinds.drives.contract import Angles, DriveKind
+from tmodes.kinds.drives.laws import FRICTION, DriveLaw
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
 
-__all__ = ["DriveKind", "drive_kind", "drive_numbers", "mixing_kernel"]
+__all__ = ["DriveKernels", "drive_kernels", "drive_numbers", "mixing_kernel"]
 
 
 @dataclass(frozen=True)
-class DriveKind:
+class DriveKernels:
     """Structure of a drive: ``ranges`` of the gear's stiffness (0: no gear), whether it has a dead zone.
 
     ``dry_motor``, ``dry_joint``: friction there is more than viscous; ``bare``: no inertia and no friction at all, the
     effort goes to the joint as it is.
     """
 
-    drive: Drive
+    kind: DriveKind
     ranges: int = 0
     dead_zone: bool = False
     dry_motor: bool = False
@@ -38,7 +37,7 @@ class DriveKind:
     def key(self) -> str:
         """The structure in words."""
         dry = f"{' dry motor' * self.dry_motor}{' dry joint' * self.dry_joint}{' bare' * self.bare}"
-        return f"{self.drive} ranges {self.ranges}{' dead zone' * self.dead_zone}{dry}"
+        return f"{self.kind.key} ranges {self.ranges}{' dead zone' * self.dead_zone}{dry}"
 
     @property
     def size(self) -> int:
@@ -62,22 +61,8 @@ class DriveKind:
         ) -> list[list[Any]]:
             law, h = self._law(p), step[0]
             held = h * feedback[1] + h * h * feedback[0]
-            joint, joint_slope = law.joint_friction(gad[0])
-            if self.drive is Drive.EFFORT:
-                motor, motor_slope = law.motor_friction(gad[0])
-                inertia = law.inertia + h * (joint_slope + motor_slope) + held
-                return [[effort[0] - joint - motor], [inertia], [0.0, 0.0, 0.0]]
-            angle, speed = (th[0], thd[0]) if self.drive is Drive.ELASTIC else (law.rest, 0.0)
-            torque, stiffness = law.spring(angle - ga[0])
-            torque = torque + law.damping * (speed - gad[0])
-            added = h * law.damping + h * h * stiffness
-            if self.drive is Drive.SPRING:
-                return [[torque - joint], [added + h * joint_slope], [0.0, 0.0, 0.0]]
-            motor, motor_slope = law.motor_friction(speed)
-            share = 1 / (law.inertia + h * motor_slope + held + added)
-            rest = effort[0] - torque - motor
-            own = added - added * added * share + h * joint_slope
-            return [[torque - joint + added * share * rest], [own], [rest, added, share]]
+            found = self.kind.forward(law, Angles(th[0], thd[0], ga[0], gad[0]), effort[0], held, h)
+            return [[found.effort], [found.own], list(found.motor)]
 
         return Kernel(f"drive {self.key}", (self.size, 1, 1, 1, 1, 1, 2, 1), (1, 1, 3), build)
 
@@ -104,18 +89,9 @@ class DriveKind:
         """
 
         def build(p: Any, th: Any, thd: Any, ga: Any, gad: Any) -> list[list[Any]]:
-            law = self._law(p)
-            joint, _ = law.joint_friction(gad[0])
-            if self.drive is Drive.EFFORT:
-                motor, _ = law.motor_friction(gad[0])
-                return [[joint + motor, 0.0], [0.0], [0.0, (joint + motor) * gad[0]]]
-            angle, speed = (th[0], thd[0]) if self.drive is Drive.ELASTIC else (law.rest, 0.0)
-            torque, _ = law.spring(angle - ga[0])
-            rate = speed - gad[0]
-            torque = torque + law.damping * rate
-            motor, _ = law.motor_friction(speed) if self.drive is Drive.ELASTIC else (0.0, 0.0)
-            lost = [law.damping * rate * rate, joint * gad[0] + motor * speed]
-            return [[joint - torque, torque + motor], [law.stored(angle - ga[0])], lost]
+            found = self.kind.elastic(self._law(p), Angles(th[0], thd[0], ga[0], gad[0]))
+            lost = [found.lost_in_gear, found.lost_in_friction]
+            return [[found.on_joint, found.on_motor], [found.energy], lost]
 
         return Kernel(f"elastic {self.key}", (self.size, 1, 1, 1, 1), (2, 1, 2), build)
 
@@ -163,14 +139,14 @@ def mixing_kernel(count: int, *, transposed: bool) -> Kernel:
     return Kernel(name, (count * count, *(1,) * count), (1,) * count, build)
 
 
-def drive_kind(joint: Joint) -> DriveKind:
-    """The structure of a joint's drive."""
-    gear = joint.gear if joint.drive in (Drive.ELASTIC, Drive.SPRING) else None
+def drive_kernels(joint: Joint, kind: DriveKind) -> DriveKernels:
+    """The kernels of a drive of a joint's coordinates."""
+    gear = joint.gear if kind.has_gear else None
     dry_motor = joint.motor is not None and _is_dry(joint.motor.friction)
     ranges, dead_zone = len(gear.stiffness) if gear else 0, bool(gear and gear.backlash > 0)
     still = joint.motor is None or (joint.motor.inertia == 0 and not _is_rough(joint.motor.friction))
-    bare = joint.drive is Drive.EFFORT and still and not _is_rough(joint.friction)
-    return DriveKind(joint.drive, ranges, dead_zone, dry_motor, _is_dry(joint.friction), bare)
+    bare = kind.carries_rotor and still and not _is_rough(joint.friction)
+    return DriveKernels(kind, ranges, dead_zone, dry_motor, _is_dry(joint.friction), bare)
 
 
 def _is_dry(friction: Friction) -> bool:
@@ -181,12 +157,12 @@ def _is_rough(friction: Friction) -> bool:
     return friction.viscous != 0 or _is_dry(friction)
 
 
-def drive_numbers(joint: Joint) -> list[float]:
-    """The parameters of a joint's drive, packed."""
+def drive_numbers(joint: Joint, kind: DriveKind) -> list[float]:
+    """The parameters of a drive of a joint's coordinates, packed."""
     motor = joint.motor or Motor(0.0)
     numbers = [motor.inertia, joint.rest, *_packed(motor.friction), *_packed(joint.friction)]
-    if drive_kind(joint).ranges and joint.gear:
-        gear = joint.gear
+    gear = joint.gear if kind.has_gear else None
+    if gear:
         numbers += [*gear.stiffness, *_ends(gear), gear.damping, gear.backlash, gear.backlash_rounding]
     return numbers
 

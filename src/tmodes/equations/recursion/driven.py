@@ -9,7 +9,7 @@ from __future__ import annotations
 from typing import Any, Protocol
 
 from tmodes.equations.recursion.coordinates import packing_kernel
-from tmodes.equations.recursion.parts import NodePart, Parts
+from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
 
 __all__ = ["Driven", "DrivenWay"]
@@ -23,11 +23,11 @@ class DrivenWay(Protocol):
     v: Slot
     none: dict[int, Slot]
 
-    def angle(self, part: NodePart) -> tuple[Slot, Slot]:
-        """Coordinate and rate of a joint."""
+    def angle(self, axis: AxisPart) -> tuple[Slot, Slot]:
+        """A coordinate of a joint and its rate."""
         ...
 
-    def motor(self, part: NodePart) -> tuple[Slot, Slot]:
+    def motor(self, axis: AxisPart) -> tuple[Slot, Slot]:
         """Angle and rate of a motor."""
         ...
 
@@ -56,7 +56,7 @@ class Driven:
     ) -> None:
         """``start``: coordinates and rates from which springs, dampers and friction start; those of ``way`` place all.
 
-        ``feedback`` (2 per effort): see :meth:`DriveKind.forward`.
+        ``feedback`` (2 per effort): see :meth:`DriveKernels.forward`.
         """
         self.way, self.effort, self.given, self.step, self.feedback = way, effort, given, step, feedback
         self.start = start
@@ -73,52 +73,51 @@ class Driven:
         sizes = tuple(block.size for block in self.accelerations)
         return self.schedule.call(packing_kernel(sizes), *self.accelerations)[0]
 
-    def given_acceleration(self, part: NodePart) -> Slot:
-        """The acceleration of a prescribed joint, zero of any other."""
-        return self.given.part(part.given, 1) if part.given >= 0 else self.way.none[1]
+    def given_acceleration(self, axis: AxisPart) -> Slot:
+        """The acceleration of a prescribed coordinate, zero of any other."""
+        return self.given.part(axis.given, 1) if axis.given >= 0 else self.way.none[1]
 
     def _start(self, index: int) -> tuple[Slot, Slot]:
         """Where a coordinate and its rate start from; zero without one."""
         none = self.way.none[1]
         return (none, none) if index < 0 else (self.start[0].part(index, 1), self.start[1].part(index, 1))
 
-    def drive(self, index: int, part: NodePart) -> tuple[Slot, Slot]:
-        """The effort on a joint (of a prescribed one its acceleration) and the inertia that its drive adds to it."""
+    def drive(self, axis: AxisPart) -> tuple[Slot, Slot]:
+        """Effort on a coordinate of a joint (of a prescribed one its acceleration), and inertia that its drive adds."""
         none = self.way.none[1]
-        if part.drive is None or part.drive_numbers is None:
-            return self.given_acceleration(part), none
-        if part.drive.bare and not self.feedback:
-            return self.effort.part(part.effort, 1), none
-        if part.motor in self.coupled:
-            blocks = (part.drive_numbers, *self.coupled[part.motor], *self.way.angle(part))
-            effort, self.torques[part.motor] = self.schedule.call(part.drive.coupled(), *blocks)
+        if axis.drive is None or axis.drive_numbers is None:
+            return self.given_acceleration(axis), none
+        if axis.drive.bare and not self.feedback:
+            return self.effort.part(axis.effort, 1), none
+        if axis.motor in self.coupled:
+            blocks = (axis.drive_numbers, *self.coupled[axis.motor], *self.way.angle(axis))
+            effort, self.torques[axis.motor] = self.schedule.call(axis.drive.coupled(), *blocks)
             return effort, none
-        if part.motor in self.followed:
-            blocks = (part.drive_numbers, *self._start(part.motor), *self._start(part.angle), self.step)
-            effort, own = self.schedule.call(part.drive.followed(), *blocks)
+        if axis.motor in self.followed:
+            blocks = (axis.drive_numbers, *self._start(axis.motor), *self._start(axis.angle), self.step)
+            effort, own = self.schedule.call(axis.drive.followed(), *blocks)
             return effort, own
-        effort = self.effort.part(part.effort, 1) if part.effort >= 0 else none
-        feedback = self.feedback.part(2 * part.effort, 2) if self.feedback and part.effort >= 0 else self.way.none[2]
-        angles = (*self._start(part.motor), *self._start(part.angle))
-        blocks = (part.drive_numbers, *angles, effort, feedback, self.step)
-        effort, own, self.motor_terms[index] = self.schedule.call(part.drive.forward(), *blocks)
+        effort = self.effort.part(axis.effort, 1) if axis.effort >= 0 else none
+        feedback = self.feedback.part(2 * axis.effort, 2) if self.feedback and axis.effort >= 0 else self.way.none[2]
+        angles = (*self._start(axis.motor), *self._start(axis.angle))
+        blocks = (axis.drive_numbers, *angles, effort, feedback, self.step)
+        effort, own, self.motor_terms[axis.angle] = self.schedule.call(axis.drive.forward(), *blocks)
         return effort, own
 
     def couple_motors(self) -> None:
         """Rows of the motors whose gears are coupled."""
         self.coupled_loads = loads = self.way.coupled_loads(self.torques)
-        for index, part in enumerate(self.parts.nodes):
-            if part.motor in loads and part.drive and part.drive_numbers:
-                effort = self.effort.part(part.effort, 1)
-                blocks = (part.drive_numbers, self.way.motor(part)[1], effort, loads[part.motor])
-                self.motor_terms[index] = self.schedule.call(part.drive.coupled_motor(), *blocks)[0]
+        for axis in self.parts.axes:
+            if axis.motor in loads and axis.drive and axis.drive_numbers:
+                effort = self.effort.part(axis.effort, 1)
+                blocks = (axis.drive_numbers, self.way.motor(axis)[1], effort, loads[axis.motor])
+                self.motor_terms[axis.angle] = self.schedule.call(axis.drive.coupled_motor(), *blocks)[0]
 
     def motor_accelerations(self, joints: dict[int, Slot]) -> dict[int, Slot]:
         """Accelerations of all motors by index, from those of the joints by index."""
         motors: dict[int, Slot] = dict(self.followed)
-        for index, part in enumerate(self.parts.nodes):
-            if part.motor >= 0 and part.motor not in self.followed and part.drive:
-                (motors[part.motor],) = self.schedule.call(
-                    part.drive.motor(), self.motor_terms[index], joints[part.angle]
-                )
+        for axis in self.parts.axes:
+            if axis.motor >= 0 and axis.motor not in self.followed and axis.drive:
+                blocks = (self.motor_terms[axis.angle], joints[axis.angle])
+                (motors[axis.motor],) = self.schedule.call(axis.drive.motor(), *blocks)
         return motors

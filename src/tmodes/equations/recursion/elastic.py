@@ -15,8 +15,8 @@ __all__ = ["elastic_forces", "elastic_of_drives"]
 def elastic_forces(parts: Parts) -> Schedule:
     """(q, v) -> forces of springs, dampers and friction along the coordinates, as on the left side of the equations.
 
-    Further outputs: ``energies`` (gears, links) and ``losses`` (gear damping, friction, link damping) of each part in
-    the order of the nodes; ``energies`` of a node: gear then link.
+    Further outputs: ``energies`` (gear, link) and ``losses`` (gear damping, friction, link damping) of each coordinate
+    of a joint and of each link, in the order of the nodes.
     """
     way = Passes(parts, posed=False, loaded=False)
     schedule = way.schedule
@@ -49,19 +49,23 @@ def elastic_of_drives(
     coupled = way.coupled_inputs()
     torques: dict[int, Slot] = {}
     for index, part in enumerate(parts.nodes):
-        energy, lost = none, way.none[3].part(0, 2)
-        if part.motor in coupled and part.drive and part.drive_numbers:
-            blocks = (part.drive_numbers, *coupled[part.motor], *way.angle(part))
-            joints[part.angle], energy, lost = schedule.call(part.drive.coupled_elastic(), *blocks)
-            torques[part.motor] = schedule.call(part.drive.coupled(), *blocks)[1]
-        elif part.drive and part.drive_numbers:
-            blocks = (part.drive_numbers, *way.motor(part), *way.angle(part))
-            forces, energy, lost = schedule.call(part.drive.elastic(), *blocks)
-            joints[part.angle] = forces.part(0, 1)
-            motors[part.motor] = forces.part(1, 1)
-        bend_energy, bend_lost = (links or {}).get(index, (none, none))
-        energies += [energy, bend_energy]
-        losses += [lost, bend_lost]
+        for axis in part.axes:
+            energy, lost = none, way.none[3].part(0, 2)
+            if axis.motor in coupled and axis.drive and axis.drive_numbers:
+                blocks = (axis.drive_numbers, *coupled[axis.motor], *way.angle(axis))
+                joints[axis.angle], energy, lost = schedule.call(axis.drive.coupled_elastic(), *blocks)
+                torques[axis.motor] = schedule.call(axis.drive.coupled(), *blocks)[1]
+            elif axis.drive and axis.drive_numbers:
+                blocks = (axis.drive_numbers, *way.motor(axis), *way.angle(axis))
+                forces, energy, lost = schedule.call(axis.drive.elastic(), *blocks)
+                joints[axis.angle] = forces.part(0, 1)
+                motors[axis.motor] = forces.part(1, 1)
+            energies += [energy, none]
+            losses += [lost, none]
+        if links and index in links:
+            bend_energy, bend_lost = links[index]
+            energies += [none, bend_energy]
+            losses += [way.none[3].part(0, 2), bend_lost]
     losses += _coupled_motors(way, torques, motors)
     return motors, joints, energies, losses
 
@@ -70,9 +74,9 @@ def _coupled_motors(way: Coordinates, torques: dict[int, Slot], motors: dict[int
     """Forces on coupled motors, put among ``motors``; the friction they lose, as losses of further parts."""
     loads = way.coupled_loads(torques)
     lost: list[Slot] = []
-    for part in way.parts.nodes:
-        if part.motor in loads and part.drive and part.drive_numbers:
-            blocks = (part.drive_numbers, way.motor(part)[1], way.none[1], loads[part.motor])
-            _, motors[part.motor], friction = way.schedule.call(part.drive.coupled_motor(), *blocks)
+    for axis in way.parts.axes:
+        if axis.motor in loads and axis.drive and axis.drive_numbers:
+            blocks = (axis.drive_numbers, way.motor(axis)[1], way.none[1], loads[axis.motor])
+            _, motors[axis.motor], friction = way.schedule.call(axis.drive.coupled_motor(), *blocks)
             lost += [way.none[1], friction, way.none[1]]
     return lost

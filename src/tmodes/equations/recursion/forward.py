@@ -5,8 +5,9 @@ from __future__ import annotations
 from tmodes.equations.recursion.ahead import Ahead
 from tmodes.equations.recursion.body_kernels import point_kernel, times_kernel
 from tmodes.equations.recursion.driven import Driven
+from tmodes.equations.recursion.general_joint import GeneralJoint
 from tmodes.equations.recursion.hinge import Hinge
-from tmodes.equations.recursion.parts import Parts
+from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.equations.recursion.screw import Screw
 from tmodes.kinds.kernel.kernel import Kernel
@@ -57,7 +58,7 @@ class Recursion(Driven):
         self.roots: list[Slot] = []
         self.tips: list[Slot] = []
         self.loads: dict[int, tuple[Slot, Slot]] = {}
-        self.joints: dict[int, Hinge | Screw] = {}
+        self.joints: dict[int, Hinge | GeneralJoint | Screw] = {}
         self.held: dict[int, Slot] = {}
         self.solved: dict[int, Slot] = {}
 
@@ -79,7 +80,8 @@ class Recursion(Driven):
             blocks = (terms, way.tip, inertia, bias, link.stiffness, link.damping, q, v, self.step)
             inertia, bias, self.solved[index] = self.schedule.call(link.kernels.outward(), *blocks)
         self.hung[index] = (inertia, bias)
-        effort, own = self.drive(index, part)
+        drives = [self.drive(axis) for axis in part.axes]
+        effort, own = (self.way.packed([drive[k] for drive in drives]) for k in range(2))
         parent = part.node.parent
         self.joints[index] = joint = self._joint(index, own)
         blocks = (inertia, bias, way.hinge, way.axis, effort, own)
@@ -115,7 +117,7 @@ class Recursion(Driven):
         more = pushed or index in self.loads or index in self.way.attached
         return None if more or body is None or push is None else (body, push)
 
-    def _joint(self, index: int, own: Slot) -> Hinge | Screw:
+    def _joint(self, index: int, own: Slot) -> Hinge | GeneralJoint | Screw:
         joint = self.way.ways[index].joint
         return joint.as_free() if isinstance(joint, Screw) and own is self.way.none[1] else joint
 
@@ -125,10 +127,10 @@ class Recursion(Driven):
         for index, (part, way) in enumerate(zip(self.parts.nodes, self.way.ways, strict=True)):
             parent = part.node.parent
             before = self.tips[parent] if parent >= 0 else self.way.base.part(0, FORCE)
-            blocks = (before, way.hinge, way.axis, self.held[index], self.given_acceleration(part))
+            given = self.way.packed([self.given_acceleration(axis) for axis in part.axes])
+            blocks = (before, way.hinge, way.axis, self.held[index], given)
             root, joint = self.schedule.call(self.joints[index].onward(), *blocks)
-            if part.angle >= 0:
-                joints[part.angle] = joint
+            joints |= {axis.angle: joint.part(axis.place, 1) for axis in part.axes}
             self.roots.append(root)
             if part.link and way.tip:
                 found = self.schedule.call(part.link.kernels.onward(), root, self.solved[index], way.tip)
@@ -136,11 +138,12 @@ class Recursion(Driven):
             self.tips.append(root)
         return self.way.by_coordinate(self.motor_accelerations(joints), joints, links)
 
-    def force_along(self, index: int) -> Slot:
-        """Force along a joint's axis by all that hangs on it, after the run."""
-        way, hung = self.way.ways[index], self.hung[index]
-        (force,) = self.schedule.call(times_kernel(), hung[0], self.roots[index], hung[1])
-        return self.schedule.call(way.joint.load(), force, way.hinge, way.axis, self.way.none[FORCE])[1]
+    def force_along(self, axis: AxisPart) -> Slot:
+        """Force along a joint's coordinate by all that hangs on the joint, after the run."""
+        way, hung = self.way.ways[axis.index], self.hung[axis.index]
+        (force,) = self.schedule.call(times_kernel(), hung[0], self.roots[axis.index], hung[1])
+        along = self.schedule.call(way.joint.load(), force, way.hinge, way.axis, self.way.none[FORCE])[1]
+        return along.part(axis.place, 1)
 
     def point(self, k: int) -> tuple[Slot, ...]:
         """Pose, rate and acceleration (less gravity) of a point in the world, after the run."""

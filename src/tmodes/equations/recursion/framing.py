@@ -13,7 +13,7 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Body, Chain, JointKind, Node
+from tmodes.chain.chain import Body, Chain, Node
 from tmodes.frame import Placement
 
 __all__ = ["STRAIGHT", "Framing", "ScrewWay", "moved_body"]
@@ -129,7 +129,7 @@ def moved_body(body: Body, placement: Placement) -> Body:
 
 
 def _turns(node: Node) -> bool:
-    return node.joint.kind is JointKind.REVOLUTE and not node.link.bends
+    return node.joint.kind.turns and not node.link.bends
 
 
 def _unit(cosine: float, sine: float) -> tuple[float, float]:

@@ -11,7 +11,7 @@ from __future__ import annotations
 from dataclasses import dataclass, replace
 from typing import Any
 
-from tmodes.chain.chain import JointKind
+from tmodes.kinds.joints.contract import JointKind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.kernel import Kernel
@@ -34,7 +34,7 @@ POSE = 15
 
 @dataclass(frozen=True)
 class Hinge:
-    """The kernels of one kind of joint.
+    """The kernels of a joint that turns about its axis, slides along it, or does not move.
 
     ``axis`` is 0, 1 or 2 where the joint moves along or about an axis of its frame, else None: the axis is data.
     ``aside``: the joint stands aside of its parent's tip; ``on_section``: the parent bends, its tip frame is turned.
@@ -49,14 +49,19 @@ class Hinge:
     @property
     def moves(self) -> bool:
         """Whether the joint has a coordinate."""
-        return self.kind is not JointKind.FIXED
+        return self.kind.moves
+
+    @property
+    def held(self) -> int:
+        """Numbers that the way out keeps for the way on."""
+        return HELD
 
     @property
     def key(self) -> str:
         """The structure in words."""
         axis = "data" if self.axis is None else "xyz"[self.axis]
         flags = f"{' driven' * self.driven}{' aside' * self.aside}{' on section' * self.on_section}"
-        return f"{self.kind} {axis}{flags}" if self.moves else f"fixed{flags}"
+        return f"{self.kind.key} {axis}{flags}" if self.moves else f"fixed{flags}"
 
     def as_driven(self) -> Hinge:
         """The same joint with its motion given."""
@@ -67,12 +72,12 @@ class Hinge:
 
     def _arm(self, packed: Any, start: int) -> v.Vector:
         """From the parent's tip to the joint; nothing where the joint stands on it."""
-        return v.vec(packed, start) if self.aside or self.kind is JointKind.PRISMATIC else v.zero()
+        return v.vec(packed, start) if self.aside or self.kind.slides else v.zero()
 
     def _screw(self, axis: Any) -> Force:
         """S: the motion that the joint allows, as [angular; linear]."""
         e = self._direction(axis)
-        return Force(e, v.zero()) if self.kind is JointKind.REVOLUTE else Force(v.zero(), e)
+        return Force(e, v.zero()) if self.kind.turns else Force(v.zero(), e)
 
     def inward(self) -> Kernel:
         """(placement, rotation of the parent's tip, axis, its rate, angle, speed) -> (hinge, rate of the root)."""
@@ -83,9 +88,9 @@ class Hinge:
                 frame, place = v.matmul(v.tri(tip), frame), v.matvec(v.tri(tip), place)
             e, extra, arm = self._direction(axis), v.zero(), place
             to_parent = frame
-            if self.kind is JointKind.REVOLUTE:
+            if self.kind.turns:
                 to_parent = v.matmul(frame, _about(self.axis, e, angle[0]))
-            elif self.kind is JointKind.PRISMATIC:
+            elif self.kind.slides:
                 along = v.matvec(frame, e)
                 arm = v.add(place, v.scale(angle[0], along))
                 extra = v.scale(2 * speed[0], v.cross(w, along))
@@ -93,7 +98,7 @@ class Hinge:
             carried = v.matvec(turned, w)
             linear = v.matvec(turned, v.add(v.cross(w, v.cross(w, arm)), extra))
             rate, angular = carried, v.zero()
-            if self.kind is JointKind.REVOLUTE:
+            if self.kind.turns:
                 own = v.scale(speed[0], e)
                 rate, angular = v.add(carried, own), v.cross(carried, own)
             return [v.flat(turned, arm, angular, linear), rate]
@@ -172,7 +177,7 @@ class Hinge:
             world, arm = v.tri(pose), self._arm(hinge, 9)
             back = v.transpose(v.tri(hinge))
             moved = v.cross(v.vec(rate), arm)
-            if self.kind is JointKind.PRISMATIC:
+            if self.kind.slides:
                 moved = v.add(moved, v.scale(speed[0], v.matvec(back, self._direction(axis))))
             place = v.add(v.vec(pose, 9), v.matvec(world, arm))
             velocity = v.add(v.vec(pose, 12), v.matvec(world, moved))
@@ -184,8 +189,4 @@ class Hinge:
 def _about(axis: int | None, e: v.Vector, angle: Any) -> v.Matrix:
     """Rotation by an angle about an axis of the frame, or about any unit vector (Rodrigues)."""
     c, s = cos(angle), sin(angle)
-    if axis is None:
-        part = v.outer(v.scale(1 - c, e), e)
-        lever = v.skew(e)
-        return [[part[i][j] + (c if i == j else 0.0) + s * lever[i][j] for j in range(3)] for i in range(3)]
-    return v.about(axis, c, s)
+    return v.rodrigues(e, c, s) if axis is None else v.about(axis, c, s)

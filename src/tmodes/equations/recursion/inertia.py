@@ -5,7 +5,6 @@ from __future__ import annotations
 from dataclasses import dataclass, field
 
 from tmodes.equations.recursion.body_kernels import body_moment_kernel, point_kernel, times_kernel
-from tmodes.equations.recursion.hinge import HELD
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.schedule import Schedule, Slot
@@ -68,9 +67,8 @@ def balance(way: Passes, a: Slot) -> Balance:
         found.forces[index] = force
         parent = part.node.parent
         total = found.loads[parent] if parent >= 0 else found.at_base
-        total, along = schedule.call(part.hinge.load(), force, here.hinge, part.axis, total)
-        if part.angle >= 0:
-            found.joints[part.angle] = along
+        total, along = schedule.call(part.hinge.load(), force, here.hinge, here.axis, total)
+        found.joints |= {axis.angle: along.part(axis.place, 1) for axis in part.axes}
         if parent >= 0:
             found.loads[parent] = total
         else:
@@ -80,11 +78,12 @@ def balance(way: Passes, a: Slot) -> Balance:
 
 def _accelerations(way: Passes, found: Balance) -> None:
     """Accelerations of the roots and of the tips when all coordinates accelerate as given."""
-    held, a = way.parts.none[HELD], found.a
+    a = found.a
     for part, here in zip(way.parts.nodes, way.ways, strict=True):
         before = found.tips[part.node.parent] if part.node.parent >= 0 else way.base.part(0, FORCE)
-        given = a.part(part.angle, 1) if part.angle >= 0 else way.none[1]
-        root, _ = way.schedule.call(part.hinge.as_driven().onward(), before, here.hinge, part.axis, held, given)
+        given = a.part(part.angle, part.size) if part.axes else way.none[1]
+        hinge = part.hinge.as_driven()
+        root, _ = way.schedule.call(hinge.onward(), before, here.hinge, here.axis, way.none[hinge.held], given)
         found.roots.append(root)
         if part.link and here.tip:
             (root,) = way.schedule.call(part.link.kernels.motion(), root, here.tip, way.bend(part.link, a))

@@ -8,10 +8,11 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Body, Chain, Drive, Joint, JointKind, Link, Node, Point
+from tmodes.chain.chain import Axis, Body, Chain, Joint, Link, Node, Point
 from tmodes.equations.recursion.body_kernels import BODY
-from tmodes.equations.recursion.drive_kernels import DriveKind, drive_kind, drive_numbers
+from tmodes.equations.recursion.drive_kernels import DriveKernels, drive_kernels, drive_numbers
 from tmodes.equations.recursion.framing import STRAIGHT, Framing
+from tmodes.equations.recursion.general_joint import GeneralJoint, held_numbers
 from tmodes.equations.recursion.hinge import HELD, Hinge
 from tmodes.equations.recursion.link_kernels import BendingLink
 from tmodes.equations.recursion.screw import Screw, screw_numbers
@@ -42,26 +43,55 @@ class LinkPart:
 
 
 @dataclass(frozen=True)
-class NodePart:
-    """A node: its joint's kernels and numbers, its coordinates (indices, -1 where it has none), its link.
+class AxisPart:
+    """A coordinate of a joint and its drive: kernels and numbers, and indices (-1 where it has none).
 
-    ``screw`` and ``way``: kernels and numbers of the short way to its joint, where there is one.
+    ``index``: of the node; ``place``: of the coordinate in its joint; ``drive`` is None where the motion is given.
     """
 
+    axis: Axis
     node: Node
-    hinge: Hinge
-    placement: Slot
-    axis: Slot
-    drive: DriveKind | None
+    index: int
+    place: int
+    drive: DriveKernels | None
     drive_numbers: Slot | None
     angle: int
     motor: int
     effort: int
     given: int
+
+    @property
+    def input(self) -> int:
+        """Index of the coordinate that its motor turns: the motor's own, else the joint's."""
+        return self.motor if self.motor >= 0 else self.angle
+
+
+@dataclass(frozen=True)
+class NodePart:
+    """A node: its joint's kernels, numbers and coordinates, its link.
+
+    ``screw`` and ``way``: kernels and numbers of the short way to its joint, where there is one.
+    """
+
+    node: Node
+    hinge: Hinge | GeneralJoint
+    placement: Slot
+    axis: Slot
+    axes: tuple[AxisPart, ...]
     link: LinkPart | None
     tip_body: Slot | None
     screw: Screw | None = None
     way: Slot | None = None
+
+    @property
+    def angle(self) -> int:
+        """Index of the joint's first coordinate, -1 where it does not move."""
+        return self.axes[0].angle if self.axes else -1
+
+    @property
+    def size(self) -> int:
+        """Number of the joint's coordinates."""
+        return len(self.axes)
 
 
 @dataclass
@@ -77,15 +107,17 @@ class Parts:
     def __post_init__(self) -> None:
         chain = self.chain
         self.points, self.framing = chain.points or (chain.tip,), Framing(chain)
-        self.none = {size: self.numbers.block(np.zeros(size)) for size in (1, 2, 3, FORCE, HELD, 9, BODY, INERTIA)}
         joints = [node.joint for node in chain.nodes]
-        moving = [joint for joint in joints if joint.kind is not JointKind.FIXED]
-        elastic = [joint for joint in moving if joint.drive is Drive.ELASTIC]
-        self.motors = range(len(elastic))
-        self.joints = range(len(elastic), len(elastic) + len(moving))
-        self.names = [f"{joint.name}.motor" for joint in elastic] + [joint.name for joint in moving]
-        self.efforts = [joint.name for joint in moving if joint.drive in (Drive.EFFORT, Drive.ELASTIC)]
-        self.given = [joint.name for joint in moving if joint.drive is Drive.PRESCRIBED]
+        sizes = dict.fromkeys((1, 2, 3, FORCE, HELD, 9, BODY, INERTIA))
+        sizes |= dict.fromkeys(size for joint in joints if joint.kind.size > 1 for size in _block_sizes(joint))
+        self.none = {size: self.numbers.block(np.zeros(size)) for size in sizes}
+        axes = chain.axes
+        motors = [axis.motor for axis in axes if axis.drive.has_motor]
+        self.motors = range(len(motors))
+        self.joints = range(len(motors), len(motors) + len(axes))
+        self.names = motors + [axis.name for axis in axes]
+        self.efforts = [axis.name for axis in axes if axis.drive.takes_effort]
+        self.given = [axis.name for axis in axes if axis.drive.is_given]
         info = (self.names, self.efforts, self.given)
         self._places = tuple({name: place for place, name in enumerate(names)} for names in info)
         for index, node in enumerate(chain.nodes):
@@ -103,48 +135,59 @@ class Parts:
         """The coordinates of each motor, joint and link, in the order of the nodes."""
         found: list[list[int]] = []
         for part in self.nodes:
-            found += [[index] for index in (part.motor, part.angle) if index >= 0]
+            found += [[index] for axis in part.axes for index in (axis.motor, axis.angle) if index >= 0]
             found += [[*range(self.size)[part.link.own]]] if part.link else []
         return found
 
     @cached_property
     def held(self) -> list[int]:
         """The coordinates whose accelerations are given."""
-        return [part.angle for part in self.nodes if part.given >= 0]
+        return [axis.angle for axis in self.axes if axis.given >= 0]
+
+    @property
+    def axes(self) -> list[AxisPart]:
+        """All coordinates of the joints, in their order."""
+        return [axis for part in self.nodes for axis in part.axes]
 
     @cached_property
     def driven(self) -> list[int]:
         """The coordinate that each effort acts along."""
-        along = {part.effort: part.motor if part.motor >= 0 else part.angle for part in self.nodes}
+        along = {axis.effort: axis.input for axis in self.axes}
         return [along[index] for index in range(len(self.efforts))]
 
     def _node(self, index: int, node: Node) -> NodePart:
         joint, link = node.joint, node.link
         along = self.framing.axis(index)
-        axis = _axis_of(along)
-        moves = joint.kind is not JointKind.FIXED
         on_section = node.parent >= 0 and self.chain.nodes[node.parent].link.bends
         placed, screw = self.framing.placements[index], self.framing.screws[index]
-        driven, aside = joint.drive is Drive.PRESCRIBED and moves, bool(np.any(placed.position))
-        hinge = Hinge(joint.kind, axis if moves else 2, driven, aside, on_section)
+        driven = tuple(axis.drive.is_given for axis in joint.axes)
+        aside = bool(np.any(placed.position))
         placement = self.numbers.block([*placed.rotation.ravel(), *placed.position])
-        kind = drive_kind(joint) if moves and joint.drive is not Drive.PRESCRIBED else None
-        angle, effort, given = (places.get(joint.name, -1) if moves else -1 for places in self._places)
+        hinge: Hinge | GeneralJoint
+        if joint.kind.is_simple:
+            axis = _axis_of(along) if joint.moves else 2
+            hinge = Hinge(joint.kind, axis, driven == (True,), aside, on_section)
+            numbers = self.numbers.block(along)
+        else:
+            hinge = GeneralJoint(joint.kind, joint.numbers.size, driven, aside, on_section)
+            numbers = self.numbers.block(joint.numbers)
         return NodePart(
-            node, hinge, placement, self.numbers.block(along), kind,
-            self.numbers.block(drive_numbers(joint)) if kind else None,
-            angle=angle,
-            motor=self._motor(joint) if moves else -1,
-            effort=effort, given=given,
+            node, hinge, placement, numbers,
+            axes=tuple(self._axis(index, node, place, axis) for place, axis in enumerate(joint.axes)),
             link=self._link(index, node.name, link) if link.bends else None,
             tip_body=self._tip_body(index, link),
-            screw=Screw.of(screw, driven=driven) if screw else None,
+            screw=Screw.of(screw, driven=driven == (True,)) if screw else None,
             way=self.numbers.block(screw_numbers(screw)) if screw else None,
         )  # fmt: skip
 
-    def _motor(self, joint: Joint) -> int:
-        name = f"{joint.name}.motor"
-        return self._places[0][name] if joint.drive is Drive.ELASTIC else -1
+    def _axis(self, index: int, node: Node, place: int, axis: Axis) -> AxisPart:
+        angle, effort, given = (places.get(axis.name, -1) for places in self._places)
+        kernels = numbers = None
+        if not axis.drive.is_given:
+            kernels = drive_kernels(node.joint, axis.drive)
+            numbers = self.numbers.block(drive_numbers(node.joint, axis.drive))
+        motor = self._places[0][axis.motor] if axis.drive.has_motor else -1
+        return AxisPart(axis, node, index, place, kernels, numbers, angle, motor, effort, given)
 
     def _link(self, index: int, name: str, link: Link) -> LinkPart:
         first, block = len(self.names), self.numbers.block
@@ -177,6 +220,12 @@ class Parts:
         if link is None or not link.stations or point.s >= 1.0:
             return None
         return [s for s, _ in link.stations].index(point.s)
+
+
+def _block_sizes(joint: Joint) -> tuple[int, ...]:
+    """Sizes of the blocks of a joint of several coordinates that may be zero."""
+    n = joint.kind.size
+    return n, held_numbers(n), held_numbers(0)
 
 
 def _axis_of(axis: Array) -> int | None:

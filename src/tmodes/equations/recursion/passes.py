@@ -10,6 +10,7 @@ from numpy.typing import NDArray
 from tmodes.chain.chain import Chain
 from tmodes.equations.recursion.body_kernels import body_inertia_kernel, body_kernel, push_kernel, sum_kernel
 from tmodes.equations.recursion.coordinates import Coordinates
+from tmodes.equations.recursion.general_joint import GeneralJoint
 from tmodes.equations.recursion.hinge import POSE, Hinge
 from tmodes.equations.recursion.parts import LinkPart, NodePart, Parts
 from tmodes.equations.recursion.screw import TURN, Screw, turn_kernel
@@ -34,9 +35,12 @@ def resting_base(chain: Chain, factor: float = 1.0) -> NDArray[np.float64]:
 
 @dataclass
 class Way:
-    """What the outward pass found of a node: ``joint``, the kernels of its joint, to be called with ``axis``."""
+    """What the outward pass found of a node: ``joint``, the kernels of its joint, to be called with ``axis``.
 
-    joint: Hinge | Screw
+    ``axis`` are the numbers of a joint's axis or of its short way, or the columns of its motion.
+    """
+
+    joint: Hinge | GeneralJoint | Screw
     axis: Slot
     hinge: Slot
     root_rate: Slot
@@ -109,7 +113,7 @@ class Passes(Coordinates):
         for part in self.parts.nodes:
             parent = self.parent(part)
             rate = parent.tip_rate if parent else self.base.part(FORCE, 3)
-            angle, speed = self.angle(part)
+            angle, speed = self._pair(part.angle, part.size)
             tip = parent.tip.part(0, 9) if parent and parent.tip else self.none[9]
             if self.short and part.screw and part.way:
                 blocks, body = (part.way, rate, self._turn(part.angle), speed), part.tip_body
@@ -117,8 +121,9 @@ class Passes(Coordinates):
                 hinge, root_rate, *push = call(inward, *blocks, *([body] if body else []))
                 way = Way(part.screw, part.way, hinge, root_rate, root_rate, push=push[0] if push else None)
             else:
-                hinge, root_rate = call(part.hinge.inward(), part.placement, tip, part.axis, rate, angle, speed)
-                way = Way(part.hinge, part.axis, hinge, root_rate, root_rate)
+                blocks = (part.placement, tip, part.axis, rate, angle, speed)
+                hinge, root_rate, *columns = call(part.hinge.inward(), *blocks)
+                way = Way(part.hinge, columns[0] if columns else part.axis, hinge, root_rate, root_rate)
             if self.posed:
                 pose = parent.carried_pose if parent else self.base.part(FORCE + 3, POSE)
                 assert pose is not None  # noqa: S101

@@ -3,15 +3,18 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator
+from collections.abc import Iterator, Mapping
 from enum import StrEnum
-from typing import Self
+from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import ConfigDict, Field, model_validator
+from pydantic import ConfigDict, Field, SerializeAsAny, model_validator
 
 from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
+from tmodes.kinds.joints.contract import JointKind
+from tmodes.kinds.joints.registry import JOINTS
 from tmodes.kinds.schema.frames import DenavitHartenberg, Origin, Vector, list_of_numbers
+from tmodes.kinds.schema.names import NameOf
 from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, positive, refuse
 
 __all__ = ["JointSheet", "JointState", "JointType", "Limits", "MeasuredFrom"]
@@ -20,12 +23,8 @@ SHORTEST_AXIS = 1e-9
 """Length below which an axis is zero but for round-off, and has no direction [-]."""
 
 
-class JointType(StrEnum):
-    """How a joint moves."""
-
-    REVOLUTE = "revolute"
-    PRISMATIC = "prismatic"
-    FIXED = "fixed"
+JointType = Annotated[str, NameOf(JOINTS)]
+"""The name of a registered kind of joint."""
 
 
 class JointState(StrEnum):
@@ -69,7 +68,7 @@ class JointSheet(DataSheet):
     model_config = ConfigDict(validate_by_name=True, validate_by_alias=True, serialize_by_alias=True)
 
     name: str = Field(min_length=1, max_length=100, description="name of the joint")
-    type: JointType = Field(strict=False, description="how it moves")
+    type: JointType = Field(description="how it moves")
     parent: str | None = Field(
         default=None, min_length=1, max_length=100, description="link that holds it; none: child of the joint before"
     )
@@ -80,6 +79,9 @@ class JointSheet(DataSheet):
     )
     axis: Vector | None = list_of_numbers("-", "e", "direction of the joint's axis, in its frame", default=None)
     dh: DenavitHartenberg | None = Field(default=None, description="Denavit-Hartenberg row for origin and axis")
+    parameters: SerializeAsAny[DataSheet] | None = Field(
+        default=None, description="further numbers of its type; none: it has none"
+    )
     state: JointState = Field(default=JointState.ACTIVE, strict=False, description="active, locked, or free")
     locked_at: float = any_sign("rad|m", "q_0", "position at which it is locked", default=0.0, plausible=(-6.3, 6.3))
     limits: Limits | None = Field(default=None, description="what it may do")
@@ -87,15 +89,26 @@ class JointSheet(DataSheet):
     motor: MotorSheet | None = Field(default=None, description="motor; none: the joint's effort is the input")
     gear: GearSheet | None = Field(default=None, description="elastic gear; none: rigid")
 
+    @model_validator(mode="before")
+    @classmethod
+    def _parameters_of_type(cls, data: Any) -> Any:
+        """The parameters are those of the schema of the joint's kind."""
+        if not isinstance(data, Mapping) or str(data.get("type")) not in JOINTS:
+            return data
+        schema, given = JOINTS.get(data["type"]).schema, data.get("parameters")
+        if schema is not None:
+            return {**data, "parameters": schema.model_validate(given or {})}
+        return data
+
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
         refuse([*self._axis_issues(), *self._place_issues(), *self._drive_issues()])
         return self
 
     def _axis_issues(self) -> Iterator[Issue]:
-        if self.type is JointType.FIXED or self.dh is not None:
+        if not self.kind.has_axis or self.dh is not None:
             if self.axis is not None:
-                why = "a fixed joint" if self.type is JointType.FIXED else "a joint with `dh`, which moves along its z"
+                why = "a joint with `dh`, which moves along its z" if self.kind.has_axis else f"a {self.type} joint"
                 yield Issue("axis", f"an axis of {why}", "no axis", "remove the line `axis: ...`")
         elif self.axis is None:
             yield Issue("axis", "nothing", f"the axis of a {self.type} joint", "add the line `axis: [0, 0, 1]`")
@@ -111,12 +124,12 @@ class JointSheet(DataSheet):
             yield Issue("parent", got, "another link", "name the link that holds the joint")
 
     def _drive_issues(self) -> Iterator[Issue]:
-        active = self.state is JointState.ACTIVE
-        if self.type is JointType.FIXED:
+        active = self.is_active
+        if not self.kind.moves:
             for name in ("motor", "gear", "friction", "limits"):
                 if getattr(self, name) is not None:
                     hint = f"remove `{name}`, or make the joint revolute or prismatic"
-                    yield Issue(name, f"a {name} on a fixed joint", "nothing: it does not move", hint)
+                    yield Issue(name, f"a {name} on a {self.type} joint", "nothing: it does not move", hint)
         elif active and self.is_elastic and self.motor is None:
             hint = "add `motor`, write `state: locked`, or remove the gear"
             yield Issue("motor", "nothing", "a motor, because the joint has an elastic gear", hint)
@@ -129,6 +142,31 @@ class JointSheet(DataSheet):
                 yield Issue(name, f"`{name}` of a free joint", "none: nothing drives or holds it", hint)
 
     @property
+    def kind(self) -> JointKind:
+        """Its type with all that belongs to it."""
+        return JOINTS.get(self.type)
+
+    @property
+    def coordinates(self) -> list[str]:
+        """Names of its coordinates, were it not locked."""
+        return [each.of(self.name) for each in self.kind.coordinates]
+
+    @property
+    def unit(self) -> str:
+        """Of its coordinates: m where it slides, else rad."""
+        return next((each.unit for each in self.kind.coordinates), "rad")
+
+    @property
+    def numbers(self) -> tuple[float, ...]:
+        """The parameters of its type."""
+        return tuple(float(x) for x in self.parameters.model_dump().values()) if self.parameters else ()
+
+    @property
+    def is_active(self) -> bool:
+        """True when it is neither locked nor free."""
+        return self.state is JointState.ACTIVE
+
+    @property
     def is_elastic(self) -> bool:
         """True when a gear between motor and joint gives."""
         return self.gear is not None and not self.gear.is_rigid
@@ -136,7 +174,7 @@ class JointSheet(DataSheet):
     @property
     def is_locked(self) -> bool:
         """True when it does not move at all: fixed, or locked behind a rigid gear."""
-        return self.type is JointType.FIXED or (self.state is JointState.LOCKED and not self.is_elastic)
+        return not self.kind.moves or (self.state is JointState.LOCKED and not self.is_elastic)
 
     def notice(self) -> str:
         """What was put right in reading its axis; empty when nothing was."""

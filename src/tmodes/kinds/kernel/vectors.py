@@ -18,6 +18,7 @@ __all__ = [
     "matmul",
     "matvec",
     "outer",
+    "rodrigues",
     "scale",
     "series",
     "six",
@@ -124,6 +125,12 @@ def about(axis: int, cosine: Any, sine: Any) -> Matrix:
     matrix = identity()
     matrix[i][i], matrix[j][j], matrix[i][j], matrix[j][i] = cosine, cosine, -sine, sine
     return matrix
+
+
+def rodrigues(axis: Vector, cosine: Any, sine: Any) -> Matrix:
+    """Rotation about a unit vector."""
+    part, lever = outer(scale(1 - cosine, axis), axis), skew(axis)
+    return [[part[i][j] + (cosine if i == j else 0.0) + sine * lever[i][j] for j in range(3)] for i in range(3)]
 
 
 def six(a: Matrix) -> list[Any]:

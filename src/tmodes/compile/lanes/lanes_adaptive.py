@@ -1,6 +1,6 @@
-"""Dormand and Prince's pair over runs side by side, each with steps of its own.
+"""Any adaptive explicit Runge-Kutta method over runs side by side, each with steps of its own.
 
-The method is that of :mod:`tmodes.compile.loops.dormand_prince_loop`.
+The method is that of :mod:`tmodes.compile.loops.explicit_loop`.
 """
 
 from __future__ import annotations
@@ -16,17 +16,18 @@ from tmodes.compile.lanes.lanes_gate import LanesGate
 from tmodes.compile.lanes.lanes_loop import LanesLoop
 from tmodes.compile.lanes.lanes_power import exponential, logarithm
 from tmodes.compile.lanes.lanes_samples import due_samples, write_sample
-from tmodes.compile.loops.dormand_prince_loop import B_ERROR, BETA, DENSE, LARGEST, SAFETY, SMALLEST, STAGES, A, C
+from tmodes.compile.loops.explicit_loop import adaptive_control, dense_weights, hermite, slopes, stages
+from tmodes.compile.loops.step_control import StepControl
 from tmodes.compile.loops.time_loop import Status
+from tmodes.integrate.method import Tableau
 
-__all__ = ["write_lanes_dormand_prince"]
-
-_POWER = 0.2 - 0.75 * BETA
+__all__ = ["write_lanes_adaptive"]
 
 
-def write_lanes_dormand_prince(module: Any, name: str, rate: Lowered | ScheduleRate, guarded: int) -> None:
+def write_lanes_adaptive(module: Any, name: str, rate: Lowered | ScheduleRate, guarded: int, tableau: Tableau) -> None:
     """Write the loop; a rejected lane tries again while its neighbours go on."""
-    loop = LanesLoop(module, name, rate, (*STAGES[1:], "probe", "new"), guarded)
+    loop = LanesLoop(module, name, rate, (*slopes(tableau)[1:], "probe", "new"), guarded)
+    control = adaptive_control(tableau)
     b = loop.builder
     gate = LanesGate(loop, rate.gate_offset)
     gate.begin("y", "probe")
@@ -34,18 +35,18 @@ def write_lanes_dormand_prince(module: Any, name: str, rate: Lowered | ScheduleR
     time, wanted = loop.get("t"), loop.get("h")
     h, last, time_after = _step_until_knot(loop)
     running = loop.running()
-    _stages(loop, time, h)
-    loop.count("evaluations", running, 6.0)
-    error = _error(loop, h)
+    stages(loop, tableau, time, h, loop.constant)
+    loop.count("evaluations", running, float(tableau.own))
+    error = _error(loop, tableau, h)
     size = _size(loop, error)
     good = b.fcmp_ordered("<=", error, loop.constant(1.0))
-    _reject(loop, b.and_(running, b.not_(good)), h, size)
+    _reject(loop, control, b.and_(running, b.not_(good)), h, size)
     good = b.and_(running, good)
     inside = loop.within_bounds("new")
     loop.end_where(b.and_(good, b.not_(inside)), Status.DIVERGED)
     accepted = gate.meet(h, b.and_(good, inside))
-    _write_samples(loop, accepted, time, h, time_after)
-    _accept(loop, accepted, wanted, h, size, last, time_after)
+    _write_samples(loop, tableau, accepted, time, h, time_after)
+    _accept(loop, control, slopes(tableau)[-1], accepted, (wanted, h, last, time_after), size)
     b.branch(loop.again)
 
 
@@ -80,15 +81,6 @@ def _step_until_knot(loop: LanesLoop) -> tuple[Any, Any, Any]:
     return h, last, b.select(last, end, b.fadd(time, h))
 
 
-def _stages(loop: LanesLoop, time: Any, h: Any) -> None:
-    b = loop.builder
-    for stage in range(1, 7):
-        into = "new" if stage == 6 else "probe"
-        weights = {STAGES[j]: b.fmul(h, loop.constant(a)) for j, a in enumerate(A[stage]) if a}
-        loop.combine(into, weights)
-        loop.evaluate(b.fadd(time, b.fmul(loop.constant(C[stage]), h)), into, STAGES[stage])
-
-
 def _mean_square(loop: LanesLoop, value_of: Callable[[Any], Any], *states: str) -> Any:
     """Root of the mean square of ``value_of(i)`` over the scale of each component."""
     b: Any = loop.builder
@@ -103,12 +95,12 @@ def _mean_square(loop: LanesLoop, value_of: Callable[[Any], Any], *states: str) 
     return loop.call("sqrt", b.fdiv(loop.get("total"), loop.constant(float(loop.size))))
 
 
-def _error(loop: LanesLoop, h: Any) -> Any:
+def _error(loop: LanesLoop, tableau: Tableau, h: Any) -> Any:
     b: Any = loop.builder
 
     def difference(i: Any) -> Any:
         total: Any = loop.constant(0.0)
-        for stage, weight in zip(STAGES, B_ERROR, strict=True):
+        for stage, weight in zip(slopes(tableau), tableau.error or (), strict=True):
             if weight:
                 total = b.fadd(total, b.fmul(loop.constant(weight), loop.load(stage, i)))
         return b.fmul(h, total)
@@ -123,26 +115,33 @@ def _size(loop: LanesLoop, error: Any) -> Any:
     return logarithm(b, loop.lanes, loop.call("maxnum", error, loop.constant(1e-10)))
 
 
-def _reject(loop: LanesLoop, rejected: Any, h: Any, size: Any) -> None:
+def _reject(loop: LanesLoop, control: StepControl, rejected: Any, h: Any, size: Any) -> None:
     """Shorter steps; where the error is not a number, the shortest. ``size``: logarithm of the error."""
     b: Any = loop.builder
-    info = b.fsub(loop.constant(math.log2(SAFETY)), b.fmul(loop.constant(_POWER), size))
-    factor = loop.call("maxnum", exponential(b, loop.lanes, info), loop.constant(SMALLEST))
+    info = b.fsub(loop.constant(math.log2(control.safety)), b.fmul(loop.constant(control.exponent), size))
+    factor = loop.call("maxnum", exponential(b, loop.lanes, info), loop.constant(control.smallest))
     loop.put("h", b.fmul(h, factor), rejected)
     loop.count("rejected", rejected)
 
 
-def _accept(loop: LanesLoop, accepted: Any, wanted: Any, h: Any, size: Any, last: Any, time_after: Any) -> None:
+def _accept(
+    loop: LanesLoop, control: StepControl, end: str, accepted: Any, step: tuple[Any, Any, Any, Any], size: Any
+) -> None:
+    """Take a step (wanted and taken length, whether it ends on a knot, time after it); ``end``: the slope there."""
     b: Any = loop.builder
-    info = b.fadd(loop.constant(math.log2(SAFETY)), b.fmul(loop.constant(BETA), loop.get("old_error")))
-    factor = exponential(b, loop.lanes, b.fsub(info, b.fmul(loop.constant(_POWER), size)))
-    factor = loop.call("minnum", loop.call("maxnum", factor, loop.constant(SMALLEST)), loop.constant(LARGEST))
+    wanted, h, last, time_after = step
+    before = b.fmul(loop.constant(control.beta), loop.get("old_error"))
+    info = b.fadd(loop.constant(math.log2(control.safety)), before)
+    factor = exponential(b, loop.lanes, b.fsub(info, b.fmul(loop.constant(control.exponent), size)))
+    factor = loop.call(
+        "minnum", loop.call("maxnum", factor, loop.constant(control.smallest)), loop.constant(control.largest)
+    )
     grown = b.fmul(h, factor)
     # A step cut short by a knot says little about the next: keep the longer wish.
     loop.put("h", b.select(last, loop.call("maxnum", grown, wanted), grown), accepted)
     loop.put("old_error", loop.call("maxnum", size, loop.constant(math.log2(1e-4))), accepted)
     loop.copy_where(accepted, "y", "new")
-    loop.copy_where(accepted, "k1", "k7")
+    loop.copy_where(accepted, "k1", end)
     loop.put("t", time_after, accepted)
     loop.count("steps", accepted)
     over = b.and_(accepted, last)
@@ -152,24 +151,22 @@ def _accept(loop: LanesLoop, accepted: Any, wanted: Any, h: Any, size: Any, last
         loop.enter_segments()
 
 
-def _write_samples(loop: LanesLoop, accepted: Any, time: Any, h: Any, time_after: Any) -> None:
+def _write_samples(loop: LanesLoop, tableau: Tableau, accepted: Any, time: Any, h: Any, time_after: Any) -> None:
     b: Any = loop.builder
     with due_samples(loop, accepted, time_after) as (due, wanted):
         s = b.fdiv(b.fsub(wanted, time), h)
-        weights = {stage: b.fmul(h, _dense(loop, s, row)) for stage, row in zip(STAGES, DENSE, strict=True) if any(row)}
-
-        def value_of(i: Any) -> Any:
-            value = loop.load("y", i)
-            for stage, weight in weights.items():
-                value = b.fadd(value, b.fmul(weight, loop.load(stage, i)))
-            return value
-
-        write_sample(loop, due, value_of)
+        if tableau.dense is None:
+            weights = hermite(b, s, h, loop.constant(1.0), loop.constant(2.0), slopes(tableau)[-1])
+        else:
+            weights = {"y": None} | dense_weights(b, tableau, s, h, loop.constant)
+        write_sample(loop, due, lambda i: _combined(loop, weights, i))
 
 
-def _dense(loop: LanesLoop, s: Any, row: tuple[float, ...]) -> Any:
-    b = loop.builder
-    value: Any = loop.constant(0.0)
-    for coefficient in reversed(row):
-        value = b.fmul(s, b.fadd(loop.constant(coefficient), value))
+def _combined(loop: LanesLoop, weights: dict[str, Any], i: Any) -> Any:
+    """The weighted sum of arrays; a weight None counts as 1."""
+    b: Any = loop.builder
+    value: Any = None
+    for label, weight in weights.items():
+        term = loop.load(label, i) if weight is None else b.fmul(weight, loop.load(label, i))
+        value = term if value is None else b.fadd(value, term)
     return value

@@ -1,0 +1,46 @@
+"""The elastic drive: a motor with its own coordinate behind an elastic gear.
+
+Motor row, Eq. (39) of Filipovic & Djuric 2010, the sign of the gear torque turned: I th'' = u - friction - tg,
+tg = C(xi) + B xi', xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control
+of elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2).
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+from tmodes.kinds.drives.contract import Angles, DriveKind, Elastic, Forward
+from tmodes.kinds.drives.laws import DriveLaw
+
+__all__ = ["ElasticDrive"]
+
+
+class ElasticDrive(DriveKind):
+    """The motor's effort is given."""
+
+    name = "elastic"
+    summary = "motor behind an elastic gear"
+    has_motor = takes_effort = has_gear = True
+
+    def forward(self, law: DriveLaw, at: Angles, effort: Any, held: Any, step: Any) -> Forward:
+        """The motor is eliminated: its row adds to the joint's effort and inertia in an implicit step."""
+        joint, joint_slope = law.joint_friction(at.joint_rate)
+        torque, stiffness = law.spring(at.motor - at.joint)
+        torque = torque + law.damping * (at.motor_rate - at.joint_rate)
+        added = step * law.damping + step * step * stiffness
+        motor, motor_slope = law.motor_friction(at.motor_rate)
+        share = 1 / (law.inertia + step * motor_slope + held + added)
+        rest = effort - torque - motor
+        own = added - added * added * share + step * joint_slope
+        return Forward(torque - joint + added * share * rest, own, (rest, added, share))
+
+    def elastic(self, law: DriveLaw, at: Angles) -> Elastic:
+        """Spring and damper of the gear, friction of joint and motor."""
+        joint, _ = law.joint_friction(at.joint_rate)
+        torque, _ = law.spring(at.motor - at.joint)
+        rate = at.motor_rate - at.joint_rate
+        torque = torque + law.damping * rate
+        motor, _ = law.motor_friction(at.motor_rate)
+        lost = joint * at.joint_rate + motor * at.motor_rate
+        energy = law.stored(at.motor - at.joint)
+        return Elastic(joint - torque, torque + motor, energy, law.damping * rate * rate, lost)
