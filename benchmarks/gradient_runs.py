@@ -17,7 +17,7 @@ from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_units import at
 from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import load_robot
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.functional import Functional, tracking_error
 from tmodes.sensitivity.lowering import lowered
@@ -110,6 +110,6 @@ def cases() -> dict[str, Callable[[], Case]]:
     ]
     return {
         "seed": lambda: Case("filipovic2010", load_robot("filipovic2010").with_(info), _ROBOT),
-        "panda": lambda: Case("panda_elastic", load_sheet("panda_elastic").with_(info), tuple(panda)),
+        "panda": lambda: Case("panda_elastic", load("panda_elastic").with_(info), tuple(panda)),
         "stiff": lambda: Case("stiff arm, 54", stiff_arm(duration=DURATION, method="extrapolation"), tuple(stiff), 5),
     }

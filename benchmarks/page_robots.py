@@ -12,9 +12,8 @@ from typing import Any
 
 from tmodes.paper.simulate import simulate
 from tmodes.report.write import write_report
-from tmodes.report.write_motion import write_arm_report
 from tmodes.result import assemble_result
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
 
@@ -61,8 +60,8 @@ def _swinging(drive: Any, frequency: float) -> dict[str, Any]:
 
 
 ROBOTS: dict[str, tuple[str, Callable[[], Any]]] = {
-    "seed": ("filipovic2010, 6 coordinates", lambda: load_sheet("filipovic2010")),
-    "two links": ("deluca_siciliano1991, two flexible links", lambda: load_sheet("deluca_siciliano1991")),
+    "seed": ("filipovic2010, 6 coordinates", lambda: load("filipovic2010")),
+    "two links": ("deluca_siciliano1991, two flexible links", lambda: load("deluca_siciliano1991")),
     "stiff": ("54-coordinate arm", stiff_arm),
     "long": ("60-coordinate arm, 60 s", long_arm),
 }
@@ -76,4 +75,4 @@ def result_of(sheet: Any) -> Any:
 
 def written(result: Any, path: Path) -> Path:
     """Its report, with figures and model, as ``tmodes run`` leaves it."""
-    return (write_arm_report if result.kind == "arm" else write_report)(result, path)
+    return write_report(result, path)

@@ -20,7 +20,7 @@ if TYPE_CHECKING:
     from tmodes.result.result import Result
     from tmodes.result.run import run
     from tmodes.robots import load_robot
-    from tmodes.robots.load import load_sheet
+    from tmodes.robots.load import load
     from tmodes.sensitivity.functional import Functional, tracking_error
     from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
     from tmodes.sheet.robot import Robot
@@ -45,8 +45,8 @@ __all__ = [
     "TmodesError",
     "adjoint_gradient",
     "forward_sensitivities",
+    "load",
     "load_robot",
-    "load_sheet",
     "run",
     "show",
     "simulate_batch",
@@ -71,7 +71,7 @@ _HOMES = {
     "adjoint_gradient": "tmodes.sensitivity.gradient.adjoint_gradient",
     "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",
     "load_robot": "tmodes.robots.load_robot",
-    "load_sheet": "tmodes.robots.load.load_sheet",
+    "load": "tmodes.robots.load.load",
     "run": "tmodes.result.run.run",
     "show": "tmodes.notebook.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",

@@ -12,12 +12,10 @@ from typing import Any
 
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write
-from tmodes.paper.sheet import PaperRobot
 from tmodes.report.data import live_page, page_data, robot_name
 from tmodes.report.viewer import viewer_document
 from tmodes.result import Result
 from tmodes.result.ready import movable_joints
-from tmodes.result.record import PaperResult, RunRecord
 from tmodes.result.run import run
 from tmodes.sheet import Robot
 
@@ -55,14 +53,14 @@ class Shown:
         return Path(path)
 
 
-def show(*shown: RunRecord | PaperRobot | Robot, names: list[str] | None = None, height: int = HEIGHT) -> Shown:
+def show(*shown: Result | Robot, names: list[str] | None = None, height: int = HEIGHT) -> Shown:
     """The viewer of one result, of several side by side, or of one robot at rest with its modes.
 
     ``names`` tell several results apart; ``height`` of the frame in pixels. Raises
     :class:`tmodes.errors.InputError` for anything else, and what simulating the robot's rest raises.
     """
-    robots = [one for one in shown if isinstance(one, (PaperRobot, Robot))]
-    results = [one for one in shown if isinstance(one, (PaperResult, Result))]
+    robots = [one for one in shown if isinstance(one, Robot)]
+    results = [one for one in shown if isinstance(one, Result)]
     if not shown or len(robots) + len(results) < len(shown) or (robots and len(shown) > 1):
         got = ", ".join(type(one).__name__ for one in shown) or "nothing"
         raise InputError("show", got, "one result or more, or one robot", "run robots first to compare them")
@@ -72,18 +70,18 @@ def show(*shown: RunRecord | PaperRobot | Robot, names: list[str] | None = None,
     return Shown(viewer_document(page), str(page["title"]), height)
 
 
-def _page_of(results: list[PaperResult | Result], names: list[str] | None) -> dict[str, Any]:
+def _page_of(results: list[Result], names: list[str] | None) -> dict[str, Any]:
     """One result with its equations, so that it can be run again in the page; several beside each other."""
     return live_page(results[0]) if len(results) == 1 and names is None else page_data(results, names)
 
 
-def _numbered(results: list[PaperResult | Result]) -> list[str] | None:
+def _numbered(results: list[Result]) -> list[str] | None:
     """Several results of robots of one name get numbers."""
     names = [robot_name(result) for result in results]
     return None if len(set(names)) == len(names) else [f"{name} {k}" for k, name in enumerate(names, 1)]
 
 
-def rest_page(robot: PaperRobot | Robot) -> dict[str, Any]:
+def rest_page(robot: Robot) -> dict[str, Any]:
     """The data of a page on a robot at rest: its shape and its modes, without a run."""
     page = page_data([_standing(robot)], [robot.name])
     page["subtitle"] = f"{robot.title or robot.name}: at rest, with its modes of vibration"
@@ -92,12 +90,10 @@ def rest_page(robot: PaperRobot | Robot) -> dict[str, Any]:
     return page
 
 
-def _standing(robot: PaperRobot | Robot) -> PaperResult | Result:
+def _standing(robot: Robot) -> Result:
     """A run too short for anything to move."""
     still = {"integration.duration": STILL, "integration.output_step": STILL, "integration.stop": []}
     still |= {"integration.method": "auto"}  # a fixed step may be longer than that
-    if isinstance(robot, PaperRobot):
-        return run(robot.with_(still))
     return run((robot if robot.drives else _held(robot)).with_(still))
 
 

@@ -7,7 +7,6 @@ import pytest
 
 from arm.run.sheets import ZERO, arm, pendulum, torque
 from tmodes.compile.loops.gate import SHORTEST
-from tmodes.integrate.settings import Method
 from tmodes.simulation.loop import LoopNumbers
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
@@ -16,7 +15,7 @@ SHORT = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "abs
 
 
 def settings(regime, **changes):
-    info = {"method": Method.DORMAND_PRINCE, **changes}
+    info = {"method": "dormand_prince", **changes}
     return regime.arm.integration.model_copy(update=info)
 
 
@@ -46,7 +45,7 @@ def bounce():
     ))  # fmt: skip
 
 
-@pytest.mark.parametrize("method", [Method.DORMAND_PRINCE, Method.RK4])
+@pytest.mark.parametrize("method", ["dormand_prince", "rk4"])
 def test_each_lane_is_the_run_by_itself(swing, method):
     model, chosen = swing.model, settings(swing, method=method, step=1e-3)
     many = spread(swing, 6)
@@ -90,7 +89,7 @@ def test_pieces_are_not_seen_where_there_is_a_contact(bounce, monkeypatch):
 @pytest.mark.parametrize("threads", [1, 2])
 def test_stiff_arms_run_one_by_one(swing, threads):
     """The implicit method has no lanes: each arm is the run by itself, bit by bit, and a bad one disturbs none."""
-    model, chosen = swing.model, settings(swing, method=Method.EXTRAPOLATION, max_steps=4000)
+    model, chosen = swing.model, settings(swing, method="extrapolation", max_steps=4000)
     many = spread(swing, 4)
     many[2] = np.nan
     batch = model.simulate_batch(many, swing.planned.schedule, swing.start, chosen, threads=threads)

@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 from tmodes.errors import InputError
-from tmodes.integrate.settings import Method
 from tmodes.paper.mechanism import Parameters
 from tmodes.simulation.batch.simulate import prepare_loops
 from tmodes.simulation.trajectory import integrate
@@ -91,4 +90,4 @@ def test_a_method_that_a_model_does_not_have_is_refused():
     """In words that name those it has."""
     explicit: Any = SimpleNamespace(loops={}, lane_loops={})
     with pytest.raises(InputError, match=r"integration.method must be one of .*dop853"):
-        prepare_loops(explicit, Method.ROSENBROCK)
+        prepare_loops(explicit, "rosenbrock")

@@ -10,7 +10,6 @@ from dataclasses import replace
 import numpy as np
 import pytest
 
-from tmodes.integrate.settings import Method
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Parameters
 from tmodes.simulation.batch.store import load_batch
@@ -27,7 +26,7 @@ def alone(seed, numbers, schedule=None, start=None, settings=None):
 @pytest.mark.parametrize("method", ["dormand_prince", "rk4"])
 def test_each_lane_is_the_run_by_itself(seed, method):
     """Same steps and same ends; the states differ by rounding, far below the tolerance."""
-    seed = replace(seed, settings=seed.settings.model_copy(update={"method": Method(method), "output_step": 7.7e-4}))
+    seed = replace(seed, settings=seed.settings.model_copy(update={"method": method, "output_step": 7.7e-4}))
     batch = seed.run()
     assert batch.finished.all()
     for lane in range(batch.size):
@@ -44,7 +43,7 @@ def test_each_lane_is_the_run_by_itself(seed, method):
 @pytest.mark.parametrize("threads", [1, 2])
 def test_bytes_do_not_depend_on_the_company(seed, method, lanes, threads):
     """Other places, sizes and threads give the same bits."""
-    seed = replace(seed, settings=seed.settings.model_copy(update={"method": Method(method)}))
+    seed = replace(seed, settings=seed.settings.model_copy(update={"method": method}))
     whole, part = seed.run(threads=1), seed.run(lanes, threads=threads)
     assert part.states.tobytes() == whole.states[lanes].tobytes()
     for name, values in part.statistics.items():

@@ -7,7 +7,6 @@ import pytest
 
 from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.errors import InputError
-from tmodes.integrate.settings import Method
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.batch.lanes import spans
 from tmodes.simulation.batch.memory import LINE, private
@@ -22,20 +21,20 @@ def work_of(seed, lanes, method):
     return Work(seed.model, info, settings, np.zeros(1), np.zeros((lanes, 1, 1)), np.arange(lanes))
 
 
-@pytest.mark.parametrize("method", [Method.DORMAND_PRINCE, Method.DOP853])
+@pytest.mark.parametrize("method", ["dormand_prince", "dop853"])
 @pytest.mark.parametrize("threads", [1, 2, 7, 64])
 @pytest.mark.parametrize("lanes", [1, 7, 8, 9, 100, 1024, 5000])
 def test_each_lane_is_in_one_span(seed, lanes, threads, method):
     """Side by side in whole groups; as many spans as keep all threads busy to the end."""
     found = spans(work_of(seed, lanes, method), threads)
     assert [lane for span in found for lane in span] == list(range(lanes))
-    side = WIDTH if method is Method.DORMAND_PRINCE else 1
+    side = WIDTH if method == "dormand_prince" else 1
     assert all(len(span) % side == 0 for span in found[:-1])
     assert len(found) >= min(8 * threads, -(-lanes // side))
     assert max(map(len, found)) <= 64 * side
 
 
-@pytest.mark.parametrize("method", [Method.DORMAND_PRINCE, Method.RK4])
+@pytest.mark.parametrize("method", ["dormand_prince", "rk4"])
 def test_one_room_for_many_groups(seed, method, monkeypatch):
     """In one long span, with bad lanes, starts and motions of their own: the bytes of spans of one group each."""
     rng, lanes = np.random.default_rng(4), 5 * WIDTH + 3

@@ -129,7 +129,7 @@ def test_results_beside_each_other_in_a_notebook():
 @pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
 def test_a_robot_at_rest_has_its_modes(name):
     """The frequencies of the modes that can be shown are those of `tmodes modes`, with no run and no charts."""
-    robot = tmodes.load_sheet(name)
+    robot = tmodes.load(name)
     run = rest_page(robot)["runs"][0]
     assert run["charts"] == []
     assert run["modes"]
@@ -140,9 +140,9 @@ def test_a_robot_at_rest_has_its_modes(name):
 @pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
 def test_a_robot_with_a_fixed_step_is_shown_too(name):
     """Its step is longer than the instant in which it is looked at."""
-    assert rest_page(tmodes.load_sheet(name).with_({"integration.method": "rk4"}))["runs"][0]["modes"]
+    assert rest_page(tmodes.load(name).with_({"integration.method": "rk4"}))["runs"][0]["modes"]
 
 
 def test_an_arm_that_nothing_moves_is_shown_too():
-    arm = tmodes.load_sheet("spong1987").with_({"drives": []})
+    arm = tmodes.load("spong1987").with_({"drives": []})
     assert rest_page(arm)["runs"][0]["status"] == "at rest"

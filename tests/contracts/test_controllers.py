@@ -10,7 +10,6 @@ from pydantic import Field
 from scipy.linalg import solve_continuous_are
 
 from arm.run.sheets import ZERO, arm, beam
-from tmodes.integrate.settings import Method
 from tmodes.kinds.controllers.registry import Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
@@ -112,7 +111,7 @@ def test_member(name, lqr):
         other = simulate_motion(sheet.with_({"integration.method": method}))
         assert np.abs(other.q - run.q).max() < 1e-6, method
     numbers = np.array([model.numbers.vector, model.numbers.vector * 1.001])
-    settings = sheet.integration.model_copy(update={"method": Method.DORMAND_PRINCE})
+    settings = sheet.integration.model_copy(update={"method": "dormand_prince"})
     batch = model.simulate_batch(numbers, setup.planned.schedule, setup.start, settings)
     single = integrate(model, model.numbers, setup.planned.schedule, setup.start, settings)
     # A limit that is met a rounding earlier or later lets the step control take other steps.

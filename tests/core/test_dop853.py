@@ -6,8 +6,8 @@ import numpy as np
 import pytest
 from scipy.integrate import DOP853, solve_ivp
 
-from tmodes.compile.loops.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
+from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
@@ -25,7 +25,7 @@ def plucked(robot):
     state = model.rest(0.0, parameters)
     state[:5] += [0.010, 0.03, 0.008, 0.004, -0.03]
 
-    def run(tolerance, method=Method.DOP853, output_step=0.5):
+    def run(tolerance, method="dop853", output_step=0.5):
         settings = Integration(
             method=method, duration=0.5, output_step=output_step, relative_tolerance=tolerance,
             absolute_tolerance=tolerance * 1e-2,
@@ -80,7 +80,7 @@ def test_agrees_with_scipy_at_its_tightest(robot):
     model, schedule = PaperModel(mechanism), robot.reference.schedule()
     state = model.rest(0.0, parameters)
     settings = Integration(
-        method=Method.DOP853, duration=0.6, output_step=1e-2, relative_tolerance=1e-12, absolute_tolerance=1e-15
+        method="dop853", duration=0.6, output_step=1e-2, relative_tolerance=1e-12, absolute_tolerance=1e-15
     )
     ours = integrate(model, parameters, schedule, state, settings)
     for start, end in ((0.0, 0.4), (0.4, 0.6)):

@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import RK45, solve_ivp
 
-from tmodes.compile.loops.dormand_prince_loop import B_ERROR, DENSE, A, C
-from tmodes.integrate.settings import Method
+from tmodes.integrate.dormand_prince import B_ERROR, DENSE, A, C
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive, Reading
 from tmodes.paper.model import PaperModel
@@ -21,7 +20,7 @@ STILL = Schedule(np.array([0.0, 10.0]), np.zeros((1, 3)))
 
 def setting(robot, **changes):
     if "method" in changes:
-        changes["method"] = Method(changes["method"])
+        changes["method"] = changes["method"]
     return robot.integration.model_copy(update=changes)
 
 

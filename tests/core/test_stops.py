@@ -89,12 +89,12 @@ def test_a_sheet_with_a_wrong_condition_is_refused(robot):
 @pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
 def test_conditions_are_written_and_read_back(name, tmp_path):
     """In the sheet as YAML, with whatever a condition holds."""
-    from tmodes.robots.load import load_sheet
+    from tmodes.robots.load import load
 
-    sheet = load_sheet(name, {"integration.stop": ["tip.z < 250 mm", "abs(tip.velocity.x) > 90e-3"]})
+    sheet = load(name, {"integration.stop": ["tip.z < 250 mm", "abs(tip.velocity.x) > 90e-3"]})
     written = robot_to_yaml(sheet) if isinstance(sheet, PaperRobot) else arm_to_yaml(sheet)
     (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
-    assert load_sheet(tmp_path / "sheet.yaml") == sheet
+    assert load(tmp_path / "sheet.yaml") == sheet
 
 
 def test_batches_refuse_conditions(robot):
@@ -110,9 +110,9 @@ def test_batches_refuse_conditions(robot):
 def test_a_wrong_name_is_reported_by_check(name, tmp_path):
     """Before anything runs, and nothing is written."""
     from tmodes.cli.main import app
-    from tmodes.robots.load import load_sheet
+    from tmodes.robots.load import load
 
-    sheet = load_sheet(name, {"integration.stop": ["tip.q < 1"]})
+    sheet = load(name, {"integration.stop": ["tip.q < 1"]})
     written = robot_to_yaml(sheet) if isinstance(sheet, PaperRobot) else arm_to_yaml(sheet)
     (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
     with pytest.raises(InputError, match=r"integration.stop.0: got the unknown name 'tip.q'.*Did you mean `tip.z`"):
@@ -142,9 +142,9 @@ def test_from_the_command_line(tmp_path):
      ("energy_tolerance=0", "from 1e-12 to 1e+12")],
 )  # fmt: skip
 def test_refused_settings_tell_the_least_and_the_largest_value(name, assignment, span):
-    from tmodes.robots.load import load_sheet
+    from tmodes.robots.load import load
 
     path, value = parse_assignment(f"integration.{assignment}")
     with pytest.raises(InputErrors) as errors:
-        load_sheet(name, {path: value})
+        load(name, {path: value})
     assert span in str(errors.value)

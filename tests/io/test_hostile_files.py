@@ -14,7 +14,7 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.check import robot_from_data
 from tmodes.io.yaml_file import parse_yaml, read_yaml
 from tmodes.robots import load_robot
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 
 LIMIT = 256 * 1024
 SECONDS = 2.0
@@ -208,7 +208,7 @@ def test_hostile_arms_are_refused_in_time(text: str, tmp_path: Path) -> None:
     file.write_text(text, encoding="utf-8")
     start = time.process_time()
     with pytest.raises((InputError, InputErrors)) as caught:
-        load_sheet(file)
+        load(file)
     assert str(file) in str(caught.value)
     assert time.process_time() - start < SECONDS
 

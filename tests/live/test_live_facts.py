@@ -13,7 +13,7 @@ from tmodes.live.map import LiveMap, live_map
 from tmodes.paper.sheet import PaperRobot
 from tmodes.paper.simulate import simulate
 from tmodes.report.data import page_data
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 
 from .node import live_in_node
 
@@ -26,7 +26,7 @@ def live() -> LiveMap:
 
 
 def seed() -> PaperRobot:
-    sheet = load_sheet("filipovic2010")
+    sheet = load("filipovic2010")
     assert isinstance(sheet, PaperRobot)
     return sheet
 

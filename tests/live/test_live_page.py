@@ -15,7 +15,7 @@ from tmodes.live.bundle import live_bundle
 from tmodes.paper.sheet import PaperRobot
 from tmodes.paper.simulate import simulate
 from tmodes.report.pack import embedded, pack
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 
 from .node import built_page, worst_difference
 
@@ -68,7 +68,7 @@ def page_of(bundle: dict[str, Any], program: str) -> str:
 def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> None:
     """The same numbers as natively, no request, no complaint of the browser; a newer run ends an older one."""
     playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to look at the page")
-    sheet = load_sheet("filipovic2010")
+    sheet = load("filipovic2010")
     assert isinstance(sheet, PaperRobot)
     result = simulate(sheet)
     bundle = live_bundle(result)

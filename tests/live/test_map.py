@@ -8,7 +8,7 @@ import pytest
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import run_numbers, whole, whole_moves
 from tmodes.live.sliders import MOST
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from tmodes.simulation.plan import Follow
 
 from .chain import chain
@@ -24,7 +24,7 @@ def drawn(live: LiveMap, generator: np.random.Generator) -> list[float]:
 @pytest.mark.parametrize("name", SHEETS)
 def test_numbers_are_those_of_the_changed_sheet(name: str) -> None:
     """Parameters and signals of every run, at random values of all sliders."""
-    sheet = load_sheet(name)
+    sheet = load(name)
     live = live_map(sheet.pair())
     generator = np.random.default_rng(3)
     for _ in range(3):
@@ -43,7 +43,7 @@ def test_numbers_are_those_of_the_changed_sheet(name: str) -> None:
 @pytest.mark.parametrize("name", SHEETS)
 def test_sliders_stay_within_the_checks_of_the_sheet(name: str) -> None:
     """All at their least, and all at their largest value; a label, a unit and a group each."""
-    sheet = load_sheet(name)
+    sheet = load(name)
     live = live_map(sheet.pair())
     assert 5 <= len(live.sliders) <= MOST
     for ends in zip(*((slider.low, slider.high) for slider in live.sliders), strict=True):

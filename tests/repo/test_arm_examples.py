@@ -8,7 +8,7 @@ from pathlib import Path
 
 import pytest
 
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from tmodes.robots.packages import installed_models
 from tmodes.sheet import Robot
 
@@ -19,7 +19,7 @@ URDF = "robots/ur_description/urdf/ur5_robot.urdf"
 
 def loaded(text: str, folder: Path) -> Robot:
     (folder / "sheet.yaml").write_text(text, encoding="utf-8")
-    arm = load_sheet(folder / "sheet.yaml")
+    arm = load(folder / "sheet.yaml")
     assert isinstance(arm, Robot)
     return arm
 

@@ -16,7 +16,7 @@ from tmodes.errors import InputError
 from tmodes.io.mesh_file import Triangles, read_mesh
 from tmodes.io.primitives import box, cylinder, sphere
 from tmodes.io.urdf_shapes import MOST_SHAPES, LinkShape
-from tmodes.report.folder_motion import MotionFolder
+from tmodes.report.folder import RunFolder
 from tmodes.report.mesh_thin import thinned
 from tmodes.report.meshes import MOST_TRIANGLES, kept_meshes, read_shapes, with_shapes
 from tmodes.report.mode_shapes import modes_of
@@ -253,6 +253,6 @@ def test_a_link_without_length_is_there_for_its_mesh() -> None:
 
 def test_a_run_keeps_how_its_links_look(tmp_path: Path) -> None:
     arm = arm_result().arm.with_({"integration.duration": 0.02})
-    with MotionFolder(tmp_path / "run", arm, shapes=[LinkShape("hand", "#102030", sphere(0.05))]) as folder:
+    with RunFolder(tmp_path / "run", arm, shapes=[LinkShape("hand", "#102030", sphere(0.05))]) as folder:
         folder.simulate(lambda stage, share: None)
     assert [mesh.link for mesh in kept_meshes(Result.load(folder.result_file).data)] == ["hand"]

@@ -17,7 +17,7 @@ from arm.run.sheets import pendulum
 from tmodes.errors import ResultFileError
 from tmodes.live.wasm_export import Exported, exported
 from tmodes.paper.simulate import simulate
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from wasm.node import ROOT, built_model
 
 SCRIPT = """
@@ -45,7 +45,7 @@ def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
 
 @pytest.fixture(scope="module")
 def seed() -> Any:
-    return load_sheet("filipovic2010").with_({"name": "<script>", "integration.duration": 0.1})
+    return load("filipovic2010").with_({"name": "<script>", "integration.duration": 0.1})
 
 
 @pytest.fixture(scope="module")

@@ -49,7 +49,7 @@ def _regimes(arm: Robot) -> dict[str, RunSetup]:
 def _job(name: str, regime: RunSetup) -> dict[str, Any]:
     settings, schedule = regime.arm.integration, regime.planned.schedule.until(regime.arm.integration.duration)
     return {"run": {
-        "loop": f"{name}.{settings.method.value}", "parameters": regime.model.numbers.vector, "knots": schedule.knots,
+        "loop": f"{name}.{settings.method}", "parameters": regime.model.numbers.vector, "knots": schedule.knots,
         "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": regime.start,
         "times": sample_times(settings), "settings": {
             "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,

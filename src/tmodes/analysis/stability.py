@@ -11,13 +11,10 @@ import numpy as np
 from tmodes.analysis.spectrum import GROWING, Spectrum
 from tmodes.errors import SimulationError
 from tmodes.integrate.choice import chosen_method
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.registry import AUTO
+from tmodes.integrate.settings import Integration
 
 __all__ = ["StepVerdict", "chosen_settings", "growth_warnings", "step_size_verdict", "step_times_eigenvalue"]
-
-
-_REACH = {Method.DORMAND_PRINCE: 3.3, Method.DOP853: 6.1}
-"""Largest step times eigenvalue at which each explicit method is stable, about."""
 
 
 @dataclass(frozen=True)
@@ -33,34 +30,35 @@ class StepVerdict:
 def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
     """Judge the step by the eigenvalues at the start.
 
-    A fixed step by the amplification of the classical Runge-Kutta method, |R(dt lambda)| <= 1. An adaptive method
+    A fixed step by the amplification of its explicit method, |R(dt lambda)| <= 1. An adaptive method
     keeps its own step stable, but an explicit one may take too many: raises :class:`SimulationError` with the number.
     """
     eigenvalues = spectrum.eigenvalues
     highest = spectrum.highest
     coordinate = spectrum.dominant[int(np.argmax(np.abs(eigenvalues)))] if highest else "none"
-    if settings.method is Method.MIDPOINT:
-        return StepVerdict(highest, settings.step * highest, True)
-    if settings.method is not Method.RK4:
-        if settings.method in _REACH:
-            _refuse_too_stiff(settings, highest, coordinate)
+    one = settings.integrator
+    if one is None or one.adaptive:
+        if one and one.reach:
+            _refuse_too_stiff(settings, highest, coordinate, one.reach)
         return StepVerdict(highest, None, True)
+    if one.tableau is None:
+        return StepVerdict(highest, settings.step * highest, True)
     z = settings.step * eigenvalues[eigenvalues.real <= 0]
-    growth = float(np.abs(1 + z + z**2 / 2 + z**3 / 6 + z**4 / 24).max(initial=0.0))
+    growth = float(np.abs(one.tableau.amplification(z[z != 0])).max(initial=0.0))
     dt_omega = settings.step * highest
     info = f"dt*omega = {dt_omega:.3g} (step {settings.step:.3g} s, {highest:.4g} rad/s in coordinate {coordinate})"
     if growth > 1 + 1e-9:
         hint = f"set integration.step below {2.5 / highest:.2g}, or integration.method: dormand_prince"
-        return StepVerdict(highest, dt_omega, False, f"rk4 is unstable at this step: {info}; {hint}")
+        return StepVerdict(highest, dt_omega, False, f"{one.name} is unstable at this step: {info}; {hint}")
     if dt_omega > 1.0:
         hint = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
-        return StepVerdict(highest, dt_omega, True, f"rk4 is stable but inaccurate at this step: {info}; {hint}")
+        return StepVerdict(highest, dt_omega, True, f"{one.name} is stable but inaccurate at this step: {info}; {hint}")
     return StepVerdict(highest, dt_omega, True)
 
 
 def chosen_settings(settings: Integration, spectrum: Callable[[], Spectrum]) -> Integration:
     """The settings with a method, chosen by the eigenvalues at the start where none is named, and its tolerances."""
-    if settings.method is not Method.AUTO:
+    if settings.method != AUTO:
         return settings.chosen(settings.method)
     return settings.chosen(chosen_method(settings, spectrum().highest)[0])
 
@@ -85,9 +83,9 @@ def growth_warnings(spectrum: Spectrum, whose: str, causes: str) -> list[str]:
     ]
 
 
-def _refuse_too_stiff(settings: Integration, highest: float, coordinate: str) -> None:
+def _refuse_too_stiff(settings: Integration, highest: float, coordinate: str, reach: float) -> None:
     """An explicit method may step no longer than its reach over the largest eigenvalue, however little happens."""
-    steps = settings.duration * highest / _REACH[settings.method]
+    steps = settings.duration * highest / reach
     if steps <= settings.max_steps:
         return
     raise SimulationError(

@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 from tmodes.bench.clock import now
 from tmodes.bench.equal_error import Runner
 from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved, tolerances_of
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
@@ -50,9 +50,7 @@ class SeedRun:
     def runners(self) -> Iterator[Runner]:
         """Ours, at equal error and at the paper's step; SciPy's."""
         for method in adaptive_methods(self.model.loops):
-            yield Runner(
-                f"tmodes, {method.value}", partial(self._adaptive, method), tolerances_of(method), "rtol {:.0e}"
-            )
+            yield Runner(f"tmodes, {method}", partial(self._adaptive, method), tolerances_of(method), "rtol {:.0e}")
         yield Runner("tmodes, rk4", lambda steps: self._ours(self._fixed(steps)), STEPS, "{:g} steps")
         yield Runner(
             "tmodes, rk4, the paper's step", lambda steps: self._ours(self._fixed(steps)), (PAPER_STEPS,),
@@ -61,11 +59,11 @@ class SeedRun:
         for method in ("RK45", "DOP853"):
             yield Runner(f"SciPy {method} on tmodes' rate", self._scipy(method), TOLERANCES, "rtol {:.0e}")
 
-    def _adaptive(self, method: Method, tolerance: float) -> tuple[float, float]:
+    def _adaptive(self, method: str, tolerance: float) -> tuple[float, float]:
         return self._ours(_settings(method=method, relative_tolerance=tolerance, absolute_tolerance=tolerance * 1e-3))
 
     def _fixed(self, steps: float) -> Integration:
-        return _settings(method=Method.RK4, step=DURATION / steps)
+        return _settings(method="rk4", step=DURATION / steps)
 
     def _ours(self, settings: Integration) -> tuple[float, float]:
         began = now()

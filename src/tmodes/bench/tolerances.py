@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.bench.clock import now
 from tmodes.errors import CompileError
-from tmodes.integrate.settings import FIXED_STEP, LEAST_EXTRAPOLATED, Method
+from tmodes.integrate.registry import integrator, integrators
 
 Array = NDArray[np.float64]
 
@@ -23,23 +23,22 @@ STEPS = tuple(round(25 * 2.0 ** (k / 2)) for k in range(29))
 """Numbers of equal steps."""
 
 
-def tolerances_of(method: Method) -> tuple[float, ...]:
+def tolerances_of(method: str) -> tuple[float, ...]:
     """Those that a method takes."""
-    if method is not Method.EXTRAPOLATION:
-        return TOLERANCES
-    return tuple(max(info, LEAST_EXTRAPOLATED) for info in TOLERANCES if info > 0.9 * LEAST_EXTRAPOLATED)
+    least = integrator(method).least_tolerance
+    return tuple(max(info, least) for info in TOLERANCES if info > 0.9 * least)
 
 
-def adaptive_methods(loops: Any) -> list[Method]:
+def adaptive_methods(loops: Any) -> list[str]:
     """The methods with a tolerance for which there is a native loop."""
 
-    def there(method: Method) -> bool:
+    def there(method: str) -> bool:
         try:
-            return loops[method.value] is not None
+            return loops[method] is not None
         except (KeyError, CompileError):  # none for this kind of robot, or none for one so large
             return False
 
-    return [method for method in Method if method not in (*FIXED_STEP, Method.AUTO) and there(method)]
+    return [method for method, one in integrators().items() if one.adaptive and there(method)]
 
 
 def solved(

@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 
 if TYPE_CHECKING:
-    from tmodes.paper.sheet import PaperRobot
     from tmodes.sheet import Robot
 
 __all__ = ["check"]
@@ -20,7 +19,7 @@ def check(
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
-    """Check a data sheet: all wrong values in one go, then what looks implausible (a wrong unit, say)."""
+    """Check a data sheet: report all wrong values together, then what looks implausible (a wrong unit, say)."""
     from tmodes.cli.output import print_json
     from tmodes.errors import InputError, InputErrors
     from tmodes.io.notices import notices_about
@@ -38,31 +37,28 @@ def check(
     if as_json:
         print_json({"ok": True, "name": sheet.name, **numbers, "warnings": notices})
         return
-    print(f"{sheet.name}: right. {info}")
+    print(f"{sheet.name}: valid ({info})")
     for notice in notices:
         print(f"warning: {notice}")
 
 
-def _info(sheet: PaperRobot | Robot) -> tuple[str, dict[str, object]]:
-    """What the sheet is, in words and for machines."""
-    from tmodes.paper.mechanism import Drive
-    from tmodes.paper.quantities import robot_stops
-    from tmodes.sheet import Robot
-
-    if isinstance(sheet, Robot):
-        return _info_of_arm(sheet)
-    robot_stops(sheet)
-    mechanism, parameters = sheet.pair().real.split(Drive.CONTROLLED)
-    return f"{len(parameters)} numbers; {mechanism.key}", {"mechanism": mechanism.key}
-
-
-def _info_of_arm(arm: Robot) -> tuple[str, dict[str, object]]:
+def _info(sheet: Robot) -> tuple[str, dict[str, object]]:
+    """What the sheet describes, in words and for machines."""
     from tmodes.model.model import Model
     from tmodes.simulation.quantities import refuse_wrong_stops
 
-    refuse_wrong_stops(arm.pair().real)
-    coordinates = list(Model(arm.pair().real.chain()).coordinates)
-    bending = sum(link.beam is not None for link in arm.links)
-    counts = f"joints: {len(arm.joints)}, beams: {bending}, coordinates: {len(coordinates)}"
-    driven = [drive.joint for drive in arm.drives]
-    return f"{counts}, drives: {len(driven)}", {"kind": "arm", "coordinates": coordinates, "drives": driven}
+    real = sheet.pair().real
+    refuse_wrong_stops(real)
+    coordinates = list(Model(real.chain()).coordinates)
+    bending = sum(link.beam is not None for link in sheet.links)
+    counts = [_count(len(sheet.joints), "joint"), _count(bending, "flexible link")]
+    counts.append(_count(len(coordinates), "coordinate"))
+    driven = [drive.joint for drive in sheet.drives]
+    contact = "contact on" if sheet.contact else "contact off" if sheet.contact_off else "no contact"
+    words = [*counts, _count(len(driven), "drive"), contact, f"equations: {sheet.equations}"]
+    data = {"kind": sheet.kind, "equations": sheet.equations, "contact": sheet.contact is not None}
+    return ", ".join(words), {**data, "coordinates": coordinates, "drives": driven}
+
+
+def _count(count: int, what: str) -> str:
+    return f"{count} {what}" + ("" if count == 1 else "s")

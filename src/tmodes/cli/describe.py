@@ -1,17 +1,17 @@
-"""``tmodes describe``: what an arm is, in numbers."""
+"""``tmodes describe``: a robot in numbers."""
 
 from __future__ import annotations
 
 from typing import Any
 
-from tmodes.cli.options import AsJson, Roots, Settings, TrustPaths
-from tmodes.cli.static import ArmArgument, chosen_arm, print_stiffness
+from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.static import print_stiffness
 
 __all__ = ["describe"]
 
 
 def describe(
-    robot: ArmArgument,
+    robot: SheetArgument,
     settings: Settings = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
@@ -23,7 +23,7 @@ def describe(
     from tmodes.cli.output import notice, print_json
     from tmodes.cli.progress import Stages
 
-    arm = chosen_arm(robot, settings, root, trust_paths=trust_paths)
+    arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     with heard() as wish, Stages(wish) as tell:
         info = described(arm, progress=tell)
     if as_json:
@@ -37,7 +37,7 @@ def describe(
 def _print(info: dict[str, Any]) -> None:
     from tmodes.cli.output import print_table
 
-    print(f"{info['name']}: {info['title'] or 'an arm'}")
+    print(f"{info['name']}: {info['title'] or 'a robot'}")
     count = len(info["coordinates"])
     moves = "coordinate" if count == 1 else "coordinates" if count else "coordinates (nothing in it moves or bends)"
     print(f"{count or 'no'} {moves}, {info['total_mass_kg']:.4g} kg")

@@ -1,4 +1,4 @@
-"""``tmodes eval``: all terms of the equations at given states: the door for a comparison with another program."""
+"""``tmodes eval``: all terms of the equations at given states, to compare with another program."""
 
 from __future__ import annotations
 
@@ -16,8 +16,8 @@ def evaluate(
     states: Annotated[
         str,
         typer.Option(
-            help="JSON file: a list of records with phi (6), phid (6) and u; of an arm with q, v and effort, lists or "
-            "numbers by name; or of an arm a .csv with columns NAME, NAME.rate, effort.JOINT."
+            help="JSON file: a list of records with q, v and effort, lists or numbers by name; or a .csv with columns "
+            "NAME, NAME.rate, effort.JOINT; of a sheet of the 2010 robot also phi (6), phid (6) and u."
         ),
     ],
     reading: ReadingOption = None,
@@ -28,39 +28,37 @@ def evaluate(
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
-    """Mass matrix, bias, forces, accelerations, tip, Jacobian and energies at given states.
+    """Mass matrix, bias, forces, accelerations, points, Jacobians and energies at given states.
 
-    Of H phidd + h + f_el + f_di + J^T F = Q: SI units, coordinates q, delta, gamma, vt, e, theta; the real robot; u is
-    the motor's voltage; h holds gravity; H is without the environment's mass (phidd has it); F acts by the tip.
+    M a + h + f_el = effort, free of contact and loads, with gravity g, points, Jacobians, energies, losses; SI units.
 
-    Of an arm M a + h + f_el = effort, free of contact and loads, with gravity g, points, Jacobians, energies, losses.
+    Of a sheet of the 2010 robot, with records of phi, phid and u: H phidd + h + f_el + f_di + J^T F = Q in its
+    coordinates q, delta, gamma, vt, e, theta; u is the motor's voltage; h holds gravity; H is without the
+    environment's mass (phidd has it); F acts by the tip.
     """
     from tmodes.cli.evaluate_chain import evaluate_arm
     from tmodes.cli.output import print_json_list
     from tmodes.errors import InputError
-    from tmodes.io.states import read_states
-    from tmodes.paper.evaluate import evaluate_states
-    from tmodes.sheet import Robot
+    from tmodes.io.states import holds_phi, read_states
 
-    sheet = chosen_sheet(robot, settings, reading, contact or None, roots=root, trust_paths=trust_paths)
-    if isinstance(sheet, Robot):
-        if contact:
-            raise InputError("--contact", "an arm", "no contact: its terms are those in free space", "leave it out")
-        pair = sheet.pair()
-        evaluate_arm(pair.nominal if nominal else pair.real, states, as_json=as_json)
+    sheet = chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths)
+    if sheet.imported and holds_phi(states):
+        from tmodes.cli.evaluate_phi import evaluate_phi
+
+        pair = sheet.with_({"contact": contact}).pair()
+        answers = evaluate_phi(pair.nominal if nominal else pair.real, read_states(states))
+        print_json_list(iter(answers)) if as_json else _print(answers)
         return
-    pair = (sheet if contact else sheet.with_({"contact": False})).pair()
-    records = read_states(states)
-    answers = evaluate_states(pair.nominal if nominal else pair.real, records)
-    if as_json:
-        print_json_list(answers)
-    else:
-        _print(list(answers))
+    if contact:
+        expected, hint = "no contact: its terms are those in free space", "leave it out"
+        raise InputError("--contact", f"the robot {sheet.name}", expected, hint)
+    pair = sheet.pair()
+    evaluate_arm(pair.nominal if nominal else pair.real, states, as_json=as_json)
 
 
 def _print(answers: list[dict[str, Any]]) -> None:
+    from tmodes.cli.evaluate_phi import COORDINATES
     from tmodes.cli.output import print_table
-    from tmodes.equations.lagrange.layout import COORDINATES
 
     accelerations = [[str(k), *(f"{x:.6g}" for x in one["phidd"])] for k, one in enumerate(answers)]
     print_table("Accelerations [rad/s^2]", ["state", *COORDINATES], accelerations)

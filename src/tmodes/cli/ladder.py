@@ -1,4 +1,4 @@
-"""``tmodes ladder``: one arm with every model of its links: what each costs, how far it is off, which to take."""
+"""``tmodes ladder``: the model hierarchy of a robot's links: the cost and error of each model, and a recommendation."""
 
 from __future__ import annotations
 
@@ -6,8 +6,7 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
-from tmodes.cli.options import AsJson, Roots, Settings, TrustPaths
-from tmodes.cli.static import ArmArgument, chosen_arm
+from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 
 if TYPE_CHECKING:
     from tmodes.analysis.hierarchy.hierarchy import Ladder, Rung
@@ -27,7 +26,7 @@ UNITS = {
 
 
 def ladder(
-    robot: ArmArgument,
+    robot: SheetArgument,
     tolerance: Annotated[float, typer.Option(help="Share of the tip's deflection that a model may be off.")] = 1e-3,
     finest: Annotated[int, typer.Option(min=1, max=12, help="Functions of the finest rung, each direction.")] = 6,
     settings: Settings = None,
@@ -44,7 +43,7 @@ def ladder(
     from tmodes.cli.output import print_json
     from tmodes.cli.progress import Stages
 
-    arm = chosen_arm(robot, settings, root, trust_paths=trust_paths)
+    arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     with heard() as wish, Stages(wish) as tell:
         found = climbed(arm, tolerance, finest=finest, progress=tell)
     if as_json:

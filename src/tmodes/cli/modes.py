@@ -1,4 +1,4 @@
-"""``tmodes modes``: frequencies, damping, and the element in which each mode of vibration lives."""
+"""``tmodes modes``: frequencies, damping, and the dominant element of each mode of vibration."""
 
 from __future__ import annotations
 
@@ -17,11 +17,11 @@ __all__ = ["modes"]
 
 _MOST_ANGLE = 1000.0
 
-_UNITS = {"frequency_Hz": "Hz, natural", "damped_frequency_Hz": "Hz", "damping_ratio": "1", "share": "1"}
-
-_ARM_UNITS = {
-    **_UNITS,
+_UNITS = {
     "frequency_Hz": "Hz, natural; of modes that ring under control |eigenvalue|/2 pi",
+    "damped_frequency_Hz": "Hz",
+    "damping_ratio": "1",
+    "share": "1",
     "growth_time_s": "s, in which an unstable mode grows by the factor e",
     "frequency_error": "1, over the frequency with two more functions a direction, less 1; null: not known",
     "angle_rad": "rad",
@@ -40,54 +40,25 @@ def modes(
     reading: ReadingOption = None,
     settings: Settings = None,
     contact: Annotated[bool, typer.Option("--contact", help="With the tip on the environment.")] = False,
-    angle: Annotated[float | None, typer.Option(help="Motor angle in rad; else the start of the move.")] = None,
+    angle: Annotated[
+        float | None, typer.Option(help="Angle of the first drive's motor in rad; else the start of its move.")
+    ] = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
-    """Frequencies and damping about the sagged rest, for the real robot and for the robot as it is known.
+    """Frequencies and damping about the sagged rest, for the actual robot and for the nominal one.
 
-    Of an arm: under its loads, its motors at their first command.
-    `natural` is the undamped frequency (of an arm's ringing modes under control: |eigenvalue|/2 pi), `damped` the one
-    at which it rings (- where it is over-damped). Modes of an arm marked ! change with more functions.
+    Under its loads, its motors at their first command. `natural` is the undamped frequency (of ringing modes under
+    control: |eigenvalue|/2 pi), `damped` the one at which it rings (- where it is over-damped). Modes marked ! change
+    with more functions.
     """
-    from tmodes.cli.output import print_json
-    from tmodes.paper.modes import all_modes
-    from tmodes.sheet import Robot
-
-    if angle is not None and not abs(angle) <= _MOST_ANGLE:
-        expected = f"an angle between -{_MOST_ANGLE:g} and {_MOST_ANGLE:g} rad"
-        raise InputError("--angle", repr(angle), expected, "give the motor's angle in radians, or leave it out")
-    sheet = chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths)
-    if isinstance(sheet, Robot):
-        if angle is not None:
-            hint = "set the start of its drives: --set drives.0.signal.start=0.5"
-            raise InputError("--angle", repr(angle), "no angle: an arm has several motors", hint)
-        _modes_of_arm(sheet, contact=contact, as_json=as_json)
-        return
-    pair = sheet.pair()
-    found = {"real": all_modes(pair.real, contact=contact, theta=angle)}
-    if pair.real is not pair.nominal:
-        found["nominal"] = all_modes(pair.nominal, contact=contact, theta=angle)
-    if as_json:
-        print_json(
-            {"robot": pair.nominal.name, "reading": pair.nominal.reading, "contact": contact, "units": _UNITS, **found}
-        )
-        return
-    for kind, states in found.items():
-        whose = "real robot" if kind == "real" else "robot as known"
-        for state, lines in states.items():
-            _print(f"{pair.nominal.name}, {whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
-
-
-def _modes_of_arm(arm: Robot, *, contact: bool, as_json: bool) -> None:
     from tmodes.analysis.modes.of_sheet import vibrations
     from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice, print_json
     from tmodes.cli.progress import Stages
 
-    if contact and arm.contact is None:
-        raise InputError("--contact", "an arm that touches nothing", "a sheet with `contact`", "leave --contact out")
+    arm = _asked(chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths), contact, angle)
     pair = arm.pair()
     with heard() as wish, Stages(wish) as tell:
         found = {"real": vibrations(pair.real, contact=contact, progress=tell)}
@@ -96,27 +67,45 @@ def _modes_of_arm(arm: Robot, *, contact: bool, as_json: bool) -> None:
     if as_json:
         states = {kind: one.states for kind, one in found.items()}
         links, warnings = ({kind: one[k] for kind, one in found.items()} for k in (1, 2))
-        head = {"arm": arm.name, "contact": contact, "units": _ARM_UNITS}
+        head = {"robot": arm.name, "equations": arm.equations, "contact": contact, "units": _UNITS}
         print_json({**head, **states, "links": links, "warnings": warnings})
         return
     for kind, one in found.items():
-        whose = "" if len(found) == 1 else ", real arm" if kind == "real" else ", arm as known"
+        whose = "" if len(found) == 1 else ", actual robot" if kind == "real" else ", nominal robot"
         for state, lines in one.states.items():
             if lines:
-                _print_arm(f"{arm.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
+                _print(f"{arm.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
         print_links(one.links)
     for warning in dict.fromkeys(warning for one in found.values() for warning in one.warnings):
         notice(f"warning: {warning}")
 
 
-def _print_arm(title: str, lines: list[dict[str, Any]]) -> None:
+def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:
+    """The robot in contact or not, its first motor at an angle [rad]."""
+    if angle is not None:
+        if not abs(angle) <= _MOST_ANGLE:
+            expected = f"an angle between -{_MOST_ANGLE:g} and {_MOST_ANGLE:g} rad"
+            raise InputError("--angle", repr(angle), expected, "give the motor's angle in radians, or leave it out")
+        if len(sheet.drives) != 1:
+            hint = "set the start of its drives: --set drives.0.signal.start=0.5"
+            raise InputError("--angle", repr(angle), "no angle: the robot has not exactly one drive", hint)
+        held = {"joint": sheet.drives[0].joint, "command": "prescribed"}
+        sheet = sheet.with_({"drives": [held | {"signal": {"type": "constant", "value": angle}}]})
+    if contact and sheet.contact_off:
+        sheet = sheet.with_({"contact": True})
+    if contact and sheet.contact is None:
+        raise InputError("--contact", "a robot that touches nothing", "a sheet with `contact`", "leave --contact out")
+    return sheet
+
+
+def _print(title: str, lines: list[dict[str, Any]]) -> None:
     from tmodes.cli.output import print_table
 
-    columns = ["lives in", "share of energy", "natural [Hz]", "damped [Hz]", "damping ratio", "converged"]
-    print_table(title, columns, [_arm_row(line) for line in lines])
+    columns = ["dominant element", "share of energy", "natural [Hz]", "damped [Hz]", "damping ratio", "converged"]
+    print_table(title, columns, [_row(line) for line in lines])
 
 
-def _arm_row(line: dict[str, Any]) -> list[str]:
+def _row(line: dict[str, Any]) -> list[str]:
     growth, damped, error = line["growth_time_s"], line["damped_frequency_Hz"], line["frequency_error"]
     checked = "-" if error is None else "yes" if line["converged"] else f"! {error:+.1%}"
     ringing = "-" if damped is None else f"{damped:.4g}"
@@ -124,23 +113,3 @@ def _arm_row(line: dict[str, Any]) -> list[str]:
     natural = f"{line['frequency_Hz']:.4g}" if growth is None or line["frequency_Hz"] else "-"
     return [line["element"] + ("" if line["stable"] else " (UNSTABLE)"), f"{line['share']:.0%}", natural, ringing,
             ratio, checked]  # fmt: skip
-
-
-def _print(title: str, lines: list[dict[str, Any]]) -> None:
-    from tmodes.cli.output import print_table
-
-    columns = ["lives in", "share of energy", "natural [Hz]", "damped [Hz]", "damping ratio"]
-    print_table(title, columns, [_row(line) for line in lines])
-
-
-def _row(line: dict[str, Any]) -> list[str]:
-    damped = line["damped_frequency_Hz"]
-    ringing = "-" if damped is None else f"{damped:.4f}"
-    home = line["element"] + ("" if line["stable"] else " (UNSTABLE)")
-    return [
-        home,
-        f"{line['share']:.0%}",
-        f"{line['frequency_Hz']:.4f}",
-        ringing,
-        f"{round(line['damping_ratio'], 4) + 0.0:.4f}",
-    ]

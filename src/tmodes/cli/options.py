@@ -1,4 +1,4 @@
-"""Arguments and options that several commands share, and how they become a robot or an arm."""
+"""Arguments and options that several commands share, and how they become a robot."""
 
 from __future__ import annotations
 
@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.errors import InputError
-from tmodes.paper.mechanism import Reading
-from tmodes.paper.sheet import PaperRobot
+from tmodes.io.filipovic2010.format import Reading
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
@@ -37,7 +36,7 @@ SheetArgument = Annotated[
     str,
     typer.Argument(
         metavar="NAME|FILE",
-        help="A published robot or arm (see: tmodes robots), a data sheet or elasticity file or Denavit-Hartenberg "
+        help="A published robot (see: tmodes robots), a data sheet or elasticity file or Denavit-Hartenberg "
         "table (.yaml), or a .urdf, .xacro or MJCF .xml.",
     ),
 ]
@@ -122,21 +121,35 @@ def chosen_sheet(
     roots: list[Path] | None = None,
     trust_paths: bool = False,
     changes: dict[str, Any] | None = None,
-) -> PaperRobot | Robot:
-    """The robot or arm that a command line names, with its changes; raises an InputError for any wrong part."""
+) -> Robot:
+    """The robot that a command line names, with its changes; raises an InputError for any wrong part."""
     from tmodes.io.paths import parse_assignment
-    from tmodes.robots.load import load_sheet
+    from tmodes.robots.load import load
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
-    own = {"reading": reading and reading.value, "contact": contact}
-    own = {name: value for name, value in own.items() if value is not None}
-    if "integration.stop_at_limits" in info and _is_paper_robot(robot):
+    sheet = load(robot, info, roots=roots or (), trust_paths=trust_paths)
+    own: dict[str, Any] = {}
+    if reading is not None:
+        _refuse_without_reading(sheet, reading)
+        own["reading"] = reading.value
+    if contact is not None:
+        _refuse_without_contact(sheet, contact)
+        own["contact"] = contact
+    if "integration.stop_at_limits" in info and not any(joint.limits for joint in sheet.joints):
         got, hint = f"the robot {robot}, which has none", "leave it out; --stop ends a run at a value of your choice"
-        raise InputError("--stop-at-limits", got, "an arm whose joints have limits", hint)
-    if own and not _is_arm(robot):
-        return load_sheet(robot, info | own)
-    sheet = load_sheet(robot, info, roots=roots or (), trust_paths=trust_paths)
-    return sheet if isinstance(sheet, PaperRobot) or not own else _as_wished(sheet, own)
+        raise InputError("--stop-at-limits", got, "a robot whose joints have limits", hint)
+    return sheet.with_(own) if own else sheet
+
+
+def _refuse_without_reading(sheet: Robot, reading: Reading) -> None:
+    if not sheet.imported:
+        expected, hint = "no reading: it belongs to sheets of the 2010 robot", "leave --reading out"
+        raise InputError("--reading", reading.value, expected, hint)
+
+
+def _refuse_without_contact(sheet: Robot, contact: bool) -> None:
+    if contact and not (sheet.contact or sheet.contact_off):
+        raise InputError("--contact", "a robot that touches nothing", "a sheet with `contact`", "add it to the sheet")
 
 
 def integration_changes(
@@ -153,40 +166,3 @@ def integration_changes(
     info = {"method": integrator, "relative_tolerance": rtol, "absolute_tolerance": atol, "duration": duration}
     info |= {"check_error": check_error or None, "stop": stop or None, "stop_at_limits": stop_at_limits or None}
     return {f"integration.{name}": value for name, value in info.items() if value is not None}
-
-
-def _is_paper_robot(robot: str) -> bool:
-    from tmodes.robots.load import sheet_names
-
-    return (robot in sheet_names() or Path(robot).is_file()) and not _is_arm(robot)
-
-
-def _is_arm(robot: str) -> bool:
-    """Whether a name or file is that of an arm; False too for what cannot be read, which is told by who reads it."""
-    from tmodes.io.yaml_file import read_yaml
-    from tmodes.robots import names
-    from tmodes.robots.load import FOREIGN, sheet_names
-
-    if robot in sheet_names():
-        return robot not in names()
-    path = Path(robot)
-    if path.suffix.lower() in FOREIGN:
-        return True
-    data = read_yaml(path)[0] if path.is_file() else {}
-    return "kind" in data or "urdf" in data
-
-
-def _as_wished(arm: Robot, own: dict[str, Any]) -> Robot:
-    """An arm in contact or not, as the command line says."""
-    from tmodes.io.sheet_check import sheet_data
-
-    if "reading" in own:
-        hint = "leave --reading out"
-        raise InputError("--reading", own["reading"], "no reading: it is of the robot of the 2010 paper", hint)
-    if own["contact"] == (arm.contact is not None):
-        return arm
-    if own["contact"]:
-        raise InputError("--contact", "an arm that touches nothing", "a sheet with `contact`", "add it to the sheet")
-    data = {key: value for key, value in sheet_data(arm).items() if key != "contact"}
-    data["real"] = {path: factor for path, factor in arm.real.items() if not path.startswith("contact.")}
-    return type(arm).from_data(data)

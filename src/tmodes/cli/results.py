@@ -7,7 +7,6 @@ from typing import TYPE_CHECKING
 
 if TYPE_CHECKING:
     from tmodes.result import Result
-    from tmodes.result.record import PaperResult
 
 __all__ = ["plain", "result_file", "stored_result"]
 
@@ -34,11 +33,11 @@ def result_file(path: Path) -> Path:
     return path
 
 
-def stored_result(path: Path) -> PaperResult | Result:
-    """The result, of either kind, that a path means; the errors are those of reading it."""
-    from tmodes.result import load_result
+def stored_result(path: Path) -> Result:
+    """The result that a path means; the errors are those of reading it."""
+    from tmodes.result import Result
 
-    return load_result(result_file(path))
+    return Result.load(result_file(path))
 
 
 def plain(text: str) -> str:

@@ -1,4 +1,4 @@
-"""``tmodes robots``: the published robots and arms, or the data sheet of one, to edit."""
+"""``tmodes robots``: the published robots, or the data sheet of one, to edit."""
 
 from __future__ import annotations
 
@@ -21,7 +21,7 @@ def robots(
     root: Roots = None,
     as_json: AsJson = False,
 ) -> None:
-    """List the published robots and arms, or print one's data sheet, to edit.
+    """List the published robots, or print one's data sheet, to edit.
 
     For example:  tmodes robots filipovic2010 > my.yaml
     """
@@ -35,7 +35,7 @@ def robots(
         print_json(known)
         return
     rows = [[one["name"], one["kind"], one["title"]] for one in known]
-    print_table("Published robots and arms", ["name", "kind", "what it is"], rows)
+    print_table("Published robots", ["name", "kind", "what it is"], rows)
 
 
 def _known() -> list[dict[str, str]]:
@@ -54,22 +54,21 @@ def _known() -> list[dict[str, str]]:
 def _kind(data: dict[str, Any]) -> str:
     if "urdf" in data:
         return "arm, with a URDF"
-    return str(data.get("kind", "robot"))
+    return str(data.get("kind", "2010 robot"))
 
 
 def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
     from tmodes.cli.output import print_json
     from tmodes.io.sheet_check import sheet_data
-    from tmodes.robots.load import load_sheet, sheet_names, sheet_text
-    from tmodes.sheet import Robot
+    from tmodes.robots.load import load, sheet_names, sheet_text
 
     if name not in sheet_names():
         raise _unknown(name, sheet_names())
     if not as_json:
         print(sheet_text(name), end="")
         return
-    sheet = load_sheet(name, roots=root or ())
-    print_json(sheet_data(sheet) if isinstance(sheet, Robot) else sheet.model_dump(mode="json"))
+    sheet = load(name, roots=root or ())
+    print_json(sheet_data(sheet))
 
 
 def _unknown(name: str, known: list[str]) -> InputError:

@@ -1,4 +1,4 @@
-"""``tmodes run``: the main job. A robot or an arm in, a result file, figures and one self-contained report out."""
+"""``tmodes run``: the main job. A robot in; a result file, figures and one self-contained report out."""
 
 from __future__ import annotations
 
@@ -27,7 +27,6 @@ from tmodes.cli.options import (
 )  # fmt: skip
 
 if TYPE_CHECKING:
-    from tmodes.paper.sheet import PaperRobot
     from tmodes.report.folder import RunFolder
     from tmodes.sheet import Robot
 
@@ -54,18 +53,19 @@ def run(
         bool, typer.Option("--figures/--no-figures", help="Figures and report, or the data only.")
     ] = True,
     live: Annotated[
-        bool, typer.Option("--live/--no-live", help="Let the report simulate anew; compiling takes some seconds, once.")
+        bool,
+        typer.Option("--live/--no-live", help="Let the report simulate again; compiling takes some seconds, once."),
     ] = True,
     as_json: AsJson = False,
 ) -> None:
-    """Plan with the robot as known, run the real one under control, and show how it bends.
+    """Plan with the nominal robot, run the actual one under control, and show how it bends.
 
-    Writes result.nc (NetCDF, all series with units), report.html (open it first) and figures/*.svg, *.png. A run that
-    was killed goes on where it was when the same command is given again. An arm needs `drives`, or an `initial` state
-    from which it runs freely.
+    Writes result.nc (NetCDF, all series with units), report.html (open it first) and figures/*.svg, *.png. An
+    interrupted run resumes when the same command is given again. A robot needs `drives`, or an `initial` state from
+    which it moves freely.
 
-    Example, an exact run whose error is told: tmodes run spong1987 --integrator dop853 --rtol 1e-11 --atol 1e-14
-    --check-error
+    Example, a high-accuracy run with an error estimate: tmodes run spong1987 --integrator dop853 --rtol 1e-11
+    --atol 1e-14 --check-error
     """
     ending = {"stop": stop, "stop_at_limits": stop_at_limits}
     changes = integration_changes(integrator, rtol, atol, duration, check_error, **ending)
@@ -80,29 +80,25 @@ def run(
 
 
 class _Looks(NamedTuple):
-    """Where the looks of an arm's links are told: the robot as it was named, and where its files may lie."""
+    """Where the shapes of the links are: the robot as it was named, and where its files may lie."""
 
     robot: str
     roots: list[Path] | None
     trust_paths: bool
 
 
-def _folder(path: Path, sheet: PaperRobot | Robot, overwrite: bool, looks: _Looks, *, live: bool) -> RunFolder:
+def _folder(path: Path, sheet: Robot, overwrite: bool, looks: _Looks, *, live: bool) -> RunFolder:
     from tmodes.cli.output import notice
     from tmodes.report.folder import RunFolder
-    from tmodes.report.folder_motion import MotionFolder
     from tmodes.report.meshes import read_shapes
-    from tmodes.sheet import Robot
 
-    if not isinstance(sheet, Robot):
-        return RunFolder(path, sheet, overwrite, live=live)
     shapes, notices = read_shapes(looks.robot, looks.roots or (), looks.trust_paths)
     for text in notices:
         notice(f"notice: {text}")
-    return MotionFolder(path, sheet, overwrite, shapes, live=live)
+    return RunFolder(path, sheet, overwrite, shapes, live=live)
 
 
-def _computed(folder: RunFolder, sheet: PaperRobot | Robot, figures: bool) -> Any:
+def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
     from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice
     from tmodes.cli.progress import Stages

@@ -10,13 +10,13 @@ __all__ = ["schema"]
 
 
 def schema(arm: Annotated[bool, typer.Option("--arm", help="Of sheets with `kind: arm`.")] = False) -> None:
-    """Print the JSON Schema of data sheets, of the published robot or of arms: editors check with it.
+    """Print the JSON Schema of data sheets, of the 2010 robot or with --arm of any other: editors check with it.
 
     For example:  tmodes schema --arm > arm.schema.json   and in the first line of the sheet
     # yaml-language-server: $schema=arm.schema.json
     """
     from tmodes.cli.output import print_json
+    from tmodes.io.forms import F2010, ROBOT
     from tmodes.io.schema import json_schema
-    from tmodes.io.sheet_schema import arm_json_schema
 
-    print_json(arm_json_schema() if arm else json_schema())
+    print_json(json_schema(ROBOT if arm else F2010))

@@ -14,7 +14,6 @@ from tmodes.cli.options import AsJson
 if TYPE_CHECKING:
     from tmodes.cli.series import Series
     from tmodes.result import Result
-    from tmodes.result.record import PaperResult
 
 __all__ = ["show"]
 
@@ -51,7 +50,7 @@ def show(
     _show(stored, result_file(result), chosen, sum(1 for _ in series_of_result(data)))
 
 
-def _for_machines(stored: PaperResult | Result, file: Path, chosen: list[Series]) -> dict[str, Any]:
+def _for_machines(stored: Result, file: Path, chosen: list[Series]) -> dict[str, Any]:
     return {
         "file": str(file),
         "kind": stored.kind,
@@ -71,7 +70,7 @@ def _extremes(one: Series) -> dict[str, float]:
     return {"min": float(one.values.min()), "max": float(one.values.max()), "end": float(one.values[-1])}
 
 
-def _show(stored: PaperResult | Result, file: Path, chosen: list[Series], total: int) -> None:
+def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
     from tmodes.cli.integration_text import integration_lines
     from tmodes.cli.output import notice, print_table
     from tmodes.cli.results import plain
@@ -82,7 +81,7 @@ def _show(stored: PaperResult | Result, file: Path, chosen: list[Series], total:
     for line in integration_lines(stored, summary):
         print(line)
     if modes := list(_modes(stored.frequencies)):
-        print_table("frequencies", ["motors", "lives in", "frequency [Hz]", "damping ratio"], modes)
+        print_table("frequencies", ["motors", "dominant element", "frequency [Hz]", "damping ratio"], modes)
     columns = ["series", "min", "max", "at end", f"0 ... {float(stored.data['time'][-1]):.4g} s"]
     print_table("series", columns, [_row(one) for one in chosen])
     if len(chosen) < total:

@@ -1,4 +1,4 @@
-"""``tmodes static``: where an arm comes to rest under its weight and loads, and how stiff it is there."""
+"""``tmodes static``: the rest position under weight and loads, and the stiffness there."""
 
 from __future__ import annotations
 
@@ -6,25 +6,13 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson, Roots, Settings, TrustPaths, chosen_sheet
-from tmodes.errors import InputError
+from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 
 if TYPE_CHECKING:
-    from pathlib import Path
-
     from tmodes.analysis.statics.equilibrium import Equilibrium
     from tmodes.sheet import Robot
 
-__all__ = ["ArmArgument", "chosen_arm", "print_links", "print_stiffness", "static"]
-
-ArmArgument = Annotated[
-    str,
-    typer.Argument(
-        metavar="ARM|FILE",
-        help="A published arm (see: tmodes robots), a data sheet with kind: arm, an elasticity file or "
-        "Denavit-Hartenberg table (.yaml), or a .urdf, .xacro or MJCF .xml.",
-    ),
-]
+__all__ = ["print_links", "print_stiffness", "static"]
 
 UNITS = {
     "coordinates": "rad, m along prismatic joints and stretch",
@@ -38,7 +26,7 @@ UNITS = {
 
 
 def static(
-    robot: ArmArgument,
+    robot: SheetArgument,
     load: Annotated[
         list[str] | None,
         typer.Option(
@@ -70,7 +58,7 @@ def static(
     from tmodes.cli.static_options import held_of, load_of, three_of
     from tmodes.model.model import Model
 
-    arm = chosen_arm(robot, settings, root, trust_paths=trust_paths)
+    arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     loads = [load_of(text) for text in load or []]
     if force or moment:
         info = three_of("--force", force or "0,0,0", "N"), three_of("--moment", moment or "0,0,0", "N*m")
@@ -83,26 +71,13 @@ def static(
     _tell(arm, rest, index, as_json)
 
 
-def chosen_arm(
-    robot: str, settings: list[str] | None, root: list[Path] | None = None, *, trust_paths: bool = False
-) -> Robot:
-    """The arm that a command line names, with its changes; raises an InputError for a sheet of another kind."""
-    from tmodes.sheet import Robot
-
-    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
-    if not isinstance(sheet, Robot):
-        hint = "take tmodes modes and tmodes run, which know it, or write a sheet with `kind: arm`"
-        raise InputError("robot", f"`{sheet.name}`, the robot of the 2010 paper", "a data sheet of an arm", hint)
-    return sheet
-
-
 def _tell(arm: Robot, rest: Equilibrium, index: int, as_json: bool) -> None:
     from tmodes.analysis.describe.describe import statics_info
     from tmodes.cli.output import notice, print_json
 
     info = statics_info(arm, rest, index)
     if as_json:
-        print_json({"arm": arm.name, "units": UNITS, **info})
+        print_json({"robot": arm.name, "units": UNITS, **info})
         return
     _print(arm, info)
     for warning in info["warnings"]:

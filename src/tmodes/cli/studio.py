@@ -54,12 +54,12 @@ def studio(
 def _first(robot: str, folder: WorkingFolder) -> str:
     """What is shown first, checked: a published robot, or the name of a file of the working folder."""
     from tmodes.errors import InputError
-    from tmodes.robots.load import load_sheet, sheet_names
+    from tmodes.robots.load import load, sheet_names
 
     if not robot or robot in sheet_names():
         return robot
     _refuse_what_is_no_robot(Path(robot))
-    load_sheet(robot)
+    load(robot)
     path = Path(robot).absolute()
     if path.parent.resolve() != folder.path:
         hint = f"add --folder {path.parent}"

@@ -2,22 +2,26 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
+
+from tmodes.cli.integration_text import error_of, integration_lines
+from tmodes.cli.output import print_table
 
 if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
     from tmodes.result import Result
-    from tmodes.result.record import PaperResult
 
-__all__ = ["info", "info_summary"]
+__all__ = ["info", "info_summary", "summary_rows"]
+
+_MOST_JOINTS = 8
+_MOST_DEFORMATIONS = 8
 
 
-def info(result: PaperResult | Result, folder: RunFolder) -> None:
+def info(result: Result, folder: RunFolder) -> None:
     """Print the summary of a run as a table, and the files to open."""
-    from tmodes.cli.integration_text import integration_lines
-
     summary = info_summary(result)
-    if result.status == "finished":  # any other ending is told apart, where errors are
+    if result.status == "finished":  # any other ending is reported with the errors
         print(f"end     {result.message}")
     for line in integration_lines(result, summary):
         print(line)
@@ -25,41 +29,77 @@ def info(result: PaperResult | Result, folder: RunFolder) -> None:
     print(f"data    {folder.result_file}")
 
 
-def info_summary(result: PaperResult | Result) -> dict[str, Any]:
+def info_summary(result: Result) -> dict[str, Any]:
     """Print the summary of a result as a table, and give it back."""
-    from tmodes.cli.output import print_table
-    from tmodes.cli.summary_motion import arm_rows
-    from tmodes.result import Result
-
     summary = result.summary()
-    if isinstance(result, Result):
-        title, rows = f"{result.arm.name}: {result.status}", arm_rows(summary)
-    else:
-        title, rows = f"{result.robot.name}: {result.status} ({result.data.attrs['reading']} reading)", _rows(summary)
-    print_table(title, ["quantity", "value", "error", "where"], list(rows))
+    columns = ["quantity", "value", "error", "where"]
+    print_table(f"{result.arm.name}: {result.status}", columns, list(summary_rows(summary)))
     return summary
 
 
-def _rows(summary: dict[str, Any]) -> Any:
-    from tmodes.cli.integration_text import error_of
+def summary_rows(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    """Rows of quantity, value, error, where and when; of many joints and deformations the largest ones."""
+    yield from _tip(summary)
+    yield from _deformations(summary)
+    for name, link in summary["links"].items():
+        yield from _link(name, link, summary)
+    yield from _efforts(summary)
+    force = summary["contact_force"]
+    if force:
+        error = error_of(summary, "contact_force.max_N", 1.0, "N")
+        value = f"{force['min_N']:.3f} ... {force['max_N']:.3f} N"
+        yield "contact force", value, error, f"mean {force['mean_N']:.3f} N"
+    energy = summary["energy"]
+    yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", f"of {energy['moved_J']:.3g} J moved"
 
-    deviation, moment, energy = summary["deviation"], summary["largest_bending_moment"], summary["energy"]
+
+def _tip(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    deviation, settling = summary["deviation"], summary["settling"]
+    if deviation is None:
+        return
     errors = [error_of(summary, f"deviation.{key}", 1e3, "mm") for key in ("max_m", "end_m")]
     when = f"t = {deviation['time_of_max_s']:.3f} s"
-    yield "largest tip deviation", f"{deviation['max_m'] * 1e3:.3f} mm", errors[0], when
-    yield "tip deviation at the end", f"{deviation['end_m'] * 1e3:.3f} mm", errors[1], ""
-    for name, angle in summary["deformations"].items():
-        value, error = (
-            f"{angle['max_rad'] * 1e3:.3f} mrad",
-            error_of(summary, f"deformations.{name}.max_rad", 1e3, "mrad"),
+    yield "largest tip deviation", f"{deviation['max_m'] * 1e3:.4g} mm", errors[0], when
+    yield "tip deviation at the end", f"{deviation['end_m'] * 1e3:.4g} mm", errors[1], ""
+    if settling["time_s"] is not None:
+        limit = f"within {settling['limit_m'] * 1e3:.3g} mm"
+        yield "settling after the move", f"{settling['time_s']:.3f} s", "", limit
+
+
+def _deformations(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    info = summary["deformations"]
+    largest = sorted(info, key=lambda name: -info[name]["max"])[:_MOST_DEFORMATIONS]
+    for name in (name for name in info if name in largest):
+        one = info[name]
+        unit = "1e-3" if one["unit"] == "1" else f"m{one['unit']}"
+        parts = f"T_st {one['max_stationary'] * 1e3:.4g}, T_to {one['max_oscillatory'] * 1e3:.4g}"
+        error = error_of(summary, f"deformations.{name}.max", 1e3, unit)
+        yield f"largest {name}", f"{one['max'] * 1e3:.4g} {unit}", error, parts
+
+
+def _link(name: str, link: dict[str, Any], summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    bent, moment, stress = link["deflection"], link["bending_moment"], link["stress"]
+    error = error_of(summary, f"links.{name}.deflection.max_m", 1e3, "mm")
+    yield f"deflection of {name}", f"{bent['max_m'] * 1e3:.4g} mm", error, f"t = {bent['time_s']:.3f} s"
+    place = f"s = {moment['s']:.2f}, t = {moment['time_s']:.3f} s"
+    error = error_of(summary, f"links.{name}.bending_moment.max_Nm", 1.0, "N m")
+    yield f"bending moment of {name}", f"{moment['max_Nm']:.4g} N m", error, place
+    if stress:
+        place = f"s = {stress['s']:.2f}, t = {stress['time_s']:.3f} s"
+        error = error_of(summary, f"links.{name}.stress.max_Pa", 1e-6, "MPa")
+        yield f"stress of {name}", f"{stress['max_Pa'] / 1e6:.4g} MPa", error, place
+
+
+def _efforts(summary: dict[str, Any]) -> Iterator[tuple[str, str, str, str]]:
+    info = summary["joints"]
+    largest = sorted(info, key=lambda name: -abs(info[name]["largest_effort"]))[:_MOST_JOINTS]
+    for name in (name for name in info if name in largest):
+        one = info[name]
+        unit = "N" if one["unit"] == "m" else "N m"
+        error = error_of(summary, f"joints.{name}.largest_effort", 1.0, unit)
+        yield (
+            f"effort of {name}",
+            f"{one['largest_effort']:.4g} {unit}",
+            error,
+            f"t = {one['time_of_largest_effort_s']:.3f} s",
         )
-        yield f"largest {name}", value, error, f"reference {angle['max_reference_rad'] * 1e3:.3f} mrad"
-    place = f"{moment['mode']}, {moment['plane']}, s = {moment['s']:.2f}, t = {moment['time_s']:.3f} s"
-    error = error_of(summary, "largest_bending_moment.value_Nm", 1.0, "N m")
-    yield "largest bending moment", f"{moment['value_Nm']:.3f} N m", error, place
-    force = summary["contact_force_radial"]
-    if force:
-        error = error_of(summary, "contact_force_radial.max_N", 1.0, "N")
-        value = f"{force['min_N']:.3f} ... {force['max_N']:.3f} N"
-        yield "radial contact force", value, error, f"mean {force['mean_N']:.3f} N"
-    yield "energy balance", f"{energy['worst_residual_J']:.1e} J", "", f"of {energy['moved_J']:.3g} J moved"

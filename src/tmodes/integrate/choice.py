@@ -2,7 +2,8 @@
 
 from __future__ import annotations
 
-from tmodes.integrate.settings import LEAST_EXTRAPOLATED, Integration, Method
+from tmodes.integrate.registry import AUTO, integrator
+from tmodes.integrate.settings import Integration
 
 __all__ = ["STIFF", "TRIAL", "chosen_method", "explained", "otherwise", "worth_keeping", "worth_switching"]
 
@@ -15,22 +16,22 @@ TRIAL = 40
 _DEARER = 1.65
 """Cost of a step of it over an explicit one: nine passes, of four lanes (1.1), over six."""
 
-_REACH = 3.3
-"""Largest step times eigenvalue at which Dormand and Prince's method is stable, about."""
+_EXPLICIT, _IMPLICIT = "dormand_prince", "extrapolation"
+"""Those between which the stiffness chooses."""
 
 
-def chosen_method(given: Integration, highest: float) -> tuple[Method, str]:
+def chosen_method(given: Integration, highest: float) -> tuple[str, str]:
     """The method of a run and why, in words (empty where it was given); ``highest``: largest |eigenvalue| [1/s]."""
-    if given.method is not Method.AUTO:
+    if given.method != AUTO:
         return given.method, ""
-    steps = highest * given.duration / _REACH
+    steps = highest * given.duration / (integrator(_EXPLICIT).reach or 1.0)
     info = f"the fastest eigenvalue, {_about(highest)} 1/s, asks for some {_about(max(steps, 2.0))} explicit steps"
     if steps > STIFF and _too_exact(given):
-        why = "because extrapolation rounds above its tolerance"
-        return Method.DORMAND_PRINCE, f"by dormand_prince, {why}, though {info}"
+        why = f"because {_IMPLICIT} rounds above its tolerance"
+        return _EXPLICIT, f"by {_EXPLICIT}, {why}, though {info}"
     if steps > STIFF:
-        return Method.EXTRAPOLATION, f"by extrapolation, because {info}"
-    return Method.DORMAND_PRINCE, f"by dormand_prince: {info}"
+        return _IMPLICIT, f"by {_IMPLICIT}, because {info}"
+    return _EXPLICIT, f"by {_EXPLICIT}: {info}"
 
 
 def _about(value: float) -> str:
@@ -46,19 +47,19 @@ def explained(message: str, why: str) -> str:
     return f"{ending}, {why}{semicolon}{later_on}"
 
 
-def otherwise(given: Integration, method: Method) -> Integration | None:
+def otherwise(given: Integration, method: str) -> Integration | None:
     """The settings to go on with where a motion turns out stiff; None where there are none.
 
     ``given``: the settings of the sheet; ``method``: the one that was chosen by them. A method that was named stays;
     so does one that is implicit, or whose tolerance is below that of its rounding.
     """
-    if given.method is not Method.AUTO or method is not Method.DORMAND_PRINCE or _too_exact(given):
+    if given.method != AUTO or method != _EXPLICIT or _too_exact(given):
         return None
-    return given.chosen(Method.EXTRAPOLATION)
+    return given.chosen(_IMPLICIT)
 
 
 def _too_exact(given: Integration) -> bool:
-    return given.chosen(Method.EXTRAPOLATION).relative_tolerance < LEAST_EXTRAPOLATED
+    return given.chosen(_IMPLICIT).relative_tolerance < integrator(_IMPLICIT).least_tolerance
 
 
 def worth_switching(left: float, step: float) -> bool:

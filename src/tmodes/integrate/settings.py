@@ -3,22 +3,21 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from enum import StrEnum
+from difflib import get_close_matches
 from typing import Any, Self
 
 from pydantic import Field, SerializerFunctionWrapHandler, model_serializer, model_validator
 
 from tmodes.errors import InputError
 from tmodes.integrate.condition import MOST, Condition
+from tmodes.integrate.method import Integrator
+from tmodes.integrate.registry import AUTO, integrator, integrators
 from tmodes.kinds.schema.quantity import DataSheet, Issue, positive, refuse
 
 __all__ = [
-    "FIXED_STEP",
-    "LEAST_EXTRAPOLATED",
     "LEAST_TOLERANCE",
     "MOST_BYTES",
     "Integration",
-    "Method",
     "RobotIntegration",
     "refuse_stops",
     "refuse_too_large",
@@ -31,30 +30,6 @@ LEAST_TOLERANCE = 1e-14
 """A relative tolerance below this is lost in the rounding of a step."""
 
 
-LEAST_EXTRAPOLATED = 1e-10
-"""The same of ``extrapolation``, which sums up its rows with weights of some thousands."""
-
-
-class Method(StrEnum):
-    """The integrators that files and the command line can name."""
-
-    DORMAND_PRINCE = "dormand_prince"
-    DOP853 = "dop853"
-    RK4 = "rk4"
-    EXTRAPOLATION = "extrapolation"
-    MIDPOINT = "midpoint"
-    ROSENBROCK = "rosenbrock"
-    AUTO = "auto"
-
-
-FIXED_STEP = (Method.RK4, Method.MIDPOINT)
-"""Methods whose step is `integration.step`."""
-
-
-_TOLERANCES = {"relative_tolerance": 1e-7, "absolute_tolerance": 1e-9}
-"""Those of ``extrapolation`` where none are given."""
-
-
 class Integration(DataSheet):
     """Which integrator, how exact, how long, how often the result is sampled.
 
@@ -64,7 +39,11 @@ class Integration(DataSheet):
     {test_slip_step_divides_the_move}
     """
 
-    method: Method = Field(default=Method.AUTO, strict=False, description="integrator; auto: chosen by the stiffness")
+    method: str = Field(
+        default=AUTO,
+        description="integrator; auto: chosen by the stiffness",
+        json_schema_extra={"enum": [*integrators(), AUTO]},
+    )
     duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6, span=True)
     output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3, span=True)
     line_points: int = positive(
@@ -121,13 +100,25 @@ class Integration(DataSheet):
     @model_serializer(mode="wrap")
     def _as_given(self, write: SerializerFunctionWrapHandler) -> dict[str, Any]:
         """Tolerances that were left out are left out again: the method that is chosen has its own."""
-        left_out = _TOLERANCES.keys() - self.model_fields_set
+        left_out = {"relative_tolerance", "absolute_tolerance"} - self.model_fields_set
         return {name: value for name, value in write(self).items() if name not in left_out}
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
-        refuse([*self._sampling_issues(), *self._stepping_issues(), *self._stop_issues()])
+        refuse([*self._method_issues(), *self._sampling_issues(), *self._stepping_issues(), *self._stop_issues()])
         return self
+
+    def _method_issues(self) -> Iterator[Issue]:
+        known = [*integrators(), AUTO]
+        if self.method not in known:
+            close = get_close_matches(self.method, known, 1)
+            hint = f"did you mean `{close[0]}`?" if close else "correct the name"
+            yield Issue("method", repr(self.method), f"one of {', '.join(known)}", hint)
+
+    @property
+    def integrator(self) -> Integrator | None:
+        """The method; None while the stiffness is to choose it."""
+        return integrators().get(self.method)
 
     def _stop_issues(self) -> Iterator[Issue]:
         for place, text in enumerate(self.stop):
@@ -150,10 +141,13 @@ class Integration(DataSheet):
             yield Issue("output_step", got, f"at most {self._size(most_samples)}", hint)
 
     def _stepping_issues(self) -> Iterator[Issue]:
-        if self.method is Method.EXTRAPOLATION and self.relative_tolerance < LEAST_EXTRAPOLATED:
-            least = f"at least {LEAST_EXTRAPOLATED:g} for extrapolation, whose rounding is larger than that of others"
+        one = self.integrator
+        if one is None:
+            return
+        if one.adaptive and self.relative_tolerance < one.least_tolerance:
+            least = f"at least {one.least_tolerance:g} for {one.name}, whose rounding is larger than that of others"
             yield Issue("relative_tolerance", repr(self.relative_tolerance), least, "take dop853, or rosenbrock")
-        if self.method not in FIXED_STEP:
+        if one.adaptive:
             return
         steps = self.duration / self.step
         if self.step > self.duration:
@@ -175,15 +169,11 @@ class Integration(DataSheet):
         """The settings of the cheap run that tells the error of one at fixed step: twice the step."""
         return self.model_copy(update={"step": 2 * self.step})
 
-    def chosen(self, method: Method) -> Self:
-        """The settings with the integrator that is taken, and with its tolerances where none are given.
-
-        ``extrapolation`` follows motions that a tolerance of 1e-9 can see at great cost: 1e-7 is its default.
-        """
-        changes: dict[str, object] = {"method": method}
-        if method is Method.EXTRAPOLATION:
-            changes |= {name: value for name, value in _TOLERANCES.items() if name not in self.model_fields_set}
-        return self.model_copy(update=changes)
+    def chosen(self, method: str) -> Self:
+        """The settings with the integrator that is taken, and with its own tolerances where none are given."""
+        one = integrator(method)
+        own = {name: value for name, value in one.tolerances.items() if name not in self.model_fields_set}
+        return self.model_copy(update={"method": method, **own})
 
     @property
     def bytes_per_sample(self) -> int:

@@ -6,7 +6,7 @@ import math
 from collections.abc import Mapping
 from typing import Any
 
-from tmodes.paper.sheet import PaperRobot
+from tmodes.io.forms import ROBOT, Form
 
 __all__ = ["editor_schema", "json_schema"]
 
@@ -21,13 +21,14 @@ SHORTHANDS = {
     "stiffness": {"type": "number"},
     "bending_stiffness": {"type": "number"},
     "functions": {"type": "integer"},
+    "inertia": {"type": "number"},
 }
 """Lists and groups in whose place one number may stand."""
 
 
-def json_schema() -> dict[str, Any]:
-    """JSON Schema (draft 2020-12) of a robot's data sheet, with units, symbols and meanings."""
-    return editor_schema(PaperRobot.model_json_schema())
+def json_schema(form: Form = ROBOT) -> dict[str, Any]:
+    """JSON Schema (draft 2020-12) of a form of data sheets, with units, symbols and meanings."""
+    return editor_schema(form.root.model_json_schema(by_alias=True))
 
 
 def editor_schema(raw: Mapping[str, Any]) -> dict[str, Any]:

@@ -1,4 +1,4 @@
-"""From plain data to a checked Arm; all that is wrong is told in one go, each with its line."""
+"""From plain data to a checked Robot; everything that is wrong is reported together, each with its line."""
 
 from __future__ import annotations
 
@@ -11,6 +11,8 @@ from typing import Any
 from pydantic import ValidationError
 
 from tmodes.errors import InputError, InputErrors
+from tmodes.io.filipovic2010.importer import robot_data
+from tmodes.io.forms import F2010, ROBOT, Form, form_of, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_paths import entered, set_arm_paths, steps_of
 from tmodes.io.sheet_problems import MOST_TOLD, SHEET, Complaint, arm_problems
@@ -18,7 +20,7 @@ from tmodes.io.sheet_units import at
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
 from tmodes.io.yaml_file import nearest_line
-from tmodes.sheet import ARM_FORMAT, Robot
+from tmodes.sheet import Robot
 
 __all__ = ["changed_arm", "real_arm", "sheet_data", "sheet_from_data"]
 
@@ -28,33 +30,47 @@ MOST_VALUES = 200_000
 
 MOST_DEPTH = 40
 
-FACTORED = ("gravity", "base", "joints", "links", "tip", "points", "couplings", "loads", "drives", "contact")
-"""The groups of which a number may be otherwise in the real arm."""
+_LEFT_OUT = "a number that the sheet leaves out"
 
 
 def sheet_from_data(data: Any, positions: Mapping[str, int] | None = None, source: str = "") -> Robot:
-    """The checked arm of plain data (maps, lists and scalars, as a YAML file holds them).
+    """The checked robot of plain data (maps, lists and scalars, as a YAML file holds them).
 
     ``positions`` gives the line of each dotted path and ``source`` the name of the file, for messages. Numbers may be
     text with a unit. Raises :class:`tmodes.errors.InputErrors` that holds every wrong value.
     """
     positions = positions or {}
     _refuse_huge(data, source)
-    if wrong := list(_other_format(data)):
+    form = form_of(data)
+    if wrong := list(_other_format(data, form)):
         raise _located(wrong, data, positions, source)
     plain = copy.deepcopy(data)
-    if len(wrong := dict(islice(_read_numbers(plain), MOST_TOLD))) == MOST_TOLD:
-        raise _located([*wrong.items()], data, positions, source)
-    try:
-        arm = Robot.model_validate(plain)
-    except ValidationError as error:
-        info = [(steps, _as_typed(one, steps, data)) for steps, one in arm_problems(error, plain) if steps not in wrong]
-        raise _located([*wrong.items(), *info], data, positions, source) from None
-    if wrong:
-        raise _located(list(wrong.items()), data, positions, source)
-    if info := list(_wrong_real(arm)):
+    found: dict[tuple[Step, ...], InputError] = {}
+    if len(found := dict(islice(_read_numbers(plain), MOST_TOLD))) < MOST_TOLD:
+        found |= {steps: one for steps, one in _checked(form, plain, data) if steps not in found}
+    if found:
+        raise _located(list(found.items()), data, positions, source)
+    robot = _robot(form, plain)
+    if info := list(_wrong_real(robot)):
         raise _located(info, data, positions, source)
-    return arm
+    return robot
+
+
+def _checked(form: Form, plain: Any, data: Any) -> Iterator[Complaint]:
+    """What the form's type refuses, and factors that name no number."""
+    if form is F2010:
+        yield from _unknown_factors(plain)
+    try:
+        form.root.model_validate(plain)
+    except ValidationError as error:
+        yield from ((steps, _as_typed(one, steps, data)) for steps, one in arm_problems(error, plain))
+
+
+def _robot(form: Form, plain: Any) -> Robot:
+    """The robot of checked plain data."""
+    if form is ROBOT:
+        return Robot.model_validate(plain)
+    return Robot.model_validate(robot_data(form.root.model_validate(plain).model_dump(mode="json")))
 
 
 def sheet_data(arm: Robot) -> dict[str, Any]:
@@ -63,7 +79,7 @@ def sheet_data(arm: Robot) -> dict[str, Any]:
 
 
 def changed_arm(arm: Robot, changes: Mapping[str, Any]) -> Robot:
-    """The checked arm with changes by path; see :func:`tmodes.io.sheet_paths.set_arm_paths`."""
+    """The checked robot with changes by path; see :func:`tmodes.io.sheet_paths.set_arm_paths`."""
     return sheet_from_data(set_arm_paths(sheet_data(arm), changes))
 
 
@@ -82,7 +98,18 @@ def real_arm(arm: Robot) -> Robot:
             wrong.append(InputError(f"real.{path}", error.got, error.expected, error.hint))
     if wrong:
         raise InputErrors(wrong)
-    return sheet_from_data({**data, "real": {}})
+    return sheet_from_data(with_reach(sheet_data(arm), {**data, "real": {}}))
+
+
+def _unknown_factors(data: Any) -> Iterator[Complaint]:
+    """Entries of ``real`` that name no number, before the sheet becomes a robot."""
+    real = data.get("real") if isinstance(data, dict) else None
+    for path in real if isinstance(real, dict) else ():
+        try:
+            _scale(copy.deepcopy(data), str(path), 1.0)
+        except InputError as error:
+            if error.got != _LEFT_OUT:  # that number is reported itself
+                yield ("real", path), InputError("", error.got, error.expected, error.hint)
 
 
 def _scale(data: dict[str, Any], path: str, factor: float) -> None:
@@ -90,13 +117,23 @@ def _scale(data: dict[str, Any], path: str, factor: float) -> None:
     key: Any = steps[-1]
     inner = entered(data, steps[:-1], path)
     place = place_of(steps, data)
-    if steps[0] not in FACTORED or place is None or place.unit is None or place.whole:
-        expected = f"the path of a number of {', '.join(FACTORED)}"
+    factored = form_of(data).factored
+    if steps[0] not in factored or place is None or not _is_number(place, at(inner, key)):
+        expected = f"the path of a number of {', '.join(factored)}"
         raise InputError(path, "a path that names no number", expected, "name a number of the sheet")
     value = inner[key] if isinstance(inner, list) or key in inner else None
     if value is None:
-        raise InputError(path, "a path to a number that the sheet leaves out", "a number to scale", "write the number")
+        raise InputError(path, _LEFT_OUT, "the path of a number that the sheet has", "write the number")
     inner[key] = _scaled(value, factor)
+
+
+def _is_number(place: ChainPlace, value: Any) -> bool:
+    """Whether a factor may stand here: at a number, or at the entries of an inertia."""
+    return not place.whole if place.unit is not None else _entries(value)
+
+
+def _entries(value: Any) -> bool:
+    return isinstance(value, dict) and {"xx", "yy", "zz"} <= value.keys()
 
 
 def _scaled(value: Any, factor: float) -> Any:
@@ -137,17 +174,17 @@ def _refuse_huge(data: Any, source: str) -> None:
         waiting.extend((item, depth + 1) for item in inner)
 
 
-def _other_format(data: Any) -> Iterator[Complaint]:
+def _other_format(data: Any, form: Form) -> Iterator[Complaint]:
     """A sheet of another version is not read any further: its keys may mean something else."""
     if not isinstance(data, Mapping):
         yield (), InputError("", shown(data), "keys and values, such as `kind: arm`", "see a published arm")
     elif "format" in data:
-        version, hint = data["format"], f"write `format: {ARM_FORMAT}`"
-        if type(version) is not int or version < ARM_FORMAT:
-            yield ("format",), InputError("", shown(version), f"the number {ARM_FORMAT}", hint)
-        elif version > ARM_FORMAT:
+        version, hint = data["format"], f"write `format: {form.version}`"
+        if type(version) is not int or version < form.version:
+            yield ("format",), InputError("", shown(version), f"the number {form.version}", hint)
+        elif version > form.version:
             got = f"{shown(version)}, newer than this program"
-            yield ("format",), InputError("", got, f"at most {ARM_FORMAT}", "update tmodes")
+            yield ("format",), InputError("", got, f"at most {form.version}", "update tmodes")
 
 
 def _read_numbers(data: Any) -> Iterator[Complaint]:

@@ -1,4 +1,4 @@
-"""Every place of an arm's data sheet: what belongs there, found by walking the sheet's types along with its data.
+"""Every place of a data sheet: what belongs there, found by walking the sheet's types along with its data.
 
 Lists of joints and links have any length and a section or a signal may be of several kinds, so the place of a path is
 only known beside the data; its unit too, because a joint turns or slides.
@@ -13,6 +13,7 @@ from typing import Any, get_args, get_origin
 
 from pydantic.fields import FieldInfo
 
+from tmodes.io.forms import form_of
 from tmodes.io.sheet_units import at, unit_at
 from tmodes.io.sheet_words import (
     bounds,
@@ -25,9 +26,8 @@ from tmodes.io.sheet_words import (
     members_of,
     own_unit,
 )
-from tmodes.sheet import Robot
 
-__all__ = ["ROOT", "ChainPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities"]
+__all__ = ["ChainPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities", "root_of"]
 
 Step = str | int
 
@@ -96,8 +96,9 @@ class ChainPlace:
         return "a number, or a list of numbers" if Ellipsis in items else f"a list of {len(items)} numbers"
 
 
-ROOT = ChainPlace(Robot)
-"""The place of the whole sheet."""
+def root_of(data: Any) -> ChainPlace:
+    """The place of the whole sheet, in the form that its data have."""
+    return ChainPlace(form_of(data).root)
 
 
 def inside(place: ChainPlace, step: Step, value: Any, steps: Sequence[Step], data: Any) -> ChainPlace | None:
@@ -125,7 +126,7 @@ def _item(place: ChainPlace, item: Any) -> ChainPlace:
 
 def place_of(steps: Sequence[Step], data: Any) -> ChainPlace | None:
     """The place that steps lead to in plain data; None when the sheet has no such place."""
-    place: ChainPlace | None = ROOT
+    place: ChainPlace | None = root_of(data)
     value = data
     for count, step in enumerate(steps, 1):
         place = inside(place, step, value, steps[:count], data)
@@ -158,7 +159,7 @@ def keys(member: Any) -> list[str]:
 
 def quantities(data: Any) -> Iterator[tuple[Any, Step, tuple[Step, ...], ChainPlace]]:
     """Every scalar of plain data that stands where a quantity belongs: its container, key, path and place."""
-    yield from _quantities(ROOT, data, (), data)
+    yield from _quantities(root_of(data), data, (), data)
 
 
 def _quantities(

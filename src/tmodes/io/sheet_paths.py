@@ -10,12 +10,13 @@ from collections.abc import Mapping, Sequence
 from typing import Any, get_args, get_origin
 
 from tmodes.errors import InputError
-from tmodes.io.sheet_fields import ROOT, ChainPlace, Step, chosen, inside, keys
+from tmodes.io.forms import ROBOT, form_of, robot_change, robot_path, with_reach
+from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, root_of
 from tmodes.io.sheet_units import at
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.links.material import LIBRARY
 
-__all__ = ["changed_places", "entered", "set_arm_paths", "steps_of"]
+__all__ = ["changed_places", "entered", "later_changes", "set_arm_paths", "steps_of"]
 
 LONGEST = 500
 
@@ -37,14 +38,38 @@ def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple
     """
     changed = copy.deepcopy(dict(data))
     places = []
-    for path, value in changes.items():
+    for given, wish in changes.items():
+        path, value = robot_change(given, wish, changed)
+        if path == "contact" and isinstance(value, bool) and form_of(changed) is ROBOT:
+            _switch_contact(changed, value)
+            continue
         *groups, key = steps = steps_of(path, changed)
         inner = entered(changed, groups, path)
         if not isinstance(inner, (dict, list)):
             raise InputError(path, f"{shown(inner)} around it", "a group", "correct the group first")
         inner[key] = copy.deepcopy(value)  # pyright: ignore[reportCallIssue, reportArgumentType]
         places.append(".".join(map(str, steps)))
-    return changed, places
+    return with_reach(data, changed), places
+
+
+def later_changes(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
+    """Those of the changes that name a place of the robot, where the sheet is of another format."""
+    form = form_of(data)
+    if form is ROBOT:
+        return {}
+    own, others = keys(form.root), keys(ROBOT.root)
+    first = {path: str(path).partition(".")[0] for path in changes}
+    return {path: changes[path] for path, word in first.items() if word in others and word not in own}
+
+
+def _switch_contact(data: dict[str, Any], on: bool) -> None:
+    """Switch a contact on or off; its numbers stay in the sheet."""
+    here, there = ("contact", "contact_off") if on else ("contact_off", "contact")
+    if there in data and data.get(here) is None:
+        data[here] = data.pop(there)
+    if on and data.get("contact") is None:
+        hint = "add the group `contact` to the sheet"
+        raise InputError("contact", "a robot that touches nothing", "a sheet with a contact", hint)
 
 
 def entered(data: Any, steps: Sequence[Step], path: str) -> Any:
@@ -69,8 +94,8 @@ def steps_of(path: str, data: Any) -> list[Step]:
     if not isinstance(path, str) or not 0 < len(path) <= LONGEST:
         raise InputError(shown(path), "an unknown path", "the path of a value of the data sheet", "write one")
     steps: list[Step] = []
-    place: ChainPlace | None = ROOT
-    value, words = data, path.split(".")
+    place: ChainPlace | None = root_of(data)
+    value, words = data, robot_path(path, data).split(".")
     while words:
         step, used = _step(value, words, place)
         where = ".".join(words[:used])

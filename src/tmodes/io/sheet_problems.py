@@ -1,4 +1,4 @@
-"""What the validator found wrong in an arm's data sheet, in our words: which, got, expected, mend."""
+"""What the validator found wrong in a data sheet, in our words: which, got, expected, hint."""
 
 from __future__ import annotations
 
@@ -10,7 +10,7 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from tmodes.errors import InputError
-from tmodes.io.sheet_fields import ROOT, ChainPlace, Step, chosen, inside, keys, place_of
+from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, place_of, root_of
 from tmodes.io.sheet_units import at
 from tmodes.io.sheet_words import choices, kind_of
 from tmodes.io.words import nearest, shown
@@ -58,7 +58,7 @@ def _problems(detail: ErrorDetails, data: Any) -> Iterator[Complaint]:
 def _steps(loc: tuple[Step, ...], data: Any) -> tuple[Step, ...]:
     """The validator's location without the kinds that it names on the way into a section, a signal, a material."""
     steps: list[Step] = []
-    place: ChainPlace | None = ROOT
+    place: ChainPlace | None = root_of(data)
     value = data
     skipped = False
     for step in loc:
@@ -84,13 +84,15 @@ def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
     known = keys(_group(steps[:-1], data))
     key = str(steps[-1])
     close = nearest(key, known)
-    hint = f"did you mean `{close}`?" if close else _elsewhere(key)
+    group = named(steps[:-1], data)
+    hint = f"did you mean `{group}.{close}`?" if close and group else f"did you mean `{close}`?"
+    hint = hint if close else _elsewhere(key, data)
     return InputError("", "an unknown key", f"one of {', '.join(known) or 'the known keys'}", hint)
 
 
-def _elsewhere(key: str) -> str:
+def _elsewhere(key: str, data: Any) -> str:
     """A key that belongs to the sheet's outermost level, or to none."""
-    return f"put `{key}` at the outermost level" if key in keys(ROOT.annotation) else "remove it"
+    return f"put `{key}` at the outermost level" if key in keys(root_of(data).annotation) else "remove it"
 
 
 def _short(steps: tuple[Step, ...], data: Any) -> InputError:
@@ -127,7 +129,7 @@ def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
 def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) -> InputError:
     value, place = detail["input"], place_of(steps, data)
     if place is None or not steps:
-        expected = f"a group with the keys {', '.join(keys(ROOT.annotation))}" if not steps else detail["msg"]
+        expected = f"a group with the keys {', '.join(keys(root_of(data).annotation))}" if not steps else detail["msg"]
         return InputError("", shown(value), expected, "compare it with a published robot")
     bounds = {} if place.extra.get("span") else detail.get("ctx", {})
     if LARGEST in map(_magnitude, bounds.values()):
@@ -152,4 +154,4 @@ def _hint(place: ChainPlace, value: Any) -> str:
         return f"write {place.expected}"
     if isinstance(value, str) and (close := nearest(value, choices(place.members, place.info))):
         return f"did you mean `{close}`?"
-    return f"write the {place.meaning} as {place.expected}"
+    return f"write {place.expected}"

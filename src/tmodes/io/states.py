@@ -13,7 +13,7 @@ from tmodes.io.files import read_bytes
 from tmodes.io.words import nearest, shown, shown_path
 from tmodes.kinds.schema.quantity import LARGEST
 
-__all__ = ["MOST_BYTES", "check_keys", "is_number", "parsed_json", "read_states"]
+__all__ = ["MOST_BYTES", "check_keys", "holds_phi", "is_number", "parsed_json", "read_states"]
 
 MOST_BYTES = 50_000_000
 MOST_RECORDS = 100_000
@@ -45,6 +45,16 @@ def read_states(path: str | os.PathLike[str], coordinates: int = 6) -> list[dict
     source = shown_path(path)
     records = _records(parsed_json(read_bytes(path, MOST_BYTES), source), source)
     return [_Record(record, index, source).read(coordinates) for index, record in enumerate(records)]
+
+
+def holds_phi(path: str | os.PathLike[str]) -> bool:
+    """Whether a file holds records in the coordinates of the 2010 robot, not numbers by name in ``q`` or a table."""
+    if str(path).lower().endswith(".csv"):
+        return False
+    data = parsed_json(read_bytes(path, MOST_BYTES), shown_path(path))
+    records = data.get("states", data) if isinstance(data, Mapping) else data
+    first = records[0] if isinstance(records, list) and records else records
+    return not isinstance(first, Mapping) or "q" not in first
 
 
 def parsed_json(content: bytes, source: str) -> Any:

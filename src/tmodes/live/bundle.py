@@ -8,7 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
 from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.mechanics import mechanics, why_not_mechanics
@@ -51,12 +51,12 @@ def live_bundle(result: Any) -> dict[str, Any] | None:
     """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` gives a reason."""
     if why_not_live(result):
         return None
-    pair, method = result.arm.pair(), Method(result.statistics["real"]["method"])  # of several, the last one
+    pair, method = result.arm.pair(), result.statistics["real"]["method"]  # of several, the last one
     settings = pair.real.integration
     places = load_places(settings.line_points)
     stations = tuple(places[evenly(len(places), _MOST_STATIONS)].tolist())
     compared, surfaces = "tip_reference" in result.data, _with_surfaces(result)
-    own = mechanics(pair, stations, method.value, compared=compared, surfaces=surfaces)
+    own = mechanics(pair, stations, method, compared=compared, surfaces=surfaces)
     return {**_common(result, pair, live_map(pair, stations), method), **own, "stations": np.array(stations)}
 
 
@@ -65,7 +65,7 @@ def _with_surfaces(result: Result) -> list[str]:
     return list(dict.fromkeys(info["link"] for info in json.loads(result.data.attrs.get("meshes", "[]"))))
 
 
-def _common(result: Result, pair: RobotPair, live: LiveMap, method: Method) -> dict[str, Any]:
+def _common(result: Result, pair: RobotPair, live: LiveMap, method: str) -> dict[str, Any]:
     settings = pair.real.integration
     times = np.asarray(result.data["time"].values, dtype=float)
     return {
@@ -86,18 +86,18 @@ def _frames(times: NDArray[np.float64], step: float) -> NDArray[np.int32]:
     return np.unique(np.append(np.arange(0, len(times), every), len(times) - 1)).astype(np.int32)
 
 
-def _settings(given: Integration, method: Method) -> dict[str, Any]:
+def _settings(given: Integration, method: str) -> dict[str, Any]:
     chosen = given.chosen(method)
     return {
-        "method": method.value, "duration": chosen.duration, "step": chosen.step, "maxSteps": chosen.max_steps,
+        "method": method, "duration": chosen.duration, "step": chosen.step, "maxSteps": chosen.max_steps,
         "relativeTolerance": chosen.relative_tolerance, "absoluteTolerance": chosen.absolute_tolerance,
     }  # fmt: skip
 
 
-def _note(result: Result, method: Method) -> str:
+def _note(result: Result, method: str) -> str:
     """How the page's run differs from the native one."""
     parts = result.statistics["real"].get("parts")
     if not parts:
         return ""
     taken = ", then ".join(part["method"] for part in parts.values())
-    return f"the run took {taken}; here all of it is by {method.value}"
+    return f"the run took {taken}; here all of it is by {method}"

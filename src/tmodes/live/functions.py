@@ -10,11 +10,12 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Chain, Point, RigidLink, Segment
-from tmodes.compile.loops.loops import EXPLICIT, EXTRAPOLATION, ROSENBROCK
+from tmodes.chain.chain import Chain, Point
 from tmodes.compile.wasm.wasm_parts import schedule_loop, schedule_samples
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.mechanics import mechanics
+from tmodes.integrate.method import EULER, JACOBIAN
+from tmodes.integrate.registry import integrator
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.live.module import Functions, LiveModule
 from tmodes.model.model import Model
@@ -107,11 +108,11 @@ def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = T
 
 def _loop(symbol: str, loop: ClosedLoop, method: str) -> Any:
     count = loop.parts.size
-    if method in EXPLICIT:
+    if integrator(method).is_explicit:
         return schedule_loop(symbol, loop.rate, 2 * count, method)
-    if method == ROSENBROCK:
+    if integrator(method).asks == JACOBIAN:
         return schedule_loop(symbol, loop.rate, 2 * count, method, pairs=count, columns=loop.layout.works.start)
-    rate = loop.euler_rate if method == EXTRAPOLATION else loop.implicit_rate
+    rate = loop.euler_rate if integrator(method).asks == EULER else loop.implicit_rate
     return schedule_loop(symbol, rate, 2 * count, method, pairs=count)
 
 
@@ -135,7 +136,7 @@ def stationed(chain: Chain, stations: Sequence[float]) -> Chain:
     """
     points = []
     for index, node in enumerate(chain.nodes):
-        places = (1.0,) if isinstance(node.link, RigidLink | Segment) else stations
+        places = stations if node.link.has_stations else (1.0,)
         points += [Point(f"{index}.{s}", index, s) for s in places]
     return replace(chain, points=tuple(points))
 

@@ -9,7 +9,6 @@ from numpy.typing import NDArray
 
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.mechanics import mechanics
-from tmodes.kinds.signals.signals import Quintic, Trapezoid
 from tmodes.live.functions import stationed
 from tmodes.live.loads import load_places, packed_loads
 from tmodes.live.vibrations import vibration_numbers
@@ -64,7 +63,7 @@ def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float,
         if arm.contact:
             found["surface"] = np.array(arm.contact.shape.moving_numbers(), dtype=float)
     for k, signal in enumerate(plan.each):
-        schedule = signal.schedule(until if isinstance(signal, (Quintic, Trapezoid)) else arm.integration.duration)
+        schedule = signal.schedule(arm.integration.duration if signal.move_ends() is None else until)
         found |= {f"knots.{k}": schedule.knots, f"coefficients.{k}": schedule.coefficients}
     return found
 
@@ -82,7 +81,7 @@ def _rotors(loop: ClosedLoop) -> Array:
 def whole_moves(arm: Robot, reach: float) -> float:
     """Time [s] at which every move is at its end, though its duration be ``reach`` times as long."""
     moves = [drive.signal for drive in arm.drives] + [load.signal for load in arm.loads if load.signal]
-    ends = [move.delay + reach * move.duration for move in moves if isinstance(move, (Quintic, Trapezoid))]
+    ends = [end for move in moves if (end := move.move_ends(reach)) is not None]
     return 1.0 + max([arm.integration.duration, *ends])
 
 

@@ -78,7 +78,7 @@ def _settings(given: Integration, highest: float) -> dict[str, Any]:
     method, _ = chosen_method(given, highest)
     chosen = given.chosen(method)
     return {
-        "method": method.value, "outputStep": chosen.output_step, "settings": {
+        "method": method, "outputStep": chosen.output_step, "settings": {
             "duration": chosen.duration, "relativeTolerance": chosen.relative_tolerance,
             "absoluteTolerance": chosen.absolute_tolerance, "step": chosen.step, "maxSteps": chosen.max_steps,
         },

@@ -9,6 +9,7 @@ from typing import Any
 from tmodes.compile.lanes import lane_kernels
 from tmodes.compile.loops import loops
 from tmodes.equations.lagrange.layout import COORDINATES
+from tmodes.integrate.method import EULER, IMPLICIT, JACOBIAN
 from tmodes.paper.mechanism import Mechanism
 from tmodes.paper.model_schedules import implicit_schedule, rate_schedule
 
@@ -33,10 +34,10 @@ class PaperLoops:
     def __getitem__(self, method: str) -> Any:
         """The function of a method of :class:`tmodes.integrate.settings.Method`; KeyError for a name that is none."""
         guarded = 2 * _PAIRS
-        if method in loops.IMPLICIT:
+        if method in loops.loop_methods(IMPLICIT, EULER):
             schedule = implicit_schedule(self.mechanism)
             return loops.implicit_loops("implicit loops", schedule, guarded, _PAIRS)[method]
-        if method == loops.ROSENBROCK:
+        if method in loops.loop_methods(JACOBIAN):
             schedule = rate_schedule(self.mechanism)
             return loops.rosenbrock_loop("rosenbrock", schedule, guarded, _PAIRS, guarded)[method]
         return self._explicit[method]

@@ -1,24 +1,24 @@
-"""Noise on the wanted motion: what a controller hears beside what is meant."""
+"""Noise on a commanded motion: what a controller receives in addition to the reference."""
 
 from __future__ import annotations
 
 import numpy as np
 
 from tmodes.kinds.schema.quantity import DataSheet, not_negative, positive
+from tmodes.kinds.signals.merge import merge
+from tmodes.kinds.signals.noise import Noise
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.kinds.signals.signals_merge import merge
-from tmodes.kinds.signals.signals_noise import Noise
 
-__all__ = ["ReferenceNoise"]
+__all__ = ["CommandNoise"]
 
 
-class ReferenceNoise(DataSheet):
-    """Noise on the wanted angle as the controller hears it, as of the signal ``noise`` of arms.
+class CommandNoise(DataSheet):
+    """Noise on the reference as the controller receives it, like the signal ``noise``; none by default.
 
-    To the controller an error of the sensor is the same with the other sign. None by default.
+    To the controller, an error of the sensor is the same with the other sign.
     """
 
-    deviation: float = not_negative("rad", "sigma", "standard deviation of the values", default=0.0, at_most=1e3)
+    deviation: float = not_negative("rad|m", "sigma", "standard deviation of the values", default=0.0, at_most=1e3)
     frequency: float = positive("Hz", "f", "highest frequency", default=100.0, plausible=(1e-3, 1e4))
     seed: int = not_negative("-", "seed", "same seed, same noise", default=0, at_most=2**53)
 

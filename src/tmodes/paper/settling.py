@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.integrate.settings import FIXED_STEP, Method
+from tmodes.integrate.registry import integrator
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.modes import closed_loop_spectrum
@@ -69,8 +69,8 @@ def _carried_on(regime: PaperRun, duration: float) -> PaperRun:
     if regime.model.mechanism.drive is Drive.PRESCRIBED:
         state[5], state[11] = robot.reference.end, 0.0
     settings = robot.integration.model_copy(update={"duration": duration, "output_step": duration / _SAMPLES})
-    if settings.method in FIXED_STEP:
-        settings = settings.chosen(Method.DORMAND_PRINCE)
+    if not integrator(settings.method).adaptive:
+        settings = settings.chosen("dormand_prince")
     trajectory = integrate(regime.model, regime.parameters, schedule, state, settings)
     if trajectory.status == "interrupted":
         raise KeyboardInterrupt

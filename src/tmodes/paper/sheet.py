@@ -9,7 +9,7 @@ import math
 import unicodedata
 from collections.abc import Iterator, Mapping
 from dataclasses import dataclass
-from typing import TYPE_CHECKING, Annotated, Any, Literal
+from typing import Annotated, Any, Literal
 
 import numpy as np
 from pydantic import BaseModel, Field, model_validator
@@ -18,7 +18,6 @@ from tmodes.errors import InputError
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.schema.quantity import DataSheet, Issue, not_negative, refuse
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.kinds.signals.trapezoid import TrapezoidalMove
 from tmodes.paper.environment import DynamicEnvironment
 from tmodes.paper.gear import ElasticGear
 from tmodes.paper.local_pd import LocalPD
@@ -26,9 +25,7 @@ from tmodes.paper.mechanism import Drive, Mechanism, Parameters, Reading
 from tmodes.paper.mode import FlexibleLink
 from tmodes.paper.motor import Motor
 from tmodes.paper.payload import Payload
-
-if TYPE_CHECKING:
-    from tmodes.notebook import Shown
+from tmodes.paper.trapezoidal_move import TrapezoidalMove
 
 __all__ = ["FACTOR", "FORMAT", "PLANT", "PaperPair", "PaperRobot"]
 
@@ -102,15 +99,6 @@ class PaperRobot(DataSheet):
         from tmodes.io.check import changed_robot
 
         return changed_robot(self.model_dump(mode="json"), changes)
-
-    def show(self, height: int = 760) -> Shown:
-        """The viewer of this robot at rest with its modes, for a notebook; ``height`` in pixels.
-
-        Raises :class:`tmodes.errors.SimulationError` where it has no rest.
-        """
-        from tmodes.notebook import show
-
-        return show(self, height=height)
 
     def numbers(self) -> Iterator[tuple[str, float]]:
         """Path and value [SI] of every number that is an input of the equations."""

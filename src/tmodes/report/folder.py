@@ -1,9 +1,9 @@
-"""A run and its folder: checked before, locked during, whole after; a killed run goes on where it was."""
+"""A run and its folder: checked before, locked during, whole after; an interrupted run resumes."""
 
 from __future__ import annotations
 
 import json
-from collections.abc import Callable
+from collections.abc import Callable, Sequence
 from importlib.metadata import version
 from pathlib import Path
 from types import TracebackType
@@ -15,12 +15,17 @@ from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock, check_writable, remove_orphans
 from tmodes.io.checkpoint import run_identity
 from tmodes.io.journal import RunJournal
-from tmodes.result.record import PaperResult
-from tmodes.simulation.trajectory import sample_times
+from tmodes.io.sheet_check import sheet_data
+from tmodes.plot import drawings, save_figures
+from tmodes.report.meshes import with_shapes
+from tmodes.report.write import write_report
+from tmodes.result import Result
+from tmodes.result.ready import ready_to_run, result_bytes
+from tmodes.result.run import run
+from tmodes.sheet import Robot
 
 if TYPE_CHECKING:
-    from tmodes.integrate.settings import Integration
-    from tmodes.plot.save import Drawing
+    from tmodes.io.urdf_shapes import LinkShape
 
 __all__ = ["RunFolder"]
 
@@ -32,14 +37,17 @@ Progress = Callable[[str, float], None]
 class RunFolder:
     """The folder of one run: ``result.nc``, ``report.html``, ``figures/``.
 
-    What is of one kind of robot is in ``_sheet``, ``_bytes``, ``_load``, ``_computed``, ``_drawn``, ``_write_report``.
-    ``live``: whether the report holds the robot's equations. Used as a context; raises
-    :class:`tmodes.errors.ResultFileError` on entry where the run could not be stored: no permission, no room, another
-    writer, a result that is there already.
+    ``shapes``: the surfaces of its links; ``live``: whether the report holds the robot's equations. Used as a context.
+    Raises :class:`tmodes.errors.InputError` for a robot that nothing moves, or a result too large for memory, before
+    anything is made; and :class:`tmodes.errors.ResultFileError` on entry where the run could not be stored: no
+    permission, no room, another writer, a result that is there already.
     """
 
-    def __init__(self, path: Path, robot: Any, overwrite: bool = False, *, live: bool = True) -> None:
-        self.path, self.robot, self.overwrite, self.live = path, robot, overwrite, live
+    def __init__(
+        self, path: Path, robot: Robot, overwrite: bool = False, shapes: Sequence[LinkShape] = (), *, live: bool = True
+    ) -> None:
+        self.path, self.robot, self.overwrite, self.live = path, ready_to_run(robot), overwrite, live
+        self._size, self._shapes = result_bytes(self.robot), shapes
         self.result_file, self.report_file, self.figures = path / "result.nc", path / "report.html", path / "figures"
         self.continues = False
         self._done: Any = None
@@ -47,7 +55,7 @@ class RunFolder:
         self._journals: dict[str, RunJournal] = {}
 
     def __enter__(self) -> Self:
-        check_writable(self.path, self._bytes() + _ROOM_FOR_FIGURES)
+        check_writable(self.path, self._size + _ROOM_FOR_FIGURES)
         self._check_kinds()
         self._lock.__enter__()
         remove_orphans(self.figures)
@@ -116,43 +124,24 @@ class RunFolder:
 
     def illustrate(self, result: Any, progress: Progress) -> None:
         """Draw the figures and write the report."""
-        from tmodes.plot import save_figures
-
-        pictures = self._drawn(result)
+        pictures = drawings(result)
         self.figures.mkdir(exist_ok=True)
         save_figures(
             result, self.figures, progress=lambda done, total, name: progress("figures", done / total), figures=pictures
         )
         progress("report", 0.0)
-        self._write_report(result, pictures)
+        write_report(result, self.report_file, pictures, live=self.live)
         progress("report", 1.0)
 
     def _sheet(self) -> str:
         """The data sheet as JSON: what makes two runs the same."""
-        return self.robot.model_dump_json()
+        return json.dumps(sheet_data(self.robot))
 
-    def _bytes(self) -> int:
-        """Size of the result [bytes], about."""
-        settings: Integration = self.robot.integration
-        return len(sample_times(settings)) * settings.bytes_per_sample
+    def _load(self) -> Result:
+        return Result.load(self.result_file)
 
-    def _load(self) -> Any:
-        return PaperResult.load(self.result_file)
-
-    def _computed(self, progress: Progress) -> Any:
-        from tmodes.paper.simulate import simulate
-
-        return simulate(self.robot, progress=progress, journals=self._journal)
-
-    def _drawn(self, result: Any) -> dict[str, Drawing]:
-        from tmodes.plot.paper.figures import drawings
-
-        return drawings(result)
-
-    def _write_report(self, result: Any, pictures: dict[str, Drawing]) -> None:
-        from tmodes.report import write_report
-
-        write_report(result, self.report_file, pictures, live=self.live)
+    def _computed(self, progress: Progress) -> Result:
+        return with_shapes(run(self.robot, progress=progress, journals=self._journal), self._shapes)
 
     def summary(self, result: Any) -> dict[str, Any]:
         """What the run gave, for machines."""

@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.summary import info_settling
-from tmodes.integrate.settings import FIXED_STEP, Method
+from tmodes.integrate.registry import integrator
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.motion_run import RunData, tip_positions
 from tmodes.simulation.start import RunSetup
@@ -77,8 +77,8 @@ def _continued(setup: RunSetup, run: RunData, duration: float) -> tuple[Trajecto
     """The run from where it ended, all signals at rest, and its tip at each sample (n, 3) [m]."""
     setup, state = at_rest_from(setup, float(run.times[-1]), run.states[-1], duration)
     settings = setup.arm.integration.model_copy(update={"duration": duration, "output_step": duration / _SAMPLES})
-    if settings.method in FIXED_STEP:
-        settings = settings.chosen(Method.DORMAND_PRINCE)
+    if not integrator(settings.method).adaptive:
+        settings = settings.chosen("dormand_prince")
     later = setup.otherwise and setup.otherwise.model_copy(update={"duration": duration})
     schedule = setup.planned.schedule
     done = integrate(setup.model, setup.model.numbers, schedule, state, settings, otherwise=later)

@@ -1,4 +1,4 @@
-"""From a name or a file to a checked data sheet of either kind: the robot of the 2010 paper, or any arm."""
+"""From a name or a file to a checked robot."""
 
 from __future__ import annotations
 
@@ -16,10 +16,9 @@ from tmodes.robots.packages import MODELS, installed_models
 
 if TYPE_CHECKING:
     from tmodes.io.urdf import UrdfRobot
-    from tmodes.paper.sheet import PaperRobot
     from tmodes.sheet import Robot
 
-__all__ = ["load_sheet", "sheet_names", "sheet_text", "urdf_of"]
+__all__ = ["load", "sheet_names", "sheet_text", "urdf_of"]
 
 Roots = Sequence[str | os.PathLike[str]]
 Sheet = tuple[dict[str, Any], dict[str, int]]
@@ -33,31 +32,30 @@ FOREIGN = (".urdf", ".xacro", ".xml")
 
 
 def sheet_names() -> list[str]:
-    """Names of all published data sheets, robots and arms, sorted."""
+    """Names of all published robots, sorted."""
     return sorted(_published())
 
 
 def sheet_text(name: str) -> str:
-    """The data sheet of a published robot or arm, as it stands in its file; an InputError for an unknown name."""
+    """The data sheet of a published robot, as it stands in its file; an InputError for an unknown name."""
     published = _published()
     if name not in published:
         raise unknown(name, sorted(published))
     return published[name].read_text(encoding="utf-8")
 
 
-def load_sheet(
+def load(
     name_or_path: str | os.PathLike[str],
     changes: Mapping[str, Any] | None = None,
     *,
     roots: Roots = (),
     trust_paths: bool = False,
-) -> PaperRobot | Robot:
-    """A checked data sheet from the name of a published one, or from a file (a name wins; write ``./name`` for a file).
+) -> Robot:
+    """A checked robot from the name of a published one, or from a file (a name wins; write ``./name`` for a file).
 
-    A sheet without a kind becomes the 2010 paper's :class:`tmodes.paper.sheet.PaperRobot`; one with ``kind: arm``, a
-    Denavit-Hartenberg table, URDF, xacro, MJCF and an elasticity file beside a URDF an :class:`tmodes.sheet.Robot`.
-    ``changes`` are values by dotted path; ``roots`` and ``trust_paths`` say where the files that a file names may lie.
-    Raises :class:`tmodes.errors.InputError` when there is no such sheet or it cannot be read, and
+    A file is a data sheet, a Denavit-Hartenberg table, URDF, xacro, MJCF, an elasticity file of a URDF, or a sheet of
+    the 2010 robot. ``changes`` are values by dotted path; ``roots`` and ``trust_paths`` say where the files that a file
+    names may lie. Raises :class:`tmodes.errors.InputError` when there is no such robot or it cannot be read, and
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
     """
     from tmodes.io.words import shown_path
@@ -75,9 +73,9 @@ def load_sheet(
 
 
 def urdf_of(name_or_path: str | os.PathLike[str], *, roots: Roots = (), trust_paths: bool = False) -> UrdfRobot | None:
-    """The URDF (or xacro) on which the arm of this name or file stands; None for what stands on none.
+    """The URDF (or xacro) on which the robot of this name or file stands; None for what stands on none.
 
-    Raises as :func:`load_sheet`.
+    Raises as :func:`load`.
     """
     from tmodes.io.elasticity import read_elasticity
     from tmodes.io.mesh_paths import folders_of
@@ -124,24 +122,18 @@ def _whole(path: Path, data: dict[str, Any], positions: dict[str, int], roots: R
     return arm_of_yaml(path, data, positions, (*roots, *installed_models()), trust_paths)
 
 
-def _checked(
-    data: dict[str, Any], positions: dict[str, int], source: str, changes: Mapping[str, Any]
-) -> PaperRobot | Robot:
-    if "kind" not in data:
-        from tmodes.io.check import robot_from_data
-        from tmodes.io.paths import set_paths
+def _checked(data: dict[str, Any], positions: dict[str, int], source: str, changes: Mapping[str, Any]) -> Robot:
+    from tmodes.io.sheet_check import sheet_from_data
+    from tmodes.io.sheet_paths import changed_places, later_changes
+    from tmodes.io.words import shown
 
-        return robot_from_data(set_paths(data, changes), kept_lines(positions, changes), source)
-    if data["kind"] != "arm":
-        from tmodes.io.words import shown
-
+    if data.get("kind", "arm") != "arm":
         where = f"{source}:{positions.get('kind', 1)}"
         raise InputError("kind", shown(data["kind"]), "arm", "write `kind: arm`", where)
-    from tmodes.io.sheet_check import sheet_from_data
-    from tmodes.io.sheet_paths import changed_places
-
-    changed, places = changed_places(data, changes)
-    return sheet_from_data(changed, kept_lines(positions, places), source)
+    later = later_changes(data, changes)
+    changed, places = changed_places(data, {path: changes[path] for path in changes if path not in later})
+    robot = sheet_from_data(changed, kept_lines(positions, places), source)
+    return robot.with_(later) if later else robot
 
 
 def _published() -> dict[str, Traversable]:

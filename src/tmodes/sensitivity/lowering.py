@@ -11,7 +11,9 @@ from numpy.typing import NDArray
 from tmodes.analysis.stability import chosen_settings
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.errors import SimulationError
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.method import EULER
+from tmodes.integrate.registry import integrator
+from tmodes.integrate.settings import Integration
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive, Mechanism
@@ -76,7 +78,7 @@ def lowered(sheet: Robot | PaperRobot) -> Lowered:
     regime = run_setup(real)
     settings = chosen_settings(sheet.integration, lambda: regime.spectrum)
     model = regime.model
-    rates = model.loop.euler_rate if settings.method is Method.EXTRAPOLATION else model.loop.rate
+    rates = model.loop.euler_rate if integrator(settings.method).asks == EULER else model.loop.rate
     return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime, real.contact)
 
 
@@ -85,7 +87,7 @@ def _of_robot(robot: PaperRobot) -> Lowered:
     model = PaperModel(mechanism)
     start, schedule = model.rest(robot.reference.start, parameters), robot.wanted(Drive.CONTROLLED)
     settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
-    rates = implicit_schedule if settings.method is Method.EXTRAPOLATION else rate_schedule
+    rates = implicit_schedule if integrator(settings.method).asks == EULER else rate_schedule
     return Lowered(model, rates(mechanism), parameters, schedule, start, settings)
 
 

@@ -15,7 +15,7 @@ from tmodes.kinds.links.registry import link_sheets, link_words, sheet_of
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, quantity, refuse
-from tmodes.kinds.signals.signals import Signal
+from tmodes.kinds.signals.registry import Signal
 
 __all__ = [
     "BaseMotion",
@@ -138,6 +138,12 @@ class DriveSheet(DataSheet):
     noise: Signal | None = Field(
         default=None, description="error on the wanted position as the controller sees it; of a sensor with other sign"
     )
+
+    @property
+    def disturbance(self) -> Any:
+        """The noise; None where it is zero at all times."""
+        silent = getattr(self.noise, "deviation", 1.0) == 0.0 and getattr(self.noise, "mean", 1.0) == 0.0
+        return None if silent else self.noise
 
     @model_validator(mode="after")
     def _is_controlled(self) -> Self:

@@ -49,6 +49,9 @@ class Robot(DataSheet):
     kind: Literal["arm"] = Field(description="what this sheet is of")
     name: str = Field(min_length=1, max_length=100, description="name of the arm")
     title: str = Field(default="", max_length=300, description="what it is, in one line")
+    imported: str = Field(
+        default="", max_length=100, description="the format that this was read from, whose paths stay usable"
+    )
     citation: str = Field(default="", max_length=1000, description="where its numbers come from")
     assumed: str = Field(default="", max_length=2000, description="what is assumed and not from the source")
     gravity: Vector = list_of_numbers(
@@ -84,6 +87,9 @@ class Robot(DataSheet):
     )
     base_motion: BaseMotion | None = Field(default=None, description="prescribed motion of the base; none: it stands")
     contact: Contact | None = Field(default=None, description="what a point touches; none: free space")
+    contact_off: Contact | None = Field(
+        default=None, description="a contact that is switched off: `contact: true` switches it on"
+    )
     initial: Initial = Field(default_factory=Initial, description="state at time 0")
     real: dict[str, Annotated[float, _FACTOR]] = Field(
         default_factory=dict,

@@ -16,7 +16,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.equations.loop.control_kernels import WINDING, Servo
 from tmodes.errors import SimulationError
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
 from tmodes.simulation.callback_stops import SetIn
 from tmodes.simulation.endings import used_up
 from tmodes.simulation.loop import LoopModel
@@ -158,8 +158,8 @@ def run_with_controller(
     status, message = _advance(run, times, progress)
     done = len(run.states)
     times[done - 1] = run.kept
-    method = settings.method if settings.method in (Method.RK4, Method.DOP853) else Method.DORMAND_PRINCE
-    counts = {"steps": run.steps, "evaluations": run.evaluations, "rejected": 0, "method": method.value}
+    method = settings.method if settings.method in ("rk4", "dop853") else "dormand_prince"
+    counts = {"steps": run.steps, "evaluations": run.evaluations, "rejected": 0, "method": method}
     return Trajectory(times[:done], np.array(run.states), status, message, counts), np.array(run.rows)
 
 
@@ -196,7 +196,7 @@ def _intervals(knots: Array, times: Array) -> Iterator[tuple[float, float, bool]
 
 def _across(run: _Run, before: float, after: float, state: Array, length: float) -> tuple[Array, float]:
     """The state at the end of an interval without jumps, and the length of step to begin the next with."""
-    if run.settings.method is Method.RK4:
+    if run.settings.method == "rk4":
         return _rk4(run, before, after, state), length
     from scipy.integrate import DOP853, RK45
 
@@ -204,7 +204,7 @@ def _across(run: _Run, before: float, after: float, state: Array, length: float)
     first = min(length, after - before) if length > 0 else None
     wish = length
     with np.errstate(over="ignore", invalid="ignore"):  # where a trial step leaves the numbers, a shorter one is taken
-        solver = (DOP853 if s.method is Method.DOP853 else RK45)(
+        solver = (DOP853 if s.method == "dop853" else RK45)(
             lambda t, y: run.rate(t, y, before), before, state, after,
             rtol=max(s.relative_tolerance, 3e-14), atol=s.absolute_tolerance, first_step=first,
         )  # fmt: skip

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from dataclasses import replace
 
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
 from tmodes.simulation.trajectory import STOPPED, ErrorEstimate, Trajectory
 
 __all__ = ["with_error"]
@@ -15,7 +15,7 @@ def with_error(run: Trajectory, settings: Integration, again: Callable[[Integrat
     """The run with an estimate of its error at each sample; ``again`` runs the same with other settings.
 
     - ``check_error``: from a run with a tenth of the tolerances, whose error is a tenth as large (tolerance
-      proportionality); at fixed step with half of it, whose error is 1/16 (rk4) or 1/4 (midpoint) of it (Richardson);
+      proportionality); at fixed step with half of it, whose error is 1/2^order of it (Richardson);
     - else at fixed step: from a run with twice the step, at half the cost; none where that one is unstable;
     - else the sizes of the local errors, summed over the steps as the method tells them of each component. It bounds
       what motions that do not grow make of them; it is mostly far too large, because what goes on is the solution of
@@ -24,7 +24,8 @@ def with_error(run: Trajectory, settings: Integration, again: Callable[[Integrat
 
     A second run that does not reach the end tells nothing. Interrupted within it, the run counts as interrupted.
     """
-    order = _ORDERS.get(settings.method)
+    one = settings.integrator
+    order = one.order if one and not one.adaptive else None
     if run.status not in {"finished", STOPPED} or not (order or settings.check_error):
         return run
     if run.status == STOPPED:
@@ -38,10 +39,6 @@ def with_error(run: Trajectory, settings: Integration, again: Callable[[Integrat
         return replace(run, seconds=seconds)
     share, how = _share(order, finer=settings.check_error)
     return replace(run, error=ErrorEstimate(share * (other.states - run.states), how, signed=True), seconds=seconds)
-
-
-_ORDERS = {Method.RK4: 4, Method.MIDPOINT: 2}
-"""Of the methods with a fixed step."""
 
 
 def _share(order: int | None, *, finer: bool) -> tuple[float, str]:

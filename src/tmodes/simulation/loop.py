@@ -13,6 +13,8 @@ from tmodes.compile.lanes import lane_kernels
 from tmodes.compile.loops import loops
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.loop.plan import LoopPlan, StateLayout
+from tmodes.integrate.method import EULER, IMPLICIT, JACOBIAN
+from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.model.evaluator import derivatives, evaluate
 from tmodes.simulation.batch.result import BatchRun
@@ -38,14 +40,15 @@ class Loops:
 
     def __getitem__(self, method: str) -> Any:
         """The function of a method; KeyError for a name that is none."""
-        count = self.loop.parts.size
-        if method in loops.IMPLICIT:
-            rate = self.loop.euler_rate if method == loops.EXTRAPOLATION else self.loop.implicit_rate
+        count, loop = self.loop.parts.size, self.loop
+        asks = integrator(method).asks
+        if asks in (IMPLICIT, EULER):
+            rate = loop.euler_rate if asks == EULER else loop.implicit_rate
             return loops.implicit_loops("arm implicit loops", rate, 2 * count, count)[method]
-        if method == loops.ROSENBROCK:
-            columns = self.loop.layout.works.start
-            return loops.rosenbrock_loop("arm rosenbrock", self.loop.rate, 2 * count, count, columns)[method]
-        return loops.schedule_loops("arm loops", self.loop.rate, guarded=2 * count)[method]
+        if asks == JACOBIAN:
+            columns = loop.layout.works.start
+            return loops.rosenbrock_loop("arm rosenbrock", loop.rate, 2 * count, count, columns)[method]
+        return loops.schedule_loops("arm loops", loop.rate, guarded=2 * count)[method]
 
 
 @dataclass(frozen=True, eq=False)

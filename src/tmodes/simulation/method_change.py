@@ -67,11 +67,11 @@ class MethodChange:
 
     def words(self, stiff_time: float) -> str:
         """Where the motion turned out stiff [s] (0: it did not), and what was done."""
-        name, limit = self.first.method.value, "the limit of stability"
+        name, limit = self.first.method, "the limit of stability"
         if self.otherwise is None or self.parts == 1:
             info = f"; the motion is stiff from t = {stiff_time:.6g} s on: its steps stood at {limit} of {name} there"
             return info if stiff_time > 0 else ""
-        other, begin = self.otherwise.method.value, f"from t = {self.kept[0, 0]:.6g} s on"
+        other, begin = self.otherwise.method, f"from t = {self.kept[0, 0]:.6g} s on"
         if self.parts == 2:
             return f"; {begin} by {other}: its steps stood at {limit} of {name} there"
         return (
@@ -86,7 +86,7 @@ class MethodChange:
         spent = np.diff(counts, axis=0, prepend=np.zeros((1, len(COUNTED))))
         methods = [self.otherwise if k == 1 and self.otherwise else self.first for k in range(self.parts)]
         return {
-            str(k + 1): {"method": methods[k].method.value, "from_s": begins[k]}
+            str(k + 1): {"method": methods[k].method, "from_s": begins[k]}
             | {name: int(value) for name, value in zip(COUNTED, spent[k], strict=True)}
             for k in range(self.parts)
         }

@@ -8,7 +8,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
-from tmodes.integrate.settings import FIXED_STEP, Integration, Method
+from tmodes.integrate.registry import integrator
+from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.endings import Lost, chattered, used_up
 from tmodes.simulation.method_change import COUNTED, MethodChange
@@ -23,9 +24,6 @@ BOUND = 1e8
 
 MOST_EVENTS, EVENT_TIME = 1000, 1e-3
 """A contact that sets in and ends more often than this within this time [s] chatters: no motion gets through that."""
-
-_TELLING = {Method.DORMAND_PRINCE, Method.DOP853, Method.EXTRAPOLATION, Method.ROSENBROCK}
-"""Methods whose loops sum their local errors."""
 
 
 class NativeRun:
@@ -90,7 +88,7 @@ class NativeRun:
     @property
     def loop(self) -> Any:
         """The native loop of the present part of the run."""
-        return self.model.loops[self.settings.method.value]
+        return self.model.loops[self.settings.method]
 
     def advance(self, steps: int) -> None:
         """Let the native loop do at most so many steps, and no more than the settings allow."""
@@ -161,7 +159,8 @@ class NativeRun:
         The error of a motion that was lost is not known.
         """
         samples, error = slice(self.done), None
-        if status != "diverged" and self.errors.any() and {self.first.method, self.settings.method} <= _TELLING:
+        summed = all(integrator(one.method).adaptive for one in (self.first, self.settings))
+        if status != "diverged" and self.errors.any() and summed:
             error = ErrorEstimate(self.errors_out[samples], "sum of the local errors", signed=False)
         return Trajectory(self.times[samples], self.samples[samples], status, message, self.statistics(), error)
 
@@ -181,9 +180,9 @@ class NativeRun:
         """What the run took, and how; the smallest step is that of all which no knot cut short [s]."""
         steps, t = self.cell("steps"), self.cell("t")
         info: dict[str, Any] = {name: int(self.cell(name)) for name in COUNTED}
-        info |= {"method": self.settings.method.value, "mean_step_s": t / steps if steps else None}
+        info |= {"method": self.settings.method, "mean_step_s": t / steps if steps else None}
         info["smallest_step_s"] = self.change.smallest(self.cell) or info["mean_step_s"]
-        if self.settings.method in FIXED_STEP:
+        if not integrator(self.settings.method).adaptive:
             info["step"] = self.cell("h")
         if self.cell("passes"):
             info["passes"] = int(self.cell("passes"))

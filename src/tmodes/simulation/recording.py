@@ -10,8 +10,9 @@ from numpy.typing import NDArray
 from tmodes.compile.loops.runge_kutta import SamplePlaces
 from tmodes.compile.loops.time_loop import Status
 from tmodes.compile.replay.record_loop import Steps, record_steps
-from tmodes.compile.replay.replay_methods import METHODS
+from tmodes.compile.replay.replay_methods import replay_methods, table_of
 from tmodes.errors import InputError, SimulationError
+from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration, refuse_stops
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.native_run import NativeRun
@@ -69,9 +70,9 @@ def record(
     refuse_stops(settings, "a run is differentiated")
     if not most_bytes > 0:
         raise InputError("most_bytes", f"{most_bytes!r}", "a number above 0 [bytes]", f"the usual is {MOST_BYTES}")
-    method = settings.method.value
-    if method not in METHODS:
-        names = " or ".join(", ".join(METHODS).rsplit(", ", 1))
+    method = settings.method
+    if method not in replay_methods():
+        names = " or ".join(", ".join(replay_methods()).rsplit(", ", 1))
         raise InputError("integration.method", method, names, "name one of them: its steps can be differentiated")
     run = NativeRun(model, parameters, schedule.until(settings.duration), state, settings)
     steps, every = _steps(run, settings, most_bytes)
@@ -106,7 +107,7 @@ def _joined(parts: list[Steps]) -> Steps:
 
 def _sampled(method: str, steps: Steps, h: Array, times: Array) -> tuple[Counts, Array, Counts]:
     """First sample of each step, weights of the stages in each sample, and the stages that each step needs."""
-    tableau, t = METHODS[method], steps.t
+    tableau, t = table_of(integrator(method)), steps.t
     step = np.clip(np.searchsorted(t + h * (1 + 1e-9), times), 0, len(t) - 1)
     places = SamplePlaces(step, (times - t[step]) / h[step], h[step])
     used, weights = tableau.weighted(tableau.used(steps.evaluations), places)

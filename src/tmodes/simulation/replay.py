@@ -15,7 +15,8 @@ from tmodes.compile.ir.derivative_kernels import LANES
 from tmodes.compile.ir.elimination import aligned
 from tmodes.compile.loops.tape_loop import Table, operations
 from tmodes.compile.replay.replay_frame import ARRAYS, COUNTS
-from tmodes.compile.replay.replay_methods import METHODS, loops_of
+from tmodes.compile.replay.replay_methods import loops_of, table_of
+from tmodes.integrate.registry import integrator
 from tmodes.model.derivatives import differentiated
 from tmodes.simulation.recording import Recording
 
@@ -57,7 +58,7 @@ class Replay:
             self._of.kept(("values", settled), lambda settled=settled: self.tape.values(settled=settled))
             for settled in (False, True)
         )
-        self._tableau, self._pairs = METHODS[recording.method], pairs
+        self._tableau, self._pairs = table_of(integrator(recording.method)), pairs
         self._moved = [name for name in ("state", "row", "start") if name in ("state", "row", *self._tableau.inputs)]
 
     def samples(self, parameters: Array | None = None, start: Array | None = None) -> Array:

@@ -13,7 +13,7 @@ from tmodes.analysis.spectrum import Spectrum, spectrum_of
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.rest import arm_rest
 from tmodes.errors import InputError, SimulationError
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.settings import Integration
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.simulation.error_estimate import with_error
@@ -58,7 +58,7 @@ class RunSetup:
         matrix = model.jacobian(0.0, self.start, self.first_row)
         return spectrum_of(matrix, model.coordinates, list(model.plan.further_states))
 
-    def by(self, method: Method, otherwise: Integration | None) -> RunSetup:
+    def by(self, method: str, otherwise: Integration | None) -> RunSetup:
         """The same with an integrator chosen, and the settings with which to continue where the motion is stiff."""
         arm = self.arm.model_copy(update={"integration": self.arm.integration.chosen(method)})
         made = replace(self, arm=arm, otherwise=otherwise)

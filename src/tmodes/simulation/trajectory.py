@@ -10,7 +10,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.integrate.choice import otherwise as later_settings
-from tmodes.integrate.settings import Integration, Method
+from tmodes.integrate.registry import AUTO
+from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.native_run import BOUND, NativeRun
 from tmodes.simulation.parts import ErrorEstimate, Journal, Moving, Numbers, Trajectory, sample_times
@@ -54,9 +55,9 @@ def integrate(
     Stopping, continuing from a journal, and the pieces in which the loop is called change no bit of the samples.
     Raises :class:`tmodes.errors.SimulationError` where a stop condition holds at the start already.
     """
-    if settings.method is Method.AUTO:
-        otherwise = otherwise or later_settings(settings, Method.DORMAND_PRINCE)
-        settings = settings.chosen(Method.DORMAND_PRINCE)
+    if settings.method == AUTO:
+        otherwise = otherwise or later_settings(settings, "dormand_prince")
+        settings = settings.chosen("dormand_prince")
     run = NativeRun(model, parameters, schedule.until(settings.duration), state, settings, otherwise=otherwise)
     going = WatchedRun(run, stops) if stops else run
     if journal and (record := journal.restore()):

@@ -14,19 +14,15 @@ from numpy.typing import NDArray
 
 from tmodes.compile.loops.due_samples import SEEN
 from tmodes.compile.loops.time_loop import CELLS, Status
-from tmodes.integrate.settings import Method
+from tmodes.integrate.registry import integrator
 from tmodes.simulation.native_run import NativeRun
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
 
-__all__ = ["LOOKS", "WatchedRun"]
+__all__ = ["WatchedRun"]
 
 Array = NDArray[np.float64]
 
-LOOKS = {Method.EXTRAPOLATION: 8, Method.DOP853: 8, Method.ROSENBROCK: 6}
-"""Points of a step at which conditions are looked at, by method: long steps take more."""
-
-_LOOKS = 4
 _PIECE = 256
 """Steps between two looks: they are few enough to be taken again."""
 
@@ -58,7 +54,7 @@ class WatchedRun:
 
     def advance(self, steps: int) -> None:
         """Go on by at most so many steps, or to where a condition sets in."""
-        run, steps, looks = self.run, min(steps, _PIECE), LOOKS.get(self.run.settings.method, _LOOKS)
+        run, steps, looks = self.run, min(steps, _PIECE), integrator(self.run.settings.method).looks
         before, first = _kept(run), self._here()
         run.looks, run.seen = float(looks), np.zeros(1 + steps * looks * (len(SEEN) + len(run.state)))
         run.advance(steps)
@@ -149,7 +145,7 @@ class WatchedRun:
     def _advance_one(self) -> None:
         """One attempt of a step, the same as before: that there are points to be looked at is seen by the step."""
         run = self.run
-        looks = LOOKS.get(run.settings.method, _LOOKS)
+        looks = integrator(run.settings.method).looks
         run.looks, run.seen = float(looks), np.zeros(1 + looks * (len(SEEN) + len(run.state)))
         run.advance(1)
         run.looks = 0.0

@@ -79,8 +79,6 @@ def _steps(path: str, data: Any) -> list[str | int] | None:
     group, _, inner = path.partition(".")
     if group == "real" and inner:
         return [group, inner]
-    if data.get("kind") != "arm":
-        return [int(word) if word.isdecimal() else word for word in path.split(".")]
     from tmodes.io.sheet_paths import steps_of
 
     try:

@@ -16,7 +16,6 @@ from starlette.concurrency import run_in_threadpool
 
 from tmodes.errors import InputError, ResultFileError, TmodesError
 from tmodes.io.words import shown
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 from tmodes.studio import sheets
 from tmodes.studio.folder import WorkingFolder
@@ -119,7 +118,7 @@ async def _checked(request: Request, data: dict[str, Any]) -> Any:
     return await run_in_threadpool(sheets.checked_sheet, data.get("sheet"))
 
 
-async def _info(read: Callable[[], tuple[PaperRobot | Robot, str]]) -> Response:
+async def _info(read: Callable[[], tuple[Robot, str]]) -> Response:
     """What the page gets of a sheet that is read, and where its looks come from."""
 
     def info() -> dict[str, Any]:

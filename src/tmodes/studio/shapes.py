@@ -14,7 +14,6 @@ from tmodes.studio.messages import info_error, info_unseen
 if TYPE_CHECKING:
     from tmodes.io.urdf_shapes import LinkShape
     from tmodes.result import Result
-    from tmodes.result.record import PaperResult
 
 __all__ = ["Shapes"]
 
@@ -50,11 +49,11 @@ class Shapes:
         """What tells these surfaces from others."""
         return self._key
 
-    def on(self, result: PaperResult | Result) -> PaperResult | Result:
+    def on(self, result: Result) -> Result:
         """The result with the surfaces of its links, as ``tmodes run`` keeps them."""
         from tmodes.report.meshes import with_few_shapes
 
-        return with_few_shapes(result, self._few) if result.kind == "arm" else result  # pyright: ignore[reportArgumentType]
+        return with_few_shapes(result, self._few)
 
     def unseen(self, data: Any) -> list[dict[str, Any]]:
         """What cannot be shown, as the page tells it at the links of the sheet's plain ``data``."""

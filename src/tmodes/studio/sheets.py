@@ -1,4 +1,4 @@
-"""Data sheets as the page holds them: plain data of either kind, checked here, written as YAML."""
+"""Data sheets as the page holds them: plain data, checked here, written as YAML."""
 
 from __future__ import annotations
 
@@ -8,9 +8,7 @@ from pathlib import Path
 from typing import Any
 
 from tmodes.errors import InputError
-from tmodes.io.check import robot_from_data
 from tmodes.io.sheet_check import sheet_data, sheet_from_data
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 
 __all__ = ["catalogue", "checked_sheet", "info_sheet", "loaded", "plain_sheet", "schema_of", "sheet_yaml", "units_of"]
@@ -26,42 +24,37 @@ def catalogue() -> list[dict[str, str]]:
     from tmodes.robots.load import sheet_names, sheet_text
 
     read = {name: parse_yaml(sheet_text(name), f"{name}.yaml")[0] for name in sheet_names()}
-    return [{"name": name, "title": str(data.get("title", "")), "kind": _kind(data)} for name, data in read.items()]
-
-
-def _kind(data: dict[str, Any]) -> str:
-    return "robot" if "kind" not in data and "urdf" not in data else "arm"
+    return [{"name": name, "title": str(data.get("title", "")), "kind": "arm"} for name, data in read.items()]
 
 
 @cache
 def schema_of(kind: str) -> dict[str, Any]:
-    """The JSON Schema of which the forms are made; ``kind``: robot or arm.
+    """The JSON Schema of which the forms are made; ``kind``: arm.
 
     Raises :class:`tmodes.errors.InputError` for another kind.
     """
     from tmodes.io.schema import json_schema
-    from tmodes.io.sheet_schema import arm_json_schema
 
-    if kind not in ("robot", "arm"):
-        raise InputError("kind", repr(kind[:60]), "robot or arm", "ask for the kind that a sheet tells")
-    return arm_json_schema() if kind == "arm" else json_schema()
+    if kind != "arm":
+        raise InputError("kind", repr(kind[:60]), "arm", "ask for the kind of the sheet")
+    return json_schema()
 
 
-def checked_sheet(data: Any) -> PaperRobot | Robot:
+def checked_sheet(data: Any) -> Robot:
     """The checked sheet of plain data; raises :class:`tmodes.errors.InputErrors` with every wrong value."""
-    return sheet_from_data(data) if isinstance(data, dict) and "kind" in data else robot_from_data(data)
+    return sheet_from_data(data)
 
 
-def loaded(name_or_path: str | Path, roots: tuple[Path, ...] = ()) -> PaperRobot | Robot:
-    """A published sheet, or that of a file; the errors are those of :func:`tmodes.robots.load.load_sheet`."""
-    from tmodes.robots.load import load_sheet
+def loaded(name_or_path: str | Path, roots: tuple[Path, ...] = ()) -> Robot:
+    """A published sheet, or that of a file; the errors are those of :func:`tmodes.robots.load.load`."""
+    from tmodes.robots.load import load
 
-    return load_sheet(name_or_path, roots=roots)
+    return load(name_or_path, roots=roots)
 
 
-def plain_sheet(sheet: PaperRobot | Robot) -> dict[str, Any]:
+def plain_sheet(sheet: Robot) -> dict[str, Any]:
     """The plain data of a sheet as JSON can hold it, infinite numbers as ``.inf``: reading it gives the same sheet."""
-    return _finite(sheet_data(sheet) if isinstance(sheet, Robot) else sheet.model_dump(mode="json"))
+    return _finite(sheet_data(sheet))
 
 
 def _finite(value: Any) -> Any:
@@ -72,32 +65,25 @@ def _finite(value: Any) -> Any:
     return ".inf" if value == math.inf else value
 
 
-def sheet_yaml(sheet: PaperRobot | Robot) -> str:
+def sheet_yaml(sheet: Robot) -> str:
     """The sheet as YAML, with units and meanings."""
     from tmodes.io.sheet_write import arm_to_yaml
-    from tmodes.io.write import robot_to_yaml
 
-    return arm_to_yaml(sheet) if isinstance(sheet, Robot) else robot_to_yaml(sheet)
+    return arm_to_yaml(sheet)
 
 
-def info_sheet(sheet: PaperRobot | Robot) -> dict[str, Any]:
+def info_sheet(sheet: Robot) -> dict[str, Any]:
     """What the page gets of a right sheet: its data, units by path, sliders, and what looks implausible."""
     from tmodes.io.notices import notices_about
     from tmodes.studio.sliders import info_sliders
 
     data = plain_sheet(sheet)
-    kind = "arm" if isinstance(sheet, Robot) else "robot"
     info = {"units": units_of(data), "sliders": info_sliders(sheet, data), "warnings": notices_about(sheet)}
-    return {"kind": kind, "name": sheet.name, "sheet": data, **info}
+    return {"kind": sheet.kind, "name": sheet.name, "sheet": data, **info}
 
 
 def units_of(data: Any) -> dict[str, str]:
-    """The unit of each number of an arm by its path, where the schema alone does not tell it (a joint turns or slides).
-
-    Empty for the robot of the 2010 paper, whose schema tells every unit.
-    """
-    if not isinstance(data, dict) or data.get("kind") != "arm":
-        return {}
+    """The unit of each number by its path, where the schema alone does not give it (a joint turns or slides)."""
     from tmodes.io.sheet_fields import quantities
 
     return {".".join(map(str, steps)): place.unit or "" for _, _, steps, place in quantities(data)}

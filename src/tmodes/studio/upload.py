@@ -10,7 +10,6 @@ from typing import Any, NamedTuple
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.words import shown
-from tmodes.paper.sheet import PaperRobot
 from tmodes.robots.load import urdf_of
 from tmodes.sheet import Robot
 from tmodes.studio.folder import LONGEST_NAME, NAME, SIGNS
@@ -33,7 +32,7 @@ MOST_DEPTH = 6
 class Uploaded(NamedTuple):
     """The checked sheet of an upload, and where its looks are: the name that a :class:`Shelf` knows, or nothing."""
 
-    sheet: PaperRobot | Robot
+    sheet: Robot
     looks: str
 
 

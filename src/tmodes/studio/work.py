@@ -11,14 +11,12 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError
-from tmodes.sheet import Robot
 from tmodes.studio.shapes import Shapes
 from tmodes.studio.sheets import MOST_BYTES, checked_sheet, plain_sheet
 
 if TYPE_CHECKING:
-    from tmodes.paper.sheet import PaperRobot
     from tmodes.result import Result
-    from tmodes.result.record import PaperResult
+    from tmodes.sheet import Robot
 
 __all__ = ["PRODUCTS", "Answer", "Workshop"]
 
@@ -37,7 +35,7 @@ class Workshop:
     """Simulates sheets; the last result stays, so that its report and its data take no second run."""
 
     def __init__(self) -> None:
-        self._last: tuple[str, PaperResult | Result] | None = None
+        self._last: tuple[str, Result] | None = None
         self._shapes = Shapes()
 
     def answer(
@@ -64,7 +62,7 @@ class Workshop:
         info["seconds"] = laps.info | {"loops": _loop_seconds(result)}
         return Answer(content, info)
 
-    def _result(self, sheet: PaperRobot | Robot, progress: Progress) -> PaperResult | Result:
+    def _result(self, sheet: Robot, progress: Progress) -> Result:
         key = json.dumps(plain_sheet(sheet), sort_keys=True)
         if self._last is None or self._last[0] != key:
             self._last = None  # two results at once may be more than the memory holds
@@ -83,19 +81,13 @@ class _Laps:
         self._since = now
 
 
-def _simulated(sheet: PaperRobot | Robot, progress: Progress) -> PaperResult | Result:
-    if isinstance(sheet, Robot):
-        from tmodes.result.ready import ready_to_run, result_bytes
-        from tmodes.result.run import run
+def _simulated(sheet: Robot, progress: Progress) -> Result:
+    from tmodes.result.ready import ready_to_run, result_bytes
+    from tmodes.result.run import run
 
-        arm = ready_to_run(sheet)
-        _refuse_large(result_bytes(arm))
-        return run(arm, progress=progress)
-    from tmodes.paper.simulate import simulate
-    from tmodes.simulation.trajectory import sample_times
-
-    _refuse_large(len(sample_times(sheet.integration)) * sheet.integration.bytes_per_sample)
-    return simulate(sheet, progress=progress)
+    robot = ready_to_run(sheet)
+    _refuse_large(result_bytes(robot))
+    return run(robot, progress=progress)
 
 
 def _refuse_large(size: int) -> None:
@@ -105,12 +97,12 @@ def _refuse_large(size: int) -> None:
         raise InputError("integration.output_step", got, expected, hint)
 
 
-def _loop_seconds(result: PaperResult | Result) -> float:
+def _loop_seconds(result: Result) -> float:
     """Seconds spent in the loops of the reference run and the real one."""
     return sum(result.timing.values()) * float(result.data["time"][-1])
 
 
-def _page(result: PaperResult | Result, name: str, laps: _Laps, *, light: bool = False) -> bytes:
+def _page(result: Result, name: str, laps: _Laps, *, light: bool = False) -> bytes:
     from tmodes.report.data import page_data
     from tmodes.report.pack import pack
 
@@ -122,18 +114,18 @@ def _page(result: PaperResult | Result, name: str, laps: _Laps, *, light: bool =
     return content
 
 
-def _curves(result: PaperResult | Result, name: str, laps: _Laps) -> bytes:
+def _curves(result: Result, name: str, laps: _Laps) -> bytes:
     return _page(result, name, laps, light=True)
 
 
-def _series(result: PaperResult | Result, page: Mapping[str, Any]) -> dict[str, Any]:
+def _series(result: Result, page: Mapping[str, Any]) -> dict[str, Any]:
     """The result's own series that the curves of a page are drawn of, so that later runs can be drawn upon them."""
     sources = [curve["source"] for chart in page["runs"][0]["charts"] for curve in chart["curves"]]
     names = {part["variable"] for source in sources if source for part in (source, source.get("less")) if part}
     return {name: result.data[name].values.astype("f8") for name in sorted(names)}
 
 
-def _data(result: PaperResult | Result, name: str, laps: _Laps) -> bytes:
+def _data(result: Result, name: str, laps: _Laps) -> bytes:
     del name
     with tempfile.TemporaryDirectory(prefix="tmodes-data-") as folder:
         content = result.save(Path(folder) / "result.nc").read_bytes()
@@ -141,21 +133,19 @@ def _data(result: PaperResult | Result, name: str, laps: _Laps) -> bytes:
     return content
 
 
-def _report(result: PaperResult | Result, name: str, laps: _Laps) -> bytes:
+def _report(result: Result, name: str, laps: _Laps) -> bytes:
     from tmodes.report import write_report
-    from tmodes.report.write_motion import write_arm_report
-    from tmodes.result.record import PaperResult
 
     del name
     with tempfile.TemporaryDirectory(prefix="tmodes-report-") as folder:
         path = Path(folder) / "report.html"
-        write_report(result, path) if isinstance(result, PaperResult) else write_arm_report(result, path)
+        write_report(result, path)
         content = path.read_bytes()
     laps.take("report")
     return content
 
 
-PRODUCTS: dict[str, Callable[[PaperResult | Result, str, _Laps], bytes]] = {
+PRODUCTS: dict[str, Callable[[Result, str, _Laps], bytes]] = {
     "page": _page,
     "curves": _curves,
     "report": _report,

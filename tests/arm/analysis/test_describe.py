@@ -8,14 +8,14 @@ import numpy as np
 import pytest
 
 from arm.analysis.sheets import clamped_sheet, locked_sheet
-from tmodes.analysis.describe.bare import bare_beam
 from tmodes.analysis.describe.describe import describe, statics_info
 from tmodes.analysis.modes.of_sheet import servos_of, sheet_modes, vibrations
 from tmodes.analysis.statics.loads import Load
 from tmodes.analysis.statics.rest import arm_rest, first_commands
 from tmodes.chain.chain import Beam, BeamPiece
+from tmodes.kinds.links.bare import bare_beam
 from tmodes.model.model import Model
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from tmodes.sheet import Robot
 
 
@@ -47,7 +47,7 @@ def test_bare_beam_of_two_sections():
 
 def test_two_link_arm():
     """Printed lengths and stiffnesses; the tip's compliance 7/8 and 1/8 in the two links."""
-    info = describe(load_sheet("deluca_siciliano1991"))  # pyright: ignore
+    info = describe(load("deluca_siciliano1991"))  # pyright: ignore
     json.dumps(info, allow_nan=False)
     assert info["total_mass_kg"] == pytest.approx(2.3)
     bare = 1.8751040687119611**2 * np.sqrt(1.0 / 0.2) / 0.5**2 / (2 * np.pi)
@@ -62,7 +62,7 @@ def test_two_link_arm():
 
 def test_single_elastic_joint():
     """100 N*m/rad, 1 kg at 1 m that hangs: locked w^2 = 100 + 9.8."""
-    arm = load_sheet("spong1987")
+    arm = load("spong1987")
     model = Model(arm.chain())  # pyright: ignore
     assert first_commands(arm, model) == {"joint.motor": 0.0}  # pyright: ignore
     info = describe(arm)  # pyright: ignore
@@ -76,7 +76,7 @@ def test_single_elastic_joint():
 
 def test_notices():
     """A gear a thousand times too soft sags far, past its joint's limits."""
-    arm = load_sheet("spong1987", {"joints.joint.limits": {"lower": -0.1, "upper": 0.1},
+    arm = load("spong1987", {"joints.joint.limits": {"lower": -0.1, "upper": 0.1},
                                    "joints.joint.gear.stiffness": 5.0, "drives.0.signal.start": 0.5})  # fmt: skip
     warnings = describe(arm)["warnings"]  # pyright: ignore
     assert any("joint joint stands at" in info for info in warnings)
@@ -119,7 +119,7 @@ def test_ways_that_are_modelled_keep_their_stiffness():
     info = statics_info(twisting, arm_rest(twisting))["stiffness"]["directions"]
     assert info[3]["stiffness"] == pytest.approx(60.0, rel=1e-2)
     assert info[1]["why"] == "not modelled (no bend_z functions)"
-    elbow = load_sheet("deluca_siciliano1991", {"drives.1.signal.start": np.pi / 2})
+    elbow = load("deluca_siciliano1991", {"drives.1.signal.start": np.pi / 2})
     x = describe(elbow)["stiffness"]["directions"][0]  # pyright: ignore
     assert x["why"] is None
     assert x["shares"]["upper_arm.bend_z"] == pytest.approx(3 / 4, rel=1e-6)

@@ -270,12 +270,12 @@ def test_a_zero_mass_that_is_said_is_refused_also_in_the_middle(tmp_path: Path) 
 
 def test_a_negative_damping_is_read_and_reported(tmp_path: Path) -> None:
     from tmodes.io.sheet_plausible import implausible_arm
-    from tmodes.robots.load import load_sheet
+    from tmodes.robots.load import load
     from tmodes.sheet import Robot
 
     path = tmp_path / "good.urdf"
     path.write_text(GOOD.replace('damping="0.3"', 'damping="-0.3"'))
-    arm = load_sheet(path)
+    arm = load(path)
     assert isinstance(arm, Robot)
     info = "\n".join(implausible_arm(arm))
     assert "joints.elbow.friction.viscous = -0.3 N*m*s/rad is negative: it feeds energy" in info

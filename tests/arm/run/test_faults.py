@@ -10,7 +10,6 @@ import pytest
 
 from arm.run.sheets import TIGHT, arm, pendulum, torque
 from tmodes.errors import InputErrors
-from tmodes.integrate.settings import Method
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
@@ -60,7 +59,7 @@ def test_the_2010_robot_keeps_what_was_before_a_reference_that_is_no_number(meth
     model, schedule = PaperModel(mechanism), robot.reference.schedule()
     coefficients = schedule.coefficients.copy()
     coefficients[1:] = np.nan
-    update = {"method": Method(method), "duration": 2 * schedule.knots[1], "output_step": 1e-2}
+    update = {"method": method, "duration": 2 * schedule.knots[1], "output_step": 1e-2}
     settings = robot.integration.model_copy(update=update)
     start = model.rest(robot.reference.start, parameters)
     run = integrate(model, parameters, Schedule(schedule.knots, coefficients), start, settings)

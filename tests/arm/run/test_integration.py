@@ -7,7 +7,6 @@ import pytest
 
 from arm.run.sheets import TIGHT, ZERO, arm, pendulum, torque
 from tmodes.errors import InputError
-from tmodes.integrate.settings import Method
 from tmodes.io.sheet_check import sheet_data
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
@@ -195,7 +194,7 @@ def test_a_tolerance_left_out_stays_left_out() -> None:
     sheet = pendulum(MOTOR, GEAR, torque(1.0), integration={"duration": 0.5})
     again = Robot.from_data(sheet_data(sheet.with_({"gravity": 9.0})))
     for one in (sheet, again):
-        assert one.integration.chosen(Method.EXTRAPOLATION).relative_tolerance == 1e-7
-        assert one.integration.chosen(Method.DOP853).relative_tolerance == 1e-9
+        assert one.integration.chosen("extrapolation").relative_tolerance == 1e-7
+        assert one.integration.chosen("dop853").relative_tolerance == 1e-9
     info = again.with_({"integration.relative_tolerance": 1e-9}).integration
-    assert info.chosen(Method.EXTRAPOLATION).relative_tolerance == 1e-9
+    assert info.chosen("extrapolation").relative_tolerance == 1e-9

@@ -5,14 +5,14 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
+from tmodes.io.sheet_schema import arm_json_schema
 
 from arm.sheet.cases import sheet
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.sheet_schema import arm_json_schema
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import text
-from tmodes.robots.load import load_sheet, sheet_names, sheet_text
+from tmodes.robots.load import load, sheet_names, sheet_text
 from tmodes.sheet import Robot
 
 
@@ -24,12 +24,12 @@ def file(tmp_path: Path) -> Path:
 
 
 def test_an_arm_from_its_file(file: Path) -> None:
-    assert load_sheet(file) == Robot.from_data(sheet())
-    assert load_sheet(str(file), {"joints.shoulder.gear.damping": 7}).joints[0].gear.damping == 7  # pyright: ignore
+    assert load(file) == Robot.from_data(sheet())
+    assert load(str(file), {"joints.shoulder.gear.damping": 7}).joints[0].gear.damping == 7  # pyright: ignore
 
 
 def test_the_robot_of_the_paper() -> None:
-    found = load_sheet("filipovic2010", {"gear.stiffness": 900.0})
+    found = load("filipovic2010", {"gear.stiffness": 900.0})
     assert isinstance(found, PaperRobot)
     assert found.gear.stiffness == 900.0
     assert "filipovic2010" in sheet_names()
@@ -37,23 +37,23 @@ def test_the_robot_of_the_paper() -> None:
 
 def test_an_unknown_name() -> None:
     with pytest.raises(InputError, match="Did you mean `filipovic2010`"):
-        load_sheet("filipovic2011")
+        load("filipovic2011")
 
 
 def test_another_kind(tmp_path: Path) -> None:
     path = tmp_path / "x.yaml"
     path.write_text("format: 1\nkind: car\n")
     with pytest.raises(InputError, match=r"x\.yaml:2: kind: got 'car'"):
-        load_sheet(path)
+        load(path)
 
 
 def test_a_wrong_change_has_no_line_and_a_wrong_file_has_one(file: Path) -> None:
     with pytest.raises(InputErrors) as caught:
-        load_sheet(file, {"links.upper.beam.length": -1})
+        load(file, {"links.upper.beam.length": -1})
     assert caught.value.errors[0].where == str(file)
     file.write_text(file.read_text().replace("mass: 1.0 ", "mass: -1.0"))
     with pytest.raises(InputErrors) as caught:
-        load_sheet(file)
+        load(file)
     line = next(k for k, text in enumerate(file.read_text().splitlines(), 1) if "mass: -1.0" in text)
     assert caught.value.errors[0].where == f"{file}:{line}"
 
@@ -61,16 +61,16 @@ def test_a_wrong_change_has_no_line_and_a_wrong_file_has_one(file: Path) -> None
 def test_a_change_stands_on_the_changes_before_it() -> None:
     """The next change may name what only the new type has, and none of them has a line of the file."""
     changes = {"drives.0.signal.type": "trapezoid", "drives.0.signal.ramp_fraction": 0.25}
-    plain, changed = load_sheet("spong1987"), load_sheet("spong1987", changes)
+    plain, changed = load("spong1987"), load("spong1987", changes)
     assert isinstance(plain, Robot)
     assert changed == plain.with_(changes) != plain
     with pytest.raises(InputErrors) as caught:
-        load_sheet("spong1987", {**changes, "drives.0.signal.ramp_fraction": -1})
+        load("spong1987", {**changes, "drives.0.signal.ramp_fraction": -1})
     assert [(error.which, error.where) for error in caught.value.errors] == [
         ("drives.0.signal.ramp_fraction", "spong1987.yaml")
     ]
     with pytest.raises(InputError, match="unknown name 'ramp_fraction'"):
-        load_sheet("spong1987", dict(reversed(changes.items())))
+        load("spong1987", dict(reversed(changes.items())))
 
 
 @pytest.mark.parametrize("content", ["kind: dh\nrows: []\n", "urdf: ur5.urdf\n"])
@@ -78,7 +78,7 @@ def test_a_table_and_an_elasticity_file_want_the_ending_of_a_robot(tmp_path: Pat
     path = tmp_path / "x.txt"
     path.write_text(content)
     with pytest.raises(InputError, match=r"a file with the ending '\.txt'"):
-        load_sheet(path)
+        load(path)
 
 
 def test_the_text_of_a_sheet() -> None:
@@ -93,12 +93,12 @@ def test_files_that_are_none(tmp_path: Path, content: bytes) -> None:
     path = tmp_path / "bad.yaml"
     path.write_bytes(content)
     with pytest.raises(InputError, match=r"bad\.yaml"):
-        load_sheet(path)
+        load(path)
 
 
 def test_a_folder(tmp_path: Path) -> None:
     with pytest.raises(InputError, match="a directory"):
-        load_sheet(tmp_path)
+        load(tmp_path)
 
 
 def test_the_schema_knows_units_and_shorthands() -> None:

@@ -13,10 +13,10 @@ from pydantic import TypeAdapter, ValidationError
 from scipy.interpolate import CubicSpline
 
 from tmodes.errors import InputError, InputErrors
+from tmodes.kinds.signals.formula import FormulaError, parse_formula
+from tmodes.kinds.signals.registry import Signal, merge
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.kinds.signals.signals import Signal, merge
-from tmodes.kinds.signals.signals_expression import FormulaError, parse_formula
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 
 READ = TypeAdapter(Signal)
 
@@ -314,4 +314,4 @@ def test_a_table_without_any_duration_is_refused() -> None:
     """A jump and nothing else has no course to follow."""
     table = {"type": "table", "times": [0.5, 0.5], "values": [1, 2], "interpolation": "linear"}
     with pytest.raises(InputErrors, match="a last time after the first"):
-        load_sheet("spong1987").with_({"drives.0.signal": table})
+        load("spong1987").with_({"drives.0.signal": table})

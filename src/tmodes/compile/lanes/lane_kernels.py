@@ -3,22 +3,41 @@
 from __future__ import annotations
 
 from collections.abc import Callable
+from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 from tmodes.compile.ir.kernels import called, library
 from tmodes.compile.native import Library
+from tmodes.integrate.registry import integrators
 
-__all__ = ["schedule_lane_loops", "time_lane_loops"]
+__all__ = ["goes_side_by_side", "schedule_lane_loops", "time_lane_loops"]
 
 
-def time_lane_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Library:
-    """The explicit loops of :func:`tmodes.compile.loops.loops.time_loops` over runs side by side.
+def goes_side_by_side(method: str) -> bool:
+    """Whether a method has a loop over runs side by side: those with a tableau have."""
+    one = integrators().get(method)
+    return one is not None and one.tableau is not None
 
-    ``NAME.work`` says how many numbers the loop ``NAME`` works on.
-    """
 
-    def write() -> Any:
+@dataclass(frozen=True)
+class _LaneLoops:
+    """The loops by the name of their method; ``NAME.work`` gives how many numbers the loop ``NAME`` works on."""
+
+    library: Callable[[str], Library]
+
+    def __getitem__(self, name: str) -> Any:
+        """The function of a method; KeyError for one that has none."""
+        method = name.removesuffix(".work")
+        if not goes_side_by_side(method):
+            raise KeyError(name)
+        return self.library(method)[name]
+
+
+def time_lane_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> _LaneLoops:
+    """The explicit loops of :func:`tmodes.compile.loops.loops.time_loops` over runs side by side."""
+
+    def write(method: str) -> Any:
         from llvmlite import ir
 
         from tmodes.compile.ir.lower import lower
@@ -26,37 +45,48 @@ def time_lane_loops(name: str, key: str, make: Callable[[], Any], guarded: int) 
         from tmodes.compile.lanes.wide import Wide
 
         module = ir.Module(name)
-        return _lane_loops(module, lower(module, straight_line(make(), invariant=3), Wide(module)), guarded)
+        return _lane_loop(module, lower(module, straight_line(make(), invariant=3), Wide(module)), guarded, method)
 
-    return library(name, key, write, _lane_functions(), level=3)
+    return _LaneLoops(
+        lambda method: library(_named(name, method), key, partial(write, method), _functions(method), level=3)
+    )
 
 
-def schedule_lane_loops(name: str, schedule: Any, guarded: int) -> Library:
+def schedule_lane_loops(name: str, schedule: Any, guarded: int) -> _LaneLoops:
     """As :func:`time_lane_loops`, of a schedule of kernels (:func:`tmodes.compile.loops.loops.schedule_loops`)."""
     from tmodes.compile.lanes.wide import Wide
 
-    def write() -> Any:
+    def write(method: str) -> Any:
         from llvmlite import ir
 
         from tmodes.compile.lanes.lanes_rate import write_lanes_rate
 
         module = ir.Module(name)
-        return _lane_loops(module, write_lanes_rate(module, schedule, "rate"), guarded)
+        return _lane_loop(module, write_lanes_rate(module, schedule, "rate"), guarded, method)
 
-    return library(name, schedule.key, write, _lane_functions(), 3, partial(called, schedule, Wide.name))
+    def made(method: str) -> Library:
+        kernels = partial(called, schedule, Wide.name)
+        return library(_named(name, method), schedule.key, partial(write, method), _functions(method), 3, kernels)
+
+    return _LaneLoops(made)
 
 
-def _lane_loops(module: Any, rate: Any, guarded: int) -> Any:
-    from tmodes.compile.lanes.lanes_dormand_prince import write_lanes_dormand_prince
-    from tmodes.compile.lanes.lanes_rk4 import write_lanes_rk4
+def _named(name: str, method: str) -> str:
+    return f"{name} {integrators()[method].key}"
 
-    write_lanes_rk4(module, "rk4", rate, guarded)
-    write_lanes_dormand_prince(module, "dormand_prince", rate, guarded)
+
+def _lane_loop(module: Any, rate: Any, guarded: int, method: str) -> Any:
+    from tmodes.compile.lanes.lanes_adaptive import write_lanes_adaptive
+    from tmodes.compile.lanes.lanes_fixed import write_lanes_fixed
+
+    tableau = integrators()[method].tableau
+    assert tableau is not None  # noqa: S101
+    write = write_lanes_fixed if tableau.error is None else write_lanes_adaptive
+    write(module, method, rate, guarded, tableau)
     return module
 
 
-def _lane_functions() -> dict[str, int]:
-    from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_METHODS
+def _functions(method: str) -> dict[str, int]:
+    from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS
 
-    loops = dict.fromkeys(LANE_METHODS, len(LANE_ARGUMENTS))
-    return loops | {f"{method}.work": 1 for method in LANE_METHODS}
+    return {method: len(LANE_ARGUMENTS), f"{method}.work": 1}

@@ -18,13 +18,10 @@ from tmodes.compile.ir.lower import Lowered
 from tmodes.compile.lanes.wide import Wide
 from tmodes.compile.loops.time_loop import CELLS, Status
 
-__all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_METHODS", "LANE_OPTIONS", "WIDTH", "LanesLoop"]
+__all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_OPTIONS", "WIDTH", "LanesLoop"]
 
 WIDTH = Wide.stride
 """Runs side by side."""
-
-LANE_METHODS = ("rk4", "dormand_prince")
-"""Methods that have a loop over lanes."""
 
 LANE_CELLS = (*CELLS, "gate_known", "gate0", "gate1")
 """Memory of a loop between calls, one double for each lane of each."""

@@ -11,11 +11,11 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, counted, load, number, store
 from tmodes.compile.ir.lower import Lowered
-from tmodes.compile.loops.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 from tmodes.compile.loops.explicit_step import ExplicitMethod
 from tmodes.compile.loops.step_control import StepControl, mean_square
 from tmodes.compile.loops.stiffness import StiffnessTest
 from tmodes.compile.loops.time_loop import TimeLoop
+from tmodes.integrate.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 
 __all__ = ["write_dop853_loop"]
 

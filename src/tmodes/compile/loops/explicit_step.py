@@ -29,7 +29,7 @@ class ExplicitMethod:
     """How steps are controlled and tested; ``end``: the slope at a step's end, the first stage of the next."""
 
     control: StepControl
-    stiffness: StiffnessTest
+    stiffness: StiffnessTest | None
     end: str
 
     def begin(self, loop: TimeLoop, offset: int | None) -> tuple[Gate, AdaptiveStep]:
@@ -56,5 +56,6 @@ class ExplicitMethod:
         add_local_errors(loop, "local", share)
         write()
         self.control.accept(loop, (step.wanted, step.h, step.last, step.time_after), error, self.end)
-        self.stiffness.write(loop, step.h)
+        if self.stiffness:
+            self.stiffness.write(loop, step.h)
         loop.builder.branch(loop.again)

@@ -9,10 +9,10 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.loops import dop853_table as dop853
-from tmodes.compile.loops import dormand_prince_loop as dormand_prince
+from tmodes.integrate import dop853_table as dop853
+from tmodes.integrate.method import Tableau
 
-__all__ = ["EXPLICIT", "RungeKutta", "SamplePlaces"]
+__all__ = ["RungeKutta", "SamplePlaces", "dop853_table", "replayed"]
 
 Array = NDArray[np.float64]
 Counts = NDArray[np.int64]
@@ -72,33 +72,28 @@ def _square(rows: tuple[tuple[float, ...], ...]) -> Array:
     return matrix
 
 
-def _dormand_prince() -> RungeKutta:
-    a = _square(dormand_prince.A)
-    powers = np.array(dormand_prince.DENSE)
+def replayed(tableau: Tableau) -> RungeKutta:
+    """A method by its tableau; the stage after those of the step is the slope at its end, which samples may need."""
+    a, b = _square(tableau.a), np.zeros(tableau.stages)
+    b[: len(tableau.a[-1])] = tableau.a[-1]
 
-    def dense(share: Array) -> Array:
-        return np.stack([share ** (k + 1) for k in range(4)], axis=1) @ powers.T
-
-    return RungeKutta(a, a[-1].copy(), np.array(dormand_prince.C), 6, dense)
-
-
-def _classical() -> RungeKutta:
-    """The stage after the four is the slope at the step's end, for the cubic Hermite polynomial."""
-    b = np.array([1 / 6, 1 / 3, 1 / 3, 1 / 6, 0.0])
-    a = _square(((), (1 / 2,), (0.0, 1 / 2), (0.0, 0.0, 1.0), tuple(b[:4])))
-
-    def dense(share: Array) -> Array:
+    def hermite(share: Array) -> Array:
         rest = 1 - share
         weights = (share**2 * (1 + 2 * rest))[:, None] * b
         weights[:, 0] += share * rest**2
-        weights[:, 4] -= rest * share**2
-        weights[share >= 1 - 1e-9] = b  # there the loop takes the step's end itself
+        weights[:, -1] -= rest * share**2
+        if tableau.error is None:
+            weights[share >= 1 - 1e-9] = b  # there the loop takes the step's end itself
         return weights
 
-    return RungeKutta(a, b, np.array([0.0, 0.5, 0.5, 1.0, 1.0]), 4, dense)
+    def dense(share: Array) -> Array:
+        powers = np.array(tableau.dense)
+        return np.stack([share ** (k + 1) for k in range(powers.shape[1])], axis=1) @ powers.T
+
+    return RungeKutta(a, b, np.array(tableau.c), tableau.own, hermite if tableau.dense is None else dense)
 
 
-def _dop853() -> RungeKutta:
+def dop853_table() -> RungeKutta:
     """The last four stages, the slope at the step's end the first of them, are those of the dense output."""
     count = len(dop853.A)
     a, b = _spread(dop853.A, count), _spread([dop853.A[dop853.STAGES]], count)[0]
@@ -121,7 +116,3 @@ def _spread(rows: Sequence[Mapping[int, float]], count: int) -> Array:
     for k, row in enumerate(rows):
         matrix[k, [*row]] = [*row.values()]
     return matrix
-
-
-EXPLICIT = {"dormand_prince": _dormand_prince(), "dop853": _dop853(), "rk4": _classical()}
-"""By the names of :class:`tmodes.integrate.settings.Method`."""

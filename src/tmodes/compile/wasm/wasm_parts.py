@@ -7,8 +7,10 @@ from functools import partial
 from typing import Any
 
 from tmodes.compile.ir.kernels import arithmetic_of, sample_module, schedule_module
-from tmodes.compile.loops.loops import ROSENBROCK, loop_arithmetic, program_loop_module, schedule_loop_module
+from tmodes.compile.loops.loops import loop_arithmetic, program_loop_module, schedule_loop_module
 from tmodes.compile.wasm.wasm import Part
+from tmodes.integrate.method import JACOBIAN
+from tmodes.integrate.registry import integrator
 
 PIECE = 5000
 """Values of a kernel that make one function: shorter ones only make the code of usual beams longer."""
@@ -34,7 +36,7 @@ def schedule_loop(symbol: str, schedule: Any, guarded: int, method: str, **more:
     write = partial(schedule_loop_module, schedule, guarded, method, symbol, **more)
     simd = arithmetic == "lanes"
     loop = Part(f"loop {method} {guarded} {more} {schedule.key}", write, (symbol,), simd=simd, level=1)
-    slopes = _kernels(schedule, "derivative") if method == ROSENBROCK else []
+    slopes = _kernels(schedule, "derivative") if integrator(method).asks == JACOBIAN else []
     return [loop, *_called(schedule, arithmetic), *slopes]
 
 

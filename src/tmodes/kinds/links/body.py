@@ -3,15 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
-from typing import Literal, Self
+from typing import Any, Literal, Self
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
-from pydantic import Field, model_validator
+from pydantic import Field, field_validator, model_validator
 
 from tmodes.kinds.schema.axes import rpy_matrix
 from tmodes.kinds.schema.frames import TURN, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative, positive, quantity, refuse
+from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, not_negative, quantity, refuse
 
 __all__ = ["BodySheet", "Inertia", "entries", "principal_moments"]
 
@@ -79,9 +79,11 @@ class BodySheet(DataSheet):
     """A rigid body of a link, in the link's frame; on a beam in the axes of the section at the station ``at``."""
 
     name: str = Field(default="", max_length=100, description="name of the body")
-    mass: float = positive("kg", "m", "mass", plausible=(1e-6, 1e4))
+    mass: float = not_negative("kg", "m", "mass", plausible=(1e-6, 1e4))
     center: Vector = list_of_numbers("m", "c", "center of mass", default=(0.0, 0.0, 0.0))
-    inertia: Inertia | None = Field(default=None, description="inertia about the center of mass; none: a point mass")
+    inertia: Inertia | None = Field(
+        default=None, description="inertia about the center of mass; one number: about every axis; none: a point mass"
+    )
     rpy: Vector | None = list_of_numbers(
         "rad", "rpy", "axes of the inertia; none: those of the frame", default=None, plausible=[-TURN, TURN]
     )
@@ -93,6 +95,12 @@ class BodySheet(DataSheet):
         at_least=0,
         at_most=1,
     )
+
+    @field_validator("inertia", mode="before")
+    @classmethod
+    def _one_number_is_about_every_axis(cls, value: Any) -> Any:
+        alike = isinstance(value, (int, float)) and not isinstance(value, bool)
+        return {"xx": value, "yy": value, "zz": value} if alike else value
 
     @property
     def station(self) -> float:

@@ -9,7 +9,8 @@ from typing import Any, Protocol
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.lanes.lanes_loop import LANE_METHODS, WIDTH
+from tmodes.compile.lanes.lane_kernels import goes_side_by_side
+from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.simulation.batch.alone import Alone
 from tmodes.simulation.batch.side_by_side import Room, SideBySide
 from tmodes.simulation.batch.work import Work
@@ -58,7 +59,7 @@ def spans(work: Work, threads: int) -> list[range]:
 
 def _side(work: Work) -> int:
     """Lanes that go at once."""
-    return WIDTH if work.settings.method.value in LANE_METHODS else 1
+    return WIDTH if goes_side_by_side(work.settings.method) else 1
 
 
 def run_lanes(work: Work, lanes: range, wish: Callable[[], bool], reached: Array) -> list[Trajectory]:
@@ -68,7 +69,7 @@ def run_lanes(work: Work, lanes: range, wish: Callable[[], bool], reached: Array
     ends the run.
     """
     side = _side(work)
-    room = Room(work) if work.settings.method.value in LANE_METHODS else None
+    room = Room(work) if goes_side_by_side(work.settings.method) else None
     runs: list[Trajectory] = []
     for first in range(lanes.start, lanes.stop, side):
         group = range(first, min(first + side, lanes.stop))

@@ -29,7 +29,7 @@ class Room:
     """What the native loop of one thread works on, and what is the same for all groups of lanes that go through it."""
 
     def __init__(self, work: Work) -> None:
-        method, size = work.settings.method.value, work.inputs.starts.shape[1]
+        method, size = work.settings.method, work.inputs.starts.shape[1]
         library = work.model.lane_loops
         self.loop, self.work = library[method], work
         self.memory, self.options = private(len(LANE_CELLS), WIDTH), private(len(LANE_OPTIONS))

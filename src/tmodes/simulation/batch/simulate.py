@@ -10,10 +10,12 @@ from typing import Any, Protocol, TypedDict
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tmodes.compile.lanes.lanes_loop import LANE_METHODS
-from tmodes.compile.loops.loops import EXPLICIT
+from tmodes.compile.lanes.lane_kernels import goes_side_by_side
+from tmodes.compile.loops.loops import loop_methods
 from tmodes.errors import InputError
-from tmodes.integrate.settings import Integration, Method, refuse_stops
+from tmodes.integrate.method import EXPLICIT
+from tmodes.integrate.registry import AUTO
+from tmodes.integrate.settings import Integration, refuse_stops
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.batch.result import BatchRun, gathered
 from tmodes.simulation.batch.store import load_batch, room_for, write_batch
@@ -73,7 +75,7 @@ def simulate_lanes(
 ) -> BatchRun:
     """Run k robots of one structure, with ``parameters`` (k, size), from ``states`` (k, nx) on, by k schedules.
 
-    What is given once is the same for all. By the methods of :data:`tmodes.compile.lanes.lanes_loop.LANE_METHODS`
+    What is given once is the same for all. By methods with a tableau
     some robots run side by side, each with steps of its own; by others they run one by one; where none is named it is
     dormand_prince. No bit of a robot's samples depends on the other robots, on their number or on ``threads`` (None:
     one for each core). A run that cannot go on keeps what it had and disturbs no other: look at ``status`` and
@@ -83,8 +85,8 @@ def simulate_lanes(
     Raises :class:`tmodes.errors.InputError` for shapes that do not agree, for a method that the model does not have and
     for what is too large, and :class:`tmodes.errors.ResultFileError` for a folder that cannot be written.
     """
-    if settings.method is Method.AUTO:
-        settings = settings.chosen(Method.DORMAND_PRINCE)
+    if settings.method == AUTO:
+        settings = settings.chosen("dormand_prince")
     refuse_stops(settings, "all lanes of a batch run")
     lanes = inputs(parameters, schedules, states, settings.duration, model.batch_widths)
     count, times = thread_count(threads), sample_times(settings)
@@ -100,11 +102,12 @@ def simulate_lanes(
     return load_batch(folder)
 
 
-def prepare_loops(model: Batched, method: Method) -> None:
+def prepare_loops(model: Batched, method: str) -> None:
     """Compile once, before the threads want the loops; refuses a method that the model has no loop of."""
-    loops = model.lane_loops if method.value in LANE_METHODS else model.loops
+    loops = model.lane_loops if goes_side_by_side(method) else model.loops
     try:
-        loops[method.value]
+        loops[method]
     except KeyError:
-        expected, hint = f"one of {', '.join(EXPLICIT)}", "this model has no implicit steps: take an explicit method"
-        raise InputError("integration.method", method.value, expected, hint) from None
+        expected = f"one of {', '.join(loop_methods(EXPLICIT))}"
+        hint = "this model has no implicit steps: take an explicit method"
+        raise InputError("integration.method", method, expected, hint) from None

@@ -1,0 +1,110 @@
+"""From a sheet of the 2010 robot to a robot of joints and links, and which of its paths means which number there.
+
+One revolute joint about z with motor and elastic gear, one link of the kind ``modes`` with the payload at its tip, the
+environment as a contact with a bowl about the base point, whose radius is the length of the undeformed link.
+"""
+
+from __future__ import annotations
+
+from collections.abc import Mapping, Sequence
+from typing import Any
+
+__all__ = ["NAME", "own_path", "robot_change", "robot_data", "robot_path", "with_reach"]
+
+NAME = "filipovic2010"
+"""What a robot that was read of such a sheet keeps in its field ``imported``."""
+
+_PATHS = {
+    "motor.friction": "joints.joint.motor.friction.viscous",
+    "motor": "joints.joint.motor",
+    "gear": "joints.joint.gear",
+    "link.modes": "links.link.beam.modes",
+    "payload": "links.link.bodies.payload",
+    "environment": "contact",
+    "controller": "drives.0.controller",
+    "reference.noise": "drives.0.noise",
+    "reference": "drives.0.signal",
+    "reading": "equations",
+}
+"""Beginnings of the sheet's paths, and of those of the same numbers in the robot; longer ones first."""
+
+
+_EQUATIONS = {"consistent": "recursion"}
+"""Equations by which a reading is computed, where they have another name."""
+
+
+def robot_change(path: str, value: Any) -> tuple[str, Any]:
+    """Path and value in the robot of a path and value of the sheet."""
+    return robot_path(path), _EQUATIONS.get(value, value) if path == "reading" else value
+
+
+def robot_path(path: str) -> str:
+    """The path in the robot of a path of the sheet; any other path is itself."""
+    return _replaced(path, _PATHS)
+
+
+def own_path(path: str) -> str:
+    """The path in the sheet of a path in the robot, where it has one; any other path is itself."""
+    return _replaced(path, {there: here for here, there in _PATHS.items()})
+
+
+def _replaced(path: str, table: Mapping[str, str]) -> str:
+    for start, instead in table.items():
+        if path == start or path.startswith(f"{start}."):
+            return instead + path[len(start) :]
+    return path
+
+
+def robot_data(data: Mapping[str, Any]) -> dict[str, Any]:
+    """Plain data of the robot of a sheet's checked plain data."""
+    reading = data.get("reading", "consistent")
+    noise = data["reference"].get("noise", {})
+    motion = {key: value for key, value in data["reference"].items() if key != "noise"}
+    law = {"law": "dynamic_environment", "point": "tip", "shape": {"type": "ball", "center": [0.0, 0.0, 0.0]}}
+    law["shape"] |= {"radius": _reach(data["link"]["modes"]), "inside": True}
+    drive = {
+        "joint": "joint",
+        "command": "position",
+        "signal": {"type": "trapezoid", **motion},
+        "controller": {"type": "pd", **data["controller"]},
+        "noise": {"type": "noise", **noise},
+    }
+    return {
+        "format": 1,
+        "kind": "arm",
+        "imported": NAME,
+        **{key: data[key] for key in ("name", "title", "citation") if key in data},
+        "equations": _EQUATIONS.get(reading, reading),
+        "gravity": data.get("gravity", 9.81),
+        "joints": [_joint(data)],
+        "links": [_link(data)],
+        "tip": {"link": "link"},
+        "drives": [drive],
+        "contact" if data["contact"] else "contact_off": law | data["environment"],
+        "real": dict(data.get("real", {})),
+        "integration": dict(data.get("integration", {})),
+    }
+
+
+def _joint(data: Mapping[str, Any]) -> dict[str, Any]:
+    motor = {**data["motor"], "side": "joint", "friction": {"viscous": data["motor"]["friction"]}}
+    place = {"name": "joint", "type": "revolute", "parent": "base", "child": "link", "axis": [0.0, 0.0, 1.0]}
+    return {**place, "motor": motor, "gear": dict(data["gear"])}
+
+
+def _link(data: Mapping[str, Any]) -> dict[str, Any]:
+    payload = {"name": "payload", **data["payload"]}
+    return {"name": "link", "bodies": [payload], "beam": {"model": "modes", "modes": list(data["link"]["modes"])}}
+
+
+def _reach(modes: Sequence[Mapping[str, Any]]) -> float:
+    return sum(float(mode["length"]) for mode in modes)
+
+
+def with_reach(before: Mapping[str, Any], after: dict[str, Any]) -> dict[str, Any]:
+    """Changed plain data of a robot: the environment stays at the undeformed tip when a mode changes its length."""
+    old, new = (_reach(data["links"][0]["beam"]["modes"]) for data in (before, after))
+    shape = (after.get("contact") or after.get("contact_off") or {}).get("shape")
+    if shape and old != new and shape.get("radius") == old:
+        shape["radius"] = new
+    return after

@@ -1,0 +1,73 @@
+"""Noise as a signal: random, smooth, of limited band, and the same for the same seed everywhere."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from numpy.typing import NDArray
+from pydantic import Field
+
+from tmodes.errors import InputError
+from tmodes.kinds.schema.quantity import any_sign, not_negative, positive
+from tmodes.kinds.signals.contract import Signal
+from tmodes.kinds.signals.fit import MOST_PIECES
+from tmodes.kinds.signals.schedule import Schedule
+
+__all__ = ["Noise", "normal_numbers"]
+
+
+@Signal.register()
+class Noise(Signal):
+    """Random values, normally distributed, two for each period of the highest frequency, joined by a cubic spline.
+
+    It begins at its mean, so that a run still starts from rest. Above that frequency its power falls quickly; between
+    the values its deviation is a little smaller than at them.
+    """
+
+    type: Literal["noise"] = Field(description="kind of signal")
+    deviation: float = not_negative("signal", "sigma", "standard deviation of the values", at_most=1e12)
+    frequency: float = positive("Hz", "f", "highest frequency", plausible=(1e-3, 1e4))
+    seed: int = not_negative("-", "seed", "same seed, same noise", at_most=2**53)
+    mean: float = any_sign("signal", "u_0", "value that it swings about", default=0.0)
+
+    def schedule(self, until: float) -> Schedule:
+        """A cubic piece between each two values, up to ``until`` [s]; a longer run has the same noise at its start.
+
+        Raises :class:`tmodes.errors.InputError` where it needs too many pieces.
+        """
+        spacing = 0.5 / self.frequency
+        if until / spacing > MOST_PIECES:
+            got, most = f"{self.frequency:g} Hz over {until:g} s", f"at most {MOST_PIECES / 2 / until:.3g} Hz"
+            raise InputError("frequency", got, most, "lower the frequency, or shorten the run")
+        count = int(np.ceil(until / spacing)) + 1
+        values = self.mean + self.deviation * np.append(0.0, normal_numbers(self.seed, count + 1))
+        # Slopes of neighbours (Catmull, Rom 1974) hang on nothing that comes later, as those of a whole spline would.
+        slopes = np.append(0.0, (values[2:] - values[:-2]) / (2 * spacing))
+        pieces = _hermite(values[:count], values[1 : count + 1], slopes[:count], slopes[1 : count + 1], spacing)
+        return Schedule(spacing * np.arange(count + 1, dtype=np.float64), pieces).until(until)
+
+
+def _hermite(
+    start: NDArray[np.float64],
+    end: NDArray[np.float64],
+    slope: NDArray[np.float64],
+    last_slope: NDArray[np.float64],
+    length: float,
+) -> NDArray[np.float64]:
+    """Cubics with given values and slopes at both ends, (pieces, 4)."""
+    rise = (end - start) / length
+    square = (3 * rise - 2 * slope - last_slope) / length
+    return np.column_stack([start, slope, square, (slope + last_slope - 2 * rise) / length**2])
+
+
+def normal_numbers(seed: int, count: int) -> NDArray[np.float64]:
+    """Normally distributed numbers (count,), from the raw numbers of a generator whose stream never changes.
+
+    PCG64 (O'Neill 2014) by the transformation of Box and Muller (1958); a longer list begins with the shorter one.
+    """
+    pairs = (count + 1) // 2
+    raw = np.random.PCG64(seed).random_raw(2 * pairs).reshape(pairs, 2)
+    uniform = ((raw >> np.uint64(11)) + 0.5) * 2.0**-53
+    radius, angle = np.sqrt(-2 * np.log(uniform[:, 0])), 2 * np.pi * uniform[:, 1]
+    return np.column_stack([radius * np.cos(angle), radius * np.sin(angle)]).ravel()[:count]
