@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Chain, Point, RigidLink, Segment
+from tmodes.chain.chain import Chain, Point
 from tmodes.compile.wasm.wasm_parts import schedule_loop, schedule_samples
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.mechanics import mechanics
@@ -136,7 +136,7 @@ def stationed(chain: Chain, stations: Sequence[float]) -> Chain:
     """
     points = []
     for index, node in enumerate(chain.nodes):
-        places = (1.0,) if isinstance(node.link, RigidLink | Segment) else stations
+        places = stations if node.link.has_stations else (1.0,)
         points += [Point(f"{index}.{s}", index, s) for s in places]
     return replace(chain, points=tuple(points))
 

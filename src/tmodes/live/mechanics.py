@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names
-from tmodes.chain.chain import Chain, RigidLink, Segment
+from tmodes.chain.chain import Chain
 from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.live.loads import joint_limits, load_places, packed_loads, yield_strengths
 from tmodes.live.numbers import follow_of
@@ -31,7 +31,7 @@ def why_not_mechanics(arm: Robot) -> str:
     """Why a page cannot run this robot, in words; empty where it can."""
     if arm.base_motion is not None:
         return "its base moves"
-    if any(isinstance(node.link, Segment) for node in arm.chain().nodes):
+    if any(node.link.bends and not node.link.has_stations for node in arm.chain().nodes):
         return "a link is made of segments"
     return ""
 
@@ -115,7 +115,7 @@ def _links(
     lines, chain = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0]).links, model.chain
     found, carriers, point = [], {}, 0
     for node in chain.nodes:
-        bends = not isinstance(node.link, RigidLink)
+        bends = node.link.bends
         line = lines[node.name]
         if line.length > POINT_LIKE:
             end = np.zeros(3) if bends else line.rotation[0, 0].T @ (line.position[0, 1] - line.position[0, 0])

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.chain.chain import Axis, Beam, Chain, Motor
+from tmodes.chain.chain import Axis, Chain, Motor
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, Winding
 from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan
@@ -169,7 +169,7 @@ def _touch(arm: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
         got, hint = f"{sheet.moving_mass:g} kg", "remove `mass`, or take a law that holds the point"
         if sheet.unilateral:
             raise InputError("contact.mass", got, "no mass of a surface that only pushes", hint)
-        if info.s < 1 and isinstance(chain.nodes[info.node].link, Beam):
+        if info.s < 1 and chain.nodes[info.node].link.has_stations:
             raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", hint)
     touch = Touch(sheet)
     return TouchPlan(point, touch, touch.numbers(chain.gravity))
