@@ -9,17 +9,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
-from tmodes.equations.contract import Dynamics
+from tmodes.equations.contract import Dynamics, Way
+from tmodes.equations.loop.loop_parts import LoopParts
+from tmodes.equations.loop.plan import LoopPlan
 from tmodes.equations.recursion.parts import AxisPart
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 
-if TYPE_CHECKING:
-    from tmodes.equations.loop.instant import Instant
-
 __all__ = ["Solution", "contact_fold", "solved"]
+
+
+class Instant(Protocol):
+    """What is asked of the instant whose accelerations are solved for."""
+
+    plan: LoopPlan
+    loop: LoopParts
+    way: Way
+    mass_step: Slot
+
+    def call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
+        """Call a kernel."""
+        ...
 
 
 @dataclass(eq=False)
