@@ -90,6 +90,9 @@ def solved(instant: Instant, start: Callable[[], Dynamics]) -> Solution:
     run = start()
     free = Solution(instant, run, run.run())
     plan, numbers = instant.plan.touch, instant.loop.touch
+    if run.contact is not None:
+        free.fold = run.contact.part(1, 1)
+        return free
     if plan is None or numbers is None or not plan.touch.rubs_with_mass:
         return free
     touch, call = plan.touch, instant.call
@@ -109,6 +112,8 @@ def contact_fold(solution: Solution, start: Callable[[], Dynamics]) -> Slot:
     instant, plan = solution.instant, solution.instant.plan.touch
     if solution.fold is None or plan is None or instant.loop.touch is None:
         return instant.loop.always.part(0, 1)
+    if solution.first.contact is not None:
+        return solution.fold
     free = Solution(instant, solution.first, solution.free)
     pose, _, before = free.point(plan.point)
     (pushed,) = instant.call(plan.touch.unit_push(), pose, instant.loop.touch, instant.way.wrenches[plan.point])

@@ -112,13 +112,11 @@ class Instant:
         touch = self.plan.touch
         if touch and self.loop.touch:
             blocks = (*self.way.frame_of(touch.point), self.way.offset(touch.point), self.loop.touch)
-            before = wrenches.get(touch.point, self.none[FORCE])
-            wrenches[touch.point], gate = self.call(touch.touch.wrench(), *blocks, before)
+            wrench, gate = self.call(touch.touch.wrench(), *blocks, wrenches.get(touch.point, self.none[FORCE]))
             self.schedule.gate = gate if touch.touch.sheet.unilateral else None
-            if touch.has_mass or (self.euler and self.way.takes_mass(touch.point)):
-                self.mass_step = self.step if self.euler else self.none[1]
-                inertia, bias = self.call(touch.touch.inertia(), *blocks, self.mass_step)
-                self.way.attach(touch.point, inertia, bias)
+            moves = touch.has_mass or (self.euler and self.way.takes_mass(touch.point))
+            self.mass_step = self.step if self.euler and moves else self.none[1]
+            self.way.touched(touch.point, touch.touch, self.loop.touch, wrench, self.mass_step if moves else None)
 
     def _drive(self) -> Callable[[], Dynamics]:
         """Efforts of the servos, and the motions that are given: the start of the dynamics, as often as asked."""

@@ -128,7 +128,8 @@ class Powers:
             return self.instant.pack(*(self.none[1],) * CONTACT_TOLD)
         pose, _, motion = self.solution.point(touch.point)
         info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch)
-        self.powers["contact"].append(power)
+        solved = self.solution.first.contact
+        self.powers["contact"].append(power if solved is None else solved.part(2, 1))
         return info
 
     def _power_of_base(self) -> None:
