@@ -8,6 +8,7 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 import pytest
 from pydantic import Field
+from tmodes.report.write_motion import write_arm_report
 
 import tmodes
 from arm.run.sheets import arm
@@ -19,7 +20,6 @@ from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.quantity import positive
 from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.model.model import Model
-from tmodes.report.write_motion import write_arm_report
 from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
