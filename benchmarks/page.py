@@ -22,7 +22,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.live.bundle import live_bundle
-from tmodes.report.chart_list import drafts_of
+from tmodes.report.charts import drafts_of
 
 from .page_browser import changes, played
 from .page_equal import FINE, equality

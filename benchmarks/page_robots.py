@@ -12,7 +12,6 @@ from typing import Any
 
 from tmodes.paper.simulate import simulate
 from tmodes.report.write import write_report
-from tmodes.report.write_motion import write_arm_report
 from tmodes.result import assemble_result
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
@@ -76,4 +75,4 @@ def result_of(sheet: Any) -> Any:
 
 def written(result: Any, path: Path) -> Path:
     """Its report, with figures and model, as ``tmodes run`` leaves it."""
-    return (write_arm_report if result.kind == "arm" else write_report)(result, path)
+    return write_report(result, path)

@@ -9,7 +9,7 @@ from pydantic import ValidationError
 import tmodes
 from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError
-from tmodes.kinds.signals.signals_noise import Noise, normal_numbers
+from tmodes.kinds.signals.noise import Noise, normal_numbers
 from tmodes.paper.simulate import simulate
 from tmodes.robots.load import load
 from tmodes.simulation.simulate import simulate_motion

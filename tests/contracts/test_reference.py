@@ -7,7 +7,7 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmodes.kinds.signals.trapezoid import TrapezoidalMove
+from tmodes.paper.trapezoidal_move import TrapezoidalMove
 
 moves = st.builds(
     TrapezoidalMove,

@@ -11,7 +11,7 @@ import pytest
 from arm.run.sheets import landing
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import live_map
-from tmodes.report.chart_list import charts_of
+from tmodes.report.charts import charts_of
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion

@@ -11,8 +11,8 @@ import pytest
 from tmodes.live.bundle import live_bundle
 from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import live_map
-from tmodes.report.facts_motion import arm_facts
-from tmodes.report.scene_chain import arm_line_panel, arm_scene
+from tmodes.report.run_facts import run_facts
+from tmodes.report.scene import line_of, scene_of
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
@@ -119,7 +119,7 @@ def same(values: Any, true: Any, name: str) -> None:
 
 def test_line_panel_is_that_of_the_native_run(case: Case) -> None:
     for run, result in zip(case.runs, case.results, strict=True):
-        panel, page = run["line"], arm_line_panel(result, frames_of(case))
+        panel, page = run["line"], line_of(result, frames_of(case))
         assert page is not None
         assert panel["links"] == page["links"]
         assert [one["id"] for one in panel["quantities"]] == [one["id"] for one in page["quantities"]]
@@ -131,7 +131,7 @@ def test_line_panel_is_that_of_the_native_run(case: Case) -> None:
 def test_links_are_coloured_by_the_loads_of_the_new_run(case: Case) -> None:
     """By all that colours the page's own scene, displacement apart: the page takes the model's own line for it."""
     links = case.results[0].data["bending_link"].values
-    kinds = [colour["id"] for colour in arm_scene(case.results[0], frames_of(case))["colours"]]
+    kinds = [colour["id"] for colour in scene_of(case.results[0], frames_of(case))["colours"]]
     drawn = [link["name"] for link in case.bundle["links"]]
     for run, result in zip(case.runs, case.results, strict=True):
         colours = {one["id"]: one["values"] for one in run["scene"]["colours"]}
@@ -151,7 +151,7 @@ def test_links_are_coloured_by_the_loads_of_the_new_run(case: Case) -> None:
 def test_headline_numbers_are_of_the_new_run(case: Case) -> None:
     """The largest loads at all samples, and shares of strengths and limits: value, and when and where."""
     for run, result in zip(case.runs, case.results, strict=True):
-        info = {fact.id: fact for fact in arm_facts(result, result.summary())}
+        info = {fact.id: fact for fact in run_facts(result, result.summary())}
         for name in FACTS:
             assert run["facts"][name]["value"] == pytest.approx(info[name].value, rel=EQUAL), name
             assert run["facts"][name]["note"] == info[name].note, name
@@ -164,7 +164,7 @@ def test_of_very_many_samples_some_are_looked_at(case: Case, tmp_path: Path) -> 
     more = {"times": times, "frames": (dense * frames_of(case)).astype(np.int32)}
     sliders = [slider["value"] for slider in case.bundle["sliders"]]
     (run,) = live_in_node(case.bundle | more, [sliders], tmp_path)
-    info = {fact.id: fact for fact in arm_facts(case.results[0], case.results[0].summary())}
+    info = {fact.id: fact for fact in run_facts(case.results[0], case.results[0].summary())}
     assert run["facts"]["moment.max"]["note"].endswith("(looked at: one sample in 2)")
     assert run["facts"]["moment.max"]["value"] == pytest.approx(info["moment.max"].value, rel=1e-2)
     for quantity in run["line"]["quantities"]:

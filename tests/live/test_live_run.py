@@ -16,7 +16,7 @@ from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import run_numbers, whole_moves
 from tmodes.report.meshes import with_shapes
 from tmodes.report.pack import pack
-from tmodes.report.scene_chain import arm_scene
+from tmodes.report.scene import scene_of
 from tmodes.result import Result, assemble_result
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
@@ -245,7 +245,7 @@ def test_scene_has_all_that_the_page_s_own_has(tmp_path: Path) -> None:
     bundle = live_bundle(result)
     assert bundle is not None
     (run,) = live_in_node(bundle, [unchanged(live_map(arm.pair()))], tmp_path)
-    scene = arm_scene(result, bundle["frames"])
+    scene = scene_of(result, bundle["frames"])
     assert [link["name"] for link in bundle["links"]] == [link["name"] for link in scene["links"]] == ["l0", "l1", "l2"]
     for name in ("line", "rigid", "reference", "referenceRigid", "roots"):
         assert np.abs(run["scene"][name] - scene[name]).max() < 1e-6, name

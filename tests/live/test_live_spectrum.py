@@ -10,7 +10,7 @@ from pathlib import Path
 import numpy as np
 import pytest
 
-from tmodes.plot.paper.vibration import amplitude_spectrum
+from tmodes.plot.amplitude import amplitude_spectrum
 
 from .node import ESBUILD, WEB
 

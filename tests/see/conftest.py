@@ -9,60 +9,60 @@ from typing import Any
 
 import pytest
 
-from result.synthetic import synthetic_result
+from arm.see.runs import result_of
 from see.looking import OPTIONS
 from tmodes.plot import drawings
 from tmodes.plot.save import Drawing
 from tmodes.report import write_report
-from tmodes.result.record import PaperResult
+from tmodes.result import Result
 
 NASTY = """<script>alert("1")</script> & 'x' <img src=x onerror=alert(2)> ]]> --> &amp; {braces} %s"""
 """A text that breaks pages that do not escape."""
 
 
-def failed_result(name: str = NASTY) -> PaperResult:
-    """A run in free space that diverged after three samples, with every text nasty."""
-    data = synthetic_result(contact=False).data.isel(time=slice(0, 3)).copy()
+def failed_result(name: str = NASTY) -> Result:
+    """A run that diverged after three samples, with every text nasty."""
+    data = result_of("swinging").data.isel(time=slice(0, 3)).copy()
     robot = json.loads(data.attrs["robot"]) | {"name": name, "title": name, "citation": name}
     data.attrs |= {
         "robot": json.dumps(robot),
         "status": "diverged",
-        "message": f"theta is not finite at t = 0.003 s. {name}",
+        "message": f"q is not finite at t = 0.008 s. {name}",
         "warnings": json.dumps([f"Energy grew. {name}"]),
         "versions": json.dumps({name: name}),
     }
-    return PaperResult(data)
+    return Result(data)
 
 
 RESULTS = {
-    "contact": synthetic_result,
-    "free": lambda: synthetic_result(contact=False),
-    "one second": lambda: synthetic_result(duration=1.0, samples=1001),
+    "contact": lambda: result_of("swinging"),
+    "free": lambda: result_of("pendulum"),
+    "at rest": lambda: result_of("cantilever"),
     "three samples": failed_result,
 }
 
 
 @pytest.fixture(scope="session", params=RESULTS)
-def result(request: pytest.FixtureRequest) -> PaperResult:
+def result(request: pytest.FixtureRequest) -> Result:
     """Each of the results in turn."""
     return RESULTS[request.param]()
 
 
 @pytest.fixture(scope="session")
-def good() -> PaperResult:
+def good() -> Result:
     """A finished run in contact."""
-    return synthetic_result()
+    return result_of("swinging")
 
 
 @pytest.fixture(scope="session")
-def drawn_figures(good: PaperResult) -> dict[str, Drawing]:
+def drawn_figures(good: Result) -> dict[str, Drawing]:
     """The figures of the good run, each rendered once for all tests."""
     return drawings(good)
 
 
 @pytest.fixture(scope="session")
 def reports(
-    tmp_path_factory: pytest.TempPathFactory, good: PaperResult, failed: PaperResult, drawn_figures: dict[str, Drawing]
+    tmp_path_factory: pytest.TempPathFactory, good: Result, failed: Result, drawn_figures: dict[str, Drawing]
 ) -> dict[str, Path]:
     """The report of a finished and of a failed run, in a folder whose name needs escaping."""
     folder = tmp_path_factory.mktemp("a report & more – ü")
@@ -73,7 +73,7 @@ def reports(
 
 
 @pytest.fixture(scope="session")
-def failed() -> PaperResult:
+def failed() -> Result:
     """A run that diverged after three samples, with every text nasty."""
     return failed_result()
 

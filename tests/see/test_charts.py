@@ -8,18 +8,18 @@ import numpy as np
 import pytest
 
 from see.scenes import arm_result
-from tmodes.plot.paper.vibration import amplitude_spectrum
-from tmodes.report.chart_list import charts_of, drafts_of
+from tmodes.plot.amplitude import amplitude_spectrum
+from tmodes.report.charts import charts_of, drafts_of
 from tmodes.report.data import facts_of, page_data
-from tmodes.report.facts_motion import arm_facts
 from tmodes.report.pack import Coarse, pack
-from tmodes.result.record import PaperResult
+from tmodes.report.run_facts import run_facts
+from tmodes.result import Result
 
 PREFIX = {"m": 1e3, "µ": 1e6, "n": 1e9, "k": 1e-3}
 
 
 @pytest.fixture(scope="module")
-def charts(good: PaperResult) -> dict[str, dict[str, Any]]:
+def charts(good: Result) -> dict[str, dict[str, Any]]:
     """The charts of the good run by name."""
     return {chart["id"]: chart for chart in charts_of([good])[0]}
 
@@ -28,7 +28,7 @@ def column(data: Any, place: dict[str, Any]) -> Any:
     return data[place["variable"]].values.reshape(data.sizes["time"], -1)[:, place["index"]]
 
 
-def test_every_curve_over_time_is_its_source(good: PaperResult, charts: dict[str, dict[str, Any]]) -> None:
+def test_every_curve_over_time_is_its_source(good: Result, charts: dict[str, dict[str, Any]]) -> None:
     compared = 0
     for chart in charts.values():
         for curve in chart["curves"]:
@@ -54,8 +54,8 @@ def test_units_are_those_of_the_figures(charts: dict[str, dict[str, Any]]) -> No
         assert {curve["source"]["factor"] for curve in chart["curves"]} == {prefix}
 
 
-def test_what_stands_side_by_side_has_one_unit(good: PaperResult) -> None:
-    small = PaperResult(good.data.assign(deviation=good.data["deviation"] * 1e-4))
+def test_what_stands_side_by_side_has_one_unit(good: Result) -> None:
+    small = Result(good.data.assign(deviation=good.data["deviation"] * 1e-4))
     pairs = [{chart["id"]: chart for chart in charts}["tip_deviation"] for charts in charts_of([small, good])]
     assert [chart["unit"] for chart in pairs] == ["mm", "mm"]
     assert pairs[0]["curves"][0]["values"] == pytest.approx(1e-4 * pairs[1]["curves"][0]["values"], rel=1e-5)
@@ -68,7 +68,7 @@ def test_deformations_have_their_parts_and_reference(charts: dict[str, dict[str,
         assert roles["stationary"] + roles["oscillatory"] == pytest.approx(roles["real"], abs=2e-5)
 
 
-def test_spectra_are_those_of_the_samples_that_they_tell(good: PaperResult, charts: dict[str, dict[str, Any]]) -> None:
+def test_spectra_are_those_of_the_samples_that_they_tell(good: Result, charts: dict[str, dict[str, Any]]) -> None:
     chart = charts["spectrum_deformations"]
     start, end = chart["span"]
     part = good.data.sel(time=slice(start - 1e-9, end + 1e-9))
@@ -80,9 +80,9 @@ def test_spectra_are_those_of_the_samples_that_they_tell(good: PaperResult, char
     assert [round(mark["at"], 3) for mark in chart["marks"]] == [4.938, 7.315, 20.212]
 
 
-def test_long_runs_are_thinned_and_tell_it(good: PaperResult) -> None:
+def test_long_runs_are_thinned_and_tell_it(good: Result) -> None:
     long = good.data.isel(time=np.tile(np.arange(2001), 5)).assign_coords(time=np.arange(10005) * 1e-3)
-    chart = next(chart for chart in charts_of([PaperResult(long)])[0] if chart["id"] == "deformation_xi")
+    chart = next(chart for chart in charts_of([Result(long)])[0] if chart["id"] == "deformation_xi")
     kept = chart["curves"][0]["values"]
     assert chart["samples"] == 10005
     assert len(chart["at"]) < 7000
@@ -90,11 +90,11 @@ def test_long_runs_are_thinned_and_tell_it(good: PaperResult) -> None:
     assert kept.values.max() == pytest.approx(1e3 * float(long["deformation"].values[:, 4].max()))
 
 
-def test_free_space_has_no_contact_chart(failed: PaperResult) -> None:
+def test_free_space_has_no_contact_chart(failed: Result) -> None:
     assert {draft.group for draft in drafts_of(failed)} == {"tip", "deformations", "motors", "energy"}
 
 
-def test_facts_have_stable_names_units_and_values(good: PaperResult) -> None:
+def test_facts_have_stable_names_units_and_values(good: Result) -> None:
     facts = {fact.id: fact for fact in facts_of(good)}
     info = good.summary()
     assert facts["deviation.max"].value == info["deviation"]["max_m"]
@@ -114,27 +114,27 @@ def test_angles_of_gears_are_not_compared_with_lengths() -> None:
     turning = summary["deformations"]["shoulder.gear"]
     slider = turning | {"unit": "m", "max": 2 * turning["max"]}
     summary["deformations"] |= {"slider.gear": slider}
-    found = next(fact for fact in arm_facts(result, summary) if fact.id == "gear.max")
+    found = next(fact for fact in run_facts(result, summary) if fact.id == "gear.max")
     assert (found.value, found.unit) == (turning["max"], "rad")
     assert found.note.startswith("shoulder, at ")
     assert found.note.endswith("(of the gears that turn)")
     del summary["deformations"]["shoulder.gear"]
-    alone = next(fact for fact in arm_facts(result, summary) if fact.id == "gear.max")
+    alone = next(fact for fact in run_facts(result, summary) if fact.id == "gear.max")
     assert (alone.value, alone.unit) == (slider["max"], "m")
 
 
-def test_residual_vibration_is_about_the_mean_place(good: PaperResult) -> None:
+def test_residual_vibration_is_about_the_mean_place(good: Result) -> None:
     """A tip that swings by 1 mm along x after the move, 5 mm off its reference: the offset is no vibration."""
     data = good.data.copy()
     time = np.linspace(0.0, 4.0, data.sizes["time"])
     swing = np.zeros((len(time), 3))
     swing[:, 0] = 5e-3 + 1e-3 * np.sin(2 * np.pi * 5 * time)
     data = data.assign(tip=data["tip_reference"] + swing).assign_coords(time=time)
-    found = {fact.id: fact for fact in facts_of(PaperResult(data))}["vibration.residual"]
+    found = {fact.id: fact for fact in facts_of(Result(data))}["vibration.residual"]
     assert found.value == pytest.approx(1e-3, rel=1e-2)
 
 
-def test_the_data_of_a_page_can_be_packed(good: PaperResult, failed: PaperResult) -> None:
+def test_the_data_of_a_page_can_be_packed(good: Result, failed: Result) -> None:
     page = page_data([good, failed], ["a", "b"])
     assert [run["name"] for run in page["runs"]] == ["a", "b"]
     assert (page["title"], page["live"]) == ("a, b", None)

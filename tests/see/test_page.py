@@ -13,7 +13,7 @@ from see.looking import look
 from tmodes.report import write_report
 from tmodes.report.data import page_data
 from tmodes.report.viewer import viewer_document
-from tmodes.result.record import PaperResult
+from tmodes.result import Result
 
 AXE = Path(__file__).resolve().parents[2] / "web" / "node_modules" / "axe-core" / "axe.min.js"
 INK = """id => { const c = document.querySelector(`[data-chart=${id}] canvas`); const d = c.getContext('2d')
@@ -59,7 +59,7 @@ def test_the_first_charts_are_seen_without_scrolling(browser: Any, reports: dict
     page.context.close()
 
 
-def test_charts_and_numbers_follow_the_time(window: Any, good: PaperResult) -> None:
+def test_charts_and_numbers_follow_the_time(window: Any, good: Result) -> None:
     before = window.page.evaluate(LINE)
     seek(window, 0.5)
     assert shown(window) == pytest.approx(1.0)
@@ -138,7 +138,7 @@ def test_a_logarithmic_ordinate_shows_the_size(window: Any) -> None:
     button.click()
 
 
-def test_data_and_sheet_can_be_saved(window: Any, good: PaperResult) -> None:
+def test_data_and_sheet_can_be_saved(window: Any, good: Result) -> None:
     with window.page.expect_download() as given:
         window.page.get_by_role("button", name="Save the YAML of this run").click()
     assert given.value.suggested_filename == "filipovic2010.yaml"
@@ -189,11 +189,9 @@ def test_nobody_is_shut_out(browser: Any, reports: dict[str, Path], scheme: str)
 HOSTILE = "</script><script>alert(1)</script><img src=x onerror=alert(2)>\"'"
 
 
-def test_a_hostile_name_stays_text(browser: Any, good: PaperResult, tmp_path: Path) -> None:
+def test_a_hostile_name_stays_text(browser: Any, good: Result, tmp_path: Path) -> None:
     robot = json.loads(good.data.attrs["robot"]) | {"name": HOSTILE, "title": NASTY}
-    result = PaperResult(
-        good.data.assign_attrs(robot=json.dumps(robot), message=HOSTILE, warnings=json.dumps([HOSTILE]))
-    )
+    result = Result(good.data.assign_attrs(robot=json.dumps(robot), message=HOSTILE, warnings=json.dumps([HOSTILE])))
     pages = {"report": write_report(result, tmp_path / "r.html", figures={}), "several": tmp_path / "s.html"}
     text = viewer_document(page_data([result, result], [HOSTILE, NASTY]))
     pages["several"].write_text(text, encoding="utf-8")
@@ -206,9 +204,7 @@ def test_a_hostile_name_stays_text(browser: Any, good: PaperResult, tmp_path: Pa
         window.page.context.close()
 
 
-def test_runs_side_by_side_share_their_charts(
-    browser: Any, good: PaperResult, failed: PaperResult, tmp_path: Path
-) -> None:
+def test_runs_side_by_side_share_their_charts(browser: Any, good: Result, failed: Result, tmp_path: Path) -> None:
     path = tmp_path / "several.html"
     path.write_text(viewer_document(page_data([good, failed], ["good", "failed"])), encoding="utf-8")
     window = look(browser, path, (1280, 1000))

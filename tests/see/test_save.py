@@ -12,26 +12,26 @@ import pytest
 from tmodes import plot
 from tmodes.errors import InputError, ResultFileError
 from tmodes.plot.save import Drawing
-from tmodes.result.record import PaperResult
+from tmodes.result import Result
 
 TESTS = Path(__file__).parents[1]
 
 HASHES = """
 import hashlib
-from result.synthetic import synthetic_result
+from arm.see.runs import result_of
 from tmodes.plot import drawings
 from tmodes.report.page import page
-result = synthetic_result()
+result = result_of("swinging")
 figures = drawings(result)
 for name, drawing in figures.items():
     print(name, hashlib.sha256(drawing.content("svg")).hexdigest())
 for kind in ("png", "pdf"):
-    print(kind, hashlib.sha256(figures["drive"].content(kind)).hexdigest())
+    print(kind, hashlib.sha256(figures["joint_efforts"].content(kind)).hexdigest())
 print("report", hashlib.sha256(page(result, figures).encode()).hexdigest())
 """
 
 
-def test_every_figure_in_every_format(good: PaperResult, drawn_figures: dict[str, Drawing], tmp_path: Path) -> None:
+def test_every_figure_in_every_format(good: Result, drawn_figures: dict[str, Drawing], tmp_path: Path) -> None:
     info: list[tuple[int, int, str]] = []
     folder = tmp_path / "figures"
     files = plot.save_figures(good, folder, progress=lambda *step: info.append(step), figures=drawn_figures)
@@ -60,12 +60,12 @@ def test_the_same_bytes_in_any_process_on_any_day() -> None:
     assert hashes == others
 
 
-def test_a_drawing_is_drawn_and_rendered_once(good: PaperResult) -> None:
+def test_a_drawing_is_drawn_and_rendered_once(good: Result) -> None:
     calls: list[int] = []
 
     def draw() -> list:
         calls.append(1)
-        return plot.drive(good)
+        return plot.joint_efforts(good)
 
     drawing = Drawing(draw)
     assert not calls
@@ -75,18 +75,18 @@ def test_a_drawing_is_drawn_and_rendered_once(good: PaperResult) -> None:
     assert len(calls) == 1
 
 
-def test_a_part_of_the_figures(good: PaperResult, tmp_path: Path) -> None:
-    chosen = {name: drawing for name, drawing in plot.drawings(good).items() if name == "drive"}
-    assert plot.save_figures(good, tmp_path, ["pdf"], figures=chosen) == [tmp_path / "drive.pdf"]
+def test_a_part_of_the_figures(good: Result, tmp_path: Path) -> None:
+    chosen = {name: drawing for name, drawing in plot.drawings(good).items() if name == "joint_efforts"}
+    assert plot.save_figures(good, tmp_path, ["pdf"], figures=chosen) == [tmp_path / "joint_efforts.pdf"]
 
 
-def test_an_unknown_format_is_refused_before_anything_is_written(good: PaperResult, tmp_path: Path) -> None:
+def test_an_unknown_format_is_refused_before_anything_is_written(good: Result, tmp_path: Path) -> None:
     with pytest.raises(InputError, match="'bmp', expected some of svg, png, pdf"):
         plot.save_figures(good, tmp_path / "new", ["svg", "bmp"])
     assert not (tmp_path / "new").exists()
 
 
-def test_a_folder_that_is_a_file(good: PaperResult, tmp_path: Path) -> None:
+def test_a_folder_that_is_a_file(good: Result, tmp_path: Path) -> None:
     place = tmp_path / "figures"
     place.write_text("mine")
     with pytest.raises(ResultFileError, match="which is a file"):
@@ -94,14 +94,14 @@ def test_a_folder_that_is_a_file(good: PaperResult, tmp_path: Path) -> None:
     assert place.read_text() == "mine"
 
 
-def test_a_figure_that_fails_leaves_the_old_file(good: PaperResult, tmp_path: Path) -> None:
-    old = tmp_path / "drive.svg"
+def test_a_figure_that_fails_leaves_the_old_file(good: Result, tmp_path: Path) -> None:
+    old = tmp_path / "joint_efforts.svg"
     old.write_text("old")
 
     def fails() -> list:
         raise ZeroDivisionError
 
     with pytest.raises(ZeroDivisionError):
-        plot.save_figures(good, tmp_path, ["svg"], figures={"drive": Drawing(fails)})
+        plot.save_figures(good, tmp_path, ["svg"], figures={"joint_efforts": Drawing(fails)})
     assert old.read_text() == "old"
-    assert [path.name for path in tmp_path.iterdir()] == ["drive.svg"]
+    assert [path.name for path in tmp_path.iterdir()] == ["joint_efforts.svg"]

@@ -8,6 +8,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
+from tmodes.report.scene_paper import real_robot
 
 from see.scenes import arm_result, robot_result
 from tmodes.paper.mechanism import Drive
@@ -16,7 +17,6 @@ from tmodes.report.mode_shapes import modes_of
 from tmodes.report.pack import Coarse, Sum, pack
 from tmodes.report.scene import line_of, scene_of
 from tmodes.report.scene_arrays import displaced, kept, stations_shown, steady
-from tmodes.report.scene_paper import real_robot
 from tmodes.report.scene_sections import section_of, solid_bar
 from tmodes.sheet import Robot
 

@@ -8,25 +8,16 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.line.line import LinkLine, LinkLines
-from tmodes.analysis.range import bent
-from tmodes.chain.chain import Beam, Segment
-from tmodes.kinds.links.beam_functions import pieces_at
-from tmodes.kinds.links.beam_tables import beam_tables, section_edges
+from tmodes.chain.chain import Link
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
 __all__ = [
-    "MISSING_SHARE", "SEGMENT_LIMIT", "STRAIN_LIMIT", "missing_share", "rest_warnings", "run_warnings",
+    "MISSING_SHARE", "missing_share", "rest_warnings", "run_warnings",
     "yield_strength",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
-
-SEGMENT_LIMIT = 0.1
-"""Angle [rad] of a segment up to which tan th = th, on which the paper's mode rests, is true to 0.3 %."""
-
-STRAIN_LIMIT = 1.0
-"""Angle [rad] between neighbouring points of a strain link up to which its series are exact to rounding."""
 
 MISSING_SHARE = 0.01
 """Share of a link's bending energy in shapes that its functions do not have, from which more are advised."""
@@ -64,29 +55,15 @@ def _range(model: Model, time: Array, q: Array) -> Iterator[str]:
     for part in model.parts.nodes:
         if part.link is None:
             continue
-        own, link = q[:, part.link.own], part.node.link
-        if isinstance(link, Segment):
-            yield from _beyond(
-                time, np.abs(own).max(axis=1), SEGMENT_LIMIT,
-                f"link {part.node.name} leaves the small angles of its segments (|th| <= {SEGMENT_LIMIT:g} rad)",
-                "rad", "take the model `strain`, which is exact in large deflection",
-            )  # fmt: skip
-        elif isinstance(link, Beam):
-            yield from _beyond(
-                time, _turns(link, tuple(s for s, _ in part.link.stations), own), STRAIN_LIMIT,
-                f"link {part.node.name} turns by more than {STRAIN_LIMIT:g} rad between two of its points",
-                "rad", "give its beam more `points`",
-            )  # fmt: skip
+        link, stations = part.node.link, tuple(s for s, _ in part.link.stations)
+        limit = link.angle_limit
+        yield from _beyond(
+            time, link.angles(q[:, part.link.own], stations), limit.warning,
+            f"link {part.node.name} {limit.what}", "rad", limit.hint,
+        )  # fmt: skip
 
 
-def _turns(beam: Beam, stations: tuple[float, ...], q: Array) -> Array:
-    """Largest angle [rad] between neighbouring sections of the model, (n,)."""
-    tables = beam_tables(beam, stations)
-    edges = section_edges(tables.shape, tables.points, stations)
-    return np.linalg.norm(bent(beam, q, edges), axis=2).max(axis=1)
-
-
-def missing_share(line: LinkLine, link: Beam) -> dict[str, float]:
+def missing_share(line: LinkLine, link: Link) -> dict[str, float]:
     """For each direction that has functions: the share of its bending energy in shapes that they do not have.
 
     The material's moment is the projection of the balance's moment M on the functions (Galerkin), so what is missing is
@@ -96,9 +73,9 @@ def missing_share(line: LinkLine, link: Beam) -> dict[str, float]:
     if line.shape is None or len(line.s) < 2:
         return {}
     shares, totals = {}, {}
-    for k, (name, quantity) in enumerate((("twist", "torsion"), ("bend_y", "bend_y"), ("bend_z", "bend_z"))):
-        if getattr(link, name):
-            weight = 1 / pieces_at(link, quantity, line.s)
+    for k, name in enumerate(("twist", "bend_y", "bend_z")):
+        if name in link.projected:
+            weight = 1 / link.stiffness_at(name, line.s)
             gap = line.moment[..., k] - line.shape.elastic_moment[..., k]
             totals[name] = float(np.trapezoid(line.moment[..., k] ** 2 * weight, line.s, axis=1).sum())
             shares[name] = float(np.trapezoid(gap**2 * weight, line.s, axis=1).sum())
@@ -110,11 +87,11 @@ def _functions(model: Model, lines: LinkLines) -> Iterator[str]:
     """Links whose load bends them in ways that their functions do not have."""
     for line in lines.bending():
         link = model.chain.nodes[line.node].link
-        for name, share in (missing_share(line, link) if isinstance(link, Beam) else {}).items():
+        for name, share in missing_share(line, link).items():
             if share > MISSING_SHARE:
                 yield (
                     f"link {line.name}: {share:.1%} of its energy of {name} would be in shapes that its "
-                    f"{getattr(link, name)} function(s) do not have (limit {MISSING_SHARE:.0%}): take more "
+                    f"{link.functions[name]} function(s) do not have (limit {MISSING_SHARE:.0%}): take more "
                     f"functions.{name}"
                 )
 
@@ -144,12 +121,8 @@ def yield_strength(arm: Robot, name: str) -> float | None:
 def _buckling(model: Model, time: Array, line: LinkLine) -> Iterator[str]:
     """Axial compression against pi^2 EI/(4 L^2), a link clamped at its root and free at its tip."""
     link = model.chain.nodes[line.node].link
-    stiffness = []
-    if isinstance(link, Beam):
-        stiffness = [pieces_at(link, name, line.s).min() for name in ("bend_y", "bend_z") if getattr(link, name)]
-    elif isinstance(link, Segment):
-        bends = ((link.bend_y, link.stiffness_y), (link.bend_z, link.stiffness_z))
-        stiffness = [k * link.length**3 / 3 for bend, k in bends if bend]
+    free = [name for name in ("bend_y", "bend_z") if link.functions[name]]
+    stiffness = [float(link.stiffness_at(name, line.s).min()) for name in free]
     if not stiffness:
         return
     critical = float(np.pi**2 * min(stiffness) / (4 * line.length**2))

@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 
 from tmodes.kinds.schema.quantity import DataSheet, not_negative, positive
+from tmodes.kinds.signals.merge import merge
+from tmodes.kinds.signals.noise import Noise
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.kinds.signals.signals_merge import merge
-from tmodes.kinds.signals.signals_noise import Noise
 
 __all__ = ["CommandNoise"]
 

@@ -18,7 +18,6 @@ from tmodes.errors import InputError
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.schema.quantity import DataSheet, Issue, not_negative, refuse
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.kinds.signals.trapezoid import TrapezoidalMove
 from tmodes.paper.environment import DynamicEnvironment
 from tmodes.paper.gear import ElasticGear
 from tmodes.paper.local_pd import LocalPD
@@ -26,6 +25,7 @@ from tmodes.paper.mechanism import Drive, Mechanism, Parameters, Reading
 from tmodes.paper.mode import FlexibleLink
 from tmodes.paper.motor import Motor
 from tmodes.paper.payload import Payload
+from tmodes.paper.trapezoidal_move import TrapezoidalMove
 
 __all__ = ["FACTOR", "FORMAT", "PLANT", "PaperPair", "PaperRobot"]
 

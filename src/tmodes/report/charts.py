@@ -1,18 +1,21 @@
-"""The charts of an arm's run, drafted from its result."""
+"""The linked charts of one or several runs, drafted from their results."""
 
 from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit
 from tmodes.report.common_charts import contact_parts, energy_charts, tip_charts
-from tmodes.report.drafts import Draft, Line, line_of
+from tmodes.report.drafts import Draft, Line, in_readable_units, line_of
 from tmodes.report.spectra import run_spectra
 
-__all__ = ["arm_charts"]
+if TYPE_CHECKING:
+    from tmodes.result import Result
+
+__all__ = ["charts_of", "drafts_of"]
 
 _TOGETHER = 6
 """Coordinates or joints in one chart, at most."""
@@ -20,14 +23,24 @@ _TOGETHER = 6
 _PARTS = {"real": "", "reference": "_reference", "stationary": "_stationary", "oscillatory": "_oscillatory"}
 
 
-def arm_charts(data: Any) -> Iterator[Draft]:
-    """Every chart, the first of each group being the one to look at first."""
+def charts_of(results: Sequence[Result]) -> list[list[dict[str, Any]]]:
+    """The charts of each run as ``Chart`` of ``web/src/contract.ts``; charts of one name have one unit in all runs."""
+    return in_readable_units([drafts_of(result) for result in results])
+
+
+def drafts_of(result: Result) -> list[Draft]:
+    """The charts of a run in SI units, the first of each group being the one to look at first."""
+    return list(_drafts(result))
+
+
+def _drafts(result: Result) -> Iterator[Draft]:
+    data = result.data
     yield from tip_charts(data)
     yield from _contact(data)
     yield from _deformations(data)
     yield from _joints(data)
     yield from energy_charts(data)
-    yield from run_spectra(data)
+    yield from run_spectra(result)
 
 
 def _contact(data: Any) -> Iterator[Draft]:

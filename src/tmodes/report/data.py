@@ -5,29 +5,27 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any, cast
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
 from tmodes.errors import TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
-from tmodes.report.chart_list import charts_of
+from tmodes.report.charts import charts_of
 from tmodes.report.facts import Fact
-from tmodes.report.facts_motion import arm_facts
-from tmodes.report.facts_paper import robot_facts
 from tmodes.report.mode_shapes import modes_of
+from tmodes.report.run_facts import run_facts
 from tmodes.report.scene import line_of, scene_of
 from tmodes.report.thin import scene_frames
-from tmodes.result import Result
 
 if TYPE_CHECKING:
-    from tmodes.result.record import PaperResult, RunRecord
+    from tmodes.result import Result
 
 __all__ = ["facts_of", "live_page", "page_data", "robot_name", "sheet_of"]
 
 
 def page_data(
-    results: Sequence[RunRecord],
+    results: Sequence[Any],
     names: Sequence[str] | None = None,
     live: dict[str, Any] | None = None,
     not_live: str = "",
@@ -42,14 +40,13 @@ def page_data(
     """
     names = names or [robot_name(result) for result in results]
     charts = charts_of(results)
-    known = cast("Sequence[Result | Result]", results)
-    runs = [_run(*one, light=light) for one in zip(known, names, charts, strict=True)]
+    runs = [_run(*one, light=light) for one in zip(results, names, charts, strict=True)]
     subtitle = _title(results[0]) if len(results) == 1 else f"{len(results)} runs side by side"
     info = {"title": ", ".join(names), "subtitle": subtitle, "live": live, "notLive": not_live}
     return {"format": 1, "runs": runs, **info}
 
 
-def live_page(result: PaperResult | Result, *, live: bool = True) -> dict[str, Any]:
+def live_page(result: Any, *, live: bool = True) -> dict[str, Any]:
     """The data of a page about one result, with its equations where they are wanted and the page can run them again."""
     if not live:
         return page_data([result], not_live="it was asked to hold no equations (--no-live)")
@@ -63,16 +60,16 @@ def live_page(result: PaperResult | Result, *, live: bool = True) -> dict[str, A
     return page_data([result], live=bundle, not_live=reason)
 
 
-def robot_name(result: RunRecord) -> str:
+def robot_name(result: Any) -> str:
     """The name of the robot that ran."""
     return str(json.loads(result.data.attrs["robot"]).get("name") or "robot")
 
 
-def _title(result: RunRecord) -> str:
+def _title(result: Result) -> str:
     return str(json.loads(result.data.attrs["robot"]).get("title") or "")
 
 
-def _run(result: PaperResult | Result, name: str, charts: list[dict[str, Any]], *, light: bool) -> dict[str, Any]:
+def _run(result: Result, name: str, charts: list[dict[str, Any]], *, light: bool) -> dict[str, Any]:
     data = result.data
     times = np.asarray(data["time"].values, dtype=float)
     frames = scene_frames(times, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
@@ -92,19 +89,16 @@ def _run(result: PaperResult | Result, name: str, charts: list[dict[str, Any]], 
     }
 
 
-def facts_of(result: PaperResult | Result) -> list[Fact]:
+def facts_of(result: Result) -> list[Fact]:
     """The numbers that matter, most important first."""
-    if isinstance(result, Result):
-        return list(arm_facts(result, result.summary()))
-    return list(robot_facts(result.data, result.summary()))
+    return list(run_facts(result, result.summary()))
 
 
-def sheet_of(result: PaperResult | Result) -> str:
+def sheet_of(result: Result) -> str:
     """The data sheet of this very run as YAML; empty where it is no longer one that this version knows."""
     from tmodes.io.sheet_write import arm_to_yaml
-    from tmodes.io.write import robot_to_yaml
 
     try:
-        return arm_to_yaml(result.arm) if isinstance(result, Result) else robot_to_yaml(result.robot)
+        return arm_to_yaml(result.robot)
     except TmodesError:
         return ""

@@ -1,4 +1,4 @@
-"""The numbers that matter of a run: their kind, and those that all kinds of robots share."""
+"""Headline numbers: what one is, how they are shown without a program, and those of tracking, energy, frequencies."""
 
 from __future__ import annotations
 

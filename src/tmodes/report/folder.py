@@ -18,7 +18,7 @@ from tmodes.io.journal import RunJournal
 from tmodes.io.sheet_check import sheet_data
 from tmodes.plot import drawings, save_figures
 from tmodes.report.meshes import with_shapes
-from tmodes.report.write_motion import write_arm_report
+from tmodes.report.write import write_report
 from tmodes.result import Result
 from tmodes.result.ready import ready_to_run, result_bytes
 from tmodes.result.run import run
@@ -130,7 +130,7 @@ class RunFolder:
             result, self.figures, progress=lambda done, total, name: progress("figures", done / total), figures=pictures
         )
         progress("report", 0.0)
-        write_arm_report(result, self.report_file, pictures, live=self.live)
+        write_report(result, self.report_file, pictures, live=self.live)
         progress("report", 1.0)
 
     def _sheet(self) -> str:

@@ -11,12 +11,9 @@ from numpy.typing import NDArray
 from tmodes.analysis.modes.modes import ArmMode
 from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import SimulationError
-from tmodes.paper.modes import VibrationMode, shaped_modes
-from tmodes.report.scene_chain import drawn_links, lines_at, real_arm_of
+from tmodes.report.scene import actual_robot, drawn_links, lines_at
 from tmodes.report.scene_meshes import carriers
-from tmodes.report.scene_paper import line_at, real_robot
 from tmodes.result import Result
-from tmodes.result.record import PaperResult
 
 __all__ = ["modes_of"]
 
@@ -24,7 +21,7 @@ Array = NDArray[np.float64]
 Lines = Callable[[Array], Array]
 """Coordinates (n, nq) to the lines of all links (n, L, S, 3) [m]."""
 
-Shaped = tuple[ArmMode | VibrationMode, NDArray[np.complex128]]
+Shaped = tuple[ArmMode, NDArray[np.complex128]]
 
 _CASES = (MotorState.CONTROLLED, MotorState.LOCKED, MotorState.FREE)
 
@@ -37,32 +34,24 @@ _STEP = 1e-5
 """Change of the largest coordinate [rad] by which a line's motion is found: central differences, good to 1e-9."""
 
 
-def modes_of(result: PaperResult | Result) -> list[dict[str, Any]]:
+def modes_of(result: Result) -> list[dict[str, Any]]:
     """The lowest modes of the real robot about its rest, of each state of its motors; none where it has no rest.
 
     Frequencies [Hz] and damping are those of ``result.frequencies``; motions without vibration are left out.
     Displacements (L, S, 3) are complex, the largest of size 1.
     """
     try:
-        return _of_arm(result) if isinstance(result, Result) else _of_robot(result)
+        return _modes(result)
     except SimulationError:
         return []
 
 
-def _of_robot(result: PaperResult) -> list[dict[str, Any]]:
-    robot, stations, found = real_robot(result), np.linspace(0, 1, _STATIONS), []
-    for state in _CASES:
-        phi, modes = shaped_modes(robot, state)
-        found += list(_info(str(state), modes, phi, lambda q: line_at(robot, q, stations)))
-    return found
-
-
-def _of_arm(result: Result) -> list[dict[str, Any]]:
+def _modes(result: Result) -> list[dict[str, Any]]:
     from tmodes.analysis.modes.modes import arm_modes
     from tmodes.analysis.modes.of_sheet import servos_of
     from tmodes.analysis.statics.rest import arm_rest
 
-    arm = real_arm_of(result)
+    arm = actual_robot(result)
     rest = arm_rest(arm, contact=arm.contact is not None)
     drawn = drawn_links(result.data)
     names = [*drawn, *carriers(result.data, rest.model.chain, drawn)]

@@ -1,4 +1,4 @@
-"""Numbers in tables: frequencies, the elastic angles beside their reference, the error of the integration."""
+"""Numbers of a run in tables: joints, links, elastic coordinates, frequencies, the error of the integration."""
 
 from __future__ import annotations
 
@@ -8,25 +8,18 @@ from tmodes.report.markup import Markup, tag
 from tmodes.report.quantity import power_of_ten, written
 from tmodes.report.tables import table
 
-__all__ = ["PLACES", "deformation_table", "error_table", "frequency_tables"]
+__all__ = ["deformations_table", "error_table", "frequency_tables", "joints_table", "links_table"]
 
-PLACES = {
-    "th11q": ("mode 1, horizontal", "ϑ", "1,1q"),
-    "th11m": ("mode 1, vertical", "ϑ", "1,1m"),
-    "th12d": ("mode 2, horizontal", "ϑ", "1,2δ"),
-    "th12e": ("mode 2, vertical", "ϑ", "1,2e"),
-    "xi": ("gear", "ξ", ""),
-}
-"""Where each elastic angle is, its letter and its index."""
+CASES = {"controlled": "Controlled", "locked": "Motors locked", "free": "Motors free"}
 
-CASES = {"controlled": "Controlled", "locked": "Motor locked", "free": "Motor free"}
+_FREQUENCY_HEAD = ("natural [Hz]", "damped [Hz]", "damping [%]", "dominant element")
+_MOST_ROWS = 30
+_ROUNDING = 1e-12
+"""A position [rad, m] that is as good as zero."""
 
 
-def frequency_tables(frequencies: dict[str, list[dict[str, Any]]], *, beside: bool = True) -> Markup:
-    """Natural and damped frequencies, damping ratio and the element in which most of each lives, per case.
-
-    ``beside``: the tables stand in columns, which is for short names.
-    """
+def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
+    """Natural and damped frequencies, damping ratio and the dominant element of each mode, per case."""
     tables = []
     for case, words in CASES.items():
         rows = [
@@ -40,28 +33,11 @@ def frequency_tables(frequencies: dict[str, list[dict[str, Any]]], *, beside: bo
         ]
         if rows:
             tables.append(
-                table(words, ("natural [Hz]", "damped [Hz]", "damping [%]", "lives in"), rows, numeric=(0, 1, 2))
+                table(
+                    words, ("natural [Hz]", "damped [Hz]", "damping [%]", "dominant element"), rows, numeric=(0, 1, 2)
+                )
             )
-    return tag("div", *tables, class_="columns wide" if beside else None)
-
-
-def deformation_table(info: dict[str, dict[str, float | None]]) -> Markup:
-    """Largest size of each elastic angle, of its reference, and how far one is from the other."""
-    rows = [_deformation(name, values) for name, values in sorted(info.items(), key=lambda item: _order(item[0]))]
-    head = ("Angle", "Symbol", "Largest, real", "Largest, reference", "rms deviation / rms reference")
-    return table("Elastic angles over the run", head, rows, numeric=(2, 3, 4))
-
-
-def _deformation(name: str, info: dict[str, float | None]) -> list[str]:
-    place, letter, index = PLACES.get(name, (name, "", ""))
-    ratio = info["rms_deviation_over_rms_reference"]
-    sizes = [written(info[key] or 0.0, "rad") for key in ("max_rad", "max_reference_rad")]
-    symbol = tag("span", letter, tag("sub", index) if index else None)
-    return [place, symbol, *sizes, "–" if ratio is None else f"{100 * ratio:.3g} %"]
-
-
-def _order(name: str) -> int:
-    return list(PLACES).index(name) if name in PLACES else len(PLACES)
+    return tag("div", *tables)
 
 
 def error_table(info: dict[str, Any] | None) -> Markup:
@@ -71,3 +47,55 @@ def error_table(info: dict[str, Any] | None) -> Markup:
     bound = "At most about" if "sum" in info["how"] else "Error"
     rows = [[name.replace(".", ", ").replace("_", " "), power_of_ten(value)] for name, value in info["figures"].items()]
     return table(f"Error of the integration, by a {info['how']}", ("Figure", f"{bound} [SI]"), rows, numeric=(1,))
+
+
+def joints_table(info: dict[str, dict[str, Any]]) -> Markup | None:
+    """Range, rate and effort of each driven joint."""
+    if not info:
+        return None
+    head = ("Joint", "Least", "Largest", "Unit", "Fastest", "Largest effort", "Largest gear torque")
+    rows = []
+    for name, one in list(info.items())[:_MOST_ROWS]:
+        force = "N" if one["unit"] == "m" else "N m"
+        gear = one["largest_gear_torque"]
+        rate = written(one["fastest"], f"{one['unit']}/s")
+        rows.append([name, _place(one["least"]), _place(one["largest"]), one["unit"], rate,
+                     written(one["largest_effort"], force), written(gear, force) if gear else "–"])  # fmt: skip
+    return table(_caption("Driven joints over the run", info), head, rows, numeric=(1, 2, 4, 5, 6))
+
+
+def _place(value: float) -> str:
+    """A position; what is rounding is zero."""
+    return f"{value if abs(value) > _ROUNDING else 0.0:.4g}"
+
+
+def links_table(info: dict[str, dict[str, Any]]) -> Markup | None:
+    """Largest deflection, bending moment and stress of each elastic link."""
+    if not info:
+        return None
+    head = ("Link", "Deflection of its end", "Bending moment", "where", "Stress", "where")
+    rows = []
+    for name, link in list(info.items())[:_MOST_ROWS]:
+        moment, stress = link["bending_moment"], link["stress"]
+        where = ["–" if one is None else f"s = {one['s']:.2g}, {one['time_s']:.3g} s" for one in (moment, stress)]
+        rows.append([name, written(link["deflection"]["max_m"], "m"), written(moment["max_Nm"], "N m"), where[0],
+                     "not known" if stress is None else written(stress["max_Pa"], "Pa"), where[1]])  # fmt: skip
+    return table(_caption("Largest values over the run", info), head, rows, numeric=(1, 2, 4))
+
+
+def deformations_table(info: dict[str, dict[str, Any]]) -> Markup | None:
+    """Largest size of each elastic coordinate, of its parts and of the reference."""
+    if not info:
+        return None
+    head = ("Coordinate", "Largest", "at", "Quasi-static", "Oscillatory", "Reference")
+    keys = ("max_stationary", "max_oscillatory", "max_reference")
+    rows = []
+    for name, one in list(info.items())[:_MOST_ROWS]:
+        unit = "-" if one["unit"] == "1" else one["unit"]
+        parts = [written(one[key], unit) if key in one else "–" for key in keys]
+        rows.append([name, written(one["max"], unit), f"{one['time_of_max_s']:.3g}\u00a0s", *parts])
+    return table(_caption("Elastic coordinates over the run", info), head, rows, numeric=(1, 2, 3, 4, 5))
+
+
+def _caption(words: str, info: dict[str, Any]) -> str:
+    return words if len(info) <= _MOST_ROWS else f"{words}, the first {_MOST_ROWS} of {len(info)}"

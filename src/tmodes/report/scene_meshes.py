@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Chain, RigidLink
+from tmodes.chain.chain import Chain
 from tmodes.report.meshes import Kept, kept_meshes
 from tmodes.sheet.topology import BASE
 
@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 def carriers(data: Any, chain: Chain, drawn: list[str]) -> list[str]:
     """Rigid links without length, which no line draws, but that have a surface."""
-    rigid = {node.name for node in chain.nodes if isinstance(node.link, RigidLink)}
+    rigid = {node.name for node in chain.nodes if not node.link.bends}
     return [name for name in dict.fromkeys(mesh.link for mesh in kept_meshes(data)) if name in rigid - set(drawn)]
 
 
@@ -34,7 +34,7 @@ def nearest_drawn(chain: Chain, name: str, drawn: list[str]) -> int:
 
 def meshes_in(data: Any, chain: Chain, shown: list[str]) -> list[dict[str, Any]]:
     """The surfaces of rigid links among ``shown`` and of a base that stands; a link that bends is swept instead."""
-    rigid = [node.name for node in chain.nodes if isinstance(node.link, RigidLink)]
+    rigid = [node.name for node in chain.nodes if not node.link.bends]
     found = []
     for mesh in kept_meshes(data):
         if mesh.link in shown and mesh.link in rigid:

@@ -1,11 +1,10 @@
-"""Amplitude spectra: of the tip and of the deformations that swing most, where a run is evenly sampled."""
+"""Amplitude spectra of the tip and of the deformations that oscillate most, where a run is evenly sampled."""
 
 from __future__ import annotations
 
-import json
 from collections.abc import Iterator, Sequence
 from dataclasses import replace
-from typing import Any
+from typing import TYPE_CHECKING, Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -13,13 +12,15 @@ from numpy.typing import NDArray
 from tmodes.plot.amplitude import amplitude_spectrum
 from tmodes.plot.facts import deformation_unit, spectral_part
 from tmodes.plot.frequency_marks import NO_PEAK
-from tmodes.plot.paper.facts import move_duration, steady_part
 from tmodes.report.drafts import Draft, Line, line_of
 
-__all__ = ["own_frequencies", "robot_spectra", "run_spectra", "spectrum_draft"]
+if TYPE_CHECKING:
+    from tmodes.result import Result
+
+__all__ = ["own_frequencies", "run_spectra", "spectrum_draft"]
 
 LEAST_SAMPLES = 32
-"""A spectrum of fewer tells nothing."""
+"""Fewest samples of a spectrum."""
 
 _PADDING = 4
 _MOST_LINES = 3
@@ -35,28 +36,19 @@ _FLOOR = 1e-3
 Array = NDArray[np.float64]
 
 
-def robot_spectra(data: Any) -> Iterator[Draft]:
-    """Of the part of the move in which the reference keeps its speed."""
-    time = data["time"].values
-    low, high = (share * move_duration(data) for share in steady_part(data))
-    slack = 1e-9 * move_duration(data)
-    inside = np.flatnonzero((time >= low - slack) & (time <= high + slack))
-    yield from _spectra(data, _even(data.isel(time=inside)), ["rad"] * data.sizes["deformation_kind"])
-
-
-def run_spectra(data: Any) -> Iterator[Draft]:
+def run_spectra(result: Result) -> Iterator[Draft]:
     """Of the part of a run that :func:`tmodes.plot.facts.spectral_part` gives."""
-    units = []
+    data, units = result.data, []
     if "deformation_kind" in data.dims:
         units = [deformation_unit(data, str(name)) for name in data["deformation_kind"].values]
-    yield from _spectra(data, spectral_part(data, LEAST_SAMPLES), units)
+    yield from _spectra(result, spectral_part(data, LEAST_SAMPLES), units)
 
 
-def _spectra(data: Any, part: Any, units: Sequence[str]) -> Iterator[Draft]:
+def _spectra(result: Result, part: Any, units: Sequence[str]) -> Iterator[Draft]:
     if part.sizes["time"] < LEAST_SAMPLES:
         return
-    marks = own_frequencies(data)
-    named = "less reference" if "tip_reference" in data else "place"
+    marks = own_frequencies(result)
+    named = "minus reference" if "tip_reference" in part else "place"
     yield from spectrum_draft("spectrum_tip", f"Spectrum of the tip, {named}", "m", part, _tip(part), marks)
     turning = [k for k, unit in enumerate(units) if unit == "rad"]
     names = [str(part["deformation_kind"].values[k]) for k in turning]
@@ -97,16 +89,9 @@ def _most(lines: Sequence[Line]) -> list[Line]:
     return [lines[k] for k in sorted(ranked) if swings[k] > _NOTHING * largest]
 
 
-def _even(part: Any) -> Any:
-    """Without the last sample where that stands off the even ones."""
-    time = part["time"].values
-    odd = len(time) > 2 and abs((time[-1] - time[-2]) / (time[1] - time[0]) - 1) > 1e-6
-    return part.isel(time=slice(None, -1)) if odd else part
-
-
-def own_frequencies(data: Any) -> list[tuple[float, str]]:
-    """The robot's own frequencies [Hz] that ring, under control where that is known, with the element they live in."""
-    modes = json.loads(data.attrs["frequencies"])
+def own_frequencies(result: Result) -> list[tuple[float, str]]:
+    """The damped natural frequencies [Hz], under control where the robot is controlled, with the dominant element."""
+    modes = result.frequencies
     info = modes.get("controlled") or modes.get("locked") or []
     ringing = [(mode["damped_frequency_Hz"], mode) for mode in info if mode["damping_ratio"] < NO_PEAK]
     return sorted((float(f), str(mode["element"])) for f, mode in ringing if f)

@@ -1,29 +1,29 @@
-"""Writing the report: one file, whole or as it was before."""
+"""Writing the report: one file, complete or as it was before."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING
+from typing import TYPE_CHECKING, Any
 
 from tmodes.io.atomic import atomic_write
-from tmodes.plot.paper.figures import drawings
+from tmodes.plot import drawings
 from tmodes.report.page import page
 
 if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
-    from tmodes.result.record import PaperResult
 
 __all__ = ["write_report"]
 
 
 def write_report(
-    result: PaperResult, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
+    result: Any, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
 ) -> Path:
     """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
 
-    ``figures`` are drawings from :func:`tmodes.plot.drawings` (all, or a part of them), None draws them all. Raises
-    :class:`tmodes.errors.ResultFileError` when the file cannot be written. ``live``: with the robot's equations.
+    ``figures`` are drawings from :func:`tmodes.plot.drawings` (all, or a part of them), None draws them
+    all. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
+    ``live``: with the robot's equations.
     """
     text = page(result, drawings(result) if figures is None else figures, live=live)
     with atomic_write(path) as temporary:

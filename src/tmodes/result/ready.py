@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import Any
 
-from tmodes.chain.chain import Chain, RigidLink
+from tmodes.chain.chain import Chain
 from tmodes.errors import InputError
 from tmodes.integrate.settings import refuse_too_large
 from tmodes.sheet import Robot
@@ -26,7 +26,7 @@ def result_bytes(arm: Robot) -> int:
 
 def _bytes_per_sample(chain: Chain, stations: int) -> int:
     """Eight times the numbers of a sample: two lines of each link, fifteen numbers at each place of one that bends."""
-    bending = sum(not isinstance(node.link, RigidLink) for node in chain.nodes)
+    bending = sum(node.link.bends for node in chain.nodes)
     return 8 * (stations * (6 * len(chain.nodes) + 15 * bending) + 60 * len(chain.nodes) + 21 * len(chain.points) + 60)
 
 

@@ -15,7 +15,7 @@ from tmodes.kinds.links.registry import link_sheets, link_words, sheet_of
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, quantity, refuse
-from tmodes.kinds.signals.signals import Signal
+from tmodes.kinds.signals.registry import Signal
 
 __all__ = [
     "BaseMotion",

@@ -9,15 +9,15 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.chain.chain import Axis, Beam, Chain, Motor
+from tmodes.chain.chain import Axis, Chain, Motor
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, Winding
 from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan
 from tmodes.errors import InputError
 from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.signals.registry import MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.kinds.signals.signals import Constant, MergedSchedule, merge
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 
 if TYPE_CHECKING:
@@ -118,7 +118,7 @@ def _drive(
 ) -> DrivePlan:
     winding, numbers = _winding(axis.joint.motor)
     if sheet is None or follow is Follow.HELD:
-        held = Constant(type="constant", value=initial_value(arm, axis.name))
+        held = constant_signal(initial_value(arm, axis.name))
         return DrivePlan(axis.name, signals.add(held, "initial"), None, winding, numbers)
     command = sheet.command
     exact = command is Command.PRESCRIBED or (follow is Follow.WANTED and command.is_motion)
@@ -154,7 +154,7 @@ def _loads(arm: Robot, names: list[str], signals: _Signals) -> Iterator[LoadPlan
 def _base(arm: Robot, signals: _Signals) -> Iterator[int]:
     if arm.base_motion is None:
         return
-    still = Constant(type="constant", value=0.0)
+    still = constant_signal(0.0)
     for name in ("x", "y", "z", "roll", "pitch", "yaw"):
         yield signals.add(getattr(arm.base_motion, name) or still, f"base_motion.{name}")
 
@@ -169,7 +169,7 @@ def _touch(arm: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
         got, hint = f"{sheet.moving_mass:g} kg", "remove `mass`, or take a law that holds the point"
         if sheet.unilateral:
             raise InputError("contact.mass", got, "no mass of a surface that only pushes", hint)
-        if info.s < 1 and isinstance(chain.nodes[info.node].link, Beam):
+        if info.s < 1 and chain.nodes[info.node].link.has_stations:
             raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", hint)
     touch = Touch(sheet)
     return TouchPlan(point, touch, touch.numbers(chain.gravity))

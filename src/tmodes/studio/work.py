@@ -134,12 +134,12 @@ def _data(result: Result, name: str, laps: _Laps) -> bytes:
 
 
 def _report(result: Result, name: str, laps: _Laps) -> bytes:
-    from tmodes.report.write_motion import write_arm_report
+    from tmodes.report import write_report
 
     del name
     with tempfile.TemporaryDirectory(prefix="tmodes-report-") as folder:
         path = Path(folder) / "report.html"
-        write_arm_report(result, path)
+        write_report(result, path)
         content = path.read_bytes()
     laps.take("report")
     return content

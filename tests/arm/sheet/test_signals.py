@@ -13,9 +13,9 @@ from pydantic import TypeAdapter, ValidationError
 from scipy.interpolate import CubicSpline
 
 from tmodes.errors import InputError, InputErrors
+from tmodes.kinds.signals.formula import FormulaError, parse_formula
+from tmodes.kinds.signals.registry import Signal, merge
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.kinds.signals.signals import Signal, merge
-from tmodes.kinds.signals.signals_expression import FormulaError, parse_formula
 from tmodes.robots.load import load
 
 READ = TypeAdapter(Signal)

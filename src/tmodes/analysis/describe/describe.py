@@ -18,7 +18,6 @@ from tmodes.analysis.statics.compliance_missing import missing_functions
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.path import Progress
 from tmodes.analysis.statics.rest import arm_rest
-from tmodes.chain.chain import Beam
 from tmodes.errors import SimulationError
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -81,7 +80,7 @@ def link_states(rest: Equilibrium, lines: LinkLines | None = None) -> list[dict[
     for link in link_ranges(rest.model, rest.q):
         line = lines[link.link]
         shape = rest.model.chain.nodes[line.node].link
-        share = max(missing_share(line, shape).values(), default=0.0) if isinstance(shape, Beam) else None
+        share = max(missing_share(line, shape).values(), default=0.0) if shape.projected else None
         row = asdict(link) | {"missing_share": share}
         info.append(row | {"verdict": "bad"} if (share or 0.0) > BAD_SHARE else row)
     return info

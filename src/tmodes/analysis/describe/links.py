@@ -5,10 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator, Mapping, Sequence
 from typing import Any
 
-import numpy as np
-
-from tmodes.analysis.describe.bare import bare_beam
-from tmodes.chain.chain import Beam, Body, Chain, Node, Segment
+from tmodes.chain.chain import Chain, Node
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
@@ -56,69 +53,19 @@ def link_rows(arm: Robot, chain: Chain) -> list[dict[str, Any]]:
 
 def _link_row(arm: Robot, chain: Chain, name: str) -> dict[str, Any]:
     nodes = [*link_nodes(chain, name)]
-    bodies = sum(body.mass for node in nodes for body in _bodies(node))
-    beam = next((node.link for node in nodes if isinstance(node.link, Beam)), None)
-    segments = [node.link for node in nodes if isinstance(node.link, Segment)]
-    row = {"name": name, "model": "rigid", "mass_kg": float(bodies), "length_m": None}
-    if beam:
-        return row | _beam_numbers(beam, bodies)
-    if segments:
-        return row | _segment_numbers(segments) | _segment_masses(arm.link(name), float(bodies))
-    return row
+    bodies = float(sum(body.mass for node in nodes for body in node.link.all_bodies))
+    bending = [node.link for node in nodes if node.link.bends]
+    row = {"name": name, "model": "rigid", "mass_kg": bodies, "length_m": None}
+    if not bending:
+        return row
+    info = bending[0].described(bending)
+    if "mass_kg" not in info:
+        return row | info | _lumped_masses(arm.link(name), bodies)
+    return row | info | {"mass_kg": bodies + info["beam_mass_kg"]}
 
 
-def _bodies(node: Node) -> list[Body]:
-    return list(node.link.all_bodies)
-
-
-def _beam_numbers(beam: Beam, bodies: float) -> dict[str, Any]:
-    first, last = beam.pieces[0], beam.pieces[-1]
-    bare = bare_beam(beam)
-    return {
-        "model": "strain",
-        "functions": {"twist": beam.twist, "bend_y": beam.bend_y, "bend_z": beam.bend_z, "stretch": beam.stretch},
-        "basis": beam.basis,
-        "length_m": beam.length,
-        "mass_kg": float(bodies) + bare.mass,
-        "beam_mass_kg": bare.mass,
-        "bending_stiffness_y_Nm2": _ends(first.bend_y[0], last.bend_y[1]),
-        "bending_stiffness_z_Nm2": _ends(first.bend_z[0], last.bend_z[1]),
-        "torsional_stiffness_Nm2": _ends(first.torsion[0], last.torsion[1]),
-        "axial_stiffness_N": _ends(first.axial[0], last.axial[1]),
-        "tip_stiffness_y_N_per_m": _over(bare.compliance[0]),
-        "tip_stiffness_z_N_per_m": _over(bare.compliance[1]),
-        "bare_bend_y_Hz": bare.bend_y_Hz,
-        "bare_bend_z_Hz": bare.bend_z_Hz,
-        "bare_twist_Hz": bare.twist_Hz,
-        "damping_time_s": beam.damping_time,
-    }
-
-
-def _ends(first: float, last: float) -> list[float | None]:
-    """Values at root and tip; None: rigid."""
-    return [x if np.isfinite(x) else None for x in (first, last)]
-
-
-def _over(compliance: float) -> float | None:
-    return 1 / compliance if compliance > 0 else None
-
-
-def _segment_numbers(segments: list[Segment]) -> dict[str, Any]:
-    """Segments in a row; EI from their tip stiffness 3 EI/l^3."""
-    first, last = segments[0], segments[-1]
-    stiffness = [
-        [getattr(one, f"stiffness_{axis}") * one.length**3 / 3 for one in (first, last)] for axis in ("y", "z")
-    ]
-    return {
-        "model": f"segments ({len(segments)})",
-        "length_m": sum(one.length for one in segments),
-        "bending_stiffness_y_Nm2": _ends(*stiffness[0]),
-        "bending_stiffness_z_Nm2": _ends(*stiffness[1]),
-    }
-
-
-def _segment_masses(link: LinkSheet, equivalent: float) -> dict[str, float]:
-    """The link's own mass; and that of its model, in which 33/140 of each segment's mass stands at its tip."""
+def _lumped_masses(link: LinkSheet, equivalent: float) -> dict[str, float]:
+    """The link's own mass; and that of its model, in which 33/140 of each mode's mass is at its end."""
     own, start = sum(body.mass for body in link.bodies), 0.0
     beam_mass = 0.0
     for piece in link.beam.section_pieces() if link.beam else ():

@@ -9,7 +9,7 @@ import numpy as np
 
 from tmodes.analysis.range import link_ranges
 from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.chain.chain import Beam, Chain
+from tmodes.chain.chain import Chain
 from tmodes.sheet import Robot
 
 __all__ = ["notices", "rest_notices"]
@@ -55,8 +55,8 @@ def _gears(gears: list[dict[str, Any]]) -> Iterator[str]:
 
 def _thick(chain: Chain) -> Iterator[str]:
     for node in chain.nodes:
-        outer = max(node.link.outer) if isinstance(node.link, Beam) else 0.0
-        if outer and isinstance(node.link, Beam) and node.link.length / outer < THICK:
+        outer = node.link.outer_distance
+        if outer and node.link.length / outer < THICK:
             yield (
                 f"link {node.name}: {node.link.length:.3g} m long and {2 * outer:.3g} m thick: shear, which is left "
                 "out, makes so short a beam softer"
@@ -79,10 +79,9 @@ def _stability(rest: Equilibrium) -> Iterator[str]:
 def _ranges(rest: Equilibrium) -> Iterator[str]:
     for link in link_ranges(rest.model, rest.q):
         if link.verdict != "good":
-            hint = "take the model strain" if link.model == "segments" else "give it more functions or points"
             yield (
                 f"link {link.link} bends by {link.deflection_over_length:.1%} of its length: {link.verdict} for its "
-                f"model ({link.model}, angle {link.angle_rad:.3g} rad); {hint}"
+                f"model ({link.model}, angle {link.angle_rad:.3g} rad); {link.cure}"
             )
 
 

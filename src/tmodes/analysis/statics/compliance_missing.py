@@ -12,7 +12,6 @@ from numpy.typing import NDArray
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.statics.compliance import NOTHING, PointCompliance
 from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.chain.chain import Beam, Segment
 
 __all__ = ["missing_functions"]
 
@@ -71,13 +70,13 @@ def _kinds(rest: Equilibrium, point: int) -> list[list[str]]:
     outboard = _between(rest, point)
     for line in elastic_line(model, q, stations=[0.0, 1.0]).links.values():
         link = model.chain.nodes[line.node].link
-        if line.node not in outboard or not isinstance(link, Beam | Segment):
+        if line.node not in outboard or not link.bends:
             continue
         axes, arm = line.rotation[0, 0], place - line.position[0, 0]
         for name, axis in (("twist", 0), ("bend_y", 1), ("bend_z", 2)):
-            if not getattr(link, name, 0):
+            if not link.functions[name]:
                 _note(found, name, np.concatenate([np.cross(axes[:, axis], arm), line.length * axes[:, axis]]))
-        if not getattr(link, "stretch", 0):
+        if not link.functions["stretch"]:
             _note(found, "stretch", np.concatenate([line.length * axes[:, 0], np.zeros(3)]))
     order = ("stretch", "twist", "bend_y", "bend_z")
     return [[name for name in order if name in names] for names in found]

@@ -16,6 +16,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.kinds.kernel import vectors as v
+from tmodes.kinds.links.facts import LinkFacts
 from tmodes.kinds.links.line import CubicLine, LineOfLink
 
 __all__ = ["Body", "ElasticForces", "Link", "LinkNumbers", "LinkStructure", "QuadraticStructure", "Row"]
@@ -176,7 +177,7 @@ class LinkNumbers:
     damping: Array
 
 
-class Link(ABC):
+class Link(LinkFacts):
     """An element of a chain with final numbers in SI units.
 
     A rigid link has its tip frame in its link frame; a bending one runs along x of its link frame from s = 0 to its
@@ -221,6 +222,11 @@ class Link(ABC):
     def stations(self, asked: Sequence[float] = ()) -> tuple[float, ...]:
         """Places s < 1 where sections are computed besides the tip: bodies and named points, in rising order."""
         return tuple(sorted({*self.body_places, *(s for s in asked if s < 1.0)}))
+
+    @property
+    def has_stations(self) -> bool:
+        """Whether bodies and points can be anywhere along it."""
+        return bool(self.stations((0.5,)))
 
     def lines(self, stations: tuple[float, ...], s: Array) -> Sequence[LineOfLink]:
         """Its elastic lines, one after the other from root to tip, at the places ``s`` of each."""

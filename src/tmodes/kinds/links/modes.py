@@ -7,19 +7,26 @@ l_k cos(elevation of chord k) th in azimuth, so they are not quadratic in the co
 
 from __future__ import annotations
 
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar
 
 import numpy as np
+from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.links.contract import Body, ElasticForces, Link, LinkNumbers, LinkStructure, Row
+from tmodes.kinds.links.facts import ends
+from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.modes_line import TANGENT, Angles, ModesLine
+from tmodes.kinds.links.modes_places import ModePlaces
 from tmodes.kinds.links.modes_sheet import Mode, shape_angle, shape_slope
 from tmodes.kinds.links.terms import LinkTerms, Section
 
 __all__ = ["ModesLink", "ModesStructure"]
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -216,6 +223,33 @@ class ModesLink(Link):
         last = self.modes[-1]
         return (Body(last.tip_mass, np.zeros(3), last.tip_inertia * np.eye(3)), *own)
 
+    @property
+    def functions(self) -> Mapping[str, int]:
+        """One angle of each mode that bends, in both planes."""
+        return {"twist": 0, "bend_y": sum(self.free), "bend_z": sum(self.free), "stretch": 0}
+
+    def angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
+        """Largest angle of a mode's chord."""
+        return np.hypot(*np.split(q, 2, axis=1)).max(axis=1)
+
+    def stiffness_at(self, direction: str, s: ArrayLike) -> Array:
+        """EI of the mode at s."""
+        if direction not in ("bend_y", "bend_z"):
+            return np.full(np.shape(s), np.inf)
+        places = np.asarray(s, dtype=float)
+        values = [self.modes[self.place(float(one))[0]].bending_stiffness for one in places.ravel()]
+        return np.reshape(values, places.shape)
+
+    def described(self, row: Sequence[Any]) -> dict[str, Any]:  # noqa: ARG002
+        """Its modes."""
+        stiffness = ends(self.modes[0].bending_stiffness, self.modes[-1].bending_stiffness)
+        return {
+            "model": f"modes ({len(self.modes)})",
+            "length_m": self.length,
+            "bending_stiffness_y_Nm2": stiffness,
+            "bending_stiffness_z_Nm2": stiffness,
+        }
+
     def place(self, s: float) -> tuple[int, float]:
         """The mode at s and the share of its length that is before s."""
         at, start = s * self.length, 0.0
@@ -224,6 +258,16 @@ class ModesLink(Link):
                 return k, min((at - start) / mode.length, 1.0)
             start += mode.length
         raise AssertionError
+
+    def lines(self, stations: tuple[float, ...], s: NDArray[np.float64]) -> Sequence[LineOfLink]:
+        """One line for each mode."""
+        structure, start, found = self.numbers(stations).structure, 0.0, []
+        for k, mode in enumerate(self.modes):
+            suffix, share = f".{k + 1}" * (len(self.modes) > 1), mode.length / self.length
+            found.append(ModePlaces(mode.length, stations, s, suffix, structure=structure, mode=k, start=start,
+                                    share=share))  # fmt: skip
+            start += share
+        return found
 
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
         """Lengths, equivalent masses and inertias, stations; Cs l^2 and Bs l^2 of the modes that bend."""

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Sequence
 from dataclasses import dataclass, field
-from typing import ClassVar
+from typing import Any, ClassVar
 
 import numpy as np
 from numpy.typing import NDArray
@@ -43,6 +43,10 @@ class RigidLink(Link):
     def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
         """None."""
         return ()
+
+    def described(self, row: Sequence[Any]) -> dict[str, Any]:  # noqa: ARG002
+        """Nothing but its bodies."""
+        return {}
 
     def lines(self, stations: tuple[float, ...], s: Array) -> Sequence[LineOfLink]:  # noqa: ARG002
         """None: where its far end is, is a matter of the chain."""

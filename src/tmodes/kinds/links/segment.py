@@ -2,19 +2,22 @@
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from typing import Any, ClassVar
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
+from tmodes.kinds.links.facts import ends
 from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.segment_link import segment_link
 from tmodes.kinds.links.segment_places import SegmentLine
 
 __all__ = ["Segment", "SegmentStructure"]
+
+Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True)
@@ -80,6 +83,34 @@ class Segment(Link):
     def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
         """None: whatever is on a segment is at its tip."""
         return ()
+
+    @property
+    def functions(self) -> Mapping[str, int]:
+        """One in each direction that is free."""
+        return {"twist": 0, "bend_y": int(self.bend_y), "bend_z": int(self.bend_z), "stretch": 0}
+
+    def angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
+        """The angle of the chord."""
+        return np.linalg.norm(q, axis=1)
+
+    def stiffness_at(self, direction: str, s: ArrayLike) -> Array:
+        """EI from the stiffness 3 EI/l^3 at its tip."""
+        tip = getattr(self, f"stiffness_{direction[-1]}") if direction in ("bend_y", "bend_z") else np.inf
+        return np.full(np.shape(s), tip * self.length**3 / 3)
+
+    def described(self, row: Sequence[Any]) -> dict[str, Any]:
+        """Segments in a row."""
+        last = row[-1]
+        return {
+            "model": f"segments ({len(row)})",
+            "length_m": sum(one.length for one in row),
+            **{
+                f"bending_stiffness_{axis}_Nm2": ends(
+                    *(getattr(one, f"stiffness_{axis}") * one.length**3 / 3 for one in (self, last))
+                )
+                for axis in ("y", "z")
+            },
+        }
 
     def lines(self, stations: tuple[float, ...], s: NDArray[np.float64]) -> Sequence[LineOfLink]:
         """One cubic."""

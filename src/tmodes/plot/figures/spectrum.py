@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -69,7 +68,7 @@ class Spectrum(Figure):
         spectra = [{name: amplitude_spectrum(values, step) for name, values in group.items()} for group in groups]
         axes = panels(ax, [[str(k)] for k in range(len(groups))], 1.0 + 2.1 * len(groups))
         units = ["m", deformation_unit(data, next(iter(inner)))] if inner else ["m"]
-        marked, pads = _marked(data), []
+        marked, pads = _marked(result), []
         for panel, curves, unit in zip(axes, spectra, units, strict=True):
             highest = _highest(curves, 0.5 / step)
             _draw(panel, curves, unit, highest)
@@ -97,9 +96,9 @@ def _signals(part: Any) -> tuple[dict[str, Array], dict[str, Array]]:
     return first, {name: part["deformation"].sel(deformation_kind=name).values for name in chosen}
 
 
-def _marked(data: Any) -> list[dict[str, Any]]:
+def _marked(result: Any) -> list[dict[str, Any]]:
     """The natural frequencies to mark, with names that may be wrapped at their dots."""
-    modes = json.loads(data.attrs["frequencies"])
+    modes = result.frequencies
     marked = modes.get("controlled") or modes.get("locked") or []
     return [mode | {"element": plain(mode["element"]).replace(".", ". ")} for mode in marked]
 

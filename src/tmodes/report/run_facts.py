@@ -1,9 +1,10 @@
-"""The numbers that matter of an arm's run, with the margins to the limits of its joints and materials."""
+"""The headline numbers of a run, with the margins to the limits of its joints and materials."""
 
 from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -17,12 +18,12 @@ if TYPE_CHECKING:
     from tmodes.result import Result
     from tmodes.sheet import Robot
 
-__all__ = ["arm_facts"]
+__all__ = ["run_facts"]
 
 _ROUNDING = 1e-15
 
 
-def arm_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
+def run_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
     """From a result and its summary; what there is not is left out."""
     data, arm = result.data, result.arm
     yield from tracking_facts(summary, data, json.loads(data.attrs["move_end"]))
@@ -30,6 +31,7 @@ def arm_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
     yield from _worst(summary["links"], "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max")
     yield from _stress(arm, summary["links"])
     yield from _gear(summary["deformations"])
+    yield from _drives(data)
     yield from _limits(arm, data)
     yield from _contact(summary["contact_force"])
     yield from frequency_facts(summary["first_frequency_Hz"])
@@ -70,6 +72,27 @@ def _gear(deformations: dict[str, dict[str, Any]]) -> Iterator[Fact]:
         others = " (of the gears that turn)" if len(gears) < len(every) else ""
         note = f"{name.removesuffix('.gear')}, at {one['time_of_max_s']:.3g} s{others}"
         yield Fact("gear.max", "Largest deflection of a gear", one["max"], one["unit"], note)
+
+
+def _drives(data: Any) -> Iterator[Fact]:
+    """The largest gear torque, of the joints that turn where some do, and the largest motor voltage."""
+    if "drive" not in data.dims:
+        return
+    drives = [str(name) for name in data["drive"].values]
+    turning = [name for name in drives if effort_unit(data, name) == "N m"] or drives
+    unit = effort_unit(data, turning[0])
+    yield from _largest(data, "gear_torque", turning, Fact("gear_torque.max", "Largest gear torque", None, unit))
+    if "voltage" in data:
+        yield from _largest(data, "voltage", drives, Fact("voltage.max", "Largest motor voltage", None, "V"))
+
+
+def _largest(data: Any, series: str, drives: list[str], fact: Fact) -> Iterator[Fact]:
+    """The fact with the largest size of a series of these drives; none where all are zero."""
+    sizes = np.abs(data[series].sel(drive=drives).transpose("time", "drive").values)
+    sample, drive = map(int, np.unravel_index(int(sizes.argmax()), sizes.shape))
+    if sizes[sample, drive] > 0:
+        note = f"{drives[drive]}, at {float(data['time'][sample]):.3g} s"
+        yield replace(fact, value=float(sizes[sample, drive]), note=note)
 
 
 def _limits(arm: Robot, data: Any) -> Iterator[Fact]:

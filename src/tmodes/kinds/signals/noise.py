@@ -9,14 +9,16 @@ from numpy.typing import NDArray
 from pydantic import Field
 
 from tmodes.errors import InputError
-from tmodes.kinds.schema.quantity import DataSheet, any_sign, not_negative, positive
+from tmodes.kinds.schema.quantity import any_sign, not_negative, positive
+from tmodes.kinds.signals.contract import Signal
+from tmodes.kinds.signals.fit import MOST_PIECES
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.kinds.signals.signals_fit import MOST_PIECES
 
 __all__ = ["Noise", "normal_numbers"]
 
 
-class Noise(DataSheet):
+@Signal.register()
+class Noise(Signal):
     """Random values, normally distributed, two for each period of the highest frequency, joined by a cubic spline.
 
     It begins at its mean, so that a run still starts from rest. Above that frequency its power falls quickly; between

@@ -8,8 +8,8 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Beam
 from tmodes.kinds.links.beam_functions import fine_rule, pieces_at
+from tmodes.kinds.links.beam_numbers import BeamNumbers
 
 __all__ = ["BareBeam", "bare_beam"]
 
@@ -40,7 +40,7 @@ class _Functions(NamedTuple):
     twice: Array
 
 
-def bare_beam(beam: Beam) -> BareBeam:
+def bare_beam(beam: BeamNumbers) -> BareBeam:
     """The beam by itself, without section inertia in bending (Euler and Bernoulli)."""
     s, weight = fine_rule(beam)
     numbers = {name: pieces_at(beam, name, s) for name in ("bend_y", "bend_z", "torsion", "mass", "inertia0")}

@@ -1,0 +1,81 @@
+"""What analyses ask of a link besides its equations: how far its model holds, how it gives way, and its data."""
+
+from __future__ import annotations
+
+from abc import ABC, abstractmethod
+from collections.abc import Mapping, Sequence
+from typing import Any, ClassVar, NamedTuple
+
+import numpy as np
+from numpy.typing import ArrayLike, NDArray
+
+__all__ = ["DIRECTIONS", "AngleLimit", "LinkFacts"]
+
+Array = NDArray[np.float64]
+
+DIRECTIONS = ("twist", "bend_y", "bend_z", "stretch")
+"""Ways in which a link may deform."""
+
+
+class AngleLimit(NamedTuple):
+    """Angles [rad] up to which a model holds, and up to which it is a fair guess.
+
+    ``warning``: the angle at which a run warns, ``what``: then said of the link, with ``hint``; ``cure``: in short.
+    """
+
+    good: float
+    fair: float
+    warning: float
+    what: str
+    hint: str
+    cure: str
+
+
+SMALL_ANGLES = AngleLimit(
+    0.1, 0.3, 0.1,
+    "leaves the small angles of its model (|th| <= 0.1 rad)",
+    "take the model `strain`, which is exact in large deflection",
+    "take the model strain",
+)  # fmt: skip
+"""Of lumped modes: the sine of the chord's angle is off by 0.2 % and 1.5 %; tan th = th holds to 0.3 % at 0.1 rad."""
+
+
+class LinkFacts(ABC):
+    """Asked by describe, static, warnings and reports; of a rigid link only ``functions`` and ``outer_distance``."""
+
+    angle_limit: ClassVar[AngleLimit] = SMALL_ANGLES
+
+    @property
+    def functions(self) -> Mapping[str, int]:
+        """Number of coordinates in each of :data:`DIRECTIONS`; 0 where the link does not give way."""
+        return dict.fromkeys(DIRECTIONS, 0)
+
+    @property
+    def projected(self) -> tuple[str, ...]:
+        """Directions in which the material's moment is the projection of the load's on the link's functions."""
+        return ()
+
+    @property
+    def outer_distance(self) -> float:
+        """Largest distance of the outer fibre from the line [m]; 0 where it is not known."""
+        return 0.0
+
+    def angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
+        """The angle that limits its model, (n,) [rad], at coordinates ``q`` (n, size)."""
+        return np.abs(q).max(axis=1, initial=0.0)
+
+    def stiffness_at(self, direction: str, s: ArrayLike) -> Array:  # noqa: ARG002
+        """Stiffness of the section against a direction at s [N*m^2], [N] of stretch; infinite where it is rigid."""
+        return np.full(np.shape(s), np.inf)
+
+    @abstractmethod
+    def described(self, row: Sequence[Any]) -> dict[str, Any]:
+        """Data for ``tmodes describe`` of all elements of one link, ``row``, of which this is the first.
+
+        ``mass_kg`` is left out where masses are lumped: then the sheet's own mass counts.
+        """
+
+
+def ends(first: float, last: float) -> list[float | None]:
+    """Values at root and tip; None: rigid."""
+    return [x if np.isfinite(x) else None for x in (first, last)]

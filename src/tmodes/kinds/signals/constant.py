@@ -1,0 +1,25 @@
+"""One value at all times."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from pydantic import Field
+
+from tmodes.kinds.signals.contract import Signal, signal_value
+from tmodes.kinds.signals.schedule import Schedule
+
+__all__ = ["Constant"]
+
+
+@Signal.register()
+class Constant(Signal):
+    """One value at all times."""
+
+    type: Literal["constant"] = Field(description="kind of signal")
+    value: float = signal_value("u", "value")
+
+    def schedule(self, until: float) -> Schedule:
+        """One piece up to ``until`` [s]."""
+        return Schedule(np.array([0.0, until]), np.array([[self.value]]))

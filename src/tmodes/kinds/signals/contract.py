@@ -1,0 +1,62 @@
+"""What a signal is: a value over time, given as pieces of polynomials.
+
+A signal of a user's own is a class with the field ``type`` and one method::
+
+    @Signal.register()
+    class Cosine(Signal):
+        type: Literal["cosine"] = Field(description="kind of signal")
+        frequency: float = positive("Hz", "f", "frequency")
+
+        def schedule(self, until: float) -> Schedule:
+            return fitted(lambda t: np.cos(2 * np.pi * self.frequency * t), until, "frequency")
+
+Every signal is defined for all times from 0: before its first time and after its last it holds its value there.
+"""
+
+from __future__ import annotations
+
+from typing import Any
+
+import numpy as np
+
+from tmodes.kinds.schema.kind import Kind
+from tmodes.kinds.schema.quantity import any_sign, not_negative
+from tmodes.kinds.signals.schedule import Schedule
+
+__all__ = ["Signal", "delayed", "signal_time", "signal_value"]
+
+
+class Signal(Kind, family="signal", key="type"):
+    """A value over time [the unit of what it drives]."""
+
+    def schedule(self, until: float) -> Schedule:
+        """The pieces from time 0 up to ``until`` [s], with a knot on every jump.
+
+        Raises :class:`tmodes.errors.InputError` where it has no value.
+        """
+        raise NotImplementedError
+
+    def move_ends(self, reach: float = 1.0) -> float | None:
+        """When its motion is at its end [s] with ``reach`` times its duration; None for what does not end."""
+        del reach
+        return None
+
+
+def signal_value(symbol: str, meaning: str, **more: Any) -> float:
+    """A field of the signal's own unit."""
+    return any_sign("signal", symbol, meaning, **more)
+
+
+def signal_time(symbol: str, meaning: str, **more: Any) -> float:
+    """A time from 0 on."""
+    return not_negative("s", symbol, meaning, at_most=1e6, **more)
+
+
+def delayed(move: Schedule, delay: float, until: float, first: float | None = None) -> Schedule:
+    """The move from ``delay`` on, its first value before; cut or held at ``until`` [s]."""
+    knots, pieces = move.knots + delay, move.coefficients
+    if delay > 0:
+        held = np.zeros((1, pieces.shape[1]))
+        held[0, 0] = pieces[0, 0] if first is None else first
+        knots, pieces = np.append(0.0, knots), np.vstack([held, pieces])
+    return Schedule(knots, pieces).until(until)

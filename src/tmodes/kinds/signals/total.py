@@ -1,0 +1,44 @@
+"""The sum of other signals."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+from pydantic import Field
+
+from tmodes.errors import InputError
+from tmodes.kinds.signals.contract import Signal
+from tmodes.kinds.signals.merge import merge
+from tmodes.kinds.signals.schedule import Schedule
+
+__all__ = ["Sum"]
+
+MOST_PARTS = 20
+
+
+@Signal.register()
+class Sum(Signal):
+    """The sum of signals, such as a move with noise on it."""
+
+    type: Literal["sum"] = Field(description="kind of signal")
+    signals: tuple[Signal, ...] = Field(
+        strict=False, min_length=1, max_length=MOST_PARTS, description="signals that are added"
+    )
+
+    def schedule(self, until: float) -> Schedule:
+        """The pieces of all, on all their knots, up to ``until`` [s]."""
+        parts = []
+        for index, signal in enumerate(self.signals):
+            try:
+                parts.append(signal.schedule(until))
+            except InputError as error:
+                which = f"signals.{index}.{error.which}"
+                raise InputError(which, error.got, error.expected, error.hint, error.where) from error
+        both = merge(parts)
+        return Schedule(both.knots, np.ascontiguousarray(both.coefficients.sum(axis=1)))
+
+    def move_ends(self, reach: float = 1.0) -> float | None:
+        """When the last of the moves in it is at its end."""
+        ends = [end for signal in self.signals if (end := signal.move_ends(reach)) is not None]
+        return max(ends) if ends else None

@@ -1,0 +1,91 @@
+"""What every signal keeps, those of a user's script among them: a cosine is defined here."""
+
+from __future__ import annotations
+
+from typing import Literal
+
+import numpy as np
+import pytest
+from pydantic import Field
+
+from arm.run.sheets import arm
+from tmodes.kinds.schema.quantity import any_sign, positive
+from tmodes.kinds.signals.fit import fitted
+from tmodes.kinds.signals.registry import Signal
+from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.simulate import simulate_motion
+
+
+@Signal.register()
+class Cosine(Signal):
+    """amplitude cos(2 pi frequency t)."""
+
+    type: Literal["cosine"] = Field(description="kind of signal")
+    amplitude: float = any_sign("signal", "A", "amplitude")
+    frequency: float = positive("Hz", "f", "frequency")
+
+    def schedule(self, until: float) -> Schedule:
+        """Pieces of polynomials, exact to 1e-12."""
+        return fitted(lambda t: self.amplitude * np.cos(2 * np.pi * self.frequency * t), until, "frequency")
+
+
+MOVE = {"start": 0.1, "end": 0.4, "duration": 0.5}
+EXAMPLES = {
+    "constant": {"value": 0.3},
+    "step": {"start": 0.0, "end": 1.0, "time": 0.4},
+    "trapezoid": MOVE | {"ramp_fraction": 0.2, "delay": 0.1},
+    "quintic": MOVE,
+    "sine": {"amplitude": 0.2, "frequency": 2.0},
+    "table": {"times": [0.0, 0.5, 0.5, 1.0], "values": [0.0, 1.0, 2.0, 0.0], "interpolation": "linear"},
+    "expression": {"formula": "0.2*sin(3*t)*exp(-t)"},
+    "noise": {"deviation": 0.1, "frequency": 20.0, "seed": 1},
+    "sum": {
+        "signals": [{"type": "quintic", **MOVE}, {"type": "noise", "deviation": 0.01, "frequency": 9.0, "seed": 3}]
+    },
+    "cosine": {"amplitude": 0.2, "frequency": 1.5},
+}
+"""One of each signal; one without an entry fails."""
+
+
+@pytest.mark.parametrize("name", sorted(Signal.registered))
+def test_signal(name):
+    """From 0 to the end asked for; a longer one begins the same; finite; ends where its move ends."""
+    signal = Signal.of({"type": name, **EXAMPLES[name]})
+    short, long = signal.schedule(1.0), signal.schedule(2.5)
+    assert (short.knots[0], short.knots[-1], long.knots[-1]) == (0.0, 1.0, 2.5)
+    assert (np.diff(short.knots) > 0).all()
+    times = np.linspace(0, 0.999, 400)
+    scale = np.abs(long.at(times)).max()
+    np.testing.assert_allclose(short.at(times), long.at(times), atol=1e-11 * scale, rtol=0)
+    assert np.isfinite(long.coefficients).all()
+    assert Signal.of(signal.model_dump()) == signal
+    end = signal.move_ends()
+    if name in {"trapezoid", "quintic"}:
+        assert end is not None
+        assert long.at([end, 2.5]).tolist() == pytest.approx([0.4, 0.4])
+        assert signal.move_ends(2.0) == pytest.approx(end + 0.5)
+
+
+def test_sum_is_the_sum():
+    times = np.linspace(0, 1, 301)
+    whole = Signal.of({"type": "sum", **EXAMPLES["sum"]}).schedule(1.0).at(times)
+    parts = sum(Signal.of(part).schedule(1.0).at(times) for part in EXAMPLES["sum"]["signals"])
+    assert np.abs(whole - parts).max() < 1e-14
+
+
+def test_a_signal_from_outside_moves_a_robot():
+    """A torque A cos(w t) on an inertia J: angle A (1 - cos(w t))/(J w^2)."""
+    joint = {
+        "name": "j",
+        "type": "revolute",
+        "child": "l",
+        "axis": [0, 0, 1],
+        "motor": {"inertia": 0.5, "side": "joint"},
+    }
+    sheet = arm(
+        gravity=0.0, joints=[joint], links=[{"name": "l"}],
+        drives=[{"joint": "j", "command": "torque", "signal": {"type": "cosine", "amplitude": 0.2, "frequency": 1.5}}],
+        integration={"duration": 1.0, "relative_tolerance": 1e-11, "absolute_tolerance": 1e-12},
+    )  # fmt: skip
+    run, rate = simulate_motion(sheet), 2 * np.pi * 1.5
+    assert run.q[:, 0] == pytest.approx(0.2 * (1 - np.cos(rate * run.times)) / (0.5 * rate**2), abs=1e-9)
