@@ -27,7 +27,20 @@ ROBOT = Form(
     "arm",
     Robot,
     ARM_FORMAT,
-    ("gravity", "base", "joints", "links", "tip", "points", "couplings", "loads", "drives", "contact", "contact_off"),
+    (
+        "gravity",
+        "base",
+        "joints",
+        "links",
+        "tip",
+        "points",
+        "couplings",
+        "loads",
+        "drives",
+        "contact",
+        "contact_off",
+        "parameters",
+    ),
 )
 F2010 = Form(importer.NAME, Format2010, FORMAT, PLANT)
 

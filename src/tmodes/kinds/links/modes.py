@@ -18,7 +18,9 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.links.contract import Body, ElasticForces, Link, LinkNumbers, LinkStructure, Row
 from tmodes.kinds.links.facts import ends
+from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.modes_line import TANGENT, Angles, ModesLine
+from tmodes.kinds.links.modes_places import ModePlaces
 from tmodes.kinds.links.modes_sheet import Mode, shape_angle, shape_slope
 from tmodes.kinds.links.terms import LinkTerms, Section
 
@@ -256,6 +258,16 @@ class ModesLink(Link):
                 return k, min((at - start) / mode.length, 1.0)
             start += mode.length
         raise AssertionError
+
+    def lines(self, stations: tuple[float, ...], s: NDArray[np.float64]) -> Sequence[LineOfLink]:
+        """One line for each mode."""
+        structure, start, found = self.numbers(stations).structure, 0.0, []
+        for k, mode in enumerate(self.modes):
+            suffix, share = f".{k + 1}" * (len(self.modes) > 1), mode.length / self.length
+            found.append(ModePlaces(mode.length, stations, s, suffix, structure=structure, mode=k, start=start,
+                                    share=share))  # fmt: skip
+            start += share
+        return found
 
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
         """Lengths, equivalent masses and inertias, stations; Cs l^2 and Bs l^2 of the modes that bend."""
