@@ -60,6 +60,8 @@ def _ranges(arm: Robot) -> Iterator[str]:
 
 def _beam(name: str, beam: BendingSheet) -> Iterator[str]:
     """The first of what is strange about a beam: the others follow from it."""
+    if not beam.section_pieces():
+        return
     yield from [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)][:1]
 
 
