@@ -10,6 +10,7 @@ from importlib import import_module
 from typing import TYPE_CHECKING, Any
 
 if TYPE_CHECKING:
+    from tmodes.equations.lagrange.system import System
     from tmodes.errors import TmodesError
     from tmodes.model.model import Model
     from tmodes.notebook import show
@@ -42,6 +43,7 @@ __all__ = [
     "Reading",
     "Result",
     "Robot",
+    "System",
     "TmodesError",
     "adjoint_gradient",
     "forward_sensitivities",
@@ -67,6 +69,7 @@ _HOMES = {
     "Reading": "tmodes.paper.mechanism.Reading",
     "Result": "tmodes.result.result.Result",
     "Robot": "tmodes.sheet.robot.Robot",
+    "System": "tmodes.equations.lagrange.system.System",
     "TmodesError": "tmodes.errors.TmodesError",
     "adjoint_gradient": "tmodes.sensitivity.gradient.adjoint_gradient",
     "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",

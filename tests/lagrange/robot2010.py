@@ -9,12 +9,14 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.chain.chain import Body, Chain, Drive, Friction, Gear, Joint, JointKind, Motor, Node, Point
+from tmodes.chain.chain import Body, Chain, Friction, Gear, Joint, Motor, Node, Point
 from tmodes.equations.lagrange.filipovic2010 import basis
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, Winding
 from tmodes.equations.loop.plan import DrivePlan, LoopPlan, TouchPlan
 from tmodes.kinds.contacts.dynamic_environment import DynamicEnvironment
+from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.modes import ModesLink
 from tmodes.kinds.links.modes_sheet import Mode
 
@@ -28,7 +30,7 @@ TO_PAPER[5, 0] = 1.0
 TO_ROBOT = np.linalg.inv(TO_PAPER)
 
 
-def chain(equations: str, drive: Drive = Drive.ELASTIC) -> Chain:
+def chain(equations: str) -> Chain:
     """The real robot: one joint with motor and elastic gear, one link of two modes with the payload."""
     modes = tuple(
         Mode(
@@ -41,7 +43,8 @@ def chain(equations: str, drive: Drive = Drive.ELASTIC) -> Chain:
     )
     link = ModesLink(modes, ((1.0, Body(P["m"], np.zeros(3), P["Jzz"] * np.eye(3))),))
     motor = Motor(P["I"], Friction(P["Bm"]), P["R"], P["CE"], P["CM"])
-    joint = Joint("joint", JointKind.REVOLUTE, drive=drive, motor=motor, gear=Gear((P["Cxi"],), (), P["Bxi"]))
+    gear = Gear((P["Cxi"],), (), P["Bxi"])
+    joint = Joint("joint", joint_kind("revolute"), drive=drive_kind("elastic"), motor=motor, gear=gear)
     gravity = np.array([0.0, 0.0, -P["g"]])
     return Chain("2010", (Node("link", -1, joint, link),), gravity, points=(Point("tip", 0),), equations=equations)
 
@@ -56,7 +59,7 @@ def plan(equations: str, *, contact: bool, law: str = "signed") -> LoopPlan:
     }  # fmt: skip
     robot = chain(equations)
     touch = Touch(DynamicEnvironment.model_validate(data))
-    servo = Servo(controlled=False, driven=True, winding=Winding.RESISTANCE)
-    drive = DrivePlan("joint", 0, servo, Winding.RESISTANCE, (0.0, 0.0, P["R"], P["CE"], P["CM"], 0.0))
+    servo = Servo(None, driven=True, winding=Winding.RESISTANCE)
+    drive = DrivePlan("joint", 0, servo, Winding.RESISTANCE, (P["R"], P["CE"], P["CM"], 0.0))
     touched = TouchPlan(0, touch, touch.numbers(robot.gravity)) if contact else None
     return replace(LoopPlan(robot, (drive,), signals=1, degree=0), touch=touched)

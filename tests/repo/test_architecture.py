@@ -4,8 +4,9 @@ from __future__ import annotations
 
 from pathlib import Path
 
-import architecture
 import pytest
+
+import architecture
 
 HOUSE = architecture.Architecture()
 MOST_ENTRIES, MOST_LAYERS, MOST_QUAINT, MOST_ASKED, MOST_UPWARD = 22, 14, 40, 5, 12

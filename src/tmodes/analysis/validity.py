@@ -106,7 +106,7 @@ def jam_warnings(time: NDArray[np.float64], fold: NDArray[np.float64]) -> list[s
     return [
         f"the contact jams first at t = {time[jammed[0]]:.4g} s, and at {len(jammed)} samples in all: friction and the "
         "environment's mass are so large that the force has no single answer; do not trust the motion from there on; "
-        "lower environment.friction or environment.mass"
+        "lower the contact's friction or mass"
     ]
 
 

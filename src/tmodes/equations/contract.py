@@ -47,8 +47,11 @@ class Way(Protocol):
         """Whether an inertia can be attached at a point."""
         ...
 
-    def attach(self, k: int, inertia: Slot, bias: Slot) -> None:
-        """An inertia and its bias force that move with a point."""
+    def touched(self, k: int, touch: Any, numbers: Slot, wrench: Slot, step: Slot | None) -> None:
+        """A contact on a point: its push is in ``wrench``; ``step``: a mass moves with the point, in steps of this.
+
+        ``touch``: the kernels of :class:`tmodes.equations.loop.contact_kernels.Touch`.
+        """
         ...
 
     def link_losses(self) -> list[Slot]:
@@ -64,6 +67,8 @@ class Dynamics(Protocol):
     coupled_loads: dict[int, Slot]
     torques: dict[int, Slot]
     accelerations: list[Slot]
+    contact: Slot | None
+    """Normal force, fold and power of a contact that was solved for with the accelerations; None where it was not."""
 
     def run(self) -> list[Slot]:
         """Accelerations of the coordinates, in their order."""

@@ -27,7 +27,20 @@ ROBOT = Form(
     "arm",
     Robot,
     ARM_FORMAT,
-    ("gravity", "base", "joints", "links", "tip", "points", "couplings", "loads", "drives", "contact", "contact_off"),
+    (
+        "gravity",
+        "base",
+        "joints",
+        "links",
+        "tip",
+        "points",
+        "couplings",
+        "loads",
+        "drives",
+        "contact",
+        "contact_off",
+        "parameters",
+    ),
 )
 F2010 = Form(importer.NAME, Format2010, FORMAT, PLANT)
 
@@ -44,7 +57,7 @@ def form_of(data: Any) -> Form:
 
 def robot_path(path: str, data: Any) -> str:
     """A path in a robot's plain data, where one of the format that it was imported from may stand."""
-    return importer.robot_path(path) if _is_imported(data) else path
+    return importer.placed_path(path, data) if _is_imported(data) else path
 
 
 def robot_change(path: str, value: Any, data: Any) -> tuple[str, Any]:

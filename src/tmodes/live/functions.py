@@ -12,11 +12,13 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain, Point
 from tmodes.compile.wasm.wasm_parts import schedule_loop, schedule_samples
+from tmodes.equations.line.schedule import Lines
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.mechanics import mechanics
 from tmodes.integrate.method import EULER, JACOBIAN
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.live.loads import line_names
 from tmodes.live.module import Functions, LiveModule
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
@@ -32,11 +34,13 @@ Array = NDArray[np.float64]
 class ModelFunctions:
     """What an arm's module is made of: the plans of its regimes, and the passes over its chain.
 
-    ``stations``: places along each link, 0 its root and 1 its tip, of which the picture is made.
+    ``stations``: places along each link, 0 its root and 1 its tip, of which the picture is made. ``places``: where the
+    function ``line`` of a page computes the lines of all links, the stations among them; it stands for ``pose`` there.
     """
 
     pair: RobotPair
     stations: tuple[float, ...]
+    places: tuple[float, ...] = ()
 
     @cached_property
     def plans(self) -> dict[str, Planned]:
@@ -54,9 +58,21 @@ class ModelFunctions:
 
     @cached_property
     def passes(self) -> dict[str, ArmPasses]:
-        """The recursion's passes: over the real ``chain``, and over the one with a point at each station (``pose``)."""
+        """The passes over the real ``chain``, and over the one with a point at each station (``pose``)."""
         chain = self.pair.real.model_copy(update={"drives": ()}).chain()
-        return {"chain": Model(chain).passes, "pose": ArmPasses(mechanics(stationed(chain, self.stations)))}
+        passes = {"chain": Model(chain).passes}
+        return passes if self.places else passes | {"pose": ArmPasses(mechanics(stationed(chain, self.stations)))}
+
+    @cached_property
+    def lines(self) -> Lines | None:
+        """The lines of all links, with wrenches on the points where any act."""
+        return self.passes["chain"].lines(self.places, loaded=self.loaded) if self.places else None
+
+    @property
+    def loaded(self) -> bool:
+        """Whether forces act on points."""
+        plan = self.plans["real"].plan
+        return bool(plan.loads or plan.touch)
 
     def numbers(self) -> dict[str, Array]:
         """All that a changed sheet changes, but for the signals of the runs.
@@ -65,7 +81,9 @@ class ModelFunctions:
         """
         loops = {name: loop.parts.numbers.vector for name, loop in self.loops.items()}
         row = self.plans["rest"].schedule.rows_at(np.zeros(1))[0]
-        return loops | {name: passes.parameters for name, passes in self.passes.items()} | {"rest_row": row}
+        passes = {name: one.parameters for name, one in self.passes.items()}
+        lines = {"line": self.lines.numbers} if self.lines else {}
+        return loops | passes | lines | {"rest_row": row}
 
 
 def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
@@ -92,12 +110,12 @@ def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = T
             schedule = getattr(loop, label)
             made.schedule(f"{name}.{label}", schedule_samples(f"{name}.{label}", schedule), schedule)
     chain = arm.passes["chain"]
-    passes = {
-        "inertia": chain.schedule("inertia"), "elastic": chain.schedule("elastic"),
-        "pose": needed_for(arm.passes["pose"].schedule("inertia"), ("points",)),
-    }  # fmt: skip
-    plan = arm.plans["real"].plan
-    if plan.loads or plan.touch:
+    passes = {"inertia": chain.schedule("inertia"), "elastic": chain.schedule("elastic")}
+    if arm.lines:
+        passes["line"] = needed_for(arm.lines.schedule, line_names(arm.lines))
+    else:
+        passes["pose"] = needed_for(arm.passes["pose"].schedule("inertia"), ("points",))
+    if arm.loaded:
         passes["loaded"] = needed_for(chain.schedule("inertia", loaded=True), ("forces",))
     for label, schedule in passes.items():
         made.schedule(label, schedule_samples(label, schedule), schedule)

@@ -10,9 +10,8 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names
-from tmodes.chain.chain import Chain
 from tmodes.live.functions import ModelFunctions, live_module
-from tmodes.live.loads import joint_limits, load_places, packed_loads, yield_strengths
+from tmodes.live.loads import joint_limits, lines_info, load_places, yield_strengths
 from tmodes.live.numbers import follow_of
 from tmodes.live.vibrations import vibrations_info
 from tmodes.model.model import Model
@@ -43,7 +42,7 @@ def mechanics(
 
     ``compared``: whether there is a reference run; ``surfaces``: links that have one, shown though they be a point.
     """
-    functions = ModelFunctions(pair, stations)
+    functions = ModelFunctions(pair, stations, tuple(load_places(pair.real.integration.line_points)))
     module = live_module(functions, [method], slopes=False)
     runs = {"real": run_setup(pair.real)}
     if compared:
@@ -62,8 +61,8 @@ def mechanics(
         "deformations": list(elastic_names(model)),
         "turning": [axis.name for axis in model.chain.axes if not axis.coordinate.slides],
         "straight": _affine(lambda q: without_elasticity(model, q), model.nq),
-        "links": _links(model, functions, stations, surfaces),
-        "carried": _carried(pair, real, stations),
+        "links": _links(model, surfaces),
+        "carried": _carried(pair, real, functions),
         "surface": pair.real.contact and pair.real.contact.shape.drawing(),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
@@ -92,40 +91,29 @@ def _affine(function: Any, size: int) -> dict[str, Array]:
     return {"matrix": np.ascontiguousarray((info[1:] - info[0]).T), "constant": info[0].copy()}
 
 
-def _carried(pair: RobotPair, real: RunSetup, stations: tuple[float, ...]) -> dict[str, Any]:
-    """How loads along the links are found; which of their places are shown; what they are compared with."""
-    plan, parts = real.planned.plan, real.model.loop.parts
-    kept = pair.real.integration.line_points
-    places = load_places(kept)
-    return packed_loads(plan, parts, places).layout | {
-        "kept": kept,
-        "shown": np.searchsorted(places, np.array(stations) - 1e-12).astype(np.int32),
+def _carried(pair: RobotPair, real: RunSetup, functions: ModelFunctions) -> dict[str, Any]:
+    """Where loads along the links are found; which of their places are shown; what they are compared with."""
+    plan, parts, places = real.planned.plan, real.model.loop.parts, np.array(functions.places)
+    assert functions.lines is not None  # noqa: S101
+    return {
+        "places": places,
+        "kept": pair.real.integration.line_points,
+        "shown": np.searchsorted(places, np.array(functions.stations) - 1e-12).astype(np.int32),
+        "lines": lines_info(functions.lines, plan.chain),
         "strengths": yield_strengths(pair.nominal, plan.chain),
         "limits": joint_limits(pair.nominal, plan, parts),
     }
 
 
-def _links(
-    model: Model, functions: ModelFunctions, stations: tuple[float, ...], surfaces: Sequence[str]
-) -> list[dict[str, Any]]:
-    """Links that are drawn: at which of the picture's points each begins, and of a rigid one where its far end is.
+def _links(model: Model, surfaces: Sequence[str]) -> list[dict[str, Any]]:
+    """Lines that are drawn, by name, and whether they bend.
 
-    After them those without length that have a surface, in the order of ``surfaces``, as the page's own scene has them.
+    After them the rigid links without length that have a surface, in the order of ``surfaces``, as the page's own scene
+    has them.
     """
-    lines, chain = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0]).links, model.chain
-    found, carriers, point = [], {}, 0
-    for node in chain.nodes:
-        bends = node.link.bends
-        line = lines[node.name]
-        if line.length > POINT_LIKE:
-            end = np.zeros(3) if bends else line.rotation[0, 0].T @ (line.position[0, 1] - line.position[0, 0])
-            found.append({"name": node.name, "bends": bends, "point": point, "end": end})
-        elif not bends:
-            carriers[node.name] = {"name": node.name, "bends": False, "point": point, "end": np.zeros(3)}
-        point += len(stations) if bends else 1
-    _check_points(point, functions.passes["pose"].parts.chain)
-    return found + [carriers[name] for name in surfaces if name in carriers]
-
-
-def _check_points(count: int, chain: Chain) -> None:
-    assert count == len(chain.points)  # noqa: S101
+    lines = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0]).links
+    drawn = [
+        {"name": name, "bends": line.shape is not None} for name, line in lines.items() if line.length > POINT_LIKE
+    ]
+    carriers = {name for name, line in lines.items() if line.length <= POINT_LIKE and line.shape is None}
+    return drawn + [{"name": name, "bends": False} for name in surfaces if name in carriers]

@@ -8,9 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.loop.closed_loop import ClosedLoop
-from tmodes.equations.mechanics import mechanics
-from tmodes.live.functions import stationed
-from tmodes.live.loads import load_places, packed_loads
+from tmodes.live.loads import line_lengths, load_places
 from tmodes.live.vibrations import vibration_numbers
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
@@ -41,10 +39,10 @@ def _commanded(nominal: Robot) -> bool:
 def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
-    ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
-    ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``pose``, of the passes to these,
-    ``surface``, the place of what is touched, ``carried`` of :func:`tmodes.live.loads.packed_loads`, and the blocks
-    of :func:`tmodes.live.vibrations.vibration_numbers`.
+    ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own extend to
+    ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``line``, of the lines of
+    all links, with the ``lengths`` of those that bend, ``surface``, the place of what is touched, and the blocks of
+    :func:`tmodes.live.vibrations.vibration_numbers`.
     """
     plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
     loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()
@@ -57,9 +55,10 @@ def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float,
         "rotors": _rotors(loop),
     }
     if stations:
-        found["pose"] = ArmPasses(mechanics(stationed(chain, stations))).parameters
+        loaded = bool(plan.plan.loads or plan.plan.touch)
+        lines = model.passes.lines(tuple(load_places(arm.integration.line_points)), loaded=loaded)
+        found |= {"line": lines.numbers, "lengths": line_lengths(lines)}
         found |= vibration_numbers(arm, plan.plan, model)
-        found["carried"] = packed_loads(plan.plan, loop.parts, load_places(arm.integration.line_points)).numbers
         if arm.contact:
             found["surface"] = np.array(arm.contact.shape.moving_numbers(), dtype=float)
     for k, signal in enumerate(plan.each):

@@ -11,6 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes import upward
 from tmodes.equations.recursion.parts import Parts
+from tmodes.errors import InputError
 from tmodes.model.differentiated import DifferentiatedModel
 from tmodes.model.evaluator import Rows
 from tmodes.model.point_motion import PointMotion
@@ -171,7 +172,11 @@ class Model(DifferentiatedModel):
         """Linear momentum [kg*m/s] and angular momentum about the world's origin [kg*m^2/s], world axes, (n, 3)."""
         rows = Rows(q, v, self.nq)
         still = Rows(rows.q, np.zeros_like(rows.v), self.nq)
-        info = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)["base_force"]
+        found = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)
+        if "base_force" not in found:
+            got, hint = f"the equations `{self.chain.equations}`", "take `equations: recursion`"
+            raise InputError("momentum", got, "equations that tell the reaction of the base", hint)
+        info = found["base_force"]
         placed = self.chain.base
         linear, about_base = info[:, 3:] @ placed.rotation.T, info[:, :3] @ placed.rotation.T
         angular = about_base + np.cross(placed.position, linear)

@@ -37,7 +37,8 @@ class RunData:
     after the reducer, or of the joint without a motor; ``voltage`` and ``current``, 0 where there is no electric side;
     ``wanted``, the value of the drive's signal; ``gear_torque``, 0 where no gear is elastic. ``points``: motion of the
     named points. ``contact_force`` (n, 3), by the point on the surface; ``contact_normal`` (n,) its part into the
-    surface; ``penetration`` (n,) [m]; None without contact. ``base`` (n, 24): acceleration less gravity (6) and rate
+    surface; ``penetration`` (n,) [m]; ``contact_fold`` (n,), see :func:`tmodes.analysis.validity.jam_warnings`; None
+    without contact. ``base`` (n, 24): acceleration less gravity (6) and rate
     (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind: works of
     ``motor``, ``loads`` and ``base`` are brought in, the others taken out; ``energy_balance`` (n,): what is there less
     what came in, plus what went out. ``reference``: the same of the nominal arm whose motors are where they should be;
@@ -63,6 +64,7 @@ class RunData:
     contact_force: Array | None
     contact_normal: Array | None
     penetration: Array | None
+    contact_fold: Array | None
     base: Array
     energies: dict[str, Array]
     works: dict[str, Array]
@@ -124,6 +126,7 @@ def gathered(setup: RunSetup, trajectory: Trajectory, rows: Array | None = None)
         contact_force=None if contact is None else contact[:, :3],
         contact_normal=None if contact is None else contact[:, 3],
         penetration=None if contact is None else contact[:, 4],
+        contact_fold=None if contact is None else seen["contact_fold"][:, 0],
         base=base, energies=energies_of(setup, model, q, v, base),
         works={name: works[:, k] for k, name in enumerate(WORKS)},
         status=trajectory.status, message=trajectory.message, statistics=dict(trajectory.statistics),

@@ -148,6 +148,7 @@ def _others(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
     found["energy.total"] = Quantity("J", lambda at: np.sum([*seen.energies(at).values()], axis=0))
     if regime.planned.plan.touch:
         found["contact.force"] = Quantity("N", lambda at: seen.observed(at)["contact"][:, 3])
+        found["contact.fold"] = Quantity("-", lambda at: seen.observed(at)["contact_fold"][:, 0])
         found["contact.penetration"] = Quantity("m", lambda at: seen.observed(at)["contact"][:, 4])
     return found
 

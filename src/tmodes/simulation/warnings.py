@@ -7,7 +7,7 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.validity import energy_sentence
+from tmodes.analysis.validity import energy_sentence, jam_warnings
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.start import RunSetup
@@ -79,10 +79,11 @@ _WAYS = ("x", "y", "z", "roll", "pitch", "yaw")
 
 
 def run_warnings(run: RunData) -> list[str]:
-    """Limits passed, and energy that does not add up, with the first time and the worst value."""
+    """Limits passed, a contact that jams, energy that does not add up; with the first time and the worst value."""
     tolerance, hint = run.arm.integration.energy_tolerance, "lower integration.relative_tolerance or integration.step"
     energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, hint)
-    return [*([energy] if energy else []), *_limits(run)]
+    jammed = [] if run.contact_fold is None else jam_warnings(run.times, run.contact_fold)
+    return [*([energy] if energy else []), *jammed, *_limits(run)]
 
 
 def _limits(run: RunData) -> Iterator[str]:

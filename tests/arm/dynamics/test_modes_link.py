@@ -7,6 +7,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tmodes.analysis.line.line import elastic_line
 from tmodes.chain.chain import Body, Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
@@ -87,3 +88,26 @@ def test_equals_the_consistent_lagrangian(seed: int) -> None:
         torque = robot.motor.torque(voltage, phid[5])
         found = OF_OWN @ model.forward_dynamics(x, rate, [torque])
         near(found, info["phidd"], max(1e-12, 1e-14 * np.linalg.cond(info["H"])))
+
+
+@pytest.mark.parametrize("seed", range(3))
+def test_lines_of_modes_are_those_of_the_paper(seed: int) -> None:
+    """Line, deflection, slope, moments and shear of both modes, under a force on the tip."""
+    robot = random_robot(seed)
+    mechanism, parameters = robot.split(PaperDrive.VOLTAGE)
+    model, paper, rng = Model(chain_of(robot)), PaperModel(mechanism), np.random.default_rng(200 + seed)
+    x, rate, gain = 0.3 * rng.normal(size=(4, 6)), rng.normal(size=(4, 6)), 5 * rng.normal(size=(4, 6))
+    force = 20 * rng.normal(size=(4, 3))
+    s = np.linspace(0.0, 1.0, 5)
+    motion = np.concatenate([*(part @ OF_OWN.T for part in (x, rate, gain)), force], axis=1)
+    paper_line = paper.line(motion, s, parameters)
+    wrenches = np.concatenate([-force, np.zeros((4, 3))], axis=1)[:, None]
+    lines = elastic_line(model, x, rate, gain, stations=s.tolist(), wrenches=wrenches)
+    assert [*lines.links] == ["link.1", "link.2"]
+    for k, line in enumerate(lines.bending()):
+        assert line.shape is not None
+        found = {"line": line.position, "deflection": line.shape.deflection, "slope": line.shape.slope,
+                 "bending_moment": line.moment[..., [2, 1]] * [1, -1], "shear_force": line.shear,
+                 "flexibility_moment": line.shape.elastic_moment[..., [2, 1]] * [1, -1]}  # fmt: skip
+        for name, values in found.items():
+            near(values, np.asarray(paper_line[name])[:, k])

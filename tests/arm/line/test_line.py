@@ -12,7 +12,7 @@ from arm.oracle.robots import arms
 from arm.random_chains import random_chain, random_state
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import held_shape
-from tmodes.chain.chain import Body, Chain, Point
+from tmodes.chain.chain import Body, Chain, Link, Point, Segment
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.model.model import Model
@@ -306,3 +306,24 @@ def test_infinite_axial_stiffness_gives_no_stretch_and_no_stress_of_it() -> None
     line = elastic_line(clamped(rod, gravity=np.zeros(3)), np.zeros(6), wrenches=push)["rod"]
     assert line.stress is not None
     assert line.stress.strain[0, 0] == pytest.approx(3.0 * LENGTH * 0.01 / EI, rel=1e-12)
+
+
+class Unlined(Segment):
+    """A link kind that has no line of its own."""
+
+    def lines(self, stations: tuple[float, ...], s: np.ndarray) -> Any:
+        return Link.lines(self, stations, s)
+
+
+def test_a_link_without_a_line_of_its_own_has_the_cubic_between_its_ends() -> None:
+    """Of small angles that of a segment, which is a cubic; with the same loads at root and tip."""
+    own, cubic = (clamped(kind(LENGTH, 40.0, 60.0, bodies=(Body(0.4),))) for kind in (Segment, Unlined))
+    q, v, a = 1e-4 * np.array([[3.0, -2.0]]), np.array([[0.3, 0.5]]), np.array([[2.0, -1.0]])
+    lines = [elastic_line(model, q, v, a)["rod"] for model in (own, cubic)]
+    for name in ("position", "moment", "shear", "axial"):
+        first, second = (getattr(line, name) for line in lines)
+        assert np.abs(first - second).max() < 1e-6 * np.abs(first).max(), name
+        assert np.abs(first - second)[:, [0, -1]].max() < 1e-12 * np.abs(first).max(), name
+    for name in ("deflection", "slope", "curvature"):
+        first, second = (getattr(line.shape, name) for line in lines)
+        assert np.abs(first - second).max() < 1e-6 * np.abs(first).max(), name

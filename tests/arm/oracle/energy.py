@@ -7,9 +7,9 @@ from typing import Any
 import casadi as ca
 import numpy as np
 
-from arm.oracle.motion import Motion, moves
+from arm.oracle.motion import Motion
 from arm.oracle.rotation import vee
-from tmodes.chain.chain import Beam, Friction, Gear, Motor, Node, Segment
+from tmodes.chain.chain import Axis, Beam, Friction, Gear, Motor, Node, Segment
 from tmodes.kinds.drives.registry import drive_kind
 
 __all__ = ["elastic_gear", "elastic_link", "gravity", "kinetic", "lost", "momentum"]
@@ -31,7 +31,7 @@ def kinetic(motion: Motion, q: Any, v: Any) -> Any:
     total = ca.SX(0)
     for mass, speed, rate in zip(motion.masses, speeds, rates, strict=True):
         total += mass.mass * ca.dot(speed, speed) / 2 + rate.T @ mass.inertia @ rate / 2
-    for node in _moving(motion):
+    for node in motion.chain.axes:
         if (motor := _rotor(node)) is not None:
             total += motor.inertia * v[_motor_index(motion, node)] ** 2 / 2
     return total
@@ -57,9 +57,9 @@ def elastic_gear(motion: Motion) -> Any:
     """Energy of the gears [J], backlash left out."""
     inputs = _gear_inputs(motion)
     total = ca.SX(0)
-    for node in _moving(motion):
-        if node.joint.gear is not None and node.joint.drive in {drive_kind("elastic"), drive_kind("spring")}:
-            total += _wound(node.joint.gear, inputs[node.joint.name] - motion.joint[node.joint.name])
+    for axis in motion.chain.axes:
+        if axis.joint.gear is not None and axis.drive in {drive_kind("elastic"), drive_kind("spring")}:
+            total += _wound(axis.joint.gear, inputs[axis.name] - motion.joint[axis.name])
     return total
 
 
@@ -69,7 +69,7 @@ def _gear_inputs(motion: Motion) -> dict[str, Any]:
     mixed = motors if motion.chain.couplings is None else ca.SX(np.asarray(motion.chain.couplings)) @ motors
     names = [name.removesuffix(".motor") for name in motion.motor]
     inputs: dict[str, Any] = {name: mixed[i] for i, name in enumerate(names)}
-    return inputs | {n.joint.name: n.joint.rest for n in _moving(motion) if n.joint.drive is drive_kind("spring")}
+    return inputs | {n.name: n.joint.rest for n in motion.chain.axes if n.drive is drive_kind("spring")}
 
 
 def _wound(gear: Gear, angle: Any) -> Any:
@@ -119,18 +119,14 @@ def _form(matrices: list[Any], x: list[Any]) -> Any:
     return total
 
 
-def _moving(motion: Motion) -> list[Node]:
-    return [node for node in motion.chain.nodes if moves(node.joint)]
-
-
-def _rotor(node: Node) -> Motor | None:
+def _rotor(node: Axis) -> Motor | None:
     """The joint's motor, if it has one that is not locked."""
-    return None if node.joint.drive is drive_kind("spring") else node.joint.motor
+    return None if node.drive is drive_kind("spring") else node.joint.motor
 
 
-def _motor_index(motion: Motion, node: Node) -> int:
+def _motor_index(motion: Motion, node: Axis) -> int:
     """Where the rotor's rate stands in v: its own coordinate, or the joint behind a rigid gear."""
-    own = f"{node.joint.name}.motor" if node.joint.drive is drive_kind("elastic") else node.joint.name
+    own = f"{node.name}.motor" if node.drive is drive_kind("elastic") else node.name
     return list(motion.coordinates).index(own)
 
 
@@ -144,8 +140,8 @@ def lost(motion: Motion, v: Any) -> Any:
     """Generalized forces (nq,) that take power: gear and link damping, friction of motors and joints."""
     names = list(motion.coordinates)
     forces = ca.gradient(_rayleigh(motion, v), v)
-    for node in _moving(motion):
-        rate = names.index(node.joint.name)
+    for node in motion.chain.axes:
+        rate = names.index(node.name)
         forces[rate] += _rubbed(node.joint.friction, v[rate])
         if (motor := _rotor(node)) is not None:
             rotor = _motor_index(motion, node)
@@ -160,11 +156,11 @@ def _rayleigh(motion: Motion, v: Any) -> Any:
     turned = ca.vertcat(*motion.motor.values()) if motion.motor else ca.SX.zeros(0)
     total = ca.SX(0)
     inputs = _gear_inputs(motion)
-    for node in _moving(motion):
-        if node.joint.gear is not None and node.joint.drive in {drive_kind("elastic"), drive_kind("spring")}:
-            moved = ca.SX(inputs[node.joint.name])
+    for node in motion.chain.axes:
+        if node.joint.gear is not None and node.drive in {drive_kind("elastic"), drive_kind("spring")}:
+            moved = ca.SX(inputs[node.name])
             speed = ca.jtimes(moved, turned, v[: turned.numel()]) if turned.numel() else 0
-            total += node.joint.gear.damping * (speed - rates[node.joint.name]) ** 2 / 2
+            total += node.joint.gear.damping * (speed - rates[node.name]) ** 2 / 2
     for index, node in enumerate(motion.chain.nodes):
         total += _bent(motion, index, [rates[name] for name in motion.link[node.name]], node, damping=True)
     return total

@@ -18,7 +18,6 @@ from arm.oracle.motion import Motion
 from arm.oracle.rotation import vee
 from tmodes.chain.chain import Chain
 from tmodes.kinds.drives.registry import drive_kind
-from tmodes.kinds.joints.registry import joint_kind
 
 __all__ = ["Lagrangian"]
 
@@ -42,11 +41,10 @@ class Lagrangian:
     @property
     def driven(self) -> list[int]:
         """Rows on which the efforts act: a motor's own, or its joint's; in the order of the joints."""
-        joints = [node.joint for node in self.chain.nodes if node.joint.kind is not joint_kind("fixed")]
         names = [
-            f"{joint.name}.motor" if joint.drive is drive_kind("elastic") else joint.name
-            for joint in joints
-            if joint.drive in {drive_kind("elastic"), drive_kind("effort")}
+            f"{axis.name}.motor" if axis.drive == drive_kind("elastic") else axis.name
+            for axis in self.chain.axes
+            if axis.drive in {drive_kind("elastic"), drive_kind("effort")}
         ]
         return [self.coordinates.index(name) for name in names]
 

@@ -14,7 +14,7 @@ from tmodes.chain.chain import Beam, Body, Chain, Joint, Node, Placement, Segmen
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 
-__all__ = ["Frame", "Mass", "Motion", "moves"]
+__all__ = ["Frame", "Mass", "Motion"]
 
 
 @dataclass(frozen=True)
@@ -42,11 +42,6 @@ class Mass:
     inertia: Any
 
 
-def moves(joint: Joint) -> bool:
-    """Whether the joint has a coordinate."""
-    return joint.kind is not joint_kind("fixed")
-
-
 def _symbols(names: list[str]) -> dict[str, Any]:
     return {name: ca.SX.sym(name) for name in names}
 
@@ -63,9 +58,9 @@ class Motion:
 
     def __post_init__(self) -> None:
         nodes = self.chain.nodes
-        moving = [node.joint for node in nodes if moves(node.joint)]
-        self.motor = _symbols([f"{joint.name}.motor" for joint in moving if joint.drive is drive_kind("elastic")])
-        self.joint = _symbols([joint.name for joint in moving])
+        axes = self.chain.axes
+        self.motor = _symbols([f"{axis.name}.motor" for axis in axes if axis.drive == drive_kind("elastic")])
+        self.joint = _symbols([axis.name for axis in axes])
         self.link = {node.name: _symbols(_link_names(node)) for node in nodes}
         for index, node in enumerate(nodes):
             self._add(index, node)
@@ -87,8 +82,11 @@ class Motion:
             self._body(self.tips[-1], body)
 
     def _turned(self, frame: Frame, joint: Joint) -> Frame:
-        if not moves(joint):
+        if not joint.axes:
             return frame
+        if joint.kind not in {joint_kind("revolute"), joint_kind("prismatic")}:
+            axes, place = joint.kind.place([self.joint[axis.name] for axis in joint.axes], joint.numbers)
+            return frame.then(ca.vertcat(*place), ca.vertcat(*(ca.horzcat(*row) for row in axes)))
         moved = self.joint[joint.name] - (0.0 if joint.drive is drive_kind("spring") else joint.rest)
         if joint.kind is joint_kind("revolute"):
             return frame.then(np.zeros(3), about(joint.axis, moved))

@@ -52,7 +52,7 @@ export interface Affine {
   constant: Numbers;
 }
 
-/** How one run of an arm starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
+/** How one run of a robot starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
 export interface RunInfo {
   state: { q: [number, number]; v: [number, number]; currents: [number, number]; works: [number, number] };
   start: Numbers;
@@ -61,7 +61,7 @@ export interface RunInfo {
   signals: number;
 }
 
-/** All of it; `links` are those of the scene: at which of the picture's points each begins, a rigid one's far end. */
+/** All of it; `links` are the lines of the scene. */
 export interface Bundle extends LiveBundle {
   leftOut: { path: string; reason: string }[];
   map: MapInfo;
@@ -90,7 +90,7 @@ export interface Bundle extends LiveBundle {
   /** Joints that turn; others slide. */
   turning: string[];
   straight: Affine;
-  links: { name: string; bends: boolean; point: number; end: Numbers }[];
+  links: { name: string; bends: boolean }[];
   carried: LoadsInfo;
   contactPoint: number;
   /** What is touched, as the sheet says; the block `surface` of the map reports where it is: place (3) and radius. */

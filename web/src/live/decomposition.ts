@@ -3,7 +3,7 @@
 
 import { inertiaForces } from "./linear_model";
 import { affine } from "./live_scene";
-import { WRENCH, wrenchAt } from "./wrench";
+import { wrenchesOf } from "./wrench";
 import { doubles, type Bundle } from "./bundle";
 import type { Engine } from "./engine";
 import { inverted, product } from "./linear";
@@ -79,30 +79,6 @@ export async function splitOf(
     deformation_stationary: shaped(stationary, count, free.length),
     deformation_oscillatory: shaped(difference(present, stationary), count, free.length),
   };
-}
-
-/** Force and moment on each point at each sample [n, points, 6]: of the loads, and of the surface. */
-function wrenchesOf(
-  bundle: Bundle,
-  blocks: Blocks,
-  schedule: Schedule,
-  times: Float64Array,
-  series: SeriesOf,
-): Float64Array {
-  const points = series.position.shape[1];
-  const found = new Float64Array(times.length * points * WRENCH);
-  times.forEach((time, k) => {
-    bundle.loads.forEach((load, which) => {
-      const place = k * points + load.point;
-      const own = blocks.loads.subarray(WRENCH * which, WRENCH * (which + 1));
-      const wrench = wrenchAt(load, own, schedule, time, series.rotation.data, 9 * place);
-      for (let i = 0; i < WRENCH; i += 1) found[WRENCH * place + i] += wrench[i];
-    });
-    if (bundle.contactPoint < 0) return;
-    for (let i = 0; i < 3; i += 1)
-      found[WRENCH * (k * points + bundle.contactPoint) + i] -= series.contact_force.data[3 * k + i];
-  });
-  return found;
 }
 
 /** Samples begin with the deflections that the sample before them has. */

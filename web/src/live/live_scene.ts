@@ -5,10 +5,9 @@ import type { LiveRun } from "../contract_parts";
 import type { Numbers } from "../pack";
 import { doubles, type Affine, type Bundle } from "./bundle";
 import type { Engine } from "./engine";
+import { linesAt, rowOf } from "./loads";
 import type { Blocks } from "./map";
 import { rowsOf, sizes, type SeriesOf } from "./series";
-
-const POINT = 24;
 
 /** y = matrix x + constant of rows x [n, columns]. */
 export function affine(one: Affine, rows: Float64Array, count: number): Float64Array {
@@ -36,7 +35,7 @@ interface Pose {
 export function sceneOf(
   engine: Engine,
   bundle: Bundle,
-  { pose: parameters, surface }: Blocks,
+  blocks: Blocks,
   series: SeriesOf,
   times: Float64Array,
   frames: number[],
@@ -49,8 +48,8 @@ export function sceneOf(
       frames,
     );
   const m = frames.length;
-  const real = poseOf(engine, bundle, parameters, at("q"), m);
-  const lineAt = (q: Float64Array) => poseOf(engine, bundle, parameters, q, m).line;
+  const real = poseOf(engine, bundle, blocks, at("q"), m);
+  const lineAt = (q: Float64Array) => poseOf(engine, bundle, blocks, q, m).line;
   const rigidAt = (q: Float64Array) => lineAt(affine(bundle.straight, q, m));
   const rigid = rigidAt(at("q"));
   const numbers = (name: string) => ({ data: at(name), shape: [m, ...series[name].shape.slice(1)] });
@@ -81,7 +80,7 @@ export function sceneOf(
         : {
             force: numbers("contact_force"),
             at: contactPlace(bundle, series, frames),
-            surface: surfaceAt(bundle, surface),
+            surface: surfaceAt(bundle, blocks.surface),
           },
   };
 }
@@ -104,32 +103,29 @@ function contactPlace(bundle: Bundle, series: SeriesOf, frames: number[]): Numbe
 }
 
 /** Lines and roots of all links at coordinates q [count, nq]. */
-export function poseOf(
-  engine: Engine,
-  bundle: Bundle,
-  parameters: Float64Array,
-  q: Float64Array,
-  count: number,
-): Pose {
-  const still = new Float64Array(q.length / count);
-  const { points } = engine.sample("pose", parameters, { q, v: still, a: still, base: doubles(bundle.base) }, count);
+export function poseOf(engine: Engine, bundle: Bundle, blocks: Blocks, q: Float64Array, count: number): Pose {
   const [L, S] = [bundle.links.length, bundle.stations.data.length];
-  const each = points.length / count / POINT;
+  const still = new Float64Array(q.length / count);
   const line = new Float64Array(count * L * S * 3);
   const roots = new Float64Array(count * L * 4);
-  for (let k = 0; k < count; k += 1) {
-    bundle.links.forEach((link, l) => {
-      const root = points.subarray((k * each + link.point) * POINT, (k * each + link.point + 1) * POINT);
-      roots.set(quaternion(root), (k * L + l) * 4);
-      if (k) steady(roots, (k * L + l) * 4, 4 * L);
+  const infos = bundle.links.map(({ name }) => bundle.carried.lines.find((one) => one.name === name) ?? null);
+  linesAt(engine, blocks, { q, v: still, a: still, base: doubles(bundle.base) }, count, (found, row, k) => {
+    bundle.links.forEach(({ name }, l) => {
+      const info = infos[l];
+      const place = (k * L + l) * 4;
+      const own = rowOf(found[name], row, bundle, info);
+      roots.set(quaternion(info ? own.subarray(info.at.rotation[0]) : own), place);
+      if (k) steady(roots, place, 4 * L);
       for (let s = 0; s < S; s += 1) {
         const to = ((k * L + l) * S + s) * 3;
-        const from = (k * each + link.point + s) * POINT + 9;
-        for (let i = 0; i < 3; i += 1)
-          line[to + i] = link.bends ? points[from + i] : onRigid(root, doubles(link.end), i, bundle.stations.data[s]);
+        for (let i = 0; i < 3; i += 1) {
+          line[to + i] = info
+            ? own[bundle.carried.shown.data[s] * info.width + info.at.position[0] + i]
+            : own[9 + i] + bundle.stations.data[s] * (own[12 + i] - own[9 + i]);
+        }
       }
     });
-  }
+  });
   return { line: { data: line, shape: [count, L, S, 3] }, roots: { data: roots, shape: [count, L, 4] } };
 }
 
@@ -138,10 +134,6 @@ function steady(roots: Float64Array, place: number, before: number): void {
   let along = 0;
   for (let i = place; i < place + 4; i += 1) along += roots[i] * roots[i - before];
   if (along < 0) for (let i = place; i < place + 4; i += 1) roots[i] *= -1;
-}
-
-function onRigid(root: Float64Array, end: Float64Array, axis: number, s: number): number {
-  return root[9 + axis] + s * (root[3 * axis] * end[0] + root[3 * axis + 1] * end[1] + root[3 * axis + 2] * end[2]);
 }
 
 /** x, y, z, w of a rotation, row-major. */

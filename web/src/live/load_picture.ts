@@ -1,10 +1,9 @@
-// What a page shows of the loads along an arm's links: the panel of the elastic line, and what colours the links.
+// What a page shows of the loads along a robot's links: the panel of the elastic line, and what colours the links.
 
 import type { LinePanel, Scene } from "../contract";
 import type { LinkLoads } from "./loads";
 import type { Bundle } from "./bundle";
 import { sizes } from "./series";
-import type { Reals } from "./space";
 
 const PLANES = ["y", "z"];
 const QUANTITIES = [
@@ -33,7 +32,7 @@ export function linePanel(bundle: Bundle, links: LinkLoads[], m: number): LinePa
 /** As tmodes/report/scene_arm.py: of all links of the scene, 0 on those that do not bend. */
 export function loadColours(bundle: Bundle, loads: LinkLoads[], m: number): Scene["colours"] {
   const [L, S] = [bundle.links.length, bundle.stations.data.length];
-  const over = (id: string, label: string, unit: string, value: (link: LinkLoads) => Reals | null) => {
+  const over = (id: string, label: string, unit: string, value: (link: LinkLoads) => Float64Array | null) => {
     const data = new Float64Array(m * L * S);
     bundle.links.forEach((drawn, l) => {
       const link = drawn.bends ? loads.find((one) => one.name === drawn.name) : undefined;
@@ -61,6 +60,6 @@ export function loadColours(bundle: Bundle, loads: LinkLoads[], m: number): Scen
 }
 
 /** Rows of one link [m, width] into those of all [m, L, width]. */
-function spread(values: Reals, into: Reals, m: number, link: number, links: number, width: number): void {
+function spread(values: Float64Array, into: Float64Array, m: number, link: number, links: number, width: number): void {
   for (let k = 0; k < m; k += 1) into.set(values.subarray(k * width, (k + 1) * width), (k * links + link) * width);
 }

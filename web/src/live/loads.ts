@@ -1,30 +1,31 @@
 // The loads along an arm's links over a run: what is largest of all samples, and all of it at the frames that are
-// shown.
+// shown. They are computed by the module's function `line`, as tmodes/equations/line/schedule.py states it.
 
-import { FRAME, GAIN, PLACE } from "./frame";
-import { Balance, type Carried, type NodeInfo, type PointInfo } from "./balance";
-import { fibreOf, stressed, type Fibre, type Stress } from "./stress";
-import { WRENCH, wrenchAt, type LoadInfo } from "./wrench";
 import { doubles, type Bundle } from "./bundle";
+import type { Engine, Samples } from "./engine";
+import type { Blocks } from "./map";
 import type { Numbers } from "../pack";
-import type { SeriesOf } from "./series";
+import { rowsOf, type SeriesOf } from "./series";
 import type { Schedule } from "./signals";
-import type { Reals } from "./space";
+import { wrenchesOf } from "./wrench";
 
-/** As tmodes/live/loads.py reports it; numbers say where in the block `carried` a table begins. */
+/** As tmodes/live/loads.py writes it. */
 export interface LoadsInfo {
   places: Numbers;
   /** How many the result keeps: `places` are some of them where these are very many. */
   kept: number;
   /** Which of the places are the stations of the picture. */
   shown: Numbers;
-  nodes: NodeInfo[];
-  points: (PointInfo & { point: number })[];
-  loads: (LoadInfo & { place: number; wrench: number })[];
-  /** Which of the points is on a surface; -1: none. */
-  touched: number;
+  lines: LineInfo[];
   strengths: Record<string, number>;
   limits: LimitInfo[];
+}
+
+/** A link that bends: `width` numbers of each place, and where in them each quantity begins and ends. */
+export interface LineInfo {
+  name: string;
+  width: number;
+  at: Record<string, [number, number]>;
 }
 
 /** A joint's limits; null: there is none. `range`: its middle and half its width. */
@@ -49,13 +50,16 @@ export interface Largest {
 
 export type Quantity = "deflection" | "moment" | "stress";
 
-/**
- * One link that bends: its load at the shown places of all frames, one after the other; what was largest in the run.
- */
-export interface LinkLoads extends Carried {
+/** One link: its loads at the shown places of all frames, one after the other; what was largest in the run. */
+export interface LinkLoads {
   name: string;
   length: number;
-  stress: Stress | null;
+  deflection: Float64Array; // [S, 2]
+  slope: Float64Array; // [S, 2]
+  moment: Float64Array; // [S, 3]
+  shear: Float64Array; // [S, 2]
+  axial: Float64Array; // [S]
+  stress: { strain: Float64Array; mises: Float64Array } | null;
   largest: Record<Quantity, Largest | null>;
 }
 
@@ -66,112 +70,88 @@ export interface Loads {
 }
 
 const MOST_PLACES = 400_000; // places at samples that are looked at: more take too long while a slider moves
+const TOGETHER = 500_000; // numbers that are computed at once: they stay in memory
 
-interface Link {
-  carried: Carried;
-  fibre: Fibre | null;
-  stress: Stress | null;
-  info: LinkLoads;
-}
-
-/** All loads of a run; `numbers`: the block `carried`. */
+/** All loads of a run. */
 export function loadsOf(
+  engine: Engine,
   bundle: Bundle,
-  numbers: Reals,
+  blocks: Blocks,
   series: SeriesOf,
-  times: Reals,
+  times: Float64Array,
   schedule: Schedule,
   frames: number[],
 ): Loads {
-  const { carried: info } = bundle;
-  const places = doubles(info.places);
-  const balance = new Balance(info.nodes, info.points, numbers, standing(bundle), places.length);
-  const links = info.nodes.flatMap((node, k) =>
-    node.beam
-      ? [linkOf(node, balance.carried[k]!, numbers, places.length, frames.length * info.shown.data.length)]
-      : [],
-  );
-  const every = Math.max(1, Math.ceil((times.length * links.length * places.length) / MOST_PLACES));
-  const wrenches = new Float64Array(WRENCH * info.points.length);
-  const width = series.q.shape[1];
-  let frame = 0;
-  for (let k = 0; links.length > 0 && k < times.length; k += 1) {
-    const shown = frames[frame] === k;
-    if (!shown && k % every) continue;
-    push(bundle, numbers, series, schedule, times[k], k, wrenches);
-    balance.find({ q: series.q.data, v: series.v.data, a: series.a.data, start: k * width }, wrenches);
-    for (const link of links) {
-      if (link.fibre && link.stress) stressed(link.fibre, link.carried, link.stress);
-      watch(link, places, k);
-      if (shown) keep(link, frame, info.shown.data);
+  const { places, lines, shown } = bundle.carried;
+  const S = places.data.length;
+  const links = lines.map((line, l) => linkOf(line, blocks.lengths[l], frames.length * shown.data.length));
+  const every = Math.max(1, Math.ceil((times.length * lines.length * S) / MOST_PLACES));
+  if (!lines.length) return { links, every };
+  const frameOf = new Map(frames.map((sample, frame) => [sample, frame]));
+  const looked = Array.from(times.keys()).filter((k) => k % every === 0 || frameOf.has(k));
+  const all: Record<string, Float64Array> = { q: series.q.data, v: series.v.data, a: series.a.data };
+  if ("wrenches" in engine.layout.samples.line.inputs) all.wrenches = wrenchesOf(bundle, blocks, schedule, times, series);
+  const rows = Object.entries(all).map(([name, data]) => [name, rowsOf(data, data.length / times.length, looked)]);
+  const inputs: Samples = { ...Object.fromEntries(rows), base: doubles(bundle.split.weight) };
+  linesAt(engine, blocks, inputs, looked.length, (found, row, k) => {
+    const frame = frameOf.get(looked[k]);
+    lines.forEach((line, l) => {
+      const own = rowOf(found[line.name], row, bundle, line);
+      watch(links[l], line, own, places.data, looked[k]);
+      if (frame !== undefined) keep(links[l], line, own, frame, shown.data);
+    });
+  });
+  return { links, every };
+}
+
+/**
+ * The function `line` at `count` samples, some at a time: `visit` gets what was found, which of its rows, and which
+ * sample that is. Without wrenches there are none on the points.
+ */
+export function linesAt(
+  engine: Engine,
+  blocks: Blocks,
+  given: Samples,
+  count: number,
+  visit: (found: Samples, row: number, sample: number) => void,
+): void {
+  const { inputs, outputs } = engine.layout.samples.line;
+  const together = Math.max(1, Math.floor(TOGETHER / Object.values(outputs).reduce((sum, size) => sum + size, 1)));
+  for (let first = 0; first < count; first += together) {
+    const many = Math.min(together, count - first);
+    const part: Samples = {};
+    for (const [name, size] of Object.entries(inputs)) {
+      const rows = given[name] ?? new Float64Array(size);
+      part[name] = rows.length === size ? rows : rows.subarray(first * size, (first + many) * size);
     }
-    if (shown) frame += 1;
+    const found = engine.sample("line", blocks.line, part, many);
+    for (let row = 0; row < many; row += 1) visit(found, row, first + row);
   }
-  return { links: links.map((link) => link.info), every };
 }
 
-/** The frame on which the first joints stand: at rest, and held against gravity. */
-function standing({ base, gravity }: Bundle): Reals {
-  const frame = new Float64Array(FRAME);
-  frame.set(Array.from(base.data).slice(9, 18));
-  frame.set(Array.from(base.data).slice(18, 21), PLACE);
-  for (let i = 0; i < 3; i += 1) frame[GAIN + i] = -gravity.data[i];
-  return frame;
+/** The numbers of one link at a row: of its places, or of a rigid one (no info) its axes, its root and its end. */
+export function rowOf(found: Float64Array, row: number, bundle: Bundle, info: LineInfo | null): Float64Array {
+  const size = info ? bundle.carried.places.data.length * info.width : 15;
+  return found.subarray(row * size, (row + 1) * size);
 }
 
-function linkOf(node: NodeInfo, carried: Carried, numbers: Reals, places: number, kept: number): Link {
-  const beam = node.beam!;
-  const fibre = beam.stress < 0 ? null : fibreOf(numbers, beam.stress, places);
-  const stress = (count: number) =>
-    fibre ? { strain: new Float64Array(count), mises: new Float64Array(count) } : null;
-  const [two, three] = [2 * kept, 3 * kept];
-  const own = {
-    deflection: new Float64Array(two), slope: new Float64Array(two), moment: new Float64Array(three),
-    shear: new Float64Array(two), axial: new Float64Array(kept),
-  };
-  const info = {
-    ...own,
-    name: node.name,
-    length: numbers[beam.length],
-    stress: stress(kept),
+function linkOf({ name, at }: LineInfo, length: number, kept: number): LinkLoads {
+  const numbers = (width: number) => new Float64Array(width * kept);
+  return {
+    name, length, deflection: numbers(2), slope: numbers(2), moment: numbers(3), shear: numbers(2), axial: numbers(1),
+    stress: at.mises_stress ? { strain: numbers(1), mises: numbers(1) } : null,
     largest: { deflection: null, moment: null, stress: null },
   };
-  return { carried, fibre, stress: stress(places), info };
 }
 
-/** Force and moment on each pushed point at a sample, world axes. */
-function push(
-  { carried: info }: Bundle,
-  numbers: Reals,
-  series: SeriesOf,
-  schedule: Schedule,
-  time: number,
-  k: number,
-  into: Reals,
-): void {
-  into.fill(0);
-  for (const load of info.loads) {
-    const own = numbers.subarray(load.wrench, load.wrench + WRENCH);
-    const point = k * series.rotation.shape[1] + info.points[load.place].point;
-    const wrench = wrenchAt(load, own, schedule, time, series.rotation.data, 9 * point);
-    for (let i = 0; i < WRENCH; i += 1) into[WRENCH * load.place + i] += wrench[i];
-  }
-  if (info.touched >= 0)
-    for (let i = 0; i < 3; i += 1) into[WRENCH * info.touched + i] -= series.contact_force.data[3 * k + i];
-}
-
-function watch({ carried, stress, info }: Link, places: Reals, sample: number): void {
+function watch(link: LinkLoads, { width, at }: LineInfo, own: Float64Array, places: ArrayLike<number>, sample: number): void {
   const last = places.length - 1;
-  see(
-    info,
-    "deflection",
-    Math.sqrt(carried.deflection[2 * last] ** 2 + carried.deflection[2 * last + 1] ** 2),
-    places[last],
-    sample,
-  );
+  const bent = last * width + at.deflection[0];
+  see(link, "deflection", Math.sqrt(own[bent] ** 2 + own[bent + 1] ** 2), places[last], sample);
   for (let p = 0; p <= last; p += 1) {
-    see(info, "moment", Math.sqrt(carried.moment[3 * p + 1] ** 2 + carried.moment[3 * p + 2] ** 2), places[p], sample);
-    if (stress) see(info, "stress", stress.mises[p], places[p], sample);
+    const moment = p * width + at.moment[0];
+    see(link, "moment", Math.sqrt(own[moment + 1] ** 2 + own[moment + 2] ** 2), places[p], sample);
+    if (link.stress) see(link, "stress", own[p * width + at.mises_stress[0]], places[p], sample);
   }
 }
 
@@ -180,19 +160,17 @@ function see({ name, largest }: LinkLoads, quantity: Quantity, value: number, s:
   if (!before || value > before.value) largest[quantity] = { link: name, value, s, sample };
 }
 
-function keep({ carried, stress, info }: Link, frame: number, shown: ArrayLike<number>): void {
-  const count = shown.length;
-  const put = (from: Reals, into: Reals, width: number) => {
-    for (let s = 0; s < count; s += 1) {
-      for (let i = 0; i < width; i += 1) into[(frame * count + s) * width + i] = from[shown[s] * width + i];
+function keep(link: LinkLoads, { width, at }: LineInfo, own: Float64Array, frame: number, shown: ArrayLike<number>): void {
+  const put = (name: string, into: Float64Array) => {
+    const [start, stop] = at[name];
+    const size = stop - start;
+    for (let s = 0; s < shown.length; s += 1) {
+      for (let i = 0; i < size; i += 1)
+        into[(frame * shown.length + s) * size + i] = own[shown[s] * width + start + i];
     }
   };
-  put(carried.deflection, info.deflection, 2);
-  put(carried.slope, info.slope, 2);
-  put(carried.moment, info.moment, 3);
-  put(carried.shear, info.shear, 2);
-  put(carried.axial, info.axial, 1);
-  if (!stress || !info.stress) return;
-  put(stress.strain, info.stress.strain, 1);
-  put(stress.mises, info.stress.mises, 1);
+  for (const name of ["deflection", "slope", "moment", "shear", "axial"] as const) put(name, link[name]);
+  if (!link.stress) return;
+  put("strain", link.stress.strain);
+  put("mises_stress", link.stress.mises);
 }

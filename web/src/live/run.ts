@@ -20,7 +20,7 @@ import * as signals from "./signals";
 const FEWEST = 32; // samples of a spectrum
 
 /**
- * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the real arm's
+ * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the actual robot's
  * motion.
  */
 export async function runOf(
@@ -46,7 +46,7 @@ export async function runOf(
   const frames = framesOf(bundle, count);
   const end = moveEnd(real.schedule);
   const failed = regimes.find((regime) => regime.run.status !== "finished");
-  const loads = loadsOf(bundle, real.blocks.carried, series, times, real.schedule, frames);
+  const loads = loadsOf(engine, bundle, real.blocks, series, times, real.schedule, frames);
   const facts: Facts = {
     ...factsOf(bundle, times, series, end),
     ...loadFacts(loads, bundle.carried, times),

@@ -28,7 +28,7 @@ export function vibrationOf(
     const cases = Object.fromEntries(
       bundle.modes.cases.map(({ name, moving }) => [name, modesOf(bundle, blocks, linear, name, moving)]),
     );
-    return info(cases, rest, (q, count) => poseOf(engine, bundle, blocks.pose, q, count).line);
+    return info(cases, rest, (q, count) => poseOf(engine, bundle, blocks, q, count).line);
   } catch (problem) {
     return { vibration: problem instanceof Error ? problem.message : String(problem), facts: {} };
   }

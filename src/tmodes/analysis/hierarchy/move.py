@@ -15,7 +15,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.analysis.hierarchy.variants import driven, input_mix, whole_chain
 from tmodes.analysis.statics.rest import first_value
 from tmodes.errors import SimulationError
-from tmodes.kinds.signals.registry import MergedSchedule, Signal, constant_signal, merge, quintic_move
+from tmodes.kinds.signals.registry import MergedSchedule, constant_signal, merge, quintic_move
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
@@ -62,20 +62,20 @@ def chosen_move(arm: Robot, lowest_frequency: float) -> Move:
     own = {drive.joint: drive for drive in arm.drives if drive.command.is_motion}
     if own:
         until = min(arm.integration.duration, _LONGEST)
-        signals = [own[name].signal if name in own else _held(arm, name) for name in joints]
+        signals = [own[name].signal if name in own else constant_signal(_held(arm, name)) for name in joints]
         merged = merge([signal.schedule(until) for signal in signals])
         if _is_smooth(merged):
             return Move(merged, _times(merged), f"the arm's own drives, {until:.3g} s", mix)
     until = float(np.clip(3 / max(lowest_frequency, 1e-9), _SHORTEST, _LONGEST))
-    starts = [first_value(arm, own[name].signal) if name in own else _held(arm, name).value for name in joints]
+    starts = [first_value(arm, own[name].signal) if name in own else _held(arm, name) for name in joints]
     moves = [quintic_move(x, x + AMPLITUDE, until) for x in starts]
     merged = merge([move.schedule(1.3 * until) for move in moves])
     return Move(merged, _times(merged), f"{AMPLITUDE:g} rad (m) in each joint in {until:.3g} s, quintic", mix)
 
 
-def _held(arm: Robot, joint: str) -> Signal:
+def _held(arm: Robot, joint: str) -> float:
     given = arm.initial.coordinates
-    return constant_signal(given.get(f"{joint}.motor", given.get(joint, 0.0)))
+    return given.get(f"{joint}.motor", given.get(joint, 0.0))
 
 
 def _is_smooth(signals: MergedSchedule) -> bool:

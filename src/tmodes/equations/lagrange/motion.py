@@ -5,8 +5,10 @@ The bodies' coordinates are the joints' and the links'; motors behind elastic ge
 
 from __future__ import annotations
 
+from typing import Any
+
 from tmodes.equations.lagrange.chained import ChainedSystem
-from tmodes.equations.lagrange.solving import Solver, attached_kernel, push_rows_kernel, world_axes_kernel
+from tmodes.equations.lagrange.solving import Solver, push_rows_kernel
 from tmodes.equations.recursion.coordinates import Coordinates
 from tmodes.equations.recursion.driven import Driven
 from tmodes.equations.recursion.parts import AxisPart
@@ -25,7 +27,7 @@ class LagrangeWay(Coordinates):
         super().__init__(chained.parts, blocks.schedule, blocks.q, blocks.v)
         self.chained, self.base = chained, blocks.base
         self.wrenches: dict[int, Slot] = {}
-        self.attached: dict[int, tuple[Slot, Slot]] = {}
+        self.contact: tuple[int, Any, Slot, Slot] | None = None
 
     def call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
         """Call a kernel; its outputs are new blocks."""
@@ -56,9 +58,9 @@ class LagrangeWay(Coordinates):
         return pose, rate
 
     def frame_of(self, k: int) -> tuple[Slot, Slot, Slot]:
-        """A point's own frame; what is attached to it is told in world axes, and nothing is off its origin."""
+        """A point's own frame: its rate is not needed, because nothing is off its origin."""
         pose = self.pose(k)[0]
-        return pose, self.call(world_axes_kernel(), pose)[0], self.none[3]
+        return pose, pose, self.none[3]
 
     def offset(self, k: int) -> Slot:
         """Points stand in their own frames."""
@@ -70,9 +72,10 @@ class LagrangeWay(Coordinates):
         del k
         return True
 
-    def attach(self, k: int, inertia: Slot, bias: Slot) -> None:
-        """An inertia and its bias force that move with a point."""
-        self.attached[k] = (inertia, bias)
+    def touched(self, k: int, touch: Any, numbers: Slot, wrench: Slot, step: Slot | None) -> None:
+        """A contact on a point, which is solved for with the accelerations."""
+        del wrench
+        self.contact = (k, touch, numbers, step or self.none[1])
 
     def lever(self, k: int, *, mapped: bool = True) -> Slot:
         """Generalized forces of unit forces and moments on a point."""
@@ -92,14 +95,15 @@ class LagrangeWay(Coordinates):
             (rows,) = self.call(push_rows_kernel(own), self.lever(k), wrench, rows)
         return rows
 
-    def carried(self) -> tuple[Slot, ...]:
-        """The matrix and the rows of what is attached to a point; nothing where nothing is."""
-        own, kernels = self.chained.kernels.own, self.chained.kernels
-        for k, (inertia, bias) in self.attached.items():
-            (drift,) = self.call(kernels.drift(self.chained.points[k]), *self.state, self.pull)
-            levers = self.lever(k), self.lever(k, mapped=False)
-            return self.call(attached_kernel(own), *levers, drift, inertia, bias)
-        return ()
+    def met(self) -> tuple[Slot, ...]:
+        """What the solution needs of a contact: levers, drift, and its affine law; nothing where nothing is touched."""
+        if self.contact is None:
+            return ()
+        k, touch, numbers, step = self.contact
+        name = self.chained.points[k]
+        (drift,) = self.call(self.chained.kernels.drift(name), *self.state, self.pull)
+        law = self.call(touch.affine(), self.pose(k)[0], numbers, step)
+        return self.lever(k), self.lever(k, mapped=False), drift, *law, self.bodies(self.v)
 
 
 class LagrangeDynamics(Driven):
@@ -119,10 +123,12 @@ class LagrangeDynamics(Driven):
         mass, bias = way.call(kernels.terms(), *way.state, way.pull, chained.unit)
         start = way.bodies(self.start[0]), way.bodies(self.start[1])
         force, added = way.call(kernels.soft(), *start, chained.parameters, self.step)
-        carried = way.carried()
-        self._solver = Solver(kernels, len(self.parts.joints), chained.held, bool(carried))
-        self._balance, self._carried = (mass, bias, force, added, way.pushed()), carried
-        (found,) = way.call(self._solver.kernel(), *self._balance, *efforts, *own, *carried)
+        met = way.met()
+        self._solver = Solver(kernels, len(self.parts.joints), chained.held, bool(met))
+        self._balance = (mass, bias, force, added, way.pushed())
+        found, *solved = way.call(self._solver.kernel(), *self._balance, *efforts, *own, *met)
+        if solved:
+            self.contact, self._balance = solved[0], (*self._balance[:-1], solved[1])
         self.found = found
         motors = self.motor_accelerations({i: found.part(i - first, 1) for i in self.parts.joints})
         self.accelerations = [*(motors[i] for i in self.parts.motors), found]
@@ -130,7 +136,7 @@ class LagrangeDynamics(Driven):
 
     def force_along(self, axis: AxisPart) -> Slot:
         """Force that the bodies ask of a prescribed joint, after the run."""
-        (forces,) = self.way.call(self._solver.residual(), *self._balance, self.found, *self._carried)
+        (forces,) = self.way.call(self._solver.residual(), *self._balance, self.found)
         return forces.part(axis.angle - self.parts.joints.start, 1)
 
     def point(self, k: int) -> tuple[Slot, ...]:

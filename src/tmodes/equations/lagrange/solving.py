@@ -1,4 +1,4 @@
-"""Kernels that balance a system's rows: forces on points, attached masses, and the accelerations that follow.
+"""Kernels that balance a system's rows: forces on points, contact, and the accelerations that follow.
 
 All rows are those of the energies' own coordinates (own = C z) unless told otherwise.
 """
@@ -12,11 +12,10 @@ import casadi as ca
 import numpy as np
 
 from tmodes.equations.lagrange.kernels import LEVER, SystemKernels, entries, unpacked
-from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Inertia
+from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["Solver", "attached_kernel", "push_rows_kernel", "world_axes_kernel"]
+__all__ = ["Solver", "push_rows_kernel"]
 
 
 def push_rows_kernel(own: int) -> Kernel:
@@ -29,135 +28,130 @@ def push_rows_kernel(own: int) -> Kernel:
     return Kernel(f"lagrange push {own}", (LEVER * own, FORCE, own), (own,), build)
 
 
-def attached_kernel(own: int) -> Kernel:
-    """(lever, Jacobian's lever, drift less gravity, inertia, its bias) -> (matrix (own, own), rows).
-
-    Of an inertia about a point, in world axes, that moves with it; ``drift``: the point's acceleration where the
-    coordinates have none.
-    """
-
-    def build(lever: Any, jacobian: Any, drift: Any, inertia: Any, bias: Any) -> list[list[Any]]:
-        info = Inertia.of(inertia)
-        blocks = [[info.linear, _transposed(info.coupling)], [info.coupling, info.angular]]
-        whole = ca.vertcat(*(ca.horzcat(*map(_matrix, row)) for row in blocks))
-        force = ca.vertcat(*(bias[3 + k] for k in range(3)), *(bias[k] for k in range(3)))
-        to_rows, motion = _lever(lever, own), _lever(jacobian, own)
-        matrix = to_rows @ whole @ motion.T
-        return [entries(matrix.T), entries(to_rows @ (whole @ ca.SX(drift) + force))]
-
-    sizes = (LEVER * own, LEVER * own, FORCE, INERTIA, FORCE)
-    return Kernel(f"lagrange attached {own}", sizes, (own * own, own), build)
-
-
-def world_axes_kernel() -> Kernel:
-    """(pose) -> the same place and velocity, in world axes."""
-
-    def build(pose: Any) -> list[list[Any]]:
-        axes = [1.0 if i == j else 0.0 for i in range(3) for j in range(3)]
-        return [[*axes, *(pose[k] for k in range(9, POSE))]]
-
-    return Kernel("lagrange world axes", (POSE,), (POSE,), build)
-
-
 def _lever(values: Any, own: int) -> Any:
     return ca.reshape(ca.vertcat(*(values[k] for k in range(LEVER * own))), LEVER, own).T
-
-
-def _matrix(rows: Any) -> Any:
-    return ca.vertcat(*(ca.horzcat(*row) for row in rows))
-
-
-def _transposed(rows: Any) -> Any:
-    return [[rows[j][i] for j in range(3)] for i in range(3)]
 
 
 @dataclass(frozen=True, eq=False)
 class Solver:
     """Accelerations of the bodies: ``joints`` of their coordinates are joints, those in ``held`` are prescribed.
 
-    ``attached``: a matrix of its own is added; it is symmetric unless the system carries forces by a map of its own.
+    ``touched``: a point is in contact; its normal force is found together with the accelerations.
     """
 
     kernels: SystemKernels
     joints: int
     held: tuple[int, ...]
-    attached: bool
+    touched: bool
 
     def kernel(self) -> Kernel:
-        """(mass, bias, spring forces, h D + h^2 K, pushes, efforts, own inertias[, attached, its rows]) -> z''.
+        """(mass, bias, spring forces, h D + h^2 K, pushes, efforts, own inertias[, contact]) -> z''[, contact, pushes].
 
-        The effort of a held joint is its acceleration.
+        The effort of a held joint is its acceleration. Contact: lever of its force, lever of its motion, drift, and the
+        blocks of :meth:`tmodes.equations.loop.contact_kernels.Touch.affine`, rates of the bodies; of it come normal
+        force, fold and power, and the pushes with its own among them.
         """
         k = self.kernels
 
         def build(mass: Any, bias: Any, force: Any, added: Any, push: Any, *blocks: Any) -> list[list[Any]]:
             efforts, inertias = blocks[: self.joints], blocks[self.joints : 2 * self.joints]
-            matrix, right = self._balance(mass, bias, force, added, push, blocks[2 * self.joints :])
             along = [block[0] for block in efforts] + [0.0] * (k.bodies - self.joints)
             more = [block[0] for block in inertias] + [0.0] * (k.bodies - self.joints)
+            matrix, right = self._balance(mass, bias, force, added, push)
+            contact = _Contact(k, *blocks[2 * self.joints :]) if self.touched else None
+            right -= contact.friction if contact else 0.0
             solve = self._solve_own if self._whole else self._solve_reduced
-            return [entries(solve(matrix, right, along, more))]
+            freely = solve(matrix, right, along, more)
+            if contact is None:
+                return [entries(freely)]
+            pull = contact.pull(self._columns @ freely)
+            rows = contact.rows(pull)
+            pushed = solve(matrix, rows, [0.0] * k.bodies, more)
+            fold = 1 + contact.mass * ca.dot(contact.row, self._columns @ pushed)
+            normal = pull / fold
+            whole = rows * normal + contact.friction
+            power = ca.dot(whole, self._columns @ contact.rates)
+            pushes = [push[i] - whole[i] for i in range(k.own)]
+            return [entries(freely - pushed * normal), [normal, fold, power], pushes]
 
         sizes = (k.triangle, k.own, k.own, k.triangle, k.own, *(1,) * (2 * self.joints))
-        sizes += (k.own * k.own, k.own) if self.attached else ()
-        return Kernel(f"lagrange solve {self._key}", sizes, (k.bodies,), build)
+        sizes += (LEVER * k.own, LEVER * k.own, FORCE, 3, 3, 3, 6, k.bodies) if self.touched else ()
+        outputs = (k.bodies, 3, k.own) if self.touched else (k.bodies,)
+        return Kernel(f"lagrange solve {self._key}", sizes, outputs, build)
 
     def residual(self) -> Kernel:
-        """(mass, bias, spring forces, h D + h^2 K, pushes, z''[, attached, its rows]) -> force needed along z."""
+        """(mass, bias, spring forces, h D + h^2 K, pushes, z'') -> force needed along z."""
         k = self.kernels
 
-        def build(mass: Any, bias: Any, force: Any, added: Any, push: Any, a: Any, *more: Any) -> list[list[Any]]:
-            matrix, right = self._balance(mass, bias, force, added, push, more)
-            columns = ca.sparsify(ca.DM(k.columns))
-            return [entries(columns.T @ (matrix @ (columns @ ca.SX(a)) - right))]
+        def build(mass: Any, bias: Any, force: Any, added: Any, push: Any, a: Any) -> list[list[Any]]:
+            matrix, right = self._balance(mass, bias, force, added, push)
+            return [entries(self._columns.T @ (matrix @ (self._columns @ ca.SX(a)) - right))]
 
         sizes = (k.triangle, k.own, k.own, k.triangle, k.own, k.bodies)
-        sizes += (k.own * k.own, k.own) if self.attached else ()
         return Kernel(f"lagrange residual {self._key}", sizes, (k.bodies,), build)
 
     @property
     def _key(self) -> str:
-        mapped = " mapped" * (self.kernels.system.contact_map is not None)
-        return f"{self.kernels.columns.tolist()} {self.joints} {self.held}{' attached' * self.attached}{mapped}"
+        return f"{self.kernels.columns.tolist()} {self.joints} {self.held}{' touched' * self.touched}"
+
+    @property
+    def _columns(self) -> Any:
+        return ca.sparsify(ca.DM(self.kernels.columns))
 
     @property
     def _whole(self) -> bool:
         """Whether the energies' own coordinates are all free, so that their rows are solved as they stand."""
         return not self.held and self.kernels.own == self.kernels.bodies
 
-    def _balance(self, mass: Any, bias: Any, force: Any, added: Any, push: Any, more: Any) -> tuple[Any, Any]:
+    def _balance(self, mass: Any, bias: Any, force: Any, added: Any, push: Any) -> tuple[Any, Any]:
         k = self.kernels
         matrix = unpacked(mass, k.own) + unpacked(added, k.own)
-        right = ca.vertcat(*(push[i] - bias[i] - force[i] for i in range(k.own)))
-        if self.attached:
-            square, rows = more
-            matrix += ca.reshape(ca.vertcat(*(square[i] for i in range(k.own**2))), k.own, k.own).T
-            right -= ca.vertcat(*(rows[i] for i in range(k.own)))
-        return matrix, right
+        return matrix, ca.vertcat(*(push[i] - bias[i] - force[i] for i in range(k.own)))
 
     def _solve_own(self, matrix: Any, right: Any, along: list[Any], more: list[Any]) -> Any:
         back = np.linalg.inv(self.kernels.columns)
         rows = ca.sparsify(ca.DM(back.T))
         matrix = matrix + rows @ ca.diag(ca.vertcat(*map(ca.SX, more))) @ rows.T
         right = right + rows @ ca.vertcat(*map(ca.SX, along))
-        return rows.T @ self._solved(matrix, right)
+        return rows.T @ _solve_ldl(matrix, right)
 
     def _solve_reduced(self, matrix: Any, right: Any, along: list[Any], more: list[Any]) -> Any:
-        columns = ca.sparsify(ca.DM(self.kernels.columns))
+        columns = self._columns
         matrix = columns.T @ matrix @ columns + ca.diag(ca.vertcat(*map(ca.SX, more)))
-        right = columns.T @ right
         free = [i for i in range(self.kernels.bodies) if i not in self.held]
         found = ca.SX.zeros(self.kernels.bodies)
         for i in self.held:
             found[i] = along[i]
-        rest = right + ca.vertcat(*(0.0 if i in self.held else along[i] for i in range(len(along)))) - matrix @ found
+        loads = ca.vertcat(*(0.0 if i in self.held else along[i] for i in range(len(along))))
+        rest = columns.T @ right + loads - matrix @ found
         if free:
-            found[free] = self._solved(matrix[free, free], rest[free])
+            found[free] = _solve_ldl(matrix[free, free], rest[free])
         return found
 
-    def _solved(self, matrix: Any, right: Any) -> Any:
-        mapped = self.attached and self.kernels.system.contact_map is not None
-        return _solve_lu(matrix, right) if mapped else _solve_ldl(matrix, right)
+
+class _Contact:
+    """A contact in the rows of the energies' own coordinates; N = mass (row . a) + at_rest is its normal force."""
+
+    def __init__(self, kernels: SystemKernels, *blocks: Any) -> None:
+        lever, motion, drift, direction, law, friction, rubs, rates = blocks
+        to_rows, jacobian = (_lever(block, kernels.own)[:, :3] for block in (lever, motion))
+        self.direction = ca.SX(direction)
+        self.mass, self.row = law[0], jacobian @ self.direction
+        self.at_rest = law[1] + law[0] * (law[2] + sum(drift[k] * direction[k] for k in range(3)))
+        self.friction, self._to_rows = to_rows @ ca.SX(friction), to_rows
+        self._rubs = [ca.vertcat(*(rubs[3 * side + k] for k in range(3))) for side in (0, 1)]
+        self.rates = ca.SX(rates)
+
+    def pull(self, freely: Any) -> Any:
+        """Normal force at accelerations."""
+        return self.at_rest + self.mass * ca.dot(self.row, freely)
+
+    def rows(self, pull: Any) -> Any:
+        """Rows of one unit of normal force and its friction. Its own push does not turn the sign of the force."""
+        first, second = self._rubs
+        same = not ca.SX(ca.simplify(first - second)).nnz() or ca.is_equal(first, second, 12)
+        rub = first if same else ca.if_else(pull >= 0, first, second)
+        return self._to_rows @ (self.direction + rub)
 
 
 def _solve_ldl(matrix: Any, right: Any) -> Any:
@@ -177,18 +171,3 @@ def _solve_ldl(matrix: Any, right: Any) -> Any:
     for i in reversed(range(size)):
         rows[i] = rows[i] - sum(lower[k][i] * rows[k] for k in range(i + 1, size))
     return ca.vertcat(*rows)
-
-
-def _solve_lu(matrix: Any, right: Any) -> Any:
-    """Solve a system by elimination without exchange of rows, unrolled: a definite matrix and a mass on one point."""
-    size = matrix.shape[0]
-    a = [[matrix[i, j] for j in range(size)] for i in range(size)]
-    b = [right[i] for i in range(size)]
-    for k in range(size):
-        for i in range(k + 1, size):
-            factor = a[i][k] / a[k][k]
-            a[i] = [a[i][j] - factor * a[k][j] if j > k else ca.SX(0) for j in range(size)]
-            b[i] = b[i] - factor * b[k]
-    for i in reversed(range(size)):
-        b[i] = (b[i] - sum(a[i][j] * b[j] for j in range(i + 1, size))) / a[i][i]
-    return ca.vertcat(*b)

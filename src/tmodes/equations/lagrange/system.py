@@ -29,10 +29,12 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
+from tmodes.equations.lagrange.robot import system_robot
 from tmodes.equations.lagrange.terms import Energies, EquationTerms, equation_terms
 from tmodes.errors import InputError
+from tmodes.sheet.robot import RECURSION, Robot
 
-__all__ = ["GRAVITY", "Expressions", "Members", "System"]
+__all__ = ["GRAVITY", "Expressions", "Members", "System", "known_systems"]
 
 Array = NDArray[np.float64]
 
@@ -88,6 +90,9 @@ class Expressions:
 
 Law = Callable[..., Any]
 
+_KNOWN: dict[str, System] = {}
+"""Systems by name, in this process."""
+
 
 @dataclass(frozen=True, eq=False)
 class System:
@@ -126,6 +131,8 @@ class System:
     """Names of a robot's coordinates in the order of ``coordinates``, empty where it has none of that one."""
 
     def __post_init__(self) -> None:
+        if self.name == RECURSION:
+            raise InputError("name", f"`{RECURSION}`", "another name", "choose a name of your own")
         for kind, names in (("coordinates", self.coordinates), ("parameters", self.parameters)):
             for name in names:
                 if not name.isidentifier() or keyword.iskeyword(name) or name.startswith("_"):
@@ -136,6 +143,16 @@ class System:
                 raise InputError(f"coordinates.{name}", f"the unit `{unit}`", "`rad` or `m`", "write one of these")
         if not self.coordinates:
             raise InputError("coordinates", "none", "at least one", 'write {"angle": "rad"}')
+
+    def robot(self, *, joints: Mapping[str, Mapping[str, Any]] | None = None, **sheet: Any) -> Robot:
+        """A robot that moves by these equations; the system is registered under its name for this process.
+
+        Coordinates that ``drives`` (or a motor in ``joints``) name are driven, the others are free. ``sheet``: entries
+        of a data sheet: drives, loads, contact, initial, integration, parameters, real, gravity, ... Raises
+        :class:`tmodes.errors.InputErrors` for a wrong entry.
+        """
+        _KNOWN[self.name] = self
+        return system_robot(self, self.expressions.points, joints or {}, **sheet)
 
     @property
     def size(self) -> int:
@@ -229,3 +246,8 @@ def _point(name: str, value: Any) -> tuple[Any, Any]:
         got = f"a position of shape {position.shape}"
         raise InputError(f"points.{name}", got, "three coordinates [m]", "write [x, y, z]")
     return position, None if rotation is None else ca.SX(rotation)
+
+
+def known_systems() -> Mapping[str, System]:
+    """Systems that a robot was made of, or that were registered, by name."""
+    return _KNOWN

@@ -144,6 +144,28 @@ class Touch:
         inputs = (POSE, POSE, 3, PLACEMENT, self.size, 1)
         return Kernel(f"touch mass {self.key}", inputs, (INERTIA, FORCE), build)
 
+    def affine(self) -> Kernel:
+        """(pose of the point, numbers, step h) -> (direction, [mass, law, curving], friction, two frictions).
+
+        For those who solve for normal force N and accelerations a at once: N = mass (d . a + curving) + law, the force
+        on the surface N (d + rub) + friction; rub is the first of two where N is positive, else the second.
+        """
+
+        def build(pose: Any, p: Any, step: Any) -> list[list[Any]]:
+            velocity = v.vec(pose, 12)
+            met = self._meeting(p, v.vec(pose, 9), velocity)
+            normal, _ = self.normal(p, met)
+            curving = met.curving + v.dot(met.direction, v.vec(p, SURFACE + 1))
+            rubs, fixed = [v.zero(), v.zero()], v.zero()
+            if self.rubs_with_mass:
+                rubs = [v.scale(side, self._rub(p, side, met, velocity)) for side in (1.0, -1.0)]
+            elif self.sheet.is_rough:
+                fixed = self._rub(p, normal, met, velocity)
+            mass = self._mass(p, met, step)
+            return [met.direction, [mass, normal, curving], fixed, [*rubs[0], *rubs[1]]]
+
+        return Kernel(f"touch affine {self.key}", (POSE, self.size, 1), (3, 3, 3, 6), build)
+
     def trial(self) -> Kernel:
         """(pose of the point, its acceleration less gravity, numbers, h, sum of wrenches) -> (normal forces (2), sum).
 

@@ -9,17 +9,29 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import TYPE_CHECKING, Any
+from typing import Any, Protocol
 
-from tmodes.equations.contract import Dynamics
+from tmodes.equations.contract import Dynamics, Way
+from tmodes.equations.loop.loop_parts import LoopParts
+from tmodes.equations.loop.plan import LoopPlan
 from tmodes.equations.recursion.parts import AxisPart
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 
-if TYPE_CHECKING:
-    from tmodes.equations.loop.instant import Instant
-
 __all__ = ["Solution", "contact_fold", "solved"]
+
+
+class Instant(Protocol):
+    """What is asked of the instant whose accelerations are solved for."""
+
+    plan: LoopPlan
+    loop: LoopParts
+    way: Way
+    mass_step: Slot
+
+    def call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
+        """Call a kernel."""
+        ...
 
 
 @dataclass(eq=False)
@@ -78,6 +90,9 @@ def solved(instant: Instant, start: Callable[[], Dynamics]) -> Solution:
     run = start()
     free = Solution(instant, run, run.run())
     plan, numbers = instant.plan.touch, instant.loop.touch
+    if run.contact is not None:
+        free.fold = run.contact.part(1, 1)
+        return free
     if plan is None or numbers is None or not plan.touch.rubs_with_mass:
         return free
     touch, call = plan.touch, instant.call
@@ -97,6 +112,8 @@ def contact_fold(solution: Solution, start: Callable[[], Dynamics]) -> Slot:
     instant, plan = solution.instant, solution.instant.plan.touch
     if solution.fold is None or plan is None or instant.loop.touch is None:
         return instant.loop.always.part(0, 1)
+    if solution.first.contact is not None:
+        return solution.fold
     free = Solution(instant, solution.first, solution.free)
     pose, _, before = free.point(plan.point)
     (pushed,) = instant.call(plan.touch.unit_push(), pose, instant.loop.touch, instant.way.wrenches[plan.point])

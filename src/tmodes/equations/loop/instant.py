@@ -6,11 +6,11 @@ The calls of a schedule, in the order in which one thing follows from another.
 from __future__ import annotations
 
 from collections.abc import Callable
-from typing import TYPE_CHECKING
 
 from tmodes.equations.loop.control_kernels import View
 from tmodes.equations.loop.friction import solved
 from tmodes.equations.loop.load_kernels import load_kernel
+from tmodes.equations.loop.loop_parts import Driver, LoopParts
 from tmodes.equations.loop.signals_kernels import base_kernel, replacing_kernel, signal_kernel
 from tmodes.equations.mechanics import Dynamics, Way
 from tmodes.equations.recursion.coordinates import packing_kernel
@@ -18,9 +18,6 @@ from tmodes.equations.recursion.passes import Blocks
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
-
-if TYPE_CHECKING:
-    from tmodes.equations.loop.closed_loop import ClosedLoop, Driver
 
 __all__ = ["Instant"]
 
@@ -34,7 +31,7 @@ class Instant:
     ``dead``: wrenches on points but for the contact's.
     """
 
-    def __init__(self, loop: ClosedLoop, *, apart: bool = False, euler: bool = False) -> None:
+    def __init__(self, loop: LoopParts, *, apart: bool = False, euler: bool = False) -> None:
         """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates).
 
         ``euler``: the state has the rates of the start, so that a surface can be taken at the end of the step too.
@@ -115,13 +112,11 @@ class Instant:
         touch = self.plan.touch
         if touch and self.loop.touch:
             blocks = (*self.way.frame_of(touch.point), self.way.offset(touch.point), self.loop.touch)
-            before = wrenches.get(touch.point, self.none[FORCE])
-            wrenches[touch.point], gate = self.call(touch.touch.wrench(), *blocks, before)
+            wrench, gate = self.call(touch.touch.wrench(), *blocks, wrenches.get(touch.point, self.none[FORCE]))
             self.schedule.gate = gate if touch.touch.sheet.unilateral else None
-            if touch.has_mass or (self.euler and self.way.takes_mass(touch.point)):
-                self.mass_step = self.step if self.euler else self.none[1]
-                inertia, bias = self.call(touch.touch.inertia(), *blocks, self.mass_step)
-                self.way.attach(touch.point, inertia, bias)
+            moves = touch.has_mass or (self.euler and self.way.takes_mass(touch.point))
+            self.mass_step = self.step if self.euler and moves else self.none[1]
+            self.way.touched(touch.point, touch.touch, self.loop.touch, wrench, self.mass_step if moves else None)
 
     def _drive(self) -> Callable[[], Dynamics]:
         """Efforts of the servos, and the motions that are given: the start of the dynamics, as often as asked."""

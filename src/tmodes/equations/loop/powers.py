@@ -2,12 +2,13 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tmodes.equations.loop.contact_kernels import CONTACT_TOLD
 from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.load_kernels import power_kernel
+from tmodes.equations.loop.loop_parts import Driver
 from tmodes.equations.loop.plan import WORKS
 from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
@@ -15,9 +16,6 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.kinds.kernel.spatial import FORCE
-
-if TYPE_CHECKING:
-    from tmodes.equations.loop.closed_loop import Driver
 
 __all__ = ["Powers"]
 
@@ -130,7 +128,8 @@ class Powers:
             return self.instant.pack(*(self.none[1],) * CONTACT_TOLD)
         pose, _, motion = self.solution.point(touch.point)
         info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch)
-        self.powers["contact"].append(power)
+        solved = self.solution.first.contact
+        self.powers["contact"].append(power if solved is None else solved.part(2, 1))
         return info
 
     def _power_of_base(self) -> None:

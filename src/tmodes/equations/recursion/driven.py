@@ -64,6 +64,7 @@ class Driven:
         self.schedule, self.parts = way.schedule, way.parts
         self.motor_terms: dict[int, Slot] = {}
         self.accelerations: list[Slot] = []
+        self.contact: Slot | None = None
         self.coupled = way.coupled_inputs()
         self.torques: dict[int, Slot] = {}
         self.coupled_loads: dict[int, Slot] = {}

@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass, field
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -218,9 +219,13 @@ class Passes(Coordinates):
         """Whether an inertia can be attached at a point: not at a station inside a link."""
         return self.parts.station(self.parts.points[k]) is None
 
-    def attach(self, k: int, inertia: Slot, bias: Slot) -> None:
-        """An inertia and its bias force that move with a point, about its frame's origin in its link's axes."""
-        self.attached[self.parts.points[k].node] = (inertia, bias)
+    def touched(self, k: int, touch: Any, numbers: Slot, wrench: Slot, step: Slot | None) -> None:
+        """A contact on a point: its push is in ``wrench``; ``step``: a mass moves with the point, in steps of this."""
+        self.wrenches[k] = wrench
+        if step is not None:
+            blocks = (*self.frame_of(k), self.offset(k), numbers, step)
+            inertia, bias = self.schedule.call(touch.inertia(), *blocks)
+            self.attached[self.parts.points[k].node] = (inertia, bias)
 
     def link_losses(self) -> list[Slot]:
         """Power lost in the dampers of each link [W]."""

@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterator
 from enum import StrEnum
 from typing import Annotated, Any, Self
 
 import numpy as np
-from pydantic import ConfigDict, Field, SerializeAsAny, model_validator
+from pydantic import ConfigDict, Field, SerializeAsAny, ValidationInfo, field_validator, model_validator
+from pydantic_core import PydanticKnownError
 
 from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
 from tmodes.kinds.joints.contract import JointKind
@@ -80,7 +81,7 @@ class JointSheet(DataSheet):
     axis: Vector | None = list_of_numbers("-", "e", "direction of the joint's axis, in its frame", default=None)
     dh: DenavitHartenberg | None = Field(default=None, description="Denavit-Hartenberg row for origin and axis")
     parameters: SerializeAsAny[DataSheet] | None = Field(
-        default=None, description="further numbers of its type; none: it has none"
+        default=None, validate_default=True, description="further numbers of its type; none: it has none"
     )
     state: JointState = Field(default=JointState.ACTIVE, strict=False, description="active, locked, or free")
     locked_at: float = any_sign("rad|m", "q_0", "position at which it is locked", default=0.0, plausible=(-6.3, 6.3))
@@ -89,16 +90,16 @@ class JointSheet(DataSheet):
     motor: MotorSheet | None = Field(default=None, description="motor; none: the joint's effort is the input")
     gear: GearSheet | None = Field(default=None, description="elastic gear; none: rigid")
 
-    @model_validator(mode="before")
+    @field_validator("parameters", mode="before")
     @classmethod
-    def _parameters_of_type(cls, data: Any) -> Any:
+    def _parameters_of_type(cls, given: Any, info: ValidationInfo) -> Any:
         """The parameters are those of the schema of the joint's kind."""
-        if not isinstance(data, Mapping) or str(data.get("type")) not in JOINTS:
-            return data
-        schema, given = JOINTS.get(data["type"]).schema, data.get("parameters")
-        if schema is not None:
-            return {**data, "parameters": schema.model_validate(given or {})}
-        return data
+        if "type" not in info.data:
+            return None
+        schema = JOINTS.get(info.data["type"]).schema
+        if schema is None and given is not None:
+            raise PydanticKnownError("none_required")
+        return None if schema is None else schema.model_validate({} if given is None else given)
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:

@@ -102,8 +102,8 @@ def _cubic() -> Kernel:
     """(s, length, pose of the root, tip, force of single bodies, of all, and of those from the place on) -> a place."""
 
     def build(row: Any, own: Any, pose: Any, tip: Any, single: Any, whole: Any, outer: Any) -> list[list[Any]]:
-        s, length, end, axes = row[0], own[0], v.vec(tip, 9), v.tri(tip)
-        tangents = v.scale(length, v.unit(0)), v.scale(length, [line[0] for line in axes])
+        s, length, end, last = row[0], own[0], v.vec(tip, 9), v.tri(tip)
+        tangents = v.scale(length, v.unit(0)), v.scale(length, [line[0] for line in last])
 
         def mixed(start: Any, first: Any, last: Any) -> v.Vector:
             return v.add(v.scale(start, end), v.scale(first, tangents[0]), v.scale(last, tangents[1]))
@@ -113,10 +113,11 @@ def _cubic() -> Kernel:
         bend = mixed(6 - 12 * s, 6 * s - 4, 6 * s - 2)
         speed = sqrt(v.dot(slope, slope))
         along = v.scale(1 / speed, slope)
-        side = v.add(v.scale(1 - s, v.unit(1)), v.scale(s, [line[1] for line in axes]))
+        side = v.add(v.scale(1 - s, v.unit(1)), v.scale(s, [line[1] for line in last]))
         side = v.sub(side, v.scale(v.dot(side, along), along))
         side = v.scale(1 / sqrt(v.dot(side, side)), side)
         up = v.cross(along, side)
+        axes = [along, side, up]
         load = Force.of(outer) + (Force.of(whole) - Force.of(single)).scaled(1 - s)
         force = v.scale(-1.0, load.linear)
         moment = v.sub(v.scale(-1.0, load.angular), v.cross(position, force))
@@ -124,6 +125,6 @@ def _cubic() -> Kernel:
         curvature = [v.dot(turned, side), v.dot(turned, up)]
         answered = [0.0, v.dot(moment, side), v.dot(moment, up)]
         shape = Shape([atan2(slope[k], slope[0]) for k in (1, 2)], curvature, 0.0, 0.0, answered, 0.0)
-        return [packed_place(pose, v.transpose([along, side, up]), position, force, moment, shape)]
+        return [packed_place(pose, v.transpose(axes), position, v.matvec(axes, moment), v.matvec(axes, force), shape)]
 
     return Kernel("line cubic", (1, 1, POSE, 12, FORCE, FORCE, FORCE), (sum(PLACE.values()),), build)

@@ -7,9 +7,9 @@ from itertools import accumulate
 from typing import Any
 
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.functions import fabs, sqrt
+from tmodes.kinds.kernel.functions import fabs, fmin, if_else, sqrt
 
-__all__ = ["LOADS", "PLACE", "Shape", "Stressed", "layout", "packed_place"]
+__all__ = ["PLACE", "STRESS", "STRESS_NUMBERS", "Shape", "Stressed", "in_section", "layout", "packed_place"]
 
 PLACE = {
     "position": 3, "rotation": 9, "deflection": 2, "slope": 2, "moment": 3, "shear": 2, "axial": 1, "curvature": 2,
@@ -23,7 +23,8 @@ Position and rotation are in the world, deflection and slope in the axes of the 
 STRESS = {"strain": 1, "mises_stress": 1, "normal_stress": 1, "shear_stress": 1}
 """Quantities of a place where section and material are known, after those of all places."""
 
-LOADS = ("deflection", "slope", "moment", "shear", "axial")
+STRESS_NUMBERS = 8
+"""Numbers of a section that its stresses depend on."""
 
 
 def layout(*, stressed: bool) -> dict[str, slice]:
@@ -46,44 +47,54 @@ class Shape:
     stretch: Any
     elastic_moment: v.Vector
     elastic_force: Any
+    deflection: list[Any] | None = None
+    """Where it is not the place off the root's x axis."""
 
 
 @dataclass
 class Stressed:
-    """Stress of a section by the numbers ``per``: Young's modulus, strain per moment about y, about z and per force,
-    shear stress per torsional moment. ``ring``: the outer fibre is a circle, on which both bending moments add up.
+    """Stress of a section by its ``numbers``: Young's and shear modulus, distances of the outer fibre along y and z,
+    stiffnesses GJ, EI_y, EI_z, EA (0 where not given or infinite). ``ring``: the outer fibre is a circle, on which both
+    bending moments add up.
 
     sigma = |N| E/EA + |M| E r/EI; tau = G r M_x/GJ of a circle, else with r of a bound: Saint-Venant's shear is at most
     that of a strip of the section's thickness, and that of its corner's distance.
     """  # noqa: D205
 
-    per: Any
+    numbers: Any
     ring: bool
 
     def packed(self, moment: v.Vector, axial: Any) -> list[Any]:
         """Strain, von Mises stress, normal and shear stress."""
-        young, per_y, per_z, per_force, per_torsion = (self.per[k] for k in range(5))
-        about_y, about_z = fabs(moment[1]) * per_y, fabs(moment[2]) * per_z
+        young, shear, outer_y, outer_z, *stiffness = (self.numbers[k] for k in range(STRESS_NUMBERS))
+        per_torsion, per_y, per_z, per_force = (if_else(k > 0, 1 / k, 0.0) for k in stiffness)
+        about_y, about_z = fabs(moment[1]) * outer_z * per_y, fabs(moment[2]) * outer_y * per_z
         bending = sqrt(about_y * about_y + about_z * about_z) if self.ring else about_y + about_z
         strain = bending + fabs(axial) * per_force
-        normal, shear = young * strain, fabs(moment[0]) * per_torsion
-        return [strain, sqrt(normal * normal + 3 * shear * shear), normal, shear]
+        corner = fmin(2 * fmin(outer_y, outer_z), sqrt(outer_y * outer_y + outer_z * outer_z))
+        lever = outer_y if self.ring else corner
+        normal, across = young * strain, shear * lever * fabs(moment[0]) * per_torsion
+        return [strain, sqrt(normal * normal + 3 * across * across), normal, across]
+
+
+def in_section(rotation: v.Matrix, *vectors: v.Vector) -> list[v.Vector]:
+    """Vectors in the axes that are the columns of ``rotation``."""
+    return [v.matvec(v.transpose(rotation), vector) for vector in vectors]
 
 
 def packed_place(
-    pose: Any, rotation: v.Matrix, position: v.Vector, force: v.Vector, moment: v.Vector, shape: Shape,
+    pose: Any, rotation: v.Matrix, position: v.Vector, moment: v.Vector, force: v.Vector, shape: Shape,
     stressed: Stressed | None = None,
 ) -> list[Any]:  # fmt: skip
     """All quantities of a place.
 
-    ``pose`` of the root in the world; in the axes of the root ``rotation`` and ``position`` of the section, ``force``
-    and ``moment`` by the outboard part on the inboard one.
+    ``pose`` of the root in the world; ``rotation`` and ``position`` of the section in the axes of the root; ``moment``
+    and ``force`` by the outboard part on the inboard one, in section axes.
     """
-    world, across = v.tri(pose), v.transpose(rotation)
-    force, moment = v.matvec(across, force), v.matvec(across, moment)
+    world = v.tri(pose)
     place = v.add(v.vec(pose, 9), v.matvec(world, position))
     stress = stressed.packed(moment, force[0]) if stressed else []
     return v.flat(
-        place, v.matmul(world, rotation), position[1:], shape.slope, moment, force[1:], force[0], shape.curvature,
-        shape.twist, shape.stretch, shape.elastic_moment, shape.elastic_force, stress,
+        place, v.matmul(world, rotation), shape.deflection or position[1:], shape.slope, moment, force[1:], force[0],
+        shape.curvature, shape.twist, shape.stretch, shape.elastic_moment, shape.elastic_force, stress,
     )  # fmt: skip

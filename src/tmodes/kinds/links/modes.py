@@ -18,7 +18,9 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.links.contract import Body, ElasticForces, Link, LinkNumbers, LinkStructure, Row
 from tmodes.kinds.links.facts import ends
+from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.modes_line import TANGENT, Angles, ModesLine
+from tmodes.kinds.links.modes_places import ModePlaces
 from tmodes.kinds.links.modes_sheet import Mode, shape_angle, shape_slope
 from tmodes.kinds.links.terms import LinkTerms, Section
 
@@ -208,6 +210,10 @@ class ModesLink(Link):
         numbers = [k + 1 for k, bends in enumerate(self.free) if bends]
         return tuple(f"{plane}{number}" for plane in ("azimuth", "elevation") for number in numbers)
 
+    def stations(self, asked: Sequence[float] = ()) -> tuple[float, ...]:
+        """Bodies and named points anywhere along it."""
+        return self.along(asked)
+
     @property
     def body_places(self) -> tuple[float, ...]:
         """Places s < 1 that carry bodies."""
@@ -226,7 +232,7 @@ class ModesLink(Link):
         """One angle of each mode that bends, in both planes."""
         return {"twist": 0, "bend_y": sum(self.free), "bend_z": sum(self.free), "stretch": 0}
 
-    def angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
+    def limiting_angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
         """Largest angle of a mode's chord."""
         return np.hypot(*np.split(q, 2, axis=1)).max(axis=1)
 
@@ -256,6 +262,16 @@ class ModesLink(Link):
                 return k, min((at - start) / mode.length, 1.0)
             start += mode.length
         raise AssertionError
+
+    def lines(self, stations: tuple[float, ...], s: NDArray[np.float64]) -> Sequence[LineOfLink]:
+        """One line for each mode."""
+        structure, start, found = self.numbers(stations).structure, 0.0, []
+        for k, mode in enumerate(self.modes):
+            suffix, share = f".{k + 1}" * (len(self.modes) > 1), mode.length / self.length
+            found.append(ModePlaces(mode.length, stations, s, suffix, structure=structure, mode=k, start=start,
+                                    share=share))  # fmt: skip
+            start += share
+        return found
 
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:
         """Lengths, equivalent masses and inertias, stations; Cs l^2 and Bs l^2 of the modes that bend."""

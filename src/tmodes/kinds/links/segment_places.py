@@ -10,7 +10,7 @@ from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import POSE, LineOfLink, Moved
-from tmodes.kinds.links.line_place import PLACE, Shape, packed_place
+from tmodes.kinds.links.line_place import PLACE, Shape, in_section, packed_place
 from tmodes.kinds.links.modes_sheet import shape_angle, shape_slope
 from tmodes.kinds.links.segment_link import turned_axes
 
@@ -55,7 +55,7 @@ def _place(bend_y: bool, bend_z: bool) -> Kernel:
         curvature = [3 * left / length * angle for angle in th]
         slopes = [shape_slope(s) * th[1], -(shape_slope(s) * th[0])]
         shape = Shape(slopes, curvature, 0.0, 0.0, [0.0, *answered], 0.0)
-        return [packed_place(pose, rotation, position, force, moment, shape)]
+        return [packed_place(pose, rotation, position, *in_section(rotation, moment, force), shape)]
 
     sizes = (1, 1, n, n, n, n, POSE, FORCE)
     return Kernel(f"line segment {'y' * bend_y}{'z' * bend_z}", sizes, (sum(PLACE.values()),), build)

@@ -11,7 +11,7 @@ from tmodes.kinds.kernel.functions import atan2, cos, sin
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.line import POSE
-from tmodes.kinds.links.line_place import PLACE, STRESS, Shape, Stressed, packed_place
+from tmodes.kinds.links.line_place import PLACE, STRESS, STRESS_NUMBERS, Shape, Stressed, in_section, packed_place
 from tmodes.kinds.links.strain_line import curvature_sums, magnus_turn
 from tmodes.kinds.links.strain_shape import StrainShape
 
@@ -53,7 +53,8 @@ class BeamKernels:
         shape, g = self.shape, self.shape.points
         return self.interval | {
             "reach": g, "outboard": g, "levers": g * (g + 1) // 2, "turning": shape.rotary * g,
-            "functions": shape.size, "stiffness": len(shape.stiffness_sizes), "stress": 5 if self.fibre else 0,
+            "functions": shape.size, "stiffness": len(shape.stiffness_sizes),
+            "stress": STRESS_NUMBERS if self.fibre else 0,
         }  # fmt: skip
 
     @property
@@ -159,7 +160,7 @@ class BeamKernels:
         moment = v.sub(moment, v.add(outer.angular, v.cross(position, force)))
         shape = self._shape(row, given, [line[0] for line in rotation])
         stressed = Stressed(row["stress"], self.fibre == "ring") if self.fibre else None
-        return packed_place(given["pose"], rotation, position, force, moment, shape, stressed)
+        return packed_place(given["pose"], rotation, position, *in_section(rotation, moment, force), shape, stressed)
 
     def _shape(self, row: Blocks, given: Blocks, tangent: v.Vector) -> Shape:
         shape, own, functions = self.shape, given["own"], row["functions"]

@@ -16,7 +16,7 @@ from tmodes.kinds.links.beam_functions import function_values, interval_integral
 from tmodes.kinds.links.beam_numbers import BeamNumbers
 from tmodes.kinds.links.beam_tables import BeamTables
 
-__all__ = ["STIFFNESS", "is_ring", "mass_outboard", "place_tables", "stress_factors"]
+__all__ = ["STIFFNESS", "is_ring", "mass_outboard", "place_tables", "stress_numbers"]
 
 Array = NDArray[np.float64]
 
@@ -46,7 +46,7 @@ def place_tables(
         "alpha": alpha, "beta": beta, "rest": rest, "reach": beam.length * own.rule.integrals(s), "outboard": mass,
         "levers": levers[:, *np.triu_indices(len(own.points))], "turning": turning.reshape(len(s), -1),
         "functions": np.concatenate([*turns, function_values(beam, "stretch", s)]).T,
-        "stiffness": _finite(np.array(stiffness).reshape(-1, len(s)).T), "stress": stress_factors(beam, s),
+        "stiffness": _finite(np.array(stiffness).reshape(-1, len(s)).T), "stress": stress_numbers(beam, s),
     }  # fmt: skip
 
 
@@ -83,18 +83,10 @@ def is_ring(beam: BeamNumbers) -> bool:
     return bool(np.allclose(torsion / beam.shear, (bend_y + bend_z) / beam.young, rtol=_ROUND, atol=0))
 
 
-def stress_factors(beam: BeamNumbers, s: Array) -> Array:
-    """(S, 5) of :class:`tmodes.kinds.links.line_place.Stressed`; (S, 0) where section or material are not known."""
+def stress_numbers(beam: BeamNumbers, s: Array) -> Array:
+    """(S, 8) of :class:`tmodes.kinds.links.line_place.Stressed`; (S, 0) where section or material are not known."""
     if not (beam.young > 0 and min(beam.outer) > 0):
         return np.zeros((len(s), 0))
-    outer_y, outer_z = beam.outer
-    lever = outer_y if is_ring(beam) else min(2 * min(beam.outer), float(np.hypot(*beam.outer)))
-    torsion, bend_y, bend_z, area = (_compliance(pieces_at(beam, name, s)) for name in STIFFNESS)
-    return np.stack([np.full(len(s), beam.young), outer_z * bend_y, outer_y * bend_z, area,
-                     beam.shear * lever * torsion], axis=1)  # fmt: skip
-
-
-def _compliance(stiffness: Array) -> Array:
-    """1 over a stiffness; 0 where it is not given or infinite."""
-    info = (stiffness > 0) & np.isfinite(stiffness)
-    return np.divide(1.0, stiffness, out=np.zeros_like(stiffness), where=info)
+    same = np.tile([beam.young, beam.shear, *beam.outer], (len(s), 1))
+    stiffness = np.array([pieces_at(beam, name, s) for name in STIFFNESS]).T
+    return np.concatenate([same, _finite(stiffness)], axis=1)

@@ -18,7 +18,7 @@ from tmodes.kinds.links.beam_numbers import BeamNumbers
 from tmodes.kinds.links.beam_tables import BeamTables, beam_tables, section_edges
 from tmodes.kinds.links.line import LineOfLink, Moved
 from tmodes.kinds.links.strain_place_kernels import BeamKernels
-from tmodes.kinds.links.strain_place_numbers import is_ring, place_tables, stress_factors
+from tmodes.kinds.links.strain_place_numbers import is_ring, place_tables, stress_numbers
 
 __all__ = ["BeamLine"]
 
@@ -34,7 +34,7 @@ class BeamLine(LineOfLink):
     @property
     def stressed(self) -> bool:
         """Whether section and material are known."""
-        return stress_factors(self.beam, self.s[:1]).size > 0
+        return stress_numbers(self.beam, self.s[:1]).size > 0
 
     @cached_property
     def _tables(self) -> BeamTables:

@@ -1,0 +1,143 @@
+"""Every kind of drive, and one of a user: forces, energies and losses that belong together, coordinates and inputs."""
+
+from __future__ import annotations
+
+from collections.abc import Iterator
+from typing import Any
+
+import numpy as np
+import pytest
+from numpy.typing import NDArray
+
+from arm.oracle.robots import GRAVITY
+from arm.random_chains import random_body
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, RigidLink
+from tmodes.equations.recursion.drive_kernels import drive_kernels, drive_numbers
+from tmodes.kinds.drives.contract import Angles, DriveKind, Elastic, Forward
+from tmodes.kinds.drives.laws import DriveLaw
+from tmodes.kinds.drives.registry import DRIVES, drive_kind, register
+from tmodes.kinds.joints.registry import joint_kind
+from tmodes.model.model import Model
+
+Array = NDArray[np.float64]
+
+HARDENING = 40.0
+
+
+class Muscle(DriveKind):
+    """An effort beside a cubic spring about zero [N*m/rad^3] and the joint's friction."""
+
+    name = "muscle"
+    summary = "effort and a hardening spring"
+    takes_effort = True
+
+    def forward(self, law: DriveLaw, at: Angles, effort: Any, held: Any, step: Any) -> Forward:
+        joint, slope = law.joint_friction(at.joint_rate)
+        stiffness = 3 * HARDENING * at.joint * at.joint
+        own = law.inertia + step * slope + step * step * stiffness + held
+        return Forward(effort - HARDENING * at.joint**3 - joint, own)
+
+    def elastic(self, law: DriveLaw, at: Angles) -> Elastic:
+        joint, _ = law.joint_friction(at.joint_rate)
+        energy = HARDENING * at.joint**4 / 4
+        return Elastic(HARDENING * at.joint**3 + joint, 0.0, energy, 0.0, joint * at.joint_rate)
+
+
+NAMES = [*DRIVES.names, "muscle"]
+
+
+@pytest.fixture(autouse=True, scope="module")
+def user_kind() -> Iterator[None]:
+    register(Muscle)
+    yield
+    DRIVES.unregister("muscle")
+
+
+def joint(kind: str, *, rubbed: float = 1.0) -> Joint:
+    """With all that a drive may have; ``rubbed`` scales friction and damping, without which the gear is linear."""
+    friction = Friction(0.3 * rubbed, 0.5 * rubbed, 0.2 * rubbed, 0.4, 1e-2)
+    gear = Gear((100.0, 250.0), (5.0,), damping=0.5) if rubbed else Gear((5.0,))
+    drive = drive_kind(kind)
+    motor = Motor(0.2, friction) if drive.takes_effort else None
+    rest = 0.1 if drive.has_gear and not drive.has_motor else 0.0
+    return Joint("j", joint_kind("revolute"), drive=drive, motor=motor, gear=gear, friction=friction, rest=rest)
+
+
+def law(kind: str) -> DriveLaw:
+    one = joint(kind)
+    kernels = drive_kernels(one, drive_kind(kind))
+    packed = drive_numbers(one, drive_kind(kind))
+    assert len(packed) == kernels.size
+    return DriveLaw(packed, ranges=kernels.ranges, dead_zone=False, dry_motor=kernels.dry_motor, dry_joint=True)
+
+
+def states(kind: str) -> Iterator[Angles]:
+    for row in np.random.default_rng(4).uniform(-0.4, 0.4, (8, 4)):
+        th, speed = row[:2] if drive_kind(kind).has_motor else (0.0, 0.0)
+        yield Angles(float(th), float(speed), float(row[2]), float(row[3]))
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_forces_are_the_slopes_of_the_energy_and_what_is_lost(name: str) -> None:
+    kind, drive, step = drive_kind(name), law(name), 1e-6
+    for at in states(name):
+        found = kind.elastic(drive, at)
+        power = found.on_joint * at.joint_rate + found.on_motor * at.motor_rate
+        ahead, behind = (
+            kind.elastic(drive, at._replace(motor=at.motor + k * at.motor_rate, joint=at.joint + k * at.joint_rate))
+            for k in (step, -step)
+        )
+        stored = (ahead.energy - behind.energy) / (2 * step)
+        lost = found.lost_in_gear + found.lost_in_friction
+        assert lost >= 0
+        assert power == pytest.approx(stored + lost, rel=1e-6, abs=1e-8)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_forward_without_a_step_is_the_effort_less_those_forces(name: str) -> None:
+    kind, drive = drive_kind(name), law(name)
+    for at in states(name):
+        found, forces = kind.forward(drive, at, 1.7, 0.0, 0.0), kind.elastic(drive, at)
+        direct = 1.7 if kind.is_given or kind.carries_rotor else 0.0
+        assert found.effort == pytest.approx(direct - forces.on_joint, rel=1e-12)
+        assert found.own == pytest.approx(drive.inertia if kind.carries_rotor else 0.0)
+        if kind.has_motor:
+            pushed, _, share = found.motor
+            assert share * pushed == pytest.approx((1.7 - forces.on_motor) / drive.inertia)
+
+
+@pytest.mark.parametrize("name", NAMES)
+def test_flags_are_the_coordinates_and_inputs(name: str) -> None:
+    kind = drive_kind(name)
+    nodes = (Node("link", -1, joint(name), RigidLink((random_body(np.random.default_rng(1)),))),)
+    model = Model(Chain("one", nodes, GRAVITY))
+    assert kind.name == str(kind) == name
+    assert kind.summary
+    assert not (kind.is_given and kind.takes_effort)
+    assert tuple(model.coordinates) == (("j.motor", "j") if kind.has_motor else ("j",))
+    assert len(model.parts.efforts) == int(kind.takes_effort)
+    assert len(model.parts.given) == int(kind.is_given)
+
+
+@pytest.mark.parametrize("name", [name for name in NAMES if name != "prescribed"])
+def test_energy_is_kept_without_losses(name: str) -> None:
+    nodes = (Node("link", -1, joint(name, rubbed=0.0), RigidLink((random_body(np.random.default_rng(1)),))),)
+    model = Model(Chain("one", nodes, GRAVITY))
+    effort = np.zeros(len(model.parts.efforts))
+    x = start = np.concatenate([np.full(model.nq, 0.2), np.full(model.nq, -0.5)])
+
+    def rate(x: Array) -> Array:
+        q, rates = x[: model.nq], x[model.nq :]
+        return np.concatenate([rates, np.asarray(model.forward_dynamics(q, rates, effort))])
+
+    def energy(x: Array) -> float:
+        return float(sum(model.energies(x[: model.nq], x[model.nq :]).values()))
+
+    step = 2e-4
+    for _ in range(400):
+        one = rate(x)
+        two = rate(x + step / 2 * one)
+        three = rate(x + step / 2 * two)
+        x = x + step / 6 * (one + 2 * two + 2 * three + rate(x + step * three))
+    assert np.abs(x - start).max() > 0.01
+    assert energy(x) == pytest.approx(energy(start), abs=1e-8)
