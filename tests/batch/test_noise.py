@@ -11,7 +11,7 @@ from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError
 from tmodes.kinds.signals.noise import Noise, normal_numbers
 from tmodes.paper.simulate import simulate
-from tmodes.robots import load_robot
+from tmodes.robots.load import load
 from tmodes.simulation.simulate import simulate_motion
 
 
@@ -91,7 +91,7 @@ def test_each_lane_has_a_seed_of_its_own():
 def shaken_robot(**noise):
     """The paper's robot over 50 ms, its controller with noise on what is wanted."""
     changes = {"integration.duration": 0.05, "integration.output_step": 1e-3}
-    return load_robot("filipovic2010").with_(changes | {f"reference.noise.{name}": x for name, x in noise.items()})
+    return load("filipovic2010").with_(changes | {f"reference.noise.{name}": x for name, x in noise.items()})
 
 
 def test_noise_on_the_wanted_angle_of_the_robot():

@@ -20,7 +20,7 @@ SHORT = {"integration.duration": 0.02, "integration.output_step": 1e-3}
 
 @pytest.fixture(scope="module")
 def robot():
-    return tmodes.load_robot("filipovic2010").with_(SHORT)
+    return tmodes.load("filipovic2010").with_(SHORT)
 
 
 def swing(**more):

@@ -15,7 +15,7 @@ from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import steps_of
 from tmodes.paper.sheet import PaperRobot
-from tmodes.robots import load_robot
+from tmodes.robots.load import load
 from tmodes.sensitivity.differences import replaced
 from tmodes.sensitivity.functional import Functional, tracking_error
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
@@ -47,7 +47,7 @@ def sixth_order(function: Callable[[float], float], step: float) -> float:
 def robot() -> PaperRobot:
     """Steps of one length do not change with the numbers: differences of runs are differences on the same steps."""
     short = {"integration.duration": 0.25, "integration.output_step": 0.005, "integration.step": 1e-4}
-    return load_robot("filipovic2010").with_({**short, "integration.method": "rk4"})
+    return load("filipovic2010").with_({**short, "integration.method": "rk4"})
 
 
 @cache

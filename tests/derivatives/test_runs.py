@@ -12,7 +12,7 @@ from numpy.typing import NDArray
 
 from tmodes.errors import InputError, SimulationError
 from tmodes.paper.sheet import PaperRobot
-from tmodes.robots import load_robot
+from tmodes.robots.load import load
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
@@ -33,7 +33,7 @@ IN_REVERSE = [*CASES, ("seed", "extrapolation")]
 
 @cache
 def seed_robot(method: str = "dormand_prince") -> PaperRobot:
-    return load_robot("filipovic2010").with_({**SHORT, "integration.method": method})
+    return load("filipovic2010").with_({**SHORT, "integration.method": method})
 
 
 @cache

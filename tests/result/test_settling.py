@@ -58,5 +58,5 @@ def test_what_does_not_decay_is_not_continued():
 def test_a_run_that_ends_within_the_move():
     result = tmodes.run(ringing(0.008, output_step=1e-3))
     assert result.settling["time_s"] is None
-    assert "up to the end of the run" in result.settling["reason"]
+    assert "simulate longer" in result.settling["reason"]
     assert json.loads(result.data.attrs["settling"]) == result.settling

@@ -88,7 +88,7 @@ export interface Chart {
 /** The robot over time, at m display frames. */
 export interface Scene {
   times: Numbers; // [m] s
-  /** Of an arm those of the result's `link`; after them, perhaps, links without length that only carry meshes. */
+  /** Of a robot those of the result's `link`; after them, perhaps, links without length that only carry meshes. */
   links: SceneLink[];
   /** Elastic lines in the world [m, L, S, 3] m. */
   line: Numbers;

@@ -40,7 +40,7 @@ class LinkRange:
 def link_angles(model: Model, q: ArrayLike) -> dict[str, Array]:
     """For each flexible link the angle [rad] that limits its model, at poses q (n, nq): arrays (n,)."""
     poses = np.atleast_2d(np.asarray(q, dtype=float))
-    return {part.node.name: part.node.link.angles(poses[:, link.own]) for part, link in _bending(model)}
+    return {part.node.name: part.node.link.limiting_angles(poses[:, link.own]) for part, link in _bending(model)}
 
 
 def link_ranges(model: Model, q: ArrayLike) -> list[LinkRange]:

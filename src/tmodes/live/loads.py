@@ -32,7 +32,7 @@ def evenly(count: int, most: int) -> NDArray[np.intp]:
 
 
 def load_places(line_points: int) -> Array:
-    """Places along each link (0 root, 1 tip) at which loads are told: those of the result, or a part of them."""
+    """Places along each link (0 root, 1 tip) at which loads are shown: those of the result, or a part of them."""
     return np.linspace(0.0, 1.0, line_points)[evenly(line_points, _MOST_PLACES)]
 
 

@@ -9,6 +9,8 @@ from typing import Any
 
 import numpy as np
 
+from tmodes.errors import InputError
+from tmodes.kinds.signals.merge import MergedSchedule, merge
 from tmodes.result.record import RESULT_FORMAT, STATUSES
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
@@ -18,6 +20,9 @@ __all__ = ["ending", "move_end", "provenance"]
 
 _STILL = 1e-9
 """Change of a signal within a piece, over its largest value, that is rounding."""
+
+_BEYOND = 2.0
+"""How far signals are looked at, as a multiple of the run's duration."""
 
 
 def ending(run: RunData) -> tuple[str, str]:
@@ -29,13 +34,31 @@ def ending(run: RunData) -> tuple[str, str]:
 
 
 def move_end(planned: Planned) -> float | None:
-    """When the last signal of a drive, a load or the base stops changing [s]; None where one never does."""
-    knots, powers = planned.signals.knots, np.array(planned.signals.coefficients)
+    """When the last signal of a drive, a load or the base stops changing [s]; None where one never does.
+
+    Signals are looked at beyond the end of the run, so that a move that ends there is known to end; noise on what a
+    controller receives is no move.
+    """
+    noise = {drive.noise for drive in planned.plan.drives}
+    own = [k for k in range(len(planned.each)) if k not in noise]
+    if not own:
+        return 0.0
+    until = float(planned.signals.knots[-1])
+    try:
+        longer = merge([planned.each[k].schedule(_BEYOND * until) for k in own])
+    except InputError:  # a signal without a value there
+        longer = MergedSchedule(planned.signals.knots, planned.signals.coefficients[:, own])
+    return _last_change(longer)
+
+
+def _last_change(signals: MergedSchedule) -> float | None:
+    """When signals stop changing [s]; None where that is not before their end."""
+    knots, powers = signals.knots, np.array(signals.coefficients)
     size = np.abs(powers[:, :, :1]).max(axis=0, keepdims=True, initial=0.0)
     lengths = np.diff(knots)[:, None, None] ** np.arange(powers.shape[2])
     changes = np.abs(powers * lengths)[:, :, 1:].max(axis=2, initial=0.0) > _STILL * np.maximum(size[..., 0], 1e-12)
     jumps = np.zeros_like(changes)
-    jumps[1:] = np.abs(np.diff(planned.signals.at(knots[:-1]), axis=0)) > _STILL * np.maximum(size[0, :, 0], 1e-12)
+    jumps[1:] = np.abs(np.diff(signals.at(knots[:-1]), axis=0)) > _STILL * np.maximum(size[0, :, 0], 1e-12)
     moving = np.flatnonzero((changes | jumps).any(axis=1))
     if not len(moving):
         return 0.0

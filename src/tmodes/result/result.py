@@ -12,11 +12,12 @@ from __future__ import annotations
 import json
 import os
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import TYPE_CHECKING, Any, ClassVar, Self
 
 from tmodes import upward
 from tmodes.result.assemble import Assembly, frequencies_of_sheet
-from tmodes.result.record import PaperResult, RunRecord, kind_of, read_record
+from tmodes.result.earlier import assembly_2010
+from tmodes.result.record import PaperResult, RunRecord, kind_of
 from tmodes.result.summary import summarise_result
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
@@ -25,6 +26,10 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 __all__ = ["Result", "assemble_result", "load_result"]
+
+
+_EARLIER = "robot"
+"""The kind of the records of the 2010 robot that earlier versions wrote."""
 
 
 class Result(RunRecord):
@@ -118,6 +123,14 @@ class Result(RunRecord):
         """
         return summarise_result(self.data, band)
 
+    @classmethod
+    def of(cls, data: Dataset, path: object) -> Self:
+        """The result that a dataset holds; ``path`` names it in errors, which are those of :meth:`load`."""
+        if kind_of(data) == _EARLIER:
+            PaperResult.of(data, path)  # refuses what is no whole record
+            return cls(assembly=assembly_2010(data))
+        return super().of(data, path)
+
     def figures(self) -> dict[str, Any]:
         """The figures that this result can fill: name -> function that draws it, ``figures()["tip_tracking"]()``."""
         return upward("Result.figures")(self)
@@ -133,13 +146,9 @@ class Result(RunRecord):
         return sheet_from_data(self._json(name))
 
 
-def load_result(path: str | os.PathLike[str]) -> PaperResult | Result:
-    """Read a result back, whole and checked.
-
-    Raises :class:`tmodes.errors.ResultFileError` as :meth:`tmodes.result.record.RunRecord.load`.
-    """
-    data = read_record(path)
-    return (Result if kind_of(data) == "arm" else PaperResult).of(data, path)
+def load_result(path: str | os.PathLike[str]) -> Result:
+    """Read a result back; the same as :meth:`Result.load`."""
+    return Result.load(path)
 
 
 def assemble_result(run: RunData, known: Robot | None = None) -> Result:

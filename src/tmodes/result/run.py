@@ -3,12 +3,9 @@
 from __future__ import annotations
 
 from collections.abc import Callable, Sequence
-from typing import Any
 
-from tmodes.paper.sheet import PaperPair, PaperRobot
-from tmodes.paper.simulate import simulate
 from tmodes.result.ready import ready_to_run
-from tmodes.result.result import assemble_result
+from tmodes.result.result import Result, assemble_result
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.callback import Controller
 from tmodes.simulation.simulate import simulate_motion
@@ -18,13 +15,13 @@ __all__ = ["run"]
 
 
 def run(
-    robot: Robot | RobotPair | PaperRobot | PaperPair,
+    robot: Robot | RobotPair,
     *,
     progress: Callable[[str, float], None] = lambda stage, share: None,
     journals: Callable[[str], Journal | None] = lambda stage: None,
     controller: Controller | None = None,
     stop: Sequence[str] = (),
-) -> Any:
+) -> Result:
     """Plan with the robot as known, run the actual one under control, and return the :class:`tmodes.Result`.
 
     ``robot``: its ``real`` factors make the actual one; or a pair of your own. A robot without drives moves freely from
@@ -36,8 +33,6 @@ def run(
     :class:`tmodes.errors.InputError` for what cannot be run, and :class:`tmodes.errors.SimulationError` where it cannot
     start.
     """
-    if isinstance(robot, (PaperRobot, PaperPair)):
-        return simulate(robot, progress=progress, journals=journals, stop=stop)
     pair = robot if isinstance(robot, RobotPair) else ready_to_run(robot).pair()
     done = simulate_motion(pair, progress=progress, journals=journals, controller=controller, stop=stop)
     return assemble_result(done, pair.nominal)

@@ -37,11 +37,11 @@ _LAST = 0.05
 def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[str, Any] | None:
     """Time from the end of the move [s] after which the deviation stays below ``band`` of its largest value.
 
-    All signals keep their last value, and the run and its reference are continued beyond their end, for some decay
-    times of their slowest vibration, and longer where the tip has not settled by then, up to 30 s. ``time_s`` is None,
-    with a ``reason``, where that is not enough. Only the samples
-    are looked at where a run did not reach its end, where its signals change up to its end, where a Python function
-    controls it, and where a vibration does not decay. None without a reference.
+    All signals keep their last value, noise ends, and the run and its reference are continued beyond their end, for
+    some decay times of their slowest vibration, and longer where the tip has not settled by then, up to 30 s.
+    ``time_s`` is None, with a ``reason``, where that is not enough. Only the samples are looked at where a run did not
+    reach its end, where its signals change up to its end, where a Python function controls it, and where a vibration
+    does not decay. None without a reference.
     """
     reference = run.reference
     if reference is None:
@@ -54,7 +54,13 @@ def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[s
     finished = reference.status == run.status == "finished"
     rates = [decay for setup in setups if (decay := setup.spectrum.slowest_decay) is not None]
     fixed = len(setups) == 2 and not any(setup.callback for setup in setups)
-    if move_end is None or not finished or not fixed or min(rates, default=1.0) <= 0:
+    if (
+        move_end is None
+        or move_end > time[-1] * (1 + 1e-9)
+        or not finished
+        or not fixed
+        or min(rates, default=1.0) <= 0
+    ):
         return inside
     horizon = max(min(_HORIZON, _DECAYS / min(rates, default=1.0)), _SHORTEST)
     info: dict[str, Any] = {"time_s": None, "band": band, "limit_m": inside["limit_m"], "reason": ""}
@@ -91,6 +97,7 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
     """The same robot with all signals at their values at a time [s], and the state from which it continues."""
     plan, layout = setup.planned, setup.model.layout
     values = plan.signals.at(time)
+    values[[drive.noise for drive in plan.plan.drives if drive.noise >= 0]] = 0.0
     still = np.zeros((1, len(values), plan.signals.degree + 1))
     still[0, :, 0] = values
     knots = np.array([0.0, duration])

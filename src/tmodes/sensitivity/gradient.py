@@ -17,7 +17,6 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.differences import Change
 from tmodes.sensitivity.functional import Functional
@@ -86,7 +85,7 @@ class Gradient:
 
 
 def forward_sensitivities(
-    sheet: Robot | PaperRobot,
+    sheet: Robot,
     paths: Sequence[str] = (),
     *,
     quantities: Sequence[str] = (),
@@ -129,7 +128,7 @@ def forward_sensitivities(
 
 
 def adjoint_gradient(
-    sheet: Robot | PaperRobot, functional: Functional, paths: Sequence[str] = (), *, most_bytes: float = MOST_BYTES
+    sheet: Robot, functional: Functional, paths: Sequence[str] = (), *, most_bytes: float = MOST_BYTES
 ) -> Gradient:
     """Derivatives of one number measured on the samples of a run, by any number of quantities of the sheet.
 
@@ -165,7 +164,7 @@ def _direction(name: str, way: ArrayLike, size: int) -> Array:
     return found
 
 
-def _begun(sheet: Robot | PaperRobot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:
+def _begun(sheet: Robot, most_bytes: float) -> tuple[_Watch, Lowered, Replay]:
     """The run, with its steps."""
     watch = _Watch()
     here = lowered(sheet)

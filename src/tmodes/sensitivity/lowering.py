@@ -16,18 +16,13 @@ from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive, Mechanism
-from tmodes.paper.model import PaperModel
-from tmodes.paper.model_schedules import implicit_schedule, rate_schedule
-from tmodes.paper.modes import closed_loop_spectrum as robot_spectrum
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Planned, planned
 from tmodes.simulation.recording import MOST_BYTES, record
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.trajectory import Moving, Numbers
+from tmodes.simulation.trajectory import Numbers
 
 __all__ = ["Lowered", "lowered", "replanned", "rows_of", "structure"]
 
@@ -38,17 +33,17 @@ Array = NDArray[np.float64]
 class Lowered:
     """A run in numbers: its model, the parameters, the signals, the state at the start, and how it is integrated.
 
-    ``rates``: the schedule of the rates; ``regime`` and ``contact``: of an arm. The method ``auto`` is chosen as for
-    any run; one that turns out stiff underway goes on with it here.
+    ``rates``: the schedule of the rates; ``regime``: the run's setup. The method ``auto`` is chosen as for
+    any run; one that turns out stiff underway continues with it here.
     """
 
-    model: Moving
+    model: LoopModel
     rates: Any
     parameters: Numbers
     schedule: Schedule
     start: Array
     settings: Integration
-    regime: RunSetup | None = None
+    regime: RunSetup
     contact: Contact | None = None
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
@@ -67,28 +62,17 @@ class Lowered:
         return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))
 
 
-def lowered(sheet: Robot | PaperRobot) -> Lowered:
-    """The run of an arm, or of the 2010 robot under control, as it really is.
+def lowered(sheet: Robot) -> Lowered:
+    """The run of the actual robot.
 
     Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
     """
-    if isinstance(sheet, PaperRobot):
-        return _of_robot(sheet.pair().real)
     real = sheet.pair().real
     regime = run_setup(real)
     settings = chosen_settings(sheet.integration, lambda: regime.spectrum)
     model = regime.model
     rates = model.loop.euler_rate if integrator(settings.method).asks == EULER else model.loop.rate
     return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime, real.contact)
-
-
-def _of_robot(robot: PaperRobot) -> Lowered:
-    mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model = PaperModel(mechanism)
-    start, schedule = model.rest(robot.reference.start, parameters), robot.wanted(Drive.CONTROLLED)
-    settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
-    rates = implicit_schedule if integrator(settings.method).asks == EULER else rate_schedule
-    return Lowered(model, rates(mechanism), parameters, schedule, start, settings)
 
 
 def replanned(sheet: Robot) -> tuple[Planned, LoopModel]:
@@ -103,10 +87,8 @@ def rows_of(schedule: Schedule, duration: float) -> Array:
     return np.column_stack([pieces.knots[:-1], pieces.coefficients])
 
 
-def structure(of: Mechanism | ClosedLoop) -> object:
-    """What the numbers do not tell: runs of one structure have the same code."""
-    if isinstance(of, Mechanism):
-        return of
+def structure(of: ClosedLoop) -> object:
+    """All but the numbers: runs of one structure have the same code."""
     drives = tuple(axis.drive for axis in of.parts.axes)
     nodes = tuple((part.hinge, part.link and part.link.kernels) for part in of.parts.nodes), drives
     servos = tuple((drive.servo and drive.servo.key, drive.winding) for drive in of.plan.drives)

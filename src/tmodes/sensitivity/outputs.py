@@ -1,4 +1,4 @@
-"""What is seen of a run at instants, with its derivatives: of the 2010 robot, or of an arm."""
+"""What is observed of a run at instants, with its derivatives."""
 
 from __future__ import annotations
 
@@ -8,21 +8,17 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.lagrange.layout import OBSERVED
 from tmodes.errors import InputError
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.model.derivatives import Blocks, differentiated
 from tmodes.model.passes import ArmPasses
-from tmodes.paper.model import PaperModel
-from tmodes.paper.model_schedules import observe_schedule
 from tmodes.sensitivity.lowering import Lowered
-from tmodes.simulation.loop import LoopModel
 
-__all__ = ["RobotSeen", "RunOutputs"]
+__all__ = ["RunOutputs"]
 
 Array = NDArray[np.float64]
 
-_OF_ARMS = ("q", "v", "a", "drives", "gear", "contact", "base", "powers")
+_OBSERVED = ("q", "v", "a", "drives", "gear", "contact", "base", "powers")
 _MOVED = ("q", "v", "base")
 """What the motion of points follows from."""
 
@@ -32,38 +28,14 @@ _POINT, _TOLD = 24, {"": slice(9, 12), "_velocity": slice(15, 18)}
 _FROM = ("state", "row", "parameters")
 
 
-class RobotSeen:
-    """What is observed of the 2010 robot, by the names of :data:`tmodes.equations.lagrange.layout.OBSERVED`."""
-
-    def __init__(self, here: Lowered, instants: Blocks, names: tuple[str, ...]) -> None:
-        _refuse_unknown(names, (*OBSERVED,))
-        assert isinstance(here.model, PaperModel)  # noqa: S101
-        self.parameters, self._instants, self._names = here.parameters.vector, instants, names
-        self._of = differentiated(observe_schedule(here.model.mechanism, names)) if names else None
-
-    def info(self) -> Blocks:
-        """Values (n, numbers) by names."""
-        return self._of.values(self.parameters, self._instants) if self._of else {}
-
-    def back(self, weights: Blocks) -> Blocks:
-        """Derivatives of the sum of weights times values by state (n, size), row (n, row) and parameters."""
-        assert self._of is not None  # noqa: S101
-        return self._of.back(self.parameters, self._instants, weights, _FROM)
-
-    def along(self, slopes: Blocks, change: Array) -> Blocks:
-        """Slopes of the values along those of state and row, and a change of the parameters."""
-        return self._of.along(self.parameters, self._instants, slopes, change=change) if self._of else {}
-
-
 class RunOutputs:
     """What is observed of an arm, and from that the motion of its points."""
 
     def __init__(self, here: Lowered, instants: Blocks, names: tuple[str, ...]) -> None:
-        assert isinstance(here.model, LoopModel)  # noqa: S101
         loop = here.model.loop
         points = ["tip", *(f"points.{point.name}" for point in loop.parts.points)]  # the first point is the tip
         places = {f"{name}{kind}": (max(k - 1, 0), kind) for k, name in enumerate(points) for kind in _TOLD}
-        _refuse_unknown(names, (*_OF_ARMS, *places))
+        _refuse_unknown(names, (*_OBSERVED, *places))
         self.parameters, self._instants = here.parameters.vector, instants
         self._places = {name: places[name] for name in names if name in places}
         self._plain = tuple(name for name in names if name not in places)

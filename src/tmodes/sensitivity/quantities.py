@@ -9,9 +9,8 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.model.derivatives import Blocks
-from tmodes.paper.model import PaperModel
 from tmodes.sensitivity.lowering import Lowered
-from tmodes.sensitivity.outputs import RobotSeen, RunOutputs
+from tmodes.sensitivity.outputs import RunOutputs
 from tmodes.simulation.recording import Recording
 
 __all__ = ["Quantities", "Weights"]
@@ -30,10 +29,8 @@ class Weights(NamedTuple):
 class Quantities:
     """Quantities at the samples of a run, by their names.
 
-    ``state`` (n, size); of the 2010 robot all of :data:`tmodes.equations.lagrange.layout.OBSERVED`, as ``tip`` (n, 3)
-    [m]; of an
-    arm what :meth:`tmodes.simulation.loop.LoopModel.observe` tells, and ``tip``, ``tip_velocity``, ``points.NAME`` and
-    ``points.NAME_velocity`` (n, 3) [m, m/s] of its named points, in the world. Raises
+    ``state`` (n, size); what :meth:`tmodes.simulation.loop.LoopModel.observe` gives; and ``tip``, ``tip_velocity``,
+    ``points.NAME`` and ``points.NAME_velocity`` (n, 3) [m, m/s] of the named points, in the world. Raises
     :class:`tmodes.errors.InputError` for other names.
     """
 
@@ -42,8 +39,7 @@ class Quantities:
         self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
         time = done.times[:, None]
         instants = {"time": time, "state": done.samples, "row": done.rows[self._pieces], "step": np.zeros_like(time)}
-        seen = RobotSeen if isinstance(here.model, PaperModel) else RunOutputs
-        self._seen = seen(here, instants, tuple(name for name in self.names if name != "state"))
+        self._seen = RunOutputs(here, instants, tuple(name for name in self.names if name != "state"))
 
     def info(self) -> Blocks:
         """Their values at the samples."""

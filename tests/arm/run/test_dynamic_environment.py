@@ -6,7 +6,9 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import TIGHT, ZERO, arm, beam
+from tmodes.equations.lagrange.filipovic2010 import CONSISTENT
 from tmodes.model.model import Model
+from tmodes.robots.load import load
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import planned
 from tmodes.simulation.simulate import simulate_motion
@@ -115,3 +117,18 @@ def test_a_motor_with_a_given_motion_feels_the_friction():
     """The power of a motor whose motion is prescribed balances all others."""
     run = simulate_motion(robot("signed", on_beam=False, command="prescribed"))
     assert np.abs(run.energy_balance).max() < 1e-8 * run.energy_moved
+
+
+@pytest.mark.parametrize("law", ["signed", "magnitude"])
+def test_the_recursion_is_the_lagrangian(law):
+    """The 2010 robot on its environment: its consistent Lagrangian and the recursion, on random states."""
+    sheet, found = load("filipovic2010").with_({"contact.friction_law": law}), []
+    for equations in (CONSISTENT.name, "recursion"):
+        plan = planned(sheet.with_({"equations": equations}))
+        loop, times = LoopModel(plan.plan), np.full(20, 0.3)
+        made = states(loop, 20) / 4
+        rows = plan.schedule.rows_at(times)
+        found.append({"rate": loop.rate(times, made, rows), **loop.observe(times, made, rows)})
+    for name, tolerance in {"rate": 1e-12, "contact": 1e-12, "contact_fold": 1e-11, "powers": 1e-12}.items():
+        one, other = (values[name] for values in found)
+        assert np.abs(one - other).max() < tolerance * np.abs(one).max(), name

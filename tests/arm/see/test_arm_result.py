@@ -8,13 +8,11 @@ import numpy as np
 import pytest
 
 from arm.see.runs import FORCE, LENGTH, OUTER, SHEETS, THICK, YOUNG, pendulum, result_of, run_of, sheet, tube
-from result.synthetic import synthetic_result
 from tmodes.errors import InputError, ResultFileError
 from tmodes.result import Result, assemble_result, load_result
 from tmodes.result.lines import run_wrenches, straight_shape
 from tmodes.result.provenance import move_end
 from tmodes.result.ready import ready_to_run, result_bytes
-from tmodes.result.record import PaperResult
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import planned
 from tmodes.simulation.simulate import simulate_motion
@@ -124,16 +122,6 @@ def test_an_arm_without_drives_is_saved_and_loaded(tmp_path):
     assert isinstance(back, Result)
     assert back.arm == arm
     assert back.summary()["joints"] == {}
-
-
-def test_the_other_kind_is_reported(tmp_path):
-    result_of("pendulum").save(tmp_path / "arm.nc")
-    synthetic_result().save(tmp_path / "robot.nc")
-    with pytest.raises(ResultFileError, match=r"a result of a robot \(Result.load\)"):
-        PaperResult.load(tmp_path / "arm.nc")
-    with pytest.raises(ResultFileError, match=r"the robot of the 2010 paper \(PaperResult.load\)"):
-        Result.load(tmp_path / "robot.nc")
-    assert isinstance(load_result(tmp_path / "robot.nc"), PaperResult)
 
 
 @pytest.mark.parametrize(

@@ -14,10 +14,6 @@ from tmodes.analysis.stability import chosen_settings
 from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
-from tmodes.paper.modes import closed_loop_spectrum as robot_spectrum
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.simulate import Batched
 from tmodes.simulation.motion_run import tip_positions
@@ -44,7 +40,7 @@ class Lane:
     tip: Callable[[Array, Array], Array]
 
 
-def changed_sheet(sheet: PaperRobot | Robot, changes: Mapping[str, Any], lane: int) -> PaperRobot | Robot:
+def changed_sheet(sheet: Robot, changes: Mapping[str, Any], lane: int) -> Robot:
     """The checked sheet of a lane as it really is; errors say which lane they are of."""
     try:
         return sheet.with_(changes).pair().real
@@ -58,32 +54,14 @@ def _placed(error: InputError, lane: int) -> InputError:
     return InputError(error.which, error.got, error.expected, error.hint, f"lane {lane} {error.where}".rstrip())
 
 
-def lane_of(real: PaperRobot | Robot) -> Lane:
-    """A robot under control, from rest, or an arm as its sheet says, ready to run.
+def lane_of(real: Robot) -> Lane:
+    """A robot as its sheet says, ready to run.
 
     Raises :class:`tmodes.errors.SimulationError` where it cannot start, and :class:`tmodes.errors.InputError` for what
     cannot be run.
     """
-    return _arm_lane(real) if isinstance(real, Robot) else _robot_lane(real)
-
-
-def _robot_lane(robot: PaperRobot) -> Lane:
-    mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, schedule = PaperModel(mechanism), robot.wanted(Drive.CONTROLLED)
-    settings = chosen_settings(robot.integration, lambda: robot_spectrum(robot, drive=Drive.CONTROLLED))
-    start = model.rest(robot.reference.start, parameters)
-    model.check_mass_matrix(start, parameters)
-    rows = schedule.until(settings.duration)
-
-    def tip(times: Array, states: Array) -> Array:
-        return model.observe(times, states, rows.rows_at(times), parameters)["tip"]
-
-    return Lane((mechanism, settings.method), model, parameters.vector, schedule, start, settings, tip)
-
-
-def _arm_lane(arm: Robot) -> Lane:
-    regime = run_setup(arm)
-    model, settings = regime.model, chosen_settings(arm.integration, lambda: regime.spectrum)
+    regime = run_setup(real)
+    model, settings = regime.model, chosen_settings(real.integration, lambda: regime.spectrum)
     key = (model.loop.rate.key, model.coordinates, settings.method)
     schedule = regime.planned.schedule
     start, numbers = regime.start, model.numbers.vector

@@ -12,7 +12,6 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import refuse_stops
-from tmodes.paper.sheet import PaperRobot
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.result import BatchRun, gathered, not_begun
 from tmodes.simulation.batch.simulate import prepare_loops
@@ -30,7 +29,7 @@ Changes = Mapping[str, float | int]
 
 
 def simulate_batch(
-    sheet: PaperRobot | Robot,
+    sheet: Robot,
     vary: Mapping[str, ArrayLike],
     *,
     tips: bool = False,
@@ -42,7 +41,7 @@ def simulate_batch(
 
     Paths are those of ``with_`` and of ``--set`` (``gear.stiffness``, ``real.gear.stiffness``), but for
     ``integration``, which all share. Each lane is checked like a sheet, becomes the real robot, and runs as
-    :func:`tmodes.paper.simulate.simulate` or :func:`tmodes.simulation.simulate.simulate_motion` runs it, without a
+    :func:`tmodes.simulation.simulate.simulate_motion` runs it, without a
     reference run.
     ``tips``: also where the tip was. ``threads``: None for one on each core. ``out``: a folder for the samples, where
     they are too many for memory. ``progress`` is told the stage and its share.
@@ -71,7 +70,7 @@ class Prepared:
 
 
 def prepared(
-    sheet: PaperRobot | Robot,
+    sheet: Robot,
     vary: Mapping[str, ArrayLike],
     *,
     out: str | os.PathLike[str] | None = None,
@@ -84,7 +83,7 @@ def prepared(
     return _prepared(sheet, changes, values, None if out is None else Path(out), progress)
 
 
-def prepared_alone(sheet: PaperRobot | Robot, progress: Progress = lambda stage, share: None) -> Prepared:
+def prepared_alone(sheet: Robot, progress: Progress = lambda stage, share: None) -> Prepared:
     """The sheet as it stands, as a batch of one lane."""
     return _prepared(sheet, [{}], {}, None, progress)
 
@@ -105,7 +104,7 @@ def run_prepared(
 
 
 def _prepared(
-    sheet: PaperRobot | Robot,
+    sheet: Robot,
     changes: Sequence[Changes],
     values: dict[str, Array],
     folder: Path | None,
@@ -156,7 +155,7 @@ def _plain(value: np.float64) -> float | int:
     return int(number) if number.is_integer() and abs(number) < 2**53 else number
 
 
-def _lane(sheet: PaperRobot | Robot, changes: Changes, index: int) -> Lane | str:
+def _lane(sheet: Robot, changes: Changes, index: int) -> Lane | str:
     """A lane, or why it cannot start."""
     real = changed_sheet(sheet, changes, index)
     try:
