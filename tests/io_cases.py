@@ -6,10 +6,15 @@ import re
 from collections.abc import Iterator
 from typing import Any, NamedTuple
 
+from tmodes.io.sheet_check import sheet_data
+from tmodes.io.sheet_fields import quantities
+from tmodes.io.sheet_paths import steps_of
+from tmodes.io.sheet_units import at
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots import text
+from tmodes.sheet import Robot
 
-__all__ = ["KINDS", "SHEET", "Case", "bad_numbers", "line_of", "number_paths"]
+__all__ = ["KINDS", "SHEET", "Case", "bad_numbers", "line_of", "number_paths", "numbers_of", "value_of"]
 
 SHEET = text("filipovic2010")
 
@@ -45,6 +50,18 @@ class Case(NamedTuple):
     path: str
     kind: str
     text: str
+
+
+def value_of(robot: Robot, path: str) -> Any:
+    """What stands at a path of a robot, of its own or of the format that it was imported from."""
+    data = sheet_data(robot)
+    value = at(data, *steps_of(path, data))
+    return value[0] if isinstance(value, list) and len(value) == 1 else value
+
+
+def numbers_of(robot: Robot) -> list[float]:
+    """Every number of a robot's sheet."""
+    return [float(container[key]) for container, key, _, _ in quantities(sheet_data(robot))]
 
 
 def bad_numbers() -> Iterator[Case]:

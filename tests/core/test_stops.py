@@ -8,11 +8,11 @@ import sys
 
 import numpy as np
 import pytest
+from tmodes.io.write import robot_to_yaml
 
 from tmodes.errors import InputError, InputErrors, SimulationError
-from tmodes.io.paths import parse_assignment
+from tmodes.io.assignment import parse_assignment
 from tmodes.io.sheet_write import arm_to_yaml
-from tmodes.io.write import robot_to_yaml
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
 from tmodes.paper.quantities import robot_quantities, robot_stops

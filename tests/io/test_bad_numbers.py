@@ -6,18 +6,18 @@ import math
 
 import pytest
 
-from io_cases import SHEET, Case, bad_numbers, line_of, number_paths
+from io_cases import SHEET, Case, bad_numbers, line_of, number_paths, numbers_of, value_of
 from tmodes.errors import InputErrors
-from tmodes.io.check import robot_from_data
+from tmodes.io.sheet_check import sheet_from_data as robot_from_data
 from tmodes.io.yaml_file import parse_yaml
-from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 
 CASES = list(bad_numbers())
 WRONG_EVERYWHERE = ["nan", "minus infinite", "text", "comma", "empty", "bool", "list", "group", "huge", "overflow"]
 WRONG_EVERYWHERE += ["huge whole number", "underflow", "wrong unit"]
 
 
-def read(text: str) -> PaperRobot:
+def read(text: str) -> Robot:
     return robot_from_data(*parse_yaml(text, "sheet.yaml"), source="sheet.yaml")
 
 
@@ -28,7 +28,7 @@ def line_of_group(case: Case) -> int:
 
 
 def test_every_number_of_the_robot_is_tried() -> None:
-    assert {path for path, _ in read(SHEET).numbers()} < set(number_paths())
+    assert all(value_of(read(SHEET), path) is not None for path in number_paths())
     assert len(CASES) > 700
 
 
@@ -45,8 +45,8 @@ def test_number_is_taken_or_reported(case: Case) -> None:
         assert error.hint
     else:
         assert case.kind not in WRONG_EVERYWHERE
-        assert all(not math.isnan(value) for _, value in robot.numbers())
-        assert all(not math.isnan(value) for _, value in robot.pair().real.numbers())
+        assert not any(map(math.isnan, numbers_of(robot)))
+        assert not any(map(math.isnan, numbers_of(robot.pair().real)))
 
 
 @pytest.mark.parametrize("case", [case for case in CASES if case.kind == "numeric text"], ids=lambda case: case.id)

@@ -9,11 +9,12 @@ from typing import Any
 import numpy as np
 import pytest
 
-from io_cases import SHEET, line_of
+from io_cases import SHEET, line_of, value_of
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.check import changed_robot, robot_from_data
+from tmodes.io.sheet_check import sheet_from_data as robot_from_data
+from tmodes.io.sheet_paths import set_arm_paths
 from tmodes.io.yaml_file import parse_yaml
-from tmodes.paper.sheet import PaperRobot
+from tmodes.sheet import Robot
 
 
 def sheet(*changes: str) -> str:
@@ -25,7 +26,7 @@ def sheet(*changes: str) -> str:
     return text
 
 
-def read(text: str) -> PaperRobot:
+def read(text: str) -> Robot:
     return robot_from_data(*parse_yaml(text, "my.yaml"), source="my.yaml")
 
 
@@ -40,15 +41,15 @@ def problem(*changes: str) -> str:
     return str(error)
 
 
-def changed(**values: Any) -> PaperRobot:
+def changed(**values: Any) -> Robot:
     data, _ = parse_yaml(SHEET, "my.yaml")
-    return changed_robot(data, {path.replace("__", "."): value for path, value in values.items()})
+    return robot_from_data(set_arm_paths(data, {path.replace("__", "."): value for path, value in values.items()}))
 
 
 def test_published_sheet_is_right() -> None:
     robot = read(SHEET)
-    assert robot.gear.stiffness == 4700.0
-    assert robot.pair().real.gear.stiffness == 940.0
+    assert value_of(robot, "gear.stiffness") == 4700.0
+    assert value_of(robot.pair().real, "gear.stiffness") == 940.0
     assert robot.pair().real.real == {}
 
 
@@ -145,7 +146,11 @@ def test_data_is_not_changed() -> None:
 
 def test_numbers_of_numpy_are_numbers() -> None:
     robot = changed(gear__stiffness=np.float64(900), payload__mass=np.float32(0.5), integration__max_steps=np.int64(9))
-    assert (robot.gear.stiffness, robot.payload.mass, robot.integration.max_steps) == (900.0, 0.5, 9)
+    assert (value_of(robot, "gear.stiffness"), value_of(robot, "payload.mass"), robot.integration.max_steps) == (
+        900.0,
+        0.5,
+        9,
+    )
     with pytest.raises(InputErrors, match=r"gear\.stiffness must be"):
         changed(gear__stiffness=np.array([900.0, 901.0]))
 
@@ -213,4 +218,8 @@ def test_a_size_beyond_arithmetic_is_refused_with_its_bounds(value: float) -> No
 
 def test_gains_and_loads_may_be_zero() -> None:
     robot = changed(controller__position_gain=0, controller__velocity_gain=0.0, payload__mass=0, gravity=0)
-    assert (robot.controller.position_gain, robot.payload.mass, robot.gravity) == (0.0, 0.0, 0.0)
+    assert (value_of(robot, "controller.position_gain"), value_of(robot, "payload.mass"), robot.gravity) == (
+        0.0,
+        0.0,
+        0.0,
+    )

@@ -10,7 +10,7 @@ from hypothesis import strategies as st
 
 from io_cases import SHEET
 from tmodes.errors import TmodesError
-from tmodes.io.check import robot_from_data
+from tmodes.io.sheet_check import sheet_from_data as robot_from_data
 from tmodes.io.yaml_file import parse_yaml
 
 PIECES = ["[", "]", "{", "}", ":", " ", "\n", "\t", "'", '"', "#", "&a ", "*a", "!", "|", ">", "%", "@", "`", "-", "? "]

@@ -11,9 +11,8 @@ import pytest
 
 from io_cases import SHEET
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.check import robot_from_data
+from tmodes.io.sheet_check import sheet_from_data as robot_from_data
 from tmodes.io.yaml_file import parse_yaml, read_yaml
-from tmodes.robots import load_robot
 from tmodes.robots.load import load
 
 LIMIT = 256 * 1024
@@ -78,7 +77,7 @@ def test_hostile_text_is_refused_in_time(text: str, tmp_path: Path) -> None:
     file.write_text(text, encoding="utf-8", newline="")
     start = time.process_time()
     with pytest.raises((InputError, InputErrors)) as caught:
-        load_robot(file)
+        load(file)
     assert str(file) in str(caught.value)
     assert time.process_time() - start < SECONDS
 
@@ -100,25 +99,25 @@ def test_junk_is_refused(content: bytes, tmp_path: Path) -> None:
     file = tmp_path / "junk.yaml"
     file.write_bytes(content)
     with pytest.raises(InputError, match=r"junk\.yaml.*must be"):
-        load_robot(file)
+        load(file)
 
 
 def test_a_byte_order_mark_is_no_harm(tmp_path: Path) -> None:
     file = tmp_path / "bom.yaml"
     file.write_bytes(b"\xef\xbb\xbf" + SHEET.encode())
-    assert load_robot(file) == load_robot("filipovic2010")
+    assert load(file) == load("filipovic2010")
 
 
 def test_line_ends_of_windows_are_no_harm(tmp_path: Path) -> None:
     file = tmp_path / "windows.yaml"
     file.write_bytes(SHEET.replace("\n", "\r\n").encode())
-    assert load_robot(file) == load_robot("filipovic2010")
+    assert load(file) == load("filipovic2010")
 
 
 def test_names_of_files_may_hold_spaces_and_letters_of_all_kinds(tmp_path: Path) -> None:
     file = tmp_path / "mein Röböter ☃.yaml"
     file.write_text(SHEET, encoding="utf-8")
-    assert load_robot(str(file)) == load_robot("filipovic2010")
+    assert load(str(file)) == load("filipovic2010")
 
 
 @pytest.mark.parametrize("cut", range(1, SHEET.index("ramp_fraction:"), 61))
@@ -164,7 +163,7 @@ def test_a_place_that_is_no_file_is_refused(tmp_path: Path) -> None:
 def test_a_pipe_is_refused_and_does_not_block(tmp_path: Path) -> None:
     os.mkfifo(tmp_path / "pipe.yaml")
     with pytest.raises(InputError, match="a regular file"):
-        load_robot(tmp_path / "pipe.yaml")
+        load(tmp_path / "pipe.yaml")
 
 
 def test_a_gigabyte_costs_neither_time_nor_memory(tmp_path: Path) -> None:
@@ -174,7 +173,7 @@ def test_a_gigabyte_costs_neither_time_nor_memory(tmp_path: Path) -> None:
     tracemalloc.start()
     start = time.process_time()
     with pytest.raises(InputError, match="1073741824 bytes"):
-        load_robot(file)
+        load(file)
     assert tracemalloc.get_traced_memory()[1] < 20e6
     tracemalloc.stop()
     assert time.process_time() - start < SECONDS

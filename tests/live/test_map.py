@@ -13,7 +13,7 @@ from tmodes.simulation.plan import Follow
 
 from .chain import chain
 
-SHEETS = ("spong1987", "quanser_2dsfl", "flexarm1990")
+SHEETS = ("filipovic2010", "spong1987", "quanser_2dsfl", "flexarm1990")
 REACH = 2.5
 
 
@@ -54,6 +54,14 @@ def test_sliders_stay_within_the_checks_of_the_sheet(name: str) -> None:
         assert slider.label
         assert slider.unit
         assert slider.group
+
+
+def test_sliders_of_the_2010_robot_are_what_one_wants_to_change() -> None:
+    """Payload, gear and link, nominal and actual, speed of the move, gains, environment."""
+    paths = {slider.path for slider in live_map(load("filipovic2010").pair()).sliders}
+    assert {"links.link.bodies.payload.mass", "links.link.beam.modes.1.bending_stiffness", "drives.0.signal.duration",
+            "drives.0.controller.position_gain", "contact.stiffness"} <= paths  # fmt: skip
+    assert any(path.startswith("real:joints.joint.gear.stiffness") for path in paths)
 
 
 @pytest.mark.parametrize("count", [2, 3])

@@ -88,7 +88,7 @@ export interface Chart {
 /** The robot over time, at m display frames. */
 export interface Scene {
   times: Numbers; // [m] s
-  /** Of an arm those of the result's `link`; after them, perhaps, links without length that only carry meshes. */
+  /** Of a robot those of the result's `link`; after them, perhaps, links without length that only carry meshes. */
   links: SceneLink[];
   /** Elastic lines in the world [m, L, S, 3] m. */
   line: Numbers;
@@ -126,7 +126,7 @@ export interface SceneLink {
 export interface SceneJoint {
   name: string;
   link: number;
-  kind: "revolute" | "prismatic" | "fixed";
+  drawing: "cylinder" | "box" | "ball" | "none";
   axis: [number, number, number];
   /** An elastic gear turns here. */
   elastic: boolean;

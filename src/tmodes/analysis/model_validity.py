@@ -58,7 +58,7 @@ def _range(model: Model, time: Array, q: Array) -> Iterator[str]:
         link, stations = part.node.link, tuple(s for s, _ in part.link.stations)
         limit = link.angle_limit
         yield from _beyond(
-            time, link.angles(q[:, part.link.own], stations), limit.warning,
+            time, link.limiting_angles(q[:, part.link.own], stations), limit.warning,
             f"link {part.node.name} {limit.what}", "rad", limit.hint,
         )  # fmt: skip
 

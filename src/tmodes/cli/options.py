@@ -123,7 +123,7 @@ def chosen_sheet(
     changes: dict[str, Any] | None = None,
 ) -> Robot:
     """The robot that a command line names, with its changes; raises an InputError for any wrong part."""
-    from tmodes.io.paths import parse_assignment
+    from tmodes.io.assignment import parse_assignment
     from tmodes.robots.load import load
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})

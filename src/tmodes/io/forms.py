@@ -57,7 +57,7 @@ def form_of(data: Any) -> Form:
 
 def robot_path(path: str, data: Any) -> str:
     """A path in a robot's plain data, where one of the format that it was imported from may stand."""
-    return importer.robot_path(path) if _is_imported(data) else path
+    return importer.placed_path(path, data) if _is_imported(data) else path
 
 
 def robot_change(path: str, value: Any, data: Any) -> tuple[str, Any]:

@@ -12,7 +12,7 @@ from pydantic import ValidationError
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.filipovic2010.importer import robot_data
-from tmodes.io.forms import F2010, ROBOT, Form, form_of, with_reach
+from tmodes.io.forms import F2010, ROBOT, Form, form_of, own_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_paths import entered, set_arm_paths, steps_of
 from tmodes.io.sheet_problems import MOST_TOLD, SHEET, Complaint, arm_problems
@@ -106,13 +106,19 @@ def _unknown_factors(data: Any) -> Iterator[Complaint]:
     real = data.get("real") if isinstance(data, dict) else None
     for path in real if isinstance(real, dict) else ():
         try:
-            _scale(copy.deepcopy(data), str(path), 1.0)
+            _factored(copy.deepcopy(data), str(path))
         except InputError as error:
             if error.got != _LEFT_OUT:  # that number is reported itself
                 yield ("real", path), InputError("", error.got, error.expected, error.hint)
 
 
 def _scale(data: dict[str, Any], path: str, factor: float) -> None:
+    inner, key = _factored(data, path)
+    inner[key] = _scaled(inner[key], factor)
+
+
+def _factored(data: dict[str, Any], path: str) -> tuple[Any, Any]:
+    """Where a number stands that ``real`` may name: its group or list, and its key."""
     steps = steps_of(path, data)
     key: Any = steps[-1]
     inner = entered(data, steps[:-1], path)
@@ -124,7 +130,7 @@ def _scale(data: dict[str, Any], path: str, factor: float) -> None:
     value = inner[key] if isinstance(inner, list) or key in inner else None
     if value is None:
         raise InputError(path, _LEFT_OUT, "the path of a number that the sheet has", "write the number")
-    inner[key] = _scaled(value, factor)
+    return inner, key
 
 
 def _is_number(place: ChainPlace, value: Any) -> bool:
@@ -150,9 +156,11 @@ def _wrong_real(arm: Robot) -> Iterator[Complaint]:
         real_arm(arm)
     except InputErrors as errors:
         for error in errors.errors:
-            path = error.which.removeprefix("real.")
-            if path in arm.real:
-                yield ("real", path), InputError("", error.got, error.expected, error.hint)
+            path = own_path(error.which.removeprefix("real."), sheet_data(arm))
+            named = next((name for name in arm.real if path == name or path.startswith(f"{name}.")), None)
+            if named is not None:
+                factor = "" if error.which.startswith("real.") else f"{shown(arm.real[named])} times the known value, "
+                yield ("real", named), InputError("", f"{factor}{error.got}", error.expected, error.hint)
             else:
                 got = f"factors that make {path} {error.got}"
                 yield ("real",), InputError("", got, error.expected, f"change the factor: {error.hint}")
@@ -216,7 +224,7 @@ def _located(info: list[Complaint], data: Any, positions: Mapping[str, int], sou
     """The errors in the order of the file, each with its place, and with names in its path."""
     lines = {id(error): nearest_line(".".join(map(str, steps)), positions) for steps, error in info}
     for steps, error in info:
-        error.which = named(steps, data) or SHEET
+        error.which = own_path(named(steps, data), data) or SHEET
         line = lines[id(error)]
         error.where = f"{source}:{line}" if source and line else source
     errors = [error for _, error in sorted(info, key=lambda one: lines[id(one[1])])]

@@ -10,8 +10,8 @@ from collections.abc import Mapping, Sequence
 from typing import Any, get_args, get_origin
 
 from tmodes.errors import InputError
-from tmodes.io.forms import ROBOT, form_of, robot_change, robot_path, with_reach
-from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, root_of
+from tmodes.io.forms import ROBOT, form_of, own_path, robot_change, robot_path, with_reach
+from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, quantities, root_of
 from tmodes.io.sheet_units import at
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.links.material import LIBRARY
@@ -102,7 +102,7 @@ def steps_of(path: str, data: Any) -> list[Step]:
         group = _expanded(value, steps)
         inner = inside(place, step, group, [*steps, step], data) if place else None
         if inner is None:
-            raise _unknown(path, where, value, place)
+            raise _unknown(path, steps, where, value, place, data)
         steps.append(step)
         place, value, words = inner, at(group, step), words[used:]
     return steps
@@ -131,13 +131,24 @@ def _step(value: Any, words: list[str], place: ChainPlace | None) -> tuple[Step,
     return words[0], 1
 
 
-def _unknown(path: str, where: str, value: Any, place: ChainPlace | None) -> InputError:
+def _unknown(
+    path: str, before: Sequence[Step], where: str, value: Any, place: ChainPlace | None, data: Any
+) -> InputError:
+    """The error for a step that leads nowhere; ``before`` are those that led to ``value``."""
     if isinstance(value, (list, tuple)):
         known = [str(item.get("name") or k) if isinstance(item, Mapping) else str(k) for k, item in enumerate(value)]
         expected = f"one of {', '.join(known[:12])}" if known else "an empty list"
     else:
         known = keys(chosen(place.members, value)) if place else []
         expected = f"one of {', '.join(known)}" if known else "no further key"
-    close = nearest(where, known)
-    hint = f"did you mean `{close}`?" if close else "look the path up in the data sheet"
-    return InputError(path, f"the unknown name {shown(where)}", expected, hint)
+    start = own_path(named(before, data), data)
+    meant = nearest(where, known)
+    found = ".".join(filter(None, (start, meant))) if meant else _elsewhere(where, data) or (start if before else "")
+    hint = f"did you mean `{found}`?" if found else "look the path up in the data sheet"
+    return InputError(path, "an unknown key", expected, hint)
+
+
+def _elsewhere(word: str, data: Any) -> str:
+    """The first number of the sheet whose key is this word; empty where there is none."""
+    paths = (steps for _, _, steps, _ in quantities(data) if steps[-1] == word)
+    return next((own_path(named(steps, data), data) for steps in paths), "")

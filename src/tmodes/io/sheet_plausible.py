@@ -6,10 +6,10 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from tmodes.io.plausible import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, oddity
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import named, quantities
 from tmodes.io.sheet_plausible_motion import implausible_motion
+from tmodes.io.usual_ranges import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, oddity
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin
 
@@ -60,6 +60,8 @@ def _ranges(arm: Robot) -> Iterator[str]:
 
 def _beam(name: str, beam: BendingSheet) -> Iterator[str]:
     """The first of what is strange about a beam: the others follow from it."""
+    if not beam.section_pieces():
+        return
     yield from [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)][:1]
 
 

@@ -13,11 +13,10 @@ from tmodes.live.loads import evenly, load_places
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.mechanics import mechanics, why_not_mechanics
 from tmodes.live.template import sheet_template
-from tmodes.result import Result
 from tmodes.sheet import RobotPair
 
 if TYPE_CHECKING:
-    from tmodes.result.record import RunRecord
+    from tmodes.result import Result
 
 __all__ = ["FRAMES_PER_SECOND", "live_bundle", "why_not_live"]
 
@@ -31,10 +30,8 @@ _MOST_FRAMES = 3000
 _MOST_STATIONS = 21
 
 
-def why_not_live(result: RunRecord) -> str:
+def why_not_live(result: Result) -> str:
     """Why a page cannot repeat this run, in words; empty where it can."""
-    if not isinstance(result, Result):
-        return "it is the result of an earlier version"
     if result.status != "finished":
         return f"the run did not reach its end: {result.message}"
     if "mean_step_s" not in result.statistics["real"]:
@@ -47,7 +44,7 @@ def why_not_live(result: RunRecord) -> str:
     return why_not_mechanics(result.arm)
 
 
-def live_bundle(result: Any) -> dict[str, Any] | None:
+def live_bundle(result: Result) -> dict[str, Any] | None:
     """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` gives a reason."""
     if why_not_live(result):
         return None

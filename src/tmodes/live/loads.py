@@ -32,7 +32,7 @@ def evenly(count: int, most: int) -> NDArray[np.intp]:
 
 
 def load_places(line_points: int) -> Array:
-    """Places along each link (0 root, 1 tip) at which loads are told: those of the result, or a part of them."""
+    """Places along each link (0 root, 1 tip) at which loads are shown: those of the result, or a part of them."""
     return np.linspace(0.0, 1.0, line_points)[evenly(line_points, _MOST_PLACES)]
 
 
@@ -72,13 +72,14 @@ def joint_limits(arm: Robot, plan: LoopPlan, parts: Parts) -> list[dict[str, Any
     sliding = plan.chain.sliding
     return [
         {
-            "joint": joint.name, "coordinate": parts.names.index(joint.name),
-            "drive": drives.index(joint.name) if joint.name in drives else -1,
-            "unit": "m" if joint.name in sliding else "rad", "effortUnit": "N" if joint.name in sliding else "N m",
+            "joint": name, "coordinate": parts.names.index(name),
+            "drive": drives.index(name) if name in drives else -1,
+            "unit": "m" if name in sliding else "rad", "effortUnit": "N" if name in sliding else "N m",
             "speed": joint.limits.speed, "effort": joint.limits.effort, "range": _range(joint.limits),
         }
         for joint in arm.joints
-        if joint.limits and joint.name in parts.names
+        for name in joint.coordinates
+        if joint.limits and name in parts.names
     ]  # fmt: skip
 
 

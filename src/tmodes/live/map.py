@@ -85,7 +85,7 @@ class LiveMap:
 
 
 def _really(knob: Knob, known: float, factor: float | None) -> float:
-    """Where a knob of the real robot stands; a proportion is told of what the real robot's sheet says."""
+    """Where a knob of the real robot stands; a proportion is of the actual robot's numbers."""
     if factor is None or knob.factor is None:
         return known
     if not knob.together:

@@ -57,7 +57,7 @@ class Functions:
         }  # fmt: skip
 
     def module(self, name: str, **info: Any) -> LiveModule:
-        """The compiled module; ``told``: what else its layout holds."""
+        """The compiled module; ``info``: what else its layout holds."""
         parts = each_once(self.parts)
         layout = {
             "format": FORMAT, "cells": [*CELLS], "options": [*OPTIONS], "arguments": [*ARGUMENTS],

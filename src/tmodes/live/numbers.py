@@ -39,7 +39,7 @@ def _commanded(nominal: Robot) -> bool:
 def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float, ...] = ()) -> Blocks:
     """``parameters``; those of its rest (``rest``, ``rest_row``), of its passes (``chain``), and its rotors' inertias.
 
-    ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own are told as far as
+    ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own extend to
     ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``line``, of the lines of
     all links, with the ``lengths`` of those that bend, ``surface``, the place of what is touched, and the blocks of
     :func:`tmodes.live.vibrations.vibration_numbers`.

@@ -97,6 +97,7 @@ class _Rule(NamedTuple):
 _RULES = (
     _Rule(r"links\.\*\.bodies\.\*\.mass", "payload", 3.0, log=False),
     _Rule(r"joints\.\*\.gear\.stiffness(\.0)?(\.\*)?", "gear", real=True),
+    _Rule(r"links\.\*\.beam\.modes\.\*\.bending_stiffness", "links", real=True),
     _Rule(r"links\.\*\.beam\.(section\.bending_stiffness(\.\*)?|material\.young)", "links", real=True),
     _Rule(r"drives\.\*\.signal\.duration", "move", 2.0),
     _Rule(r"drives\.\*\.controller\.position_gain", "controller"),
@@ -109,7 +110,7 @@ _RULES = (
     _Rule(r"contact\.friction", "environment", 3.0, log=False),
     _Rule(r"contact\.preload", "environment", 3.0, room=20.0, log=False),
     _Rule(r"joints\.\*\.gear\.damping", "gear", real=True),
-    _Rule(r"links\.\*\.beam\.damping_time", "links"),
+    _Rule(r"links\.\*\.beam\.(modes\.\*\.)?damping_time", "links"),
     _Rule(r"joints\.\*\.motor\.(inertia|friction\.viscous)", "motor"),
     _Rule(r"joints\.\*\.friction\.viscous", "motor"),
 )
@@ -117,7 +118,7 @@ _ALONE = 2
 """Numbers of a kind that have a slider each; more of them move together."""
 
 
-def knobs_of(sheet: Any) -> list[Knob]:
+def knobs_of(sheet: Robot) -> list[Knob]:
     """All that a page could change, the most useful first; a zero, where structure may hang on it, stays as it is."""
     numbers = list(sheet_numbers(sheet))
     found: list[Knob] = []
@@ -207,6 +208,15 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: 
         found.append(Slider(index, False, *own))
         if factors and rule.real and knob.factor and knob.reals:
             low, high = min(knob.factor, 0.2) / 2, 2 * max(knob.factor, 1.0)
-            real = (f"real:{path}", f"{label}: real over known", number.symbol, "-", rule.group, knob.factor, low, high)
+            real = (
+                f"real:{path}",
+                f"{label}: actual / nominal",
+                number.symbol,
+                "-",
+                rule.group,
+                knob.factor,
+                low,
+                high,
+            )
             found.append(Slider(index, True, *real, True))
     return found[:most]

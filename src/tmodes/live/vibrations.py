@@ -1,4 +1,4 @@
-"""What a page needs to find an arm's modes and the parts of its deformations anew: places, and numbers that change."""
+"""What a page needs to find modes and the decomposition of deformations again: places, and numbers that change."""
 
 from __future__ import annotations
 

@@ -39,7 +39,7 @@ class Exported:
     description: Mapping[str, Any]
 
 
-def exported(sheet: Any, name: str, program: Path = _PROGRAM) -> Exported:
+def exported(sheet: Robot, name: str, program: Path = _PROGRAM) -> Exported:
     """The files of a robot whose names begin with ``name``.
 
     ``program``: the built engine. Raises :class:`tmodes.errors.ResultFileError` where that is not there.

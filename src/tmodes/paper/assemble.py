@@ -192,10 +192,8 @@ def _ending(reference: PaperRun, real: PaperRun, verdict: StepVerdict) -> tuple[
 
 
 def _warnings(pair: PaperPair, data: Any, verdict: StepVerdict) -> list[str]:
-    from tmodes.io.plausible import implausible
-
     info = [verdict.sentence] if verdict.sentence else []
-    return [*info, *implausible(pair.nominal), *start_warnings(data, pair.real), *deflection_warnings(data),
+    return [*info, *start_warnings(data, pair.real), *deflection_warnings(data),
             *energy_warnings(data, pair.real.integration.energy_tolerance)]  # fmt: skip
 
 

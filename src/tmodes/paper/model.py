@@ -14,7 +14,6 @@ from tmodes.equations.lagrange.coordinates import basis, deformation_basis, free
 from tmodes.equations.lagrange.layout import COORDINATES, EVALUATED, LINE, OBSERVED, STATE_SIZE
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration
-from tmodes.io.fields import number_paths
 from tmodes.paper.mechanism import Drive, Mechanism, Parameters
 from tmodes.paper.model_loops import PaperLoops, rate_of
 from tmodes.paper.sampling import rows, sampled, split, total
@@ -24,6 +23,9 @@ from tmodes.simulation.batch.simulate import How, Schedules, simulate_lanes
 __all__ = ["PaperModel"]
 
 Array = NDArray[np.float64]
+
+_NUMBERS = 26
+"""Numbers of a robot that are inputs of the equations."""
 
 _NEWTON_STEPS = 30
 
@@ -182,7 +184,7 @@ class PaperModel:
     @property
     def batch_widths(self) -> dict[str, int]:
         """Numbers that compiled code reads of each lane of a batch."""
-        widths = len(number_paths()), STATE_SIZE, self.mechanism.reference_degree + 2
+        widths = _NUMBERS, STATE_SIZE, self.mechanism.reference_degree + 2
         return dict(zip(("parameters", "states", "schedules"), widths, strict=True))
 
     def simulate_batch(

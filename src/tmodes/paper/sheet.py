@@ -87,18 +87,22 @@ class PaperRobot(DataSheet):
         Raises :class:`tmodes.errors.InputErrors` with everything that is wrong, where building a ``Robot`` directly
         raises pydantic's own error.
         """
-        from tmodes.io.check import robot_from_data
-
-        return robot_from_data(data)
+        return cls.model_validate(dict(data))
 
     def with_(self, changes: Mapping[str, Any]) -> PaperRobot:
         """A new, checked robot with numbers changed by path: ``robot.with_({"gear.stiffness": 900.0})``.
 
         Raises :class:`tmodes.errors.InputErrors` that name the path when a value is wrong.
         """
-        from tmodes.io.check import changed_robot
-
-        return changed_robot(self.model_dump(mode="json"), changes)
+        data = self.model_dump(mode="json")
+        for path, value in changes.items():
+            group, _, rest = path.partition(".")
+            words = [group, rest] if group == "real" and rest else path.split(".")
+            inner: Any = data
+            for word in words[:-1]:
+                inner = inner[int(word)] if isinstance(inner, list) else inner[word]
+            inner[int(words[-1]) if isinstance(inner, list) else words[-1]] = value
+        return PaperRobot.model_validate(data)
 
     def numbers(self) -> Iterator[tuple[str, float]]:
         """Path and value [SI] of every number that is an input of the equations."""

@@ -33,7 +33,7 @@ COMPONENTS: tuple[dict[str, Any], ...] = (
     {"color": VIOLET, "linestyle": (0, (1.5, 1.2)), "linewidth": 1.2},
     {"color": OCHRE, "linestyle": (0, (7, 1, 1, 1, 1, 1)), "linewidth": 1.1},
 )
-"""Curves that stand side by side, told apart by colour and by line."""
+"""Curves that are compared, distinct in colour and in line style."""
 BAND = "#bcd9ea"
 """The inside of a range, a tint of blue."""
 

@@ -50,7 +50,7 @@ def _contact(data: Any) -> Iterator[Draft]:
     lines = [line_of(data, ("contact_force_normal", 0), "normal", "real")]
     if "contact_force_normal_reference" in data:
         lines.append(line_of(data, ("contact_force_normal_reference", 0), "normal", "reference"))
-    yield Draft("contact_normal", "Force into the surface", "contact", "N", time, tuple(lines))
+    yield Draft("contact_normal", "Normal contact force", "contact", "N", time, tuple(lines))
     yield contact_parts(data, "Contact force, by the point on the surface")
     deep = (line_of(data, ("penetration", 0), "penetration", "real"),)
     yield Draft("penetration", "Penetration (below zero: distance)", "contact", "m", time, deep)
@@ -99,8 +99,8 @@ def _joints(data: Any) -> Iterator[Draft]:
         return
     drives = [str(name) for name in data["drive"].values]
     yield from _by_unit(data, "effort", "Effort", drives, _effort, effort_unit)
-    yield from _by_unit(data, "joint_error", "Joint less wanted", drives, _error, drive_unit)
-    yield from _by_unit(data, "joint", "Joints", drives, _position, drive_unit)
+    yield from _by_unit(data, "joint_error", "Tracking error of the joints", drives, _error, drive_unit)
+    yield from _by_unit(data, "joint", "Joint positions", drives, _position, drive_unit)
     yield from _by_unit(data, "gear_torque", "Gear torque", drives, _gear_torque, effort_unit)
     for name, title, unit in (("voltage", "Motor voltage", "V"), ("current", "Motor current", "A")):
         if name in data:

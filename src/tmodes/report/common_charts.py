@@ -1,4 +1,4 @@
-"""Charts that the runs of all kinds of robots share: the tip, the contact's components, the energies."""
+"""Charts of the tip, of the components of the contact force, and of the energies."""
 
 from __future__ import annotations
 
@@ -20,7 +20,7 @@ def tip_charts(data: Any) -> Iterator[Draft]:
             line_of(data, ("tip", k), f"Δ{axis}", "real", less=("tip_reference", k)) for k, axis in enumerate("xyz")
         ]
         lines = (line_of(data, ("deviation", 0), "distance", "real"), *parts)
-        yield Draft("tip_deviation", "Tip, real less reference", "tip", "m", time, lines, "offered")
+        yield Draft("tip_deviation", "Tip, actual − reference", "tip", "m", time, lines, "offered")
     for k, axis in enumerate("xyz"):
         lines = (line_of(data, ("tip", k), axis, "real"),)
         if planned:

@@ -25,7 +25,7 @@ __all__ = ["facts_of", "live_page", "page_data", "robot_name", "sheet_of"]
 
 
 def page_data(
-    results: Sequence[Any],
+    results: Sequence[Result],
     names: Sequence[str] | None = None,
     live: dict[str, Any] | None = None,
     not_live: str = "",
@@ -46,7 +46,7 @@ def page_data(
     return {"format": 1, "runs": runs, **info}
 
 
-def live_page(result: Any, *, live: bool = True) -> dict[str, Any]:
+def live_page(result: Result, *, live: bool = True) -> dict[str, Any]:
     """The data of a page about one result, with its equations where they are wanted and the page can run them again."""
     if not live:
         return page_data([result], not_live="it was asked to hold no equations (--no-live)")
@@ -60,7 +60,7 @@ def live_page(result: Any, *, live: bool = True) -> dict[str, Any]:
     return page_data([result], live=bundle, not_live=reason)
 
 
-def robot_name(result: Any) -> str:
+def robot_name(result: Result) -> str:
     """The name of the robot that ran."""
     return str(json.loads(result.data.attrs["robot"]).get("name") or "robot")
 

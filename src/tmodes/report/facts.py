@@ -15,7 +15,7 @@ from tmodes.report.quantity import written
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "tracking_facts", "vibration_fact"]
 
 _FEWEST = 8
-"""Samples after the move without which no residual vibration is told."""
+"""Samples after the move without which no residual vibration is given."""
 
 
 @dataclass(frozen=True)
@@ -85,7 +85,7 @@ def vibration_fact(data: Any, move_end: float | None) -> Fact:
 def frequency_facts(known: dict[str, float | None]) -> Iterator[Fact]:
     """The lowest frequency that rings under control, where there is one."""
     if known["controlled"] is not None:
-        locked = "" if known["locked"] is None else f"{known['locked']:.4g} Hz with the motor locked"
+        locked = "" if known["locked"] is None else f"{known['locked']:.4g} Hz with the motors locked"
         yield Fact("frequency.first", "First frequency, controlled", known["controlled"], "Hz", locked)
 
 

@@ -137,7 +137,7 @@ def _coordinates(data: Any, name: str) -> Array:
 
 
 def _base(model: Model, data: Any) -> Array:
-    """Rows (n, 24) of a base that stands where the base was: told by the tip, whose place and axes are kept."""
+    """Rows (n, 24) of a base that stands where the base was: found from the tip, whose position and axes are stored."""
     q = _coordinates(data, "q")
     still, turned = model.pose(q)
     axes = data["rotation"].transpose("time", "point", "axis", "direction").values[:, 0]
@@ -164,7 +164,7 @@ def _joints(model: Model, names: list[str]) -> Any:
             yield {
                 "name": node.joint.name,
                 "link": names.index(node.name),
-                "kind": str(node.joint.kind),
+                "drawing": node.joint.kind.drawing,
                 "axis": [float(x) for x in node.joint.axis],
                 "elastic": node.joint.gear is not None,
             }

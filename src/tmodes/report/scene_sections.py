@@ -44,6 +44,8 @@ def section_of(arm: Robot, node: str, stations: Array) -> dict[str, Any] | None:
 
 
 def _drawn(beam: BendingSheet, stations: Array) -> dict[str, Any] | None:
+    if not beam.section_pieces():
+        return None
     numbers = [_numbers_at(beam, float(place)) for place in stations]
     sizes = np.array([[one.outer_y, one.outer_z] for one in numbers])
     if sizes.min() > 0:

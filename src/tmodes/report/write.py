@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import TYPE_CHECKING
 
 from tmodes.io.atomic import atomic_write
 from tmodes.plot import drawings
@@ -12,12 +12,13 @@ from tmodes.report.page import page
 
 if TYPE_CHECKING:
     from tmodes.plot.save import Drawing
+    from tmodes.result import Result
 
 __all__ = ["write_report"]
 
 
 def write_report(
-    result: Any, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
+    result: Result, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
 ) -> Path:
     """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
 

@@ -171,9 +171,9 @@ class PaperResult(RunRecord):
     @property
     def robot(self) -> PaperRobot:
         """The robot that ran, rebuilt from its data sheet and checked again."""
-        from tmodes.io.check import robot_from_data
+        from tmodes.paper.sheet import PaperRobot
 
-        return robot_from_data(self._json("robot"))
+        return PaperRobot.from_data(self._json("robot"))
 
     def summary(self, band: float = 0.05) -> dict[str, Any]:
         """The numbers a reader asks first; see :func:`tmodes.analysis.summary.summarise`.

@@ -36,21 +36,17 @@ def load_robot(name_or_path: str | os.PathLike[str], changes: Mapping[str, Any] 
     :class:`tmodes.errors.InputError` when there is no such robot or the file is no YAML, and
     :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
     """
-    from tmodes.io.check import robot_from_data
-    from tmodes.io.paths import set_paths
     from tmodes.io.words import shown_path
     from tmodes.io.yaml_file import parse_yaml, read_yaml
+    from tmodes.paper.sheet import PaperRobot
 
     if name_or_path in names():
-        source = f"{name_or_path}.yaml"
-        data, positions = parse_yaml(text(str(name_or_path)), source)
+        data, _ = parse_yaml(text(str(name_or_path)), f"{name_or_path}.yaml")
     elif os.path.lexists(name_or_path):
-        source = shown_path(name_or_path)
-        data, positions = read_yaml(name_or_path)
+        data, _ = read_yaml(name_or_path)
     else:
         raise unknown(shown_path(name_or_path), names())
-    changes = changes or {}
-    return robot_from_data(set_paths(data, changes), kept_lines(positions, changes), source)
+    return PaperRobot.from_data(data).with_(changes or {})
 
 
 def kept_lines(positions: Mapping[str, int], changes: Collection[str]) -> dict[str, int]:

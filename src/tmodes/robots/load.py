@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import os
-from collections.abc import Iterator, Mapping, Sequence
+from collections.abc import Mapping, Sequence
 from contextlib import nullcontext
 from importlib import resources
 from importlib.resources.abc import Traversable
@@ -12,6 +12,8 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError
 from tmodes.robots import kept_lines, unknown
+from tmodes.robots import names as sheet_names
+from tmodes.robots import text as sheet_text
 from tmodes.robots.packages import MODELS, installed_models
 
 if TYPE_CHECKING:
@@ -24,24 +26,8 @@ Roots = Sequence[str | os.PathLike[str]]
 Sheet = tuple[dict[str, Any], dict[str, int]]
 """Plain data of a sheet and the line of each of its dotted paths."""
 
-FOLDERS = ("", "arms")
-"""Where published data sheets are, in the package of this module."""
-
 FOREIGN = (".urdf", ".xacro", ".xml")
 """Endings of files that are no YAML."""
-
-
-def sheet_names() -> list[str]:
-    """Names of all published robots, sorted."""
-    return sorted(_published())
-
-
-def sheet_text(name: str) -> str:
-    """The data sheet of a published robot, as it stands in its file; an InputError for an unknown name."""
-    published = _published()
-    if name not in published:
-        raise unknown(name, sorted(published))
-    return published[name].read_text(encoding="utf-8")
 
 
 def load(
@@ -137,10 +123,5 @@ def _checked(data: dict[str, Any], positions: dict[str, int], source: str, chang
 
 
 def _published() -> dict[str, Traversable]:
-    return {file.name.removesuffix(".yaml"): file for folder in FOLDERS for file in _sheets(folder)}
-
-
-def _sheets(folder: str) -> Iterator[Traversable]:
-    place = resources.files("tmodes.robots") / folder if folder else resources.files("tmodes.robots")
-    if place.is_dir():
-        yield from (file for file in place.iterdir() if file.name.endswith(".yaml"))
+    files = resources.files("tmodes.robots").iterdir()
+    return {file.name.removesuffix(".yaml"): file for file in files if file.name.endswith(".yaml")}

@@ -5,10 +5,10 @@ from __future__ import annotations
 from pathlib import Path
 
 import pytest
-from tmodes.io.sheet_schema import arm_json_schema
 
 from arm.sheet.cases import sheet
 from tmodes.errors import InputError, InputErrors
+from tmodes.io.schema import json_schema
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.paper.sheet import PaperRobot
 from tmodes.robots import text
@@ -102,7 +102,7 @@ def test_a_folder(tmp_path: Path) -> None:
 
 
 def test_the_schema_knows_units_and_shorthands() -> None:
-    schema = arm_json_schema()
+    schema = json_schema()
     assert schema["properties"]["gravity"]["unit"] == "m/s^2"
     assert {"type": "number"} in schema["properties"]["gravity"]["anyOf"]
     gear = schema["$defs"]["GearSheet"]["properties"]

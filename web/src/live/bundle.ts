@@ -52,7 +52,7 @@ export interface Affine {
   constant: Numbers;
 }
 
-/** How one run of an arm starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
+/** How one run of a robot starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
 export interface RunInfo {
   state: { q: [number, number]; v: [number, number]; currents: [number, number]; works: [number, number] };
   start: Numbers;

@@ -10,7 +10,7 @@ import { Cancelled, type Watch } from "./engine_run";
 
 const PIECE = 50; // ms between two looks at whether a newer run began
 
-/** The same run with its parts and modes; `real`: the real arm in motion. Raises Cancelled. */
+/** The same run with its parts and modes; `real`: the actual robot in motion. Raises Cancelled. */
 export async function completed(
   engine: Engine, bundle: Bundle, values: readonly number[], run: LiveRun, real: Regime, watch: Watch,
 ): Promise<LiveRun> {

@@ -1,4 +1,4 @@
-// What a page shows of the loads along an arm's links: the panel of the elastic line, and what colours the links.
+// What a page shows of the loads along a robot's links: the panel of the elastic line, and what colours the links.
 
 import type { LinePanel, Scene } from "../contract";
 import type { LinkLoads } from "./loads";

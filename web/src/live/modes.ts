@@ -54,10 +54,10 @@ function frequencyFact({ controlled, locked }: Record<string, Found[] | undefine
   const held = lowest((locked ?? []).map((mode) => mode.frequency));
   const note =
     value === null
-      ? "nothing rings under control"
+      ? "no vibration under control"
       : held === null
         ? ""
-        : `${figures(held, 4)} Hz with the motor locked`;
+        : `${figures(held, 4)} Hz with the motors locked`;
   return { "frequency.first": { value, note } };
 }
 

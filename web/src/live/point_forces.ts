@@ -1,4 +1,4 @@
-// What acts on the named points of an arm: loads with their signals, and a surface, as
+// What acts on the named points of a robot: loads with their signals, and a surface, as
 // tmodes/analysis/equilibrium_*.py.
 
 import { WRENCH, wrenchAt } from "./wrench";

@@ -20,7 +20,7 @@ import * as signals from "./signals";
 const FEWEST = 32; // samples of a spectrum
 
 /**
- * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the real arm's
+ * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the actual robot's
  * motion.
  */
 export async function runOf(

@@ -56,7 +56,7 @@ function energiesOf(
   return energy;
 }
 
-/** The series that the real arm has by itself. */
+/** The series that the actual robot has by itself. */
 export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }: Seen, count: number): SeriesOf {
   const n = model.q.length / count;
   const drives = model.gear.length / count;
@@ -101,7 +101,7 @@ export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }
   };
 }
 
-/** Those that need the reference: what it does, and how far the real arm is from it. */
+/** Those that need the reference: what it does, and how far the actual robot is from it. */
 export function compared(bundle: Bundle, own: Seen, planned: Seen, count: number): SeriesOf {
   const n = planned.model.q.length / count;
   const places = planned.points.length / count / POINT;

@@ -1,4 +1,4 @@
-// What a load does to its named point of an arm at a time: force and moment in world axes.
+// What a load does to its named point of a robot at a time: force and moment in world axes.
 
 import type { Bundle } from "./bundle";
 import type { Blocks } from "./map";

@@ -118,7 +118,7 @@ export function mountSliders(element: HTMLElement, bundle: LiveBundle, options: 
       if (closed) return opened.close();
       live = opened;
       keep.disabled = false;
-      status.textContent = "Move a slider: the robot is simulated anew, here in the page.";
+      status.textContent = "Move a slider to run the simulation again in this page.";
       if (!unchanged()) changed();
     },
     (error: unknown) => {

@@ -6,7 +6,7 @@ const STOPPED =
   "The studio does not answer: it was stopped, or this machine slept. " +
   "What is shown stays here; start it again with: tmodes studio.";
 const ANEW =
-  "Another studio answers here, which was started anew: open the address that it printed. What is shown stays here.";
+  "The studio was restarted: open the address that it printed. What is shown here stays.";
 
 export interface Listener {
   /** What to say while it is away; null: it is there. */

@@ -55,7 +55,8 @@ class BendingLink:
             return [terms, *sections]
 
         outputs = (self.kind.terms_size, *(self.frame,) * (1 + len(self.kind.stations)))
-        return Kernel(f"inward {self.kind.key}", (self.kind.table_size, 3, self.n, self.n), outputs, build, self.long)
+        inputs = (self.kind.table_size, 3, self.n, self.n)
+        return Kernel(f"inward {self.kind.fingerprint}", inputs, outputs, build, self.long)
 
     def station_load(self) -> Kernel:
         """A body and a bias force on a section at a station: (terms, section, body, force in link axes) -> terms."""
@@ -72,7 +73,7 @@ class BendingLink:
             return [packed.packed()]
 
         sizes = (self.kind.terms_size, self.frame, BODY, FORCE)
-        return Kernel(f"station load {self.kind.key}", sizes, (self.kind.terms_size,), build)
+        return Kernel(f"station load {self.kind.fingerprint}", sizes, (self.kind.terms_size,), build)
 
     def outward(self) -> Kernel:
         """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia, as an implicit step wants it.
@@ -102,7 +103,7 @@ class BendingLink:
 
         n, sizes = self.n, (self.kind.stiffness_size, self.kind.damping_size)
         inputs = (self.kind.terms_size, self.frame, INERTIA, FORCE, *sizes, n, n, 1)
-        return Kernel(f"outward {self.kind.key}", inputs, (INERTIA, FORCE, self.solved_size), build, self.long)
+        return Kernel(f"outward {self.kind.fingerprint}", inputs, (INERTIA, FORCE, self.solved_size), build, self.long)
 
     def onward(self) -> Kernel:
         """(acceleration of the root, solved, section at the tip) -> (accelerations of the coordinates, of the tip)."""
@@ -118,7 +119,7 @@ class BendingLink:
                     result[i] = result[i] - lower[k][i] * result[k]
             return [result, _tip_motion(section, motion, result).packed()]
 
-        return Kernel(f"onward {self.kind.key}", (FORCE, self.solved_size, self.frame), (self.n, FORCE), build)
+        return Kernel(f"onward {self.kind.fingerprint}", (FORCE, self.solved_size, self.frame), (self.n, FORCE), build)
 
     def motion(self) -> Kernel:
         """(acceleration of the root, section, accelerations of the coordinates) -> that of the section."""
@@ -150,7 +151,7 @@ class BendingLink:
             return [root_force.packed(), along]
 
         inputs = (self.kind.terms_size, self.frame, FORCE, self.n, FORCE)
-        return Kernel(f"load {self.kind.key}", inputs, (FORCE, self.n), build)
+        return Kernel(f"load {self.kind.fingerprint}", inputs, (FORCE, self.n), build)
 
     def pose(self) -> Kernel:
         """(pose and rate of the root, section, qd) -> (pose of the section, the same in the link's axes)."""
@@ -175,7 +176,7 @@ class BendingLink:
             return [[s + d for s, d in zip(spring, damper, strict=True)], [energy], [loss]]
 
         n, sizes = self.n, (self.kind.stiffness_size, self.kind.damping_size)
-        return Kernel(f"elastic {self.kind.key}", (*sizes, n, n), (n, 1, 1), build)
+        return Kernel(f"elastic {self.kind.fingerprint}", (*sizes, n, n), (n, 1, 1), build)
 
     def moment(self) -> Kernel:
         """(terms, pose of the root, sum) -> sum of mass times position [kg*m], in the world."""
@@ -184,7 +185,7 @@ class BendingLink:
             link = LinkTerms.of(terms, self.n)
             return [v.add(v.vec(sum_), v.scale(link.total, v.vec(pose, 9)), v.matvec(v.tri(pose), link.moment))]
 
-        return Kernel(f"moment {self.kind.key}", (self.kind.terms_size, POSE, 3), (3,), build)
+        return Kernel(f"moment {self.kind.fingerprint}", (self.kind.terms_size, POSE, 3), (3,), build)
 
 
 def _tip_motion(section: Section, root: Force, qdd: list[Any]) -> Force:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-__all__ = ["NAME", "own_path", "robot_change", "robot_data", "robot_path", "with_reach"]
+__all__ = ["NAME", "own_path", "placed_path", "robot_change", "robot_data", "robot_path", "with_reach"]
 
 NAME = "filipovic2010"
 """What a robot that was read of such a sheet keeps in its field ``imported``."""
@@ -35,7 +35,14 @@ _EQUATIONS = {"consistent": "recursion"}
 
 def robot_change(path: str, value: Any) -> tuple[str, Any]:
     """Path and value in the robot of a path and value of the sheet."""
-    return robot_path(path), _EQUATIONS.get(value, value) if path == "reading" else value
+    return path, _EQUATIONS.get(value, value) if path == "reading" else value
+
+
+def placed_path(path: str, data: Mapping[str, Any]) -> str:
+    """:func:`robot_path`, where a contact that is switched off stands."""
+    found = robot_path(path)
+    off = found != path and found.startswith("contact") and data.get("contact") is None
+    return f"contact_off{found.removeprefix('contact')}" if off else found
 
 
 def robot_path(path: str) -> str:
@@ -45,7 +52,8 @@ def robot_path(path: str) -> str:
 
 def own_path(path: str) -> str:
     """The path in the sheet of a path in the robot, where it has one; any other path is itself."""
-    return _replaced(path, {there: here for here, there in _PATHS.items()})
+    found = _replaced(path, {there: here for here, there in _PATHS.items()})
+    return "gear.stiffness" if found == "gear.stiffness.0" else found
 
 
 def _replaced(path: str, table: Mapping[str, str]) -> str:

@@ -18,6 +18,7 @@ from numpy.typing import NDArray
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.links.facts import LinkFacts
 from tmodes.kinds.links.line import CubicLine, LineOfLink
+from tmodes.kinds.schema.kind import source_digest
 
 __all__ = ["Body", "ElasticForces", "Link", "LinkNumbers", "LinkStructure", "QuadraticStructure", "Row"]
 
@@ -68,6 +69,11 @@ class LinkStructure(ABC):
     @abstractmethod
     def key(self) -> str:
         """The structure in words, unique among all kinds."""
+
+    @property
+    def fingerprint(self) -> str:
+        """The key for compiled code; of a kind from outside of tmodes with a digest of its source."""
+        return f"{self.key} {source_digest(type(self))}".rstrip()
 
     @property
     @abstractmethod
@@ -200,9 +206,9 @@ class Link(LinkFacts):
     def coordinates(self) -> tuple[str, ...]:
         """Names of its coordinates, to be put after the link's name and a dot."""
 
-    @abstractmethod
     def bodies_at(self, s: float) -> tuple[Body, ...]:
-        """Bodies fixed to the section at s, in the section's axes."""
+        """Bodies fixed to the section at s, in the section's axes; by default its ``bodies``, all at the tip."""
+        return getattr(self, "bodies", ()) if s >= 1.0 else ()
 
     @property
     def all_bodies(self) -> tuple[Body, ...]:
@@ -219,8 +225,15 @@ class Link(LinkFacts):
         """Places s < 1 that carry bodies, in rising order."""
         return ()
 
-    def stations(self, asked: Sequence[float] = ()) -> tuple[float, ...]:
-        """Places s < 1 where sections are computed besides the tip: bodies and named points, in rising order."""
+    def stations(self, asked: Sequence[float] = ()) -> tuple[float, ...]:  # noqa: ARG002
+        """Places s < 1 where sections are computed besides the tip, in rising order; by default none.
+
+        A kind with sections anywhere answers with :meth:`along`: where bodies and named points (``asked``) are.
+        """
+        return ()
+
+    def along(self, asked: Sequence[float]) -> tuple[float, ...]:
+        """Places s < 1 of bodies and of what is asked for, in rising order."""
         return tuple(sorted({*self.body_places, *(s for s in asked if s < 1.0)}))
 
     @property
@@ -231,6 +244,10 @@ class Link(LinkFacts):
     def lines(self, stations: tuple[float, ...], s: Array) -> Sequence[LineOfLink]:
         """Its elastic lines, one after the other from root to tip, at the places ``s`` of each."""
         return [CubicLine(self.length, stations, s)]
+
+    def described(self, row: Sequence[Any]) -> dict[str, Any]:
+        """Its kind and length."""
+        return {"model": self.kind, "length_m": float(sum(one.length for one in row))}
 
     @abstractmethod
     def numbers(self, stations: tuple[float, ...]) -> LinkNumbers:

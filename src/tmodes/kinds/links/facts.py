@@ -60,7 +60,7 @@ class LinkFacts(ABC):
         """Largest distance of the outer fibre from the line [m]; 0 where it is not known."""
         return 0.0
 
-    def angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
+    def limiting_angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
         """The angle that limits its model, (n,) [rad], at coordinates ``q`` (n, size)."""
         return np.abs(q).max(axis=1, initial=0.0)
 

@@ -210,6 +210,10 @@ class ModesLink(Link):
         numbers = [k + 1 for k, bends in enumerate(self.free) if bends]
         return tuple(f"{plane}{number}" for plane in ("azimuth", "elevation") for number in numbers)
 
+    def stations(self, asked: Sequence[float] = ()) -> tuple[float, ...]:
+        """Bodies and named points anywhere along it."""
+        return self.along(asked)
+
     @property
     def body_places(self) -> tuple[float, ...]:
         """Places s < 1 that carry bodies."""
@@ -228,7 +232,7 @@ class ModesLink(Link):
         """One angle of each mode that bends, in both planes."""
         return {"twist": 0, "bend_y": sum(self.free), "bend_z": sum(self.free), "stretch": 0}
 
-    def angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
+    def limiting_angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
         """Largest angle of a mode's chord."""
         return np.hypot(*np.split(q, 2, axis=1)).max(axis=1)
 

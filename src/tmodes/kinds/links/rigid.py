@@ -40,10 +40,6 @@ class RigidLink(Link):
         """All bodies: the link has only one place."""
         return self.bodies
 
-    def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
-        """None."""
-        return ()
-
     def described(self, row: Sequence[Any]) -> dict[str, Any]:  # noqa: ARG002
         """Nothing but its bodies."""
         return {}

@@ -76,20 +76,12 @@ class Segment(Link):
         """``bend_y`` and ``bend_z``, as far as they are free."""
         return tuple(name for name, free in (("bend_y", self.bend_y), ("bend_z", self.bend_z)) if free)
 
-    def bodies_at(self, s: float) -> tuple[Body, ...]:
-        """All bodies are at the tip."""
-        return self.bodies if s >= 1.0 else ()
-
-    def stations(self, asked: object = ()) -> tuple[float, ...]:  # noqa: ARG002
-        """None: whatever is on a segment is at its tip."""
-        return ()
-
     @property
     def functions(self) -> Mapping[str, int]:
         """One in each direction that is free."""
         return {"twist": 0, "bend_y": int(self.bend_y), "bend_z": int(self.bend_z), "stretch": 0}
 
-    def angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
+    def limiting_angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:  # noqa: ARG002
         """The angle of the chord."""
         return np.linalg.norm(q, axis=1)
 

@@ -65,13 +65,19 @@ class BendingSheet(DataSheet):
     def coordinate_count(self) -> int:
         """Number of coordinates, 0 where it is rigid."""
 
-    @abstractmethod
-    def lowered(self, bodies: Sequence[BodySheet]) -> LoweredLink:
-        """Elements of a chain for this link with the bodies it carries."""
+    def link(self, bodies: tuple[Body, ...]) -> Link:
+        """The link of a kind that is one element with all bodies at its tip."""
+        raise NotImplementedError
 
-    @abstractmethod
+    def lowered(self, bodies: Sequence[BodySheet]) -> LoweredLink:
+        """Elements of a chain for this link with the bodies it carries; by default one, :meth:`link`."""
+        link = self.link(tuple(sheet_body(body, Placement()) for body in bodies))
+        end = Placement(position=np.array([self.line_length, 0.0, 0.0]))
+        return LoweredLink((link,), Placement(), end, lambda _: Spot(0, 1.0, Placement()))
+
     def section_pieces(self) -> list[Piece]:
-        """Its sections from root to tip, as pieces over the share of its length."""
+        """Its sections from root to tip, as pieces over the share of its length; none where they are not known."""
+        return []
 
     @property
     def mounts(self) -> dict[str, Origin | None]:

@@ -85,6 +85,10 @@ class Beam(BeamNumbers, Link):
         """Directions with the number of each function: ``bend_y1``, ``bend_y2``, ..."""
         return tuple(f"{name}{k + 1}" for name in MODULI for k in range(getattr(self, name)))
 
+    def stations(self, asked: Sequence[float] = ()) -> tuple[float, ...]:
+        """Bodies and named points anywhere along it."""
+        return self.along(asked)
+
     @property
     def body_places(self) -> tuple[float, ...]:
         """Places s < 1 that carry bodies."""
@@ -125,7 +129,7 @@ class Beam(BeamNumbers, Link):
         """Largest distance of the outer fibre [m]."""
         return max(self.outer)
 
-    def angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:
+    def limiting_angles(self, q: Array, stations: tuple[float, ...] = ()) -> Array:
         """Largest angle between neighbouring points of its line (Gauss points, stations, ends)."""
         edges = np.unique([0.0, *beam_rule(self).points, *stations, 1.0])
         directions = np.repeat(np.arange(3), (self.twist, self.bend_y, self.bend_z))

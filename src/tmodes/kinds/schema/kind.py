@@ -19,7 +19,7 @@ from pydantic_core import CoreSchema, core_schema
 from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import DataSheet
 
-__all__ = ["ENTRY_POINTS", "Kind", "load_entry_points"]
+__all__ = ["ENTRY_POINTS", "Kind", "load_entry_points", "source_digest"]
 
 ENTRY_POINTS = "tmodes.kinds"
 """Group of the entry points by which installed packages offer kinds."""
@@ -85,11 +85,7 @@ class Kind(DataSheet):
     def fingerprint(cls) -> str:
         """Name of the kind for keys of compiled code; of a class outside of tmodes with a digest of its source."""
         name = f"{cls.root.family} {cls.name_of_kind() or cls.__qualname__}"
-        outside = [base for base in cls.__mro__ if not base.__module__.startswith(("tmodes.", "pydantic", "builtins"))]
-        if not outside:
-            return name
-        digest = hashlib.sha256("\n".join(map(_source, outside)).encode()).hexdigest()[:16]
-        return f"{name} {digest}"
+        return f"{name} {source_digest(cls)}".rstrip()
 
     @classmethod
     def _any_member(cls) -> TypeAdapter[Any]:
@@ -123,6 +119,13 @@ def load_entry_points() -> list[str]:
     for point in found:
         point.load()
     return [point.name for point in found]
+
+
+def source_digest(cls: type[Any]) -> str:
+    """Digest of the source of a class and its bases outside of tmodes, for keys of compiled code; empty for our own."""
+    known = ("tmodes.", "pydantic", "builtins", "abc", "typing")
+    outside = [base for base in cls.__mro__ if not base.__module__.startswith(known)]
+    return hashlib.sha256("\n".join(map(_source, outside)).encode()).hexdigest()[:16] if outside else ""
 
 
 def _identity(member: type[Any]) -> tuple[str, str]:
