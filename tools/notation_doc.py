@@ -42,7 +42,7 @@ def _meaning(description: str, extra: dict[str, Any]) -> str:
 
 def variables() -> Iterator[Row]:
     """Name, dimensions, unit and meaning of every variable of a result."""
-    robot = tmodes.load_robot("filipovic2010", {"integration.duration": 0.01})
+    robot = tmodes.load("filipovic2010", {"integration.duration": 0.01})
     for name, variable in tmodes.run(robot).data.data_vars.items():
         yield str(name), ", ".join(map(str, variable.dims)), variable.attrs["units"], variable.attrs["long_name"]
 

@@ -24,6 +24,9 @@ __all__ = ["ENTRY_POINTS", "Kind", "load_entry_points", "source_digest"]
 ENTRY_POINTS = "tmodes.kinds"
 """Group of the entry points by which installed packages offer kinds."""
 
+_EXPANDING: list[type[Any]] = []
+"""Families whose JSON Schema is being written."""
+
 M = TypeVar("M", bound="type[Kind]")
 
 
@@ -107,7 +110,14 @@ class Kind(DataSheet):
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> Any:
         if cls is not getattr(cls, "root", None):
             return handler(schema)
-        return handler(cls._any_member().core_schema)
+        if cls in _EXPANDING:  # a member that holds members of its own family: written out once, then by name
+            names = {"enum": sorted(cls.registered)}
+            return {"type": "object", "properties": {cls.key: names}, "required": [cls.key]}
+        _EXPANDING.append(cls)
+        try:
+            return handler(cls._any_member().core_schema)
+        finally:
+            _EXPANDING.remove(cls)
 
 
 def load_entry_points() -> list[str]:
