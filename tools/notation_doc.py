@@ -1,6 +1,6 @@
 """Writes docs/notation.md, symbol - word - unit: ``python tools/notation_doc.py [--check]``.
 
-The data sheet's own fields and the variables of a (very short) run tell of themselves; the rest is in notation_words.
+The data sheet's own fields and the variables of a (very short) run describe themselves; the rest is in notation_words.
 """
 
 from __future__ import annotations
@@ -13,7 +13,7 @@ import generated
 import tmodes
 from notation_words import COORDINATES, DERIVED, Row
 from tmodes.kinds.schema.quantity import DataSheet
-from tmodes.paper.sheet import PaperRobot
+from tmodes.io.forms import F2010
 
 __all__ = ["page", "quantities", "variables"]
 
@@ -63,7 +63,7 @@ def page() -> str:
             "",
             "The key is also the path that `--set` and `Robot.with_` take; N is 0 for the mode at the root.",
             "",
-            *_table(("key", "symbol", "unit", "meaning"), quantities(PaperRobot)),
+            *_table(("key", "symbol", "unit", "meaning"), quantities(F2010.root)),
             "",
             "## Coordinates and elastic angles",
             "",
