@@ -49,14 +49,21 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
 
 
 def _parents(run: RunData, links: list[str]) -> dict[str, Any]:
-    """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base."""
+    """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base.
+
+    A link that is drawn in pieces (``NAME.1``, ``NAME.2``) stands on its own earlier piece.
+    """
     nodes = {node.name: node for node in run.chain.nodes}
-    found = []
+    pieces: dict[str, list[str]] = {}
     for name in links:
-        node = nodes[name]
-        while node.parent >= 0 and run.chain.nodes[node.parent].name not in links:
-            node = run.chain.nodes[node.parent]
-        found.append(run.chain.nodes[node.parent].name if node.parent >= 0 else "base")
+        pieces.setdefault(name if name in nodes else name.rpartition(".")[0], []).append(name)
+    found = []
+    for own, names in pieces.items():
+        node = nodes[own]
+        parent = run.chain.nodes[node.parent] if node.parent >= 0 else None
+        while parent is not None and parent.name not in pieces:
+            parent = run.chain.nodes[parent.parent] if parent.parent >= 0 else None
+        found += [pieces[parent.name][-1] if parent else "base", *names[:-1]]
     return {"link_parent": ("link", found, {"long_name": "link on which each link stands"})} if links else {}
 
 
