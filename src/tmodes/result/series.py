@@ -53,11 +53,21 @@ def _parents(run: RunData, links: list[str]) -> dict[str, Any]:
     nodes = {node.name: node for node in run.chain.nodes}
     found = []
     for name in links:
-        node = nodes[name]
-        while node.parent >= 0 and run.chain.nodes[node.parent].name not in links:
+        owner, _, part = name.rpartition(".")
+        if name not in nodes and (before := f"{owner}.{int(part) - 1}") in links:  # the next line of the same link
+            found.append(before)
+            continue
+        node = nodes.get(name) or nodes[owner]
+        while node.parent >= 0 and not _drawn(run.chain.nodes[node.parent].name, links):
             node = run.chain.nodes[node.parent]
-        found.append(run.chain.nodes[node.parent].name if node.parent >= 0 else "base")
+        found.append(_drawn(run.chain.nodes[node.parent].name, links) if node.parent >= 0 else "base")
     return {"link_parent": ("link", found, {"long_name": "link on which each link stands"})} if links else {}
+
+
+def _drawn(name: str, links: list[str]) -> str:
+    """The line at the end of a link: its own, or its last one where it has several; empty where none is drawn."""
+    lines = [line for line in links if line == name or line.rpartition(".")[0] == name]
+    return lines[-1] if lines else ""
 
 
 def coordinate_units(run: RunData) -> list[str]:
