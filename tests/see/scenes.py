@@ -5,7 +5,7 @@ from __future__ import annotations
 from functools import cache
 
 from arm.see.runs import QUINTIC, sheet, tube
-from tmodes import run
+from tmodes import load, run
 from tmodes.result import Result
 from tmodes.result.record import PaperResult
 from tmodes.sheet import Robot

@@ -49,25 +49,22 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
 
 
 def _parents(run: RunData, links: list[str]) -> dict[str, Any]:
-    """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base."""
+    """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base.
+
+    A link that is drawn in pieces (``NAME.1``, ``NAME.2``) stands on its own earlier piece.
+    """
     nodes = {node.name: node for node in run.chain.nodes}
-    found = []
+    pieces: dict[str, list[str]] = {}
     for name in links:
-        owner, _, part = name.rpartition(".")
-        if name not in nodes and (before := f"{owner}.{int(part) - 1}") in links:  # the next line of the same link
-            found.append(before)
-            continue
-        node = nodes.get(name) or nodes[owner]
-        while node.parent >= 0 and not _drawn(run.chain.nodes[node.parent].name, links):
-            node = run.chain.nodes[node.parent]
-        found.append(_drawn(run.chain.nodes[node.parent].name, links) if node.parent >= 0 else "base")
+        pieces.setdefault(name if name in nodes else name.rpartition(".")[0], []).append(name)
+    found = []
+    for own, names in pieces.items():
+        node = nodes[own]
+        parent = run.chain.nodes[node.parent] if node.parent >= 0 else None
+        while parent is not None and parent.name not in pieces:
+            parent = run.chain.nodes[parent.parent] if parent.parent >= 0 else None
+        found += [pieces[parent.name][-1] if parent else "base", *names[:-1]]
     return {"link_parent": ("link", found, {"long_name": "link on which each link stands"})} if links else {}
-
-
-def _drawn(name: str, links: list[str]) -> str:
-    """The line at the end of a link: its own, or its last one where it has several; empty where none is drawn."""
-    lines = [line for line in links if line == name or line.rpartition(".")[0] == name]
-    return lines[-1] if lines else ""
 
 
 def coordinate_units(run: RunData) -> list[str]:
