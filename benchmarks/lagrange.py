@@ -7,8 +7,8 @@ from __future__ import annotations
 
 import time
 
-from tmodes.integrate.settings import Integration, Method
-from tmodes.robots.load import load_sheet
+from tmodes.integrate.settings import Integration
+from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
@@ -21,7 +21,7 @@ ROUNDS = 8
 def nanoseconds(robot: Robot) -> float:
     """Least time of one evaluation of the rate in a native loop."""
     setup = run_setup(robot)
-    settings = Integration(method=Method.RK4, duration=DURATION, output_step=DURATION, step=DURATION / STEPS)
+    settings = Integration(method="rk4", duration=DURATION, output_step=DURATION, step=DURATION / STEPS)
     found = []
     for _ in range(ROUNDS):
         began = time.perf_counter()
@@ -31,7 +31,7 @@ def nanoseconds(robot: Robot) -> float:
 
 
 if __name__ == "__main__":
-    robot = load_sheet("filipovic2010").pair().real
+    robot = load("filipovic2010").pair().real
     for equations in ("consistent", "printed", "recursion"):
         for contact in (robot.contact, None):
             case = robot.model_copy(update={"equations": equations, "contact": contact})

@@ -12,7 +12,6 @@ from pydantic import Field
 from arm.run.sheets import ZERO, arm
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.contact_law import contact_law
-from tmodes.integrate.settings import Method
 from tmodes.kinds.contacts.registry import Contact, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
@@ -145,7 +144,7 @@ def test_run(name, tmp_path):
     other = simulate_motion(sheet.with_({"integration.method": "extrapolation"}))
     assert np.abs(other.q - run.q).max() < 1e-6
     setup = run_setup(sheet.with_({"integration.method": "dormand_prince"}))
-    model, settings = setup.model, setup.arm.integration.model_copy(update={"method": Method.DORMAND_PRINCE})
+    model, settings = setup.model, setup.arm.integration.model_copy(update={"method": "dormand_prince"})
     native = run_trajectory(setup)
     batch = model.simulate_batch(np.array([model.numbers.vector] * 3), setup.planned.schedule, setup.start, settings)
     assert np.abs(batch.states[1] - native.states).max() < 1e-9

@@ -8,7 +8,6 @@ from typing import Any, ClassVar, Literal
 import numpy as np
 import pytest
 from pydantic import Field
-from tmodes.report.write_motion import write_arm_report
 
 import tmodes
 from arm.run.sheets import arm
@@ -20,6 +19,7 @@ from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.quantity import positive
 from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.model.model import Model
+from tmodes.report import write_report
 from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
@@ -227,7 +227,7 @@ def test_derivatives(word: str, path: str) -> None:
 def test_report(word: str, tmp_path: Any) -> None:
     """The report of a run has the link's coordinates."""
     given = sheet(word, duration=0.05)
-    path = write_arm_report(tmodes.run(given), tmp_path / "report.html", figures={})
+    path = write_report(tmodes.run(given), tmp_path / "report.html", figures={})
     assert f"link.{given.chain().nodes[0].link.coordinates[0]}" in path.read_text(encoding="utf-8")
 
 

@@ -126,7 +126,7 @@ export interface SceneLink {
 export interface SceneJoint {
   name: string;
   link: number;
-  kind: "revolute" | "prismatic" | "fixed";
+  drawing: "cylinder" | "box" | "ball" | "none";
   axis: [number, number, number];
   /** An elastic gear turns here. */
   elastic: boolean;

@@ -49,22 +49,27 @@ def link_ranges(model: Model, q: ArrayLike) -> list[LinkRange]:
     angles, unbent = link_angles(model, pose), pose.copy()
     unbent[model.deformations] = 0.0
     lines = elastic_line(model, np.stack([pose, unbent]), stations=[0.0, 1.0])
-    return [_range(part, lines[part.node.name], float(angles[part.node.name][0])) for part, _ in _bending(model)]
+    of = {
+        index: [line for line in lines.links.values() if line.node == index] for index in range(len(model.chain.nodes))
+    }
+    found = [(index, part) for index, part in enumerate(model.parts.nodes) if part.link]
+    return [_range(part, of[index], float(angles[part.node.name][0])) for index, part in found]
 
 
 def _bending(model: Model) -> list[tuple[NodePart, LinkPart]]:
     return [(part, part.link) for part in model.parts.nodes if part.link]
 
 
-def _range(part: NodePart, line: LinkLine, angle: float) -> LinkRange:
-    """``line``: bent and unbent, its root and its tip."""
-    link, roots = part.node.link, line.rotation[:, 0].swapaxes(1, 2)
-    bent_tip, tip = (roots @ (line.position[:, 1] - line.position[:, 0])[..., None])[..., 0]
+def _range(part: NodePart, lines: list[LinkLine], angle: float) -> LinkRange:
+    """``lines`` of the link from root to tip: bent and unbent, the ends of each."""
+    link, first, last = part.node.link, lines[0], lines[-1]
+    roots = first.rotation[:, 0].swapaxes(1, 2)
+    bent_tip, tip = (roots @ (last.position[:, 1] - first.position[:, 0])[..., None])[..., 0]
     moved = float(np.linalg.norm(bent_tip - tip))
-    bent_axes, axes = roots @ line.rotation[:, 1]
+    bent_axes, axes = roots @ last.rotation[:, 1]
     turned = bent_axes @ axes.T
     slope = float(np.arctan2(np.linalg.norm(turned - turned.T) / np.sqrt(8), (np.trace(turned) - 1) / 2))
     limit = link.angle_limit
     verdict = VERDICTS[int(angle > limit.good) + int(angle > limit.fair)]
-    share = moved / line.length
+    share = moved / link.length
     return LinkRange(part.node.name, link.kind, angle, slope, moved, share, verdict, limit.cure)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
+from tmodes.kinds.joints.registry import JOINTS
+
 __all__ = ["at", "unit_at"]
 
 COMMANDS = {"voltage": "V", "torque": "N*m|N", "effort": "N*m|N", "position": "rad|m", "prescribed": "rad|m"}
@@ -57,7 +59,8 @@ def _gain_unit(steps: Sequence[str | int], data: Any) -> str:
 
 
 def _slides(steps: Sequence[str | int], data: Any) -> bool:
-    return at(_joint(steps, data), "type") == "prismatic"
+    kind = str(at(_joint(steps, data), "type"))
+    return kind in JOINTS and any(each.slides for each in JOINTS.get(kind).coordinates)
 
 
 def _joint(steps: Sequence[str | int], data: Any) -> Any:

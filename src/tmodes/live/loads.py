@@ -72,13 +72,14 @@ def joint_limits(arm: Robot, plan: LoopPlan, parts: Parts) -> list[dict[str, Any
     sliding = plan.chain.sliding
     return [
         {
-            "joint": joint.name, "coordinate": parts.names.index(joint.name),
-            "drive": drives.index(joint.name) if joint.name in drives else -1,
-            "unit": "m" if joint.name in sliding else "rad", "effortUnit": "N" if joint.name in sliding else "N m",
+            "joint": name, "coordinate": parts.names.index(name),
+            "drive": drives.index(name) if name in drives else -1,
+            "unit": "m" if name in sliding else "rad", "effortUnit": "N" if name in sliding else "N m",
             "speed": joint.limits.speed, "effort": joint.limits.effort, "range": _range(joint.limits),
         }
         for joint in arm.joints
-        if joint.limits and joint.name in parts.names
+        for name in joint.coordinates
+        if joint.limits and name in parts.names
     ]  # fmt: skip
 
 

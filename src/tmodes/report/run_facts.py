@@ -97,7 +97,10 @@ def _largest(data: Any, series: str, drives: list[str], fact: Fact) -> Iterator[
 
 def _limits(arm: Robot, data: Any) -> Iterator[Fact]:
     """The largest share of a limit of a joint: of its speed, its effort, its range (from its middle)."""
-    shares = [one for joint in arm.joints if joint.limits for one in _shares(joint.name, joint.limits, data)]
+    shares = [
+        one for joint in arm.joints if joint.limits for name in joint.coordinates
+        for one in _shares(name, joint.limits, data)
+    ]  # fmt: skip
     if shares:
         share, note = max(shares)
         yield Fact("limits.share", "Largest share of a joint's limit", 100 * share, "%", note)

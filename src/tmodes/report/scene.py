@@ -164,7 +164,7 @@ def _joints(model: Model, names: list[str]) -> Any:
             yield {
                 "name": node.joint.name,
                 "link": names.index(node.name),
-                "kind": str(node.joint.kind),
+                "drawing": node.joint.kind.drawing,
                 "axis": [float(x) for x in node.joint.axis],
                 "elastic": node.joint.gear is not None,
             }

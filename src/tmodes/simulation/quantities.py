@@ -156,7 +156,7 @@ def _others(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
 def _limits(regime: RunSetup, known: dict[str, Quantity]) -> Iterator[Stop]:
     """The limits of joints. One is passed where it is by more than the tolerance: a joint may rest at its limit."""
     settings = regime.arm.integration
-    for joint in regime.arm.joints:
+    for joint, own in ((each, name) for each in regime.arm.joints for name in each.coordinates):
         limits = joint.limits
         if limits is None:
             continue
@@ -165,10 +165,10 @@ def _limits(regime: RunSetup, known: dict[str, Quantity]) -> Iterator[Stop]:
             ("velocity", limits.speed, True, True), ("effort", limits.effort, True, True),
         )  # fmt: skip
         for kind, limit, above, size in kinds:
-            quantity = known.get(f"{joint.name}.{kind}")
+            quantity = known.get(f"{own}.{kind}")
             if limit is None or quantity is None:
                 continue
             margin = settings.absolute_tolerance + settings.relative_tolerance * max(1.0, abs(limit))
-            name = f"abs({joint.name}.{kind})" if size else f"{joint.name}.{kind}"
-            text = f"limit of {joint.name}: {name} {'>' if above else '<'} {limit:.9g} {quantity.unit}"
+            name = f"abs({own}.{kind})" if size else f"{own}.{kind}"
+            text = f"limit of {own}: {name} {'>' if above else '<'} {limit:.9g} {quantity.unit}"
             yield Stop(text, name, quantity, limit + margin if above else limit - margin, above, size)

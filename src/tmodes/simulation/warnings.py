@@ -87,17 +87,17 @@ def run_warnings(run: RunData) -> list[str]:
 
 
 def _limits(run: RunData) -> Iterator[str]:
-    for joint in run.arm.joints:
+    for joint, own in ((each, name) for each in run.arm.joints for name in each.coordinates):
         limits = joint.limits
-        if limits is None or joint.name not in run.coordinates:
+        if limits is None or own not in run.coordinates:
             continue
-        place, unit = run.coordinates.index(joint.name), "m" if joint.type == "prismatic" else "rad"
+        place, unit = run.coordinates.index(own), joint.unit
         kinds = [
             ("position", unit, run.q[:, place], limits.lower, limits.upper),
             ("speed", f"{unit}/s", np.abs(run.v[:, place]), None, limits.speed),
         ]
-        if joint.name in run.drives:
-            effort = np.abs(run.effort[:, run.drives.index(joint.name)])
+        if own in run.drives:
+            effort = np.abs(run.effort[:, run.drives.index(own)])
             kinds.append(("effort", "N" if unit == "m" else "N*m", effort, None, limits.effort))
         for kind, unit_of, values, lower, upper in kinds:
             low, high = -np.inf if lower is None else lower, np.inf if upper is None else upper
@@ -106,7 +106,7 @@ def _limits(run: RunData) -> Iterator[str]:
                 worst = beyond[np.argmax(np.maximum(low - values[beyond], values[beyond] - high))]
                 bound = low if values[worst] < low else high
                 yield (
-                    f"joint {joint.name} passes its limit of {kind}, {bound:.6g} {unit_of}, first at "
+                    f"joint {own} passes its limit of {kind}, {bound:.6g} {unit_of}, first at "
                     f"t = {run.times[beyond[0]]:.4g} s, and reaches {values[worst]:.6g} {unit_of} "
                     f"at t = {run.times[worst]:.4g} s"
                 )

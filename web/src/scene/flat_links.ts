@@ -44,8 +44,8 @@ export class FlatRobot {
           : []),
       ]);
     parts.push(...this.rods.map(({ link, place }) => this.rod(pen, line, link * size, place, look)));
-    for (const { link, kind, elastic } of this.body.joints) {
-      if (link >= motion.links || kind === "fixed") continue;
+    for (const { link, drawing, elastic } of this.body.joints) {
+      if (link >= motion.links || drawing === "none") continue;
       const draw = () => pen.dot(line, link * size, 1.5 * widths.usual, elastic ? look.gear : look.joint, look.base);
       parts.push({ depth: pen.depth(line, link * size) - 2 * widths.usual, draw });
     }

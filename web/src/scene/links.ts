@@ -131,12 +131,14 @@ export class RobotView {
   }
 
   private housing(joint: SceneJoint, link: SceneLink | undefined, meshed: boolean): void {
-    if (link === undefined || meshed || joint.kind === "fixed") return;
+    if (link === undefined || meshed || joint.drawing === "none") return;
     const wide = 1.5 * this.widths.usual;
     const shape =
-      joint.kind === "revolute"
+      joint.drawing === "cylinder"
         ? new CylinderGeometry(wide, wide, 2.2 * wide, this.look.fine ? 32 : 14)
-        : new BoxGeometry(2 * wide, 2.2 * wide, 2 * wide);
+        : joint.drawing === "ball"
+          ? new SphereGeometry(1.2 * wide, this.look.fine ? 32 : 14, this.look.fine ? 24 : 10)
+          : new BoxGeometry(2 * wide, 2.2 * wide, 2 * wide);
     const object = this.add(
       new Mesh(this.kept(shape), this.material(joint.elastic ? this.look.gear : this.look.joint, false)),
     );

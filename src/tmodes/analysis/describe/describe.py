@@ -77,10 +77,12 @@ def link_states(rest: Equilibrium, lines: LinkLines | None = None) -> list[dict[
     more than a twentieth of it so is bad, however little it bends.
     """
     lines, info = lines or _lines(rest), []
+    names = [node.name for node in rest.model.chain.nodes]
     for link in link_ranges(rest.model, rest.q):
-        line = lines[link.link]
-        shape = rest.model.chain.nodes[line.node].link
-        share = max(missing_share(line, shape).values(), default=0.0) if shape.projected else None
+        index = names.index(link.link)
+        shape, own = rest.model.chain.nodes[index].link, [line for line in lines.links.values() if line.node == index]
+        shares = [value for line in own for value in missing_share(line, shape).values()]
+        share = max(shares, default=0.0) if shape.projected else None
         row = asdict(link) | {"missing_share": share}
         info.append(row | {"verdict": "bad"} if (share or 0.0) > BAD_SHARE else row)
     return info

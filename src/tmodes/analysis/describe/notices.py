@@ -87,11 +87,11 @@ def _ranges(rest: Equilibrium) -> Iterator[str]:
 
 def _limits(arm: Robot, rest: Equilibrium) -> Iterator[str]:
     pose = rest.named
-    for joint in arm.joints:
-        if joint.limits is None or joint.name not in pose:
+    for joint, name in ((each, own) for each in arm.joints for own in each.coordinates):
+        if joint.limits is None or name not in pose:
             continue
-        value = pose[joint.name]
+        value = pose[name]
         low = -np.inf if joint.limits.lower is None else joint.limits.lower
         high = np.inf if joint.limits.upper is None else joint.limits.upper
         if not low <= value <= high:
-            yield f"joint {joint.name} stands at {value:.4g}, beyond its limits {low:g} to {high:g}"
+            yield f"joint {name} stands at {value:.4g}, beyond its limits {low:g} to {high:g}"

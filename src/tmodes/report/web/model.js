@@ -1,4 +1,4 @@
-/* tmodes, built from 85ccbdf6e5c99a76; BSD-3-Clause */
+/* tmodes, built from cb7fc97135acce69; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
