@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import deflections, elastic_names
+from tmodes.chain.line_names import line_before
 from tmodes.simulation.motion_run import RunData
 
 __all__ = ["Variables", "coordinate_units", "coordinates_of", "motion_series"]
@@ -50,13 +51,7 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
 
 def _parents(run: RunData, links: list[str]) -> dict[str, Any]:
     """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base."""
-    nodes = {node.name: node for node in run.chain.nodes}
-    found = []
-    for name in links:
-        node = nodes[name]
-        while node.parent >= 0 and run.chain.nodes[node.parent].name not in links:
-            node = run.chain.nodes[node.parent]
-        found.append(run.chain.nodes[node.parent].name if node.parent >= 0 else "base")
+    found = [line_before(run.chain, name, links) or "base" for name in links]
     return {"link_parent": ("link", found, {"long_name": "link on which each link stands"})} if links else {}
 
 
