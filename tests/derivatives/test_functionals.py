@@ -14,7 +14,6 @@ from derivatives.test_runs import SQUARES, bending_arm, loaded_arm
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import steps_of
-from tmodes.paper.sheet import PaperRobot
 from tmodes.robots.load import load
 from tmodes.sensitivity.differences import replaced
 from tmodes.sensitivity.functional import Functional, tracking_error
@@ -44,7 +43,7 @@ def sixth_order(function: Callable[[float], float], step: float) -> float:
 
 
 @cache
-def robot() -> PaperRobot:
+def robot() -> Robot:
     """Steps of one length do not change with the numbers: differences of runs are differences on the same steps."""
     short = {"integration.duration": 0.25, "integration.output_step": 0.005, "integration.step": 1e-4}
     return load("filipovic2010").with_({**short, "integration.method": "rk4"})
@@ -60,11 +59,11 @@ def measured(sheet: Any, functional: Functional) -> float:
     return functional.measure(run.times, run.info)[0]
 
 
-def value_of(sheet: PaperRobot, path: str) -> float:
+def value_of(sheet: Robot, path: str) -> float:
     return sheet.reference.start if path == "reference.start" else dict(sheet.numbers(), **_ends(sheet))[path]
 
 
-def _ends(sheet: PaperRobot) -> dict[str, float]:
+def _ends(sheet: Robot) -> dict[str, float]:
     reference: Any = sheet.reference
     return {"reference.end": reference.end}
 

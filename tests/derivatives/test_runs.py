@@ -11,7 +11,6 @@ import pytest
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError, SimulationError
-from tmodes.paper.sheet import PaperRobot
 from tmodes.robots.load import load
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.functional import Functional
@@ -32,7 +31,7 @@ IN_REVERSE = [*CASES, ("seed", "extrapolation")]
 
 
 @cache
-def seed_robot(method: str = "dormand_prince") -> PaperRobot:
+def seed_robot(method: str = "dormand_prince") -> Robot:
     return load("filipovic2010").with_({**SHORT, "integration.method": method})
 
 

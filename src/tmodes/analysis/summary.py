@@ -31,7 +31,7 @@ def summarise(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     """A plain dictionary of floats and words, ready for JSON; the unit is in the key. What is missing is None.
 
     ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1;
-    for the usual one the run itself was continued until it settled (:mod:`tmodes.paper.settling`), for any other
+    for the usual one the run itself was continued until it settled (:mod:`tmodes.result.settling`), for any other
     only the samples of the result are looked at. Raises :class:`tmodes.errors.InputError` for a band out of range.
     """
     if not 0 < band < 1:
