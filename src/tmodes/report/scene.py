@@ -159,11 +159,6 @@ def _link(arm: Robot, model: Model, name: str, stations: Array) -> dict[str, Any
         "name": name, "bends": bends, "length": line.length if bends else 0.0,
         "section": section_of(arm, name, stations),
     }  # fmt: skip
-        "name": name,
-        "bends": bends,
-        "length": line.length if bends else 0.0,
-        "section": section_of(arm, name, stations),
-    }
 
 
 def _joints(model: Model, names: list[str]) -> Any:
