@@ -1,7 +1,6 @@
 """tmodes models, simulates and controls robots that bend: elastic gears, flexible links, a tip that touches the world.
 
-    Robot -splits-> Mechanism + Parameters -derive-> equations -compile-> Model -simulate-> Result --> plot, report
-    (WHAT)                                 (LAW)                 (RUN)             (SEE)
+    load -> Robot -> Model -> run -> Result -> figures, report, live page
 
 The names below are loaded when they are first used, so that ``import tmodes`` itself is light.
 """
@@ -14,33 +13,19 @@ if TYPE_CHECKING:
     from tmodes.errors import TmodesError
     from tmodes.model.model import Model
     from tmodes.notebook import show
-    from tmodes.paper.mechanism import Drive, Mechanism, Parameters, Reading
-    from tmodes.paper.model import PaperModel
-    from tmodes.paper.sheet import PaperPair, PaperRobot
-    from tmodes.result.record import PaperResult
     from tmodes.result.result import Result
     from tmodes.result.run import run
-    from tmodes.robots import load_robot
     from tmodes.robots.load import load
     from tmodes.sensitivity.functional import Functional, tracking_error
     from tmodes.sensitivity.gradient import adjoint_gradient, forward_sensitivities
     from tmodes.sheet.robot import Robot
-    from tmodes.simulation.simulate import simulate_motion
     from tmodes.simulation.vary.simulate import simulate_batch
 
 __version__ = "0.1.0"
 
 __all__ = [
-    "Drive",
     "Functional",
-    "Mechanism",
     "Model",
-    "PaperModel",
-    "PaperPair",
-    "PaperResult",
-    "PaperRobot",
-    "Parameters",
-    "Reading",
     "Result",
     "Robot",
     "System",
@@ -48,37 +33,25 @@ __all__ = [
     "adjoint_gradient",
     "forward_sensitivities",
     "load",
-    "load_robot",
     "run",
     "show",
     "simulate_batch",
-    "simulate_motion",
     "tracking_error",
 ]
 
 _HOMES = {
-    "Drive": "tmodes.paper.mechanism.Drive",
     "Functional": "tmodes.sensitivity.functional.Functional",
-    "Mechanism": "tmodes.paper.mechanism.Mechanism",
     "Model": "tmodes.model.model.Model",
-    "PaperModel": "tmodes.paper.model.PaperModel",
-    "PaperPair": "tmodes.paper.sheet.PaperPair",
-    "PaperResult": "tmodes.result.record.PaperResult",
-    "PaperRobot": "tmodes.paper.sheet.PaperRobot",
-    "Parameters": "tmodes.paper.mechanism.Parameters",
-    "Reading": "tmodes.paper.mechanism.Reading",
     "Result": "tmodes.result.result.Result",
     "Robot": "tmodes.sheet.robot.Robot",
     "System": "tmodes.equations.lagrange.system.System",
     "TmodesError": "tmodes.errors.TmodesError",
     "adjoint_gradient": "tmodes.sensitivity.gradient.adjoint_gradient",
     "forward_sensitivities": "tmodes.sensitivity.gradient.forward_sensitivities",
-    "load_robot": "tmodes.robots.load_robot",
     "load": "tmodes.robots.load.load",
     "run": "tmodes.result.run.run",
     "show": "tmodes.notebook.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
-    "simulate_motion": "tmodes.simulation.simulate.simulate_motion",
     "tracking_error": "tmodes.sensitivity.functional.tracking_error",
 }
 

@@ -43,7 +43,7 @@ def head_of(document: str) -> dict:
 def runs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
     folder = tmp_path_factory.mktemp("runs")
     paths = [folder / "soft", folder / "stiff"]
-    robot = tmodes.load_robot("filipovic2010").with_({"integration.duration": 0.2})
+    robot = tmodes.load("filipovic2010").with_({"integration.duration": 0.2})
     for stiffness, path in zip((400.0, 900.0), paths, strict=True):
         path.mkdir()
         tmodes.run(robot.with_({"gear.stiffness": stiffness})).save(path / "result.nc")
@@ -118,7 +118,7 @@ def test_results_beside_each_other_in_a_notebook():
     named = show(result, result, names=["a", "<script>"])
     assert [run["name"] for run in head_of(named.document)["runs"]] == ["a", "<script>"]
     assert "<script>," not in named.document
-    robot = tmodes.load_robot("filipovic2010")
+    robot = tmodes.load("filipovic2010")
     for wrong in ((), (robot, robot), (result, robot)):
         with pytest.raises(InputError):
             show(*wrong)

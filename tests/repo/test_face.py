@@ -25,7 +25,7 @@ def test_import_loads_nothing_heavy() -> None:
 def test_robots_are_loaded_without_plotting_and_compiler() -> None:
     heavy = ("casadi", "llvmlite", "matplotlib", "xarray")
     loaded = in_fresh_python(
-        f"import sys, tmodes; tmodes.load_robot('filipovic2010'); print([n for n in {heavy} if n in sys.modules])"
+        f"import sys, tmodes; tmodes.load('filipovic2010'); print([n for n in {heavy} if n in sys.modules])"
     )
     assert loaded.strip() == "[]"
 

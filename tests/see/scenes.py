@@ -5,8 +5,8 @@ from __future__ import annotations
 from functools import cache
 
 from arm.see.runs import QUINTIC, sheet, tube
-from tmodes import load_robot, run, simulate_motion
-from tmodes.result import Result, assemble_result
+from tmodes import load, run
+from tmodes.result import Result
 from tmodes.result.record import PaperResult
 from tmodes.sheet import Robot
 
@@ -16,7 +16,7 @@ MOVE = {"reference.duration": 0.2, "integration.duration": 0.2, "integration.lin
 @cache
 def robot_result(mass: float = 0.5) -> PaperResult:
     """The robot of the 2010 paper in contact, a move of 0.2 s."""
-    return run(load_robot("filipovic2010").with_(MOVE | {"payload.mass": mass}))
+    return run(load("filipovic2010").with_(MOVE | {"payload.mass": mass}))
 
 
 @cache
@@ -46,4 +46,4 @@ def arm_result() -> Result:
         real={"joints.shoulder.gear.stiffness": 0.5},
     )  # fmt: skip
     arm = Robot.from_data(info)
-    return assemble_result(simulate_motion(arm), arm)
+    return run(arm)

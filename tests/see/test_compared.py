@@ -9,11 +9,11 @@ import numpy as np
 import pytest
 
 from see.looking import Window, look
-from tmodes import simulate_motion
 from tmodes.report.data import page_data
 from tmodes.report.viewer import viewer_document
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
+from tmodes.simulation.simulate import simulate_motion
 
 INERTIA = {"xx": 0.01, "yy": 0.01, "zz": 0.01}
 

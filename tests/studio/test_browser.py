@@ -145,7 +145,7 @@ def test_a_dragged_slider_gives_new_curves_and_a_ghost(tab):
     before = tab.fact("deviation.max")
     tab.fresh(lambda: drag(tab, "payload.mass", 0.9))
     mass = float(tab.page.input_value("[data-slider='payload.mass'] input.number"))
-    own = tmodes.run(tmodes.load_robot("filipovic2010").with_({"payload.mass": mass})).data
+    own = tmodes.run(tmodes.load("filipovic2010").with_({"payload.mass": mass})).data
     shown = tab.fact("deviation.max")
     assert shown != before
     assert float(shown.split()[0]) == pytest.approx(1e3 * float(own.deviation.max()), rel=2e-3)

@@ -67,7 +67,7 @@ def test_a_run_is_the_run_of_the_command_line(studio, sheet, tmp_path):
     assert set(info["info"]["seconds"]) == {"check", "simulate", "shapes", "data", "loops"}
     content = studio.client.get(f"/api/jobs/{job}/content").content
     (tmp_path / "other.nc").write_bytes(content)
-    here = tmodes.run(tmodes.load_robot("filipovic2010").with_({"payload.mass": 0.7}))
+    here = tmodes.run(tmodes.load("filipovic2010").with_({"payload.mass": 0.7}))
     assert content == here.save(tmp_path / "here.nc").read_bytes()
     assert np.array_equal(PaperResult.load(tmp_path / "other.nc").data["tip"], here.data["tip"])
 
@@ -139,7 +139,7 @@ def test_a_study_is_saved_and_loaded_as_it_was(studio, sheet):
     sheet["payload"]["mass"] = 0.5
     studio.put("/api/studies/my study.yaml", json={"sheet": sheet, "overwrite": True})
     assert studio.get("/api/studies/my study.yaml")["sheet"] == sheet
-    assert tmodes.load_robot(studio.folder / "my study.yaml").payload.mass == 0.5
+    assert tmodes.load(studio.folder / "my study.yaml").payload.mass == 0.5
 
 
 def test_a_disk_that_is_full_offers_no_replacing(studio, sheet, monkeypatch):

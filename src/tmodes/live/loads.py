@@ -64,7 +64,7 @@ def yield_strengths(arm: Robot, chain: Chain) -> dict[str, float]:
 
 
 def joint_limits(arm: Robot, plan: LoopPlan, parts: Parts) -> list[dict[str, Any]]:
-    """Limits of the joints, of which :func:`tmodes.report.facts_motion.arm_facts` tells the largest share.
+    """Limits of the joints, of which :func:`tmodes.report.run_facts.run_facts` gives the largest share.
 
     Where in coordinates and drives (-1: none) each joint is, with its units; what is not limited is None.
     """

@@ -28,11 +28,7 @@ Array = NDArray[np.float64]
 
 def why_not_mechanics(arm: Robot) -> str:
     """Why a page cannot run this robot, in words; empty where it can."""
-    if arm.base_motion is not None:
-        return "its base moves"
-    if any(node.link.bends and not node.link.has_stations for node in arm.chain().nodes):
-        return "a link is made of segments"
-    return ""
+    return "" if arm.base_motion is None else "its base moves"
 
 
 def mechanics(

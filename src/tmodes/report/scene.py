@@ -9,6 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
+from tmodes.chain.line_names import node_of_line
 from tmodes.model.model import Model
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
 from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
@@ -88,8 +89,9 @@ def line_of(result: Result, frames: Frames | None = None) -> dict[str, Any] | No
         return None
     links = [str(name) for name in result.data["bending_link"].values]
     data = result.data.isel(time=frames, s=stations_shown(result.data.sizes["s"], len(frames), 3 * len(links)))
-    nodes = {node.name: node.link for node in actual_robot(result).chain().nodes}
-    lengths = np.array([getattr(nodes[name], "length", 0.0) for name in links])
+    model = Model(actual_robot(result).chain())
+    lines = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0])
+    lengths = np.array([lines[name].length for name in links])
     quantities = [
         {"id": name, "label": label, "unit": unit, "planes": [str(plane) for plane in data[dim].values],
          "values": kept(data[name].transpose("time", "bending_link", "s", dim).values)}
@@ -151,19 +153,22 @@ def _base(model: Model, data: Any) -> Array:
 
 
 def _link(arm: Robot, model: Model, name: str, stations: Array) -> dict[str, Any]:
-    node = next(node for node in model.chain.nodes if node.name == name)
-    bends = node.link.bends
-    length = getattr(node.link, "length", 0.0)
-    return {"name": name, "bends": bends, "length": length, "section": section_of(arm, name, stations)}
+    line = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0])[name]
+    bends = line.shape is not None
+    return {
+        "name": name, "bends": bends, "length": line.length if bends else 0.0,
+        "section": section_of(arm, name, stations),
+    }  # fmt: skip
 
 
 def _joints(model: Model, names: list[str]) -> Any:
     """The joints that move, each at the root of a link that is drawn, its axis in the axes of that root."""
     for node in model.chain.nodes:
-        if node.name in names and node.joint.moves:
+        own = [k for k, name in enumerate(names) if node_of_line(model.chain, name) is node]
+        if own and node.joint.moves:
             yield {
                 "name": node.joint.name,
-                "link": names.index(node.name),
+                "link": own[0],
                 "drawing": node.joint.kind.drawing,
                 "axis": [float(x) for x in node.joint.axis],
                 "elastic": node.joint.gear is not None,

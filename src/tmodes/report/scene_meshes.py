@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
+from tmodes.chain.line_names import line_before
 from tmodes.report.meshes import Kept, kept_meshes
 from tmodes.sheet.topology import BASE
 
@@ -24,12 +25,8 @@ def carriers(data: Any, chain: Chain, drawn: list[str]) -> list[str]:
 
 def nearest_drawn(chain: Chain, name: str, drawn: list[str]) -> int:
     """Index of the drawn link on which a link stands; -1 for the base."""
-    node = next(node for node in chain.nodes if node.name == name)
-    while node.parent >= 0:
-        node = chain.nodes[node.parent]
-        if node.name in drawn:
-            return drawn.index(node.name)
-    return -1
+    parent = line_before(chain, name, drawn)
+    return -1 if parent is None else drawn.index(parent)
 
 
 def meshes_in(data: Any, chain: Chain, shown: list[str]) -> list[dict[str, Any]]:

@@ -8,6 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import deflections, elastic_names
+from tmodes.chain.line_names import line_before
 from tmodes.simulation.motion_run import RunData
 
 __all__ = ["Variables", "coordinate_units", "coordinates_of", "motion_series"]
@@ -49,21 +50,8 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
 
 
 def _parents(run: RunData, links: list[str]) -> dict[str, Any]:
-    """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base.
-
-    A link that is drawn in pieces (``NAME.1``, ``NAME.2``) stands on its own earlier piece.
-    """
-    nodes = {node.name: node for node in run.chain.nodes}
-    pieces: dict[str, list[str]] = {}
-    for name in links:
-        pieces.setdefault(name if name in nodes else name.rpartition(".")[0], []).append(name)
-    found = []
-    for own, names in pieces.items():
-        node = nodes[own]
-        parent = run.chain.nodes[node.parent] if node.parent >= 0 else None
-        while parent is not None and parent.name not in pieces:
-            parent = run.chain.nodes[parent.parent] if parent.parent >= 0 else None
-        found += [pieces[parent.name][-1] if parent else "base", *names[:-1]]
+    """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base."""
+    found = [line_before(run.chain, name, links) or "base" for name in links]
     return {"link_parent": ("link", found, {"long_name": "link on which each link stands"})} if links else {}
 
 

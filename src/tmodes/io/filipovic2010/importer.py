@@ -29,7 +29,7 @@ _PATHS = {
 """Beginnings of the sheet's paths, and of those of the same numbers in the robot; longer ones first."""
 
 
-_EQUATIONS = {"consistent": "recursion"}
+_EQUATIONS: dict[str, str] = {}
 """Equations by which a reading is computed, where they have another name."""
 
 
