@@ -12,8 +12,8 @@ from typing import Any, get_args
 import generated
 import tmodes
 from notation_words import COORDINATES, DERIVED, Row
-from tmodes.kinds.schema.quantity import DataSheet
 from tmodes.io.forms import F2010
+from tmodes.kinds.schema.quantity import DataSheet
 
 __all__ = ["page", "quantities", "variables"]
 
