@@ -22,7 +22,7 @@ __all__ = ["Complaint", "arm_problems"]
 SHEET = "the data sheet"
 
 MOST_TOLD = 500
-"""Number of wrong places for which words are sought: more are told by none."""
+"""Number of wrong places for which similar words are sought: no more."""
 
 _REMOVE = "remove it"
 """Hint for a key that is unknown wherever it stands."""
@@ -32,7 +32,7 @@ Complaint = tuple[tuple[Step, ...], InputError]
 
 
 def arm_problems(error: ValidationError, data: Any) -> list[Complaint]:
-    """One complaint for each wrong place of the plain data that was refused, of very many the first."""
+    """One problem for each wrong place of the plain data that was refused, of very many the first."""
     info: dict[tuple[Step, ...], InputError] = {}
     for detail in islice(error.errors(include_url=False), MOST_TOLD):
         for steps, problem in _problems(detail, data):
