@@ -26,11 +26,9 @@ from typing import Any
 import numpy as np
 
 from tmodes.bench.missing import PeerMissing
-from tmodes.equations.lagrange.closed_loop import closed_loop, rate_function
 from tmodes.integrate.settings import Integration
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
-from tmodes.robots import load_robot
+from tmodes.robots.load import load
+from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
 
 from .equal_error import at_equal_error, tell
@@ -53,18 +51,19 @@ class Seed:
     """The package's own side of the comparison."""
 
     def __init__(self, contact: bool = False) -> None:
-        robot = load_robot("filipovic2010")
-        self.robot = robot.pair().real
-        self.mechanism, self.parameters = self.robot.split(Drive.CONTROLLED, contact=contact)
-        self.model = PaperModel(self.mechanism)
-        self.schedule = self.robot.reference.schedule()
-        self.start = self.model.rest(0.0, self.parameters)
+        setup = run_setup(load("filipovic2010", {"contact": contact}).pair().real)
+        self.model, self.mechanics, self.start = setup.model, setup.mechanics, setup.start
+        self.parameters, self.schedule = self.model.numbers, setup.planned.schedule
 
     def run(self, settings: Integration) -> tuple[float, np.ndarray]:
         """Time of a run from Python and back, and the final state."""
         began = time.perf_counter()
         run = integrate(self.model, self.parameters, self.schedule, self.start, settings)
-        return time.perf_counter() - began, run.states[-1]
+        return time.perf_counter() - began, self.tips(run.states[-1:])[0]
+
+    def tips(self, states: np.ndarray) -> np.ndarray:
+        """Positions of the tip [m] in states of the closed loop, (n, 3)."""
+        return self.mechanics.points(states[:, self.model.layout.q]).position[:, 0]
 
     def rk4(self) -> Contender:
         """The paper's way: 37,500 equal steps."""
