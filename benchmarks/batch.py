@@ -28,7 +28,6 @@ from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.compile.native import processor
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.robots.load import load
