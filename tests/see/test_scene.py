@@ -15,7 +15,7 @@ from tmodes.analysis.modes.of_sheet import servos_of
 from tmodes.analysis.spectrum import MotorState
 from tmodes.analysis.statics.rest import arm_rest
 from tmodes.report.mode_shapes import modes_of
-from tmodes.report.pack import Coarse, Sum, pack
+from tmodes.report.pack import Coarse, TwoParts, pack
 from tmodes.report.scene import actual_robot, line_of, scene_of
 from tmodes.report.scene_arrays import displaced, kept, stations_shown, steady
 from tmodes.report.scene_sections import section_of, solid_bar
@@ -26,7 +26,7 @@ RESULTS = [robot_result, arm_result]
 
 def plain(values: Any) -> NDArray[np.float64]:
     """The numbers of a packed array, as the page gets them."""
-    if isinstance(values, Sum):
+    if isinstance(values, TwoParts):
         return plain(values.large) + plain(values.small)
     if isinstance(values, Coarse):
         low, high = values.values.min(), values.values.max()
@@ -107,7 +107,7 @@ def test_small_displacements_keep_their_digits() -> None:
     moved = 1e-4 * np.sin(np.arange(rigid.size)).reshape(rigid.shape)
     coarse = kept(rigid)
     shown = displaced(rigid + moved, rigid, coarse)
-    assert isinstance(shown, Sum)
+    assert isinstance(shown, TwoParts)
     assert np.abs(plain(shown) - plain(coarse) - moved).max() < 1e-8
 
 
