@@ -88,7 +88,8 @@ def later(answer: Any) -> Any:
 @pytest.mark.parametrize(
     ("answer", "info"),
     [([np.nan], "nan for joint joint"), ([np.inf], "inf for joint joint"), ([1.0, 2.0], r"shape \(2,\)"),
-     (None, "expected 1 efforts"), ("text", "could not convert"), ([1j], "complex")],
+     (None, r"must return an array of shape \(1,\), the efforts of joint, got an array of shape \(\)"),
+     ("text", "could not convert"), ([1j], "complex")],
 )  # fmt: skip
 def test_a_controller_that_goes_wrong_later(answer: Any, info: str) -> None:
     """Its name, the time and what it gave are reported; what was done is kept as it was."""
