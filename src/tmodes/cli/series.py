@@ -44,7 +44,7 @@ class Series:
 def series_of_result(data: Dataset) -> Iterator[Series]:
     """Every series; of what is known along a link the value of the largest size at each instant, with its sign."""
     for name, variable in data.data_vars.items():
-        if variable.dims[:1] == ("time",) and variable.dtype.kind == "f":
+        if variable.dims[:1] == ("time",) and np.issubdtype(variable.dtype, np.floating):
             yield from _parts(str(name), _farthest(variable), _coordinate_units(data))
 
 
@@ -77,7 +77,7 @@ def _coordinate_units(data: Dataset) -> dict[str, str]:
 
 
 def _own_unit(info: str, word: str, units: dict[str, str]) -> str:
-    """The unit of one column of ``(rad, m along prismatic joints, 1 of stretch)/s``; others are told as they are."""
+    """The unit of one column of ``(rad, m along prismatic joints, 1 of stretch)/s``; others stay as they are."""
     inner, _, per = info.removeprefix("(").partition(")")
     choices = inner.split(", ")
     if len(choices) == 1:

@@ -1,10 +1,10 @@
 """A page's data as one block of bytes: a JSON head, and the arrays that it names; ``web/src/pack.ts`` reads it.
 
 ``TMPK``, length of the head (uint32, little-endian), the head (UTF-8), zeros up to a multiple of 8, then the arrays,
-each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` tells type, shape and place;
+each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` gives type, shape and place;
 ``{"$sum": [a, b]}`` is the sum of two. The type ``d2``: whole numbers of two bytes as changes from row to row (modulo
 65536), the low bytes of all of them, then the high ones.
-``d4``: single precision, its bits told in the same way, in four planes.
+``d4``: single precision, its bits given in the same way, in four planes.
 """
 
 from __future__ import annotations
@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Coarse", "Sum", "embedded", "pack"]
+__all__ = ["Coarse", "TwoParts", "embedded", "pack"]
 
 _KINDS = {"float64": "f8", "int32": "i4", "uint8": "u1"}
 
@@ -33,7 +33,7 @@ class Coarse:
 
 
 @dataclass(frozen=True, eq=False)
-class Sum:
+class TwoParts:
     """An array as the sum of two of its shape, such as a place and what it is displaced by, which keeps its digits."""
 
     large: NDArray[Any] | Coarse
@@ -81,7 +81,7 @@ def _plain(value: Any, arrays: _Arrays) -> Any:
     match value:
         case Coarse():
             return _coarse(value.values, arrays)
-        case Sum():
+        case TwoParts():
             return {"$sum": [_plain(value.large, arrays), _plain(value.small, arrays)]}
         case np.ndarray():
             return _single(value, arrays) if value.dtype == np.float32 else arrays.add(value)

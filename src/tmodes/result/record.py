@@ -1,7 +1,7 @@
 """Result: the frozen, self-describing record of one run.
 
 Every series is a labelled variable with its unit; the attributes tell the robot, the settings and how the run ended.
-What results of all kinds of robots share is a :class:`RunRecord`; the attribute ``kind`` tells one kind from another.
+What results of all kinds of robots share is a :class:`RunRecord`; the attribute ``kind`` says what ran.
 """
 
 from __future__ import annotations
@@ -156,7 +156,7 @@ class RunRecord:
         import numpy as np
 
         for name, variable in self.data.variables.items():
-            if variable.dtype.kind == "f" and not np.isfinite(variable.values).all():
+            if np.issubdtype(variable.dtype, np.floating) and not np.isfinite(variable.values).all():
                 hint = "keep only what is before it: result.data.isel(time=slice(None, n))"
                 raise file_error(f"variable {name}", "a number that is not finite", "finite numbers", hint)
 
