@@ -109,6 +109,7 @@ def test_batches_refuse_conditions(robot):
 def test_a_wrong_name_is_reported_by_check(name, tmp_path):
     """Before anything runs, and nothing is written."""
     from tmodes.cli.main import app
+
     sheet = tmodes.load(name, {"integration.stop": ["tip.q < 1"]})
     (tmp_path / "sheet.yaml").write_text(arm_to_yaml(sheet), encoding="utf-8")
     with pytest.raises(InputError, match=r"integration.stop.0: unknown name 'tip.q'.*Did you mean `tip.z`"):
