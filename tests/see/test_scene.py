@@ -14,7 +14,7 @@ from see.scenes import arm_result, robot_result
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
 from tmodes.report.mode_shapes import modes_of
-from tmodes.report.pack import Coarse, Sum, pack
+from tmodes.report.pack import Coarse, TwoParts, pack
 from tmodes.report.scene import line_of, scene_of
 from tmodes.report.scene_arrays import displaced, kept, stations_shown, steady
 from tmodes.report.scene_sections import section_of, solid_bar
@@ -25,7 +25,7 @@ RESULTS = [robot_result, arm_result]
 
 def plain(values: Any) -> NDArray[np.float64]:
     """The numbers of a packed array, as the page gets them."""
-    if isinstance(values, Sum):
+    if isinstance(values, TwoParts):
         return plain(values.large) + plain(values.small)
     if isinstance(values, Coarse):
         low, high = values.values.min(), values.values.max()
@@ -106,7 +106,7 @@ def test_small_displacements_keep_their_digits() -> None:
     moved = 1e-4 * np.sin(np.arange(rigid.size)).reshape(rigid.shape)
     coarse = kept(rigid)
     shown = displaced(rigid + moved, rigid, coarse)
-    assert isinstance(shown, Sum)
+    assert isinstance(shown, TwoParts)
     assert np.abs(plain(shown) - plain(coarse) - moved).max() < 1e-8
 
 

@@ -106,7 +106,7 @@ def test_zeros_and_twins_are_gone() -> None:
     called = sum(len(block_program(kernel_function(kernel)).values) for kernel, _, _ in schedule.calls)
     assert len(code.main) < 0.8 * called
     assert len(set(code.main)) == len(code.main)
-    places = {value.source[1] for value in code.main if value.kind == "input"}
+    places = {value.source[1] for value in code.main if value.opcode == "input"}
     zeros = {schedule.offset(slot) + k for slot in schedule.zeros for k in range(slot.size)}
     assert not places & zeros
     assert {place for place, _ in code.prepared} <= places
