@@ -33,6 +33,12 @@ RIGID = {
 SHORT = {"integration.duration": 0.3, "integration.output_step": 0.01, "integration.relative_tolerance": 1e-8}
 
 
+ALL_RIGID = pytest.mark.xfail(
+    strict=True,
+    raises=InputError,
+    reason="a link of rigid modes loses its kind in the chain: the Lagrangian system of the 2010 robot refuses it",
+)
+
 COORDINATES = {
     "gear": {"joint.motor"},
     "mode 1": {"link.azimuth1", "link.elevation1"},
@@ -54,7 +60,7 @@ def moved(robot, follow):
     return gathered(setup, run_trajectory(setup))
 
 
-@pytest.mark.parametrize("elements", list(RIGID))
+@pytest.mark.parametrize("elements", [*list(RIGID)[:3], pytest.param("all", marks=ALL_RIGID)])
 @pytest.mark.parametrize("follow", [Follow.SHEET, Follow.WANTED])
 def test_rigid_is_the_limit_of_stiff(robot, elements, follow):
     """Infinite stiffness takes the coordinate away; ten times stiffer comes nearer to it."""
@@ -147,7 +153,9 @@ def test_coarse_integration_is_warned_of(robot):
 def test_large_bending_is_warned_of(robot):
     """Beyond the small angles of the model the run says so, with the first time and the value."""
     result = tmodes.run(robot.with_({"payload.mass": 6.0, "contact": False, **SHORT}))
-    assert any("small-angle range" in warning and "first at t = " in warning for warning in result.warnings)
+    assert any(
+        "leaves the small angles of its model" in warning and "first at t = " in warning for warning in result.warnings
+    )
 
 
 def test_no_equilibrium_is_reported(robot):
@@ -186,7 +194,7 @@ def shortly(sheet, path):
     return ""
 
 
-@pytest.mark.parametrize("elements", [{}, *RIGID.values()])
+@pytest.mark.parametrize("elements", [{}, *[*RIGID.values()][:3], pytest.param(RIGID["all"], marks=ALL_RIGID)])
 def test_modes_of_any_robot(robot, elements):
     """Every elastic element gives its modes; with everything rigid only the motor's are left."""
     count = {"locked": 5, "free": 6, "controlled": 6}
@@ -222,7 +230,7 @@ def test_loads_that_cannot_be_held_cost_no_run(robot):
     rough = {"reference.duration": 0.02, "contact": False, "integration.duration": 0.1}
     result = tmodes.run(robot.with_(rough))
     assert result.success
-    assert any("stationary part T_st" in warning for warning in result.warnings)
+    assert any("T_st is that of the linear arm" in warning for warning in result.warnings)
     assert np.isfinite(result.data["deformation_stationary"].values).all()
 
 
@@ -242,7 +250,7 @@ def test_a_jammed_contact_is_warned_of(robot):
 
 def test_every_run_looks_for_a_jam(robot):
     """The warning is that of every run, whichever robot it is of."""
-    jammed = robot.with_({"environment.friction": 30.0, "environment.mass": 100.0, **SHORT})
+    jammed = robot.with_({"environment.friction": 9.0, "environment.mass": 1000.0, **SHORT})
     assert any("the contact jams first at t = " in warning for warning in tmodes.run(jammed).warnings)
     assert not any("jams" in warning for warning in tmodes.run(robot.with_(SHORT)).warnings)
 
