@@ -71,7 +71,7 @@ def show(*shown: Result | Robot, names: list[str] | None = None, height: int = H
 
 
 def _page_of(results: list[Result], names: list[str] | None) -> dict[str, Any]:
-    """One result with its equations, so that it can be run again in the page; several beside each other."""
+    """One result with its equations, so that it can be run again in the page; several side by side."""
     return live_page(results[0]) if len(results) == 1 and names is None else page_data(results, names)
 
 

@@ -1,4 +1,4 @@
-"""What the error of a run's states makes of its headline figures: each is told again from disturbed states."""
+"""What the error of a run's states makes of its headline figures: each is computed again from disturbed states."""
 
 from __future__ import annotations
 

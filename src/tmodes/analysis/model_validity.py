@@ -1,4 +1,4 @@
-"""Where a run of an arm leaves what its model or its material are good for: told, never hidden."""
+"""Where a run of an arm leaves what its model or its material are good for: reported, never hidden."""
 
 from __future__ import annotations
 
@@ -110,7 +110,7 @@ def _yielding(arm: Robot, time: Array, line: LinkLine) -> Iterator[str]:
 
 
 def yield_strength(arm: Robot, name: str) -> float | None:
-    """Least yield strength [Pa] of a link's materials, None where none is told. Segments of a link bear its name."""
+    """Least yield strength [Pa] of a link's materials, None where unknown. Segments bear their link's name."""
     names = {link.name for link in arm.links}
     beam = arm.link(name if name in names else name.rpartition(".")[0]).beam if arm.links else None
     if beam is None:

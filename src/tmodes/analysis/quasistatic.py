@@ -39,7 +39,7 @@ _LONGEST = 0.5
 _MOST_STEPS = 40
 
 _STALE = 0.1
-"""Ratio of two changes above which the tangent is made anew."""
+"""Ratio of two changes above which the tangent is made again."""
 
 _ROWS = 40_000
 """Samples times directions that are worked on at once."""

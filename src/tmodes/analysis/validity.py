@@ -1,4 +1,4 @@
-"""Where a run leaves what its model is good for: told in the result, never hidden."""
+"""Where a run leaves what its model is good for: given in the result, never hidden."""
 
 from __future__ import annotations
 
@@ -71,7 +71,7 @@ def energy_warnings(data: Any, tolerance: float) -> list[str]:
 def energy_sentence(
     times: NDArray[np.float64], residual: NDArray[np.float64], moved: float, tolerance: float, hint: str
 ) -> str:
-    """A residual [J] beyond ``tolerance`` of the energy moved [J], in words, with its mend; empty within it."""
+    """A residual [J] beyond ``tolerance`` of the energy moved [J], in words, with its fix; empty within it."""
     off = np.abs(residual)
     first = _first_beyond(off, moved, tolerance)
     if first is None:

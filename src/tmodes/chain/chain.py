@@ -210,5 +210,5 @@ class Chain:
 
     @property
     def tip(self) -> Point:
-        """The point that is told of as the tip: the first of ``points``, else the end of the last node."""
+        """The point that is called the tip: the first of ``points``, else the end of the last node."""
         return self.points[0] if self.points else Point("tip", len(self.nodes) - 1)

@@ -1,1 +1,1 @@
-"""The command line: one file per command; every message says which, got, expected, mend."""
+"""The command line: one file per command; every message says which value, what was expected, how to fix it."""

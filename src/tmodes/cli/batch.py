@@ -33,7 +33,7 @@ __all__ = ["batch"]
 
 MOST_LANES = 1_000_000
 MOST_TOLD = 5
-"""Lanes that did not finish, told of one by one."""
+"""Cases that did not finish, reported one by one."""
 
 
 def batch(

@@ -1,4 +1,4 @@
-"""``tmodes bench``: how fast this engine is on this machine, beside a C compiler and other engines."""
+"""``tmodes bench``: how fast this engine is on this machine, next to a C compiler and other engines."""
 
 from __future__ import annotations
 

@@ -7,7 +7,7 @@ from typing import Any
 __all__ = ["print_tables"]
 
 IDLE = 0.5
-"""Programs on average that may run beside it."""
+"""Programs on average that may run next to it."""
 
 
 def print_tables(info: dict[str, Any]) -> None:

@@ -28,7 +28,7 @@ def cache(
 
     Each robot's equations become native code once; the code is kept so that the next run starts at once. Nothing is
     lost by clearing it but that time. The environment variable TMODES_CACHE names another folder; empty: nothing is
-    kept. A damaged entry is made anew, and a folder that others can write is not used.
+    kept. A damaged entry is made again, and a folder that others can write is not used.
     """
     from tmodes.compile.cache_folder import judged
 

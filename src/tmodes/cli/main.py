@@ -69,7 +69,7 @@ def _options(
 
 
 def main() -> None:
-    """Run the command line; ends the process with its exit code, never with a traceback for what a user can mend."""
+    """Run the command line; ends the process with its exit code, never with a traceback for what a user can fix."""
     _prepare_streams()
     try:
         code = app(standalone_mode=False) or 0
@@ -119,7 +119,7 @@ def _explain(error: Any) -> None:
 
 
 def _prepare_streams() -> None:
-    """Closed streams lead nowhere; letters that a terminal does not know are told by their number."""
+    """Closed streams lead nowhere; letters that a terminal does not know are given by their number."""
     for name in ("stdout", "stderr"):
         if getattr(sys, name) is None:
             setattr(sys, name, Path(os.devnull).open("w", encoding="utf-8"))  # noqa: SIM115

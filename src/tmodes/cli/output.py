@@ -17,7 +17,7 @@ LINES = 25
 """A height, without which the library takes every dumb terminal for one of 80 columns."""
 
 NARROWEST = 6
-"""Least width that is left for values beside their names [characters]."""
+"""Least width that is left for values next to their names [characters]."""
 
 
 def print_json(value: Any) -> None:
@@ -111,5 +111,5 @@ def _print_blocks(title: str, columns: Sequence[str], rows: Sequence[Sequence[st
 
 
 def notice(text: str) -> None:
-    """Say something to the person, beside the output."""
+    """Say something to the person, next to the output."""
     print(text, file=sys.stderr)

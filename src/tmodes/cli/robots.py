@@ -39,7 +39,7 @@ def robots(
 
 
 def _known() -> list[dict[str, str]]:
-    """Name, kind, title and citation of each, as its file tells them: not built, for an arm may need other files."""
+    """Name, kind, title and citation of each, as its file reports them: not built, for an arm may need other files."""
     from tmodes.io.yaml_file import parse_yaml
     from tmodes.robots.load import sheet_names, sheet_text
 

@@ -77,7 +77,7 @@ def _coordinate_units(data: Dataset) -> dict[str, str]:
 
 
 def _own_unit(info: str, word: str, units: dict[str, str]) -> str:
-    """The unit of one column of ``(rad, m along prismatic joints, 1 of stretch)/s``; others are told as they are."""
+    """The unit of one column of ``(rad, m along prismatic joints, 1 of stretch)/s``; others stay as they are."""
     inner, _, per = info.removeprefix("(").partition(")")
     choices = inner.split(", ")
     if len(choices) == 1:

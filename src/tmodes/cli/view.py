@@ -15,7 +15,7 @@ from tmodes.errors import InputError
 __all__ = ["names_apart", "view"]
 
 MOST = 6
-"""Runs side by side: more colours cannot be told apart."""
+"""Runs side by side: more colours cannot be distinguished."""
 
 ResultsArgument = Annotated[
     list[Path], typer.Argument(metavar="RESULT...", help="Files result.nc, or folders of runs; several are compared.")
@@ -32,7 +32,7 @@ def view(
     """Look at stored results in the browser: the robot in 3D, linked charts, numbers; several runs side by side.
 
     The page is one file that needs no network and can be sent to others. Robots move at the same time, their charts lie
-    over each other, their numbers stand beside each other.
+    over each other, their numbers are next to each other.
     """
     from tmodes.cli.output import print_json
     from tmodes.cli.results import stored_result

@@ -159,14 +159,14 @@ class Integration(DataSheet):
             yield Issue("step", got, most, hint)
 
     def finer(self) -> Self:
-        """The settings of the run that tells the error of this one: a tenth of the tolerances, half the step."""
+        """The settings of the run that estimates the error of this one: a tenth of the tolerances, half the step."""
         return self.model_copy(update={
             "relative_tolerance": max(self.relative_tolerance / 10, LEAST_TOLERANCE), "step": self.step / 2,
             "absolute_tolerance": self.absolute_tolerance / 10, "max_steps": 4 * self.max_steps,
         })  # fmt: skip
 
     def coarser(self) -> Self:
-        """The settings of the cheap run that tells the error of one at fixed step: twice the step."""
+        """The settings of the cheap run that estimates the error of one at fixed step: twice the step."""
         return self.model_copy(update={"step": 2 * self.step})
 
     def chosen(self, method: str) -> Self:
@@ -196,7 +196,7 @@ class RobotIntegration(Integration):
 def refuse_too_large(settings: Integration, samples: float, each: int, others: str) -> None:
     """Refuse ``samples`` of ``each`` bytes that are more than memory is meant for.
 
-    ``others`` names what helps beside a longer output step. Raises :class:`tmodes.errors.InputError`.
+    ``others`` names what helps besides a longer output step. Raises :class:`tmodes.errors.InputError`.
     """
     if samples * each <= MOST_BYTES:
         return

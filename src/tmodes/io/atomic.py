@@ -1,4 +1,4 @@
-"""Files that are whole or absent, whatever kills the writer; one writer per folder; trouble told before a run."""
+"""Files that are whole or absent, whatever kills the writer; one writer per folder; trouble reported before a run."""
 
 from __future__ import annotations
 
@@ -31,7 +31,7 @@ def file_error(which: object, got: str, expected: str, hint: str) -> ResultFileE
 
 @contextmanager
 def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iterator[Path]:
-    """Give a temporary path beside ``path``; what is written there becomes ``path`` when the block ends well.
+    """Give a temporary path next to ``path``; what is written there becomes ``path`` when the block ends well.
 
     The content is on the disk before the name changes. When the block fails, or the process dies, the old file is
     untouched. A symbolic link is followed: the file it names is replaced, not the link.
@@ -54,7 +54,7 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
 
 
 def real_path(path: str | os.PathLike[str]) -> Path:
-    """The absolute path of a file, links followed; raises :class:`ResultFileError` where none can be told."""
+    """The absolute path of a file, links followed; raises :class:`ResultFileError` where there is none."""
     try:
         return Path(os.path.realpath(path))
     except (OSError, ValueError) as error:
@@ -63,7 +63,7 @@ def real_path(path: str | os.PathLike[str]) -> Path:
 
 @contextmanager
 def _temporary(folder: Path) -> Iterator[Path]:
-    """A new empty file, gone at the end; named after the process that writes it, so that orphans can be told."""
+    """A new empty file, gone at the end; named after the process that writes it, so that orphans can be recognised."""
     path = folder / f".tmodes-{_place()}-{os.getpid()}-{secrets.token_hex(4)}.tmp"
     _create(path)
     try:
@@ -103,7 +103,7 @@ def _cannot_write(path: object, error: Exception) -> ResultFileError:
 
 
 class _Holder(NamedTuple):
-    """Who holds a lock, told so that another process can judge whether it still lives."""
+    """Who holds a lock, stated so that another process can judge whether it still lives."""
 
     pid: int
     started: str
@@ -157,7 +157,7 @@ class FolderLock:
     def _bury_the_dead(self) -> None:
         """Remove the lock of a holder that is gone; refuse when it lives.
 
-        One at a time, and read again once its holder is known to be dead: it may have been released and taken anew.
+        One at a time, and read again once its holder is known to be dead: it may have been taken again.
         """
         undertaker = self.folder / f"{LOCK_NAME}.bury"
         _create(undertaker)
@@ -199,7 +199,7 @@ def remove_orphans(folder: Path) -> None:
 def check_writable(folder: str | os.PathLike[str], bytes_needed: int) -> None:
     """Make sure, before a run, that its result can be stored: make the folder, write a probe, compare the space.
 
-    Raises :class:`ResultFileError`; of a disk too small it tells the bytes needed and the bytes free.
+    Raises :class:`ResultFileError`; of a disk too small with the bytes needed and the bytes free.
     """
     path = Path(folder)
     try:

@@ -57,7 +57,7 @@ class Checkpoint:
 
 
 def read_checkpoint(path: str | os.PathLike[str], identity: str) -> Checkpoint:
-    """The whole records of a log that the same run wrote; a torn record ends it, and is told in ``ignored``.
+    """The whole records of a log that the same run wrote; a torn record ends it, and is given in ``ignored``.
 
     Raises :class:`tmodes.errors.ResultFileError` when the file is no checkpoint, is damaged in its header, is newer
     than this program, or belongs to another run. Sizes are checked against the length of the file before use.

@@ -9,7 +9,7 @@
       - {a: 0.2, alpha: 0, d: 0, theta: 0, type: prismatic, name: slide, link: rod}
 
 A row's name is ``joint_1`` and its link's ``link_1`` (counted from 1) unless it says otherwise; a joint is revolute
-unless it says otherwise. Every other group of a sheet (loads, drives, tip, ...) may stand beside the rows.
+unless it says otherwise. Every other group of a sheet (loads, drives, tip, ...) may stand next to the rows.
 """
 
 from __future__ import annotations

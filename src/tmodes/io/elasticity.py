@@ -5,7 +5,7 @@
     links: {forearm_link: {beam: {...}, bodies: [...], keep_inertial: rigid}}
     loads, drives, tip, points, gravity, ...: as in an arm's sheet
 
-A link that bends is told in :mod:`tmodes.io.elasticity_beam`. Everything else of the URDF stays as it is.
+A link that bends is given in :mod:`tmodes.io.elasticity_beam`. Everything else of the URDF stays as it is.
 """
 
 from __future__ import annotations
@@ -64,7 +64,7 @@ def elasticity_of(
 
 
 def lay_over(robot: UrdfRobot, data: dict[str, Any], positions: Positions, source: str = "") -> UrdfRobot:
-    """The arm of a URDF's robot with an elasticity file's ``data`` laid over it; all that is wrong is told at once."""
+    """The arm of a URDF's robot with an elasticity file's ``data`` laid over it; all errors are reported at once."""
     overlay = _Overlay(robot, positions, source)
     overlay.lay("joints", data.get("joints"), [joint["name"] for joint in overlay.sheet["joints"]], overlay.joint)
     overlay.lay("links", data.get("links"), [joint["child"] for joint in overlay.sheet["joints"]], overlay.link)

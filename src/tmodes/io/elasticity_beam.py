@@ -75,7 +75,7 @@ def place_beam(beam: dict[str, Any], start: Array, end: Array) -> None:
 
 
 def give_mass(which: str, beam: dict[str, Any], body: dict[str, Any] | None, keep: str | None, length: float) -> None:
-    """See to it that a beam's mass is told once: by its sections, or by the URDF's mass over its length.
+    """See to it that a beam's mass is given once: by its sections, or by the URDF's mass over its length.
 
     ``keep`` is what the file says of the URDF's inertial: rigid, replaced, or None. Raises
     :class:`tmodes.errors.InputError` where both would count, or none.
@@ -99,7 +99,7 @@ def give_mass(which: str, beam: dict[str, Any], body: dict[str, Any] | None, kee
 def riding_body(body: dict[str, Any], start: Array, end: Array) -> dict[str, Any]:
     """The URDF's body (link frame) as one that rides on the beam at the station next to its center of mass.
 
-    Between the ends a body is told in section axes from the line; at the tip in the tip frame, which has the link's.
+    Between the ends a body is given in section axes from the line; at the tip in the tip frame, which has the link's.
     """
     axes, line, center = section_axes(end - start), end - start, np.array(body["center"])
     station = float(np.clip((center - start) @ line / (line @ line), 0.0, 1.0))
@@ -140,7 +140,7 @@ def _point(which: str, value: Any) -> Array | None:
 
 
 def length_of(which: str, value: Any, *, positive: bool = True) -> float:
-    """A length [m] as the file tells it, perhaps with its unit; InputError for what is none."""
+    """A length [m] as the file gives it, perhaps with its unit; InputError for what is none."""
     try:
         result = number(value, "m")
     except NotANumber as error:

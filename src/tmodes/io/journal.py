@@ -1,4 +1,4 @@
-"""The journal of a long run: its progress on disk every few seconds, so that a killed run goes on where it was."""
+"""The journal of a long run: its progress on disk every few seconds, so that a killed run continues where it was."""
 
 from __future__ import annotations
 

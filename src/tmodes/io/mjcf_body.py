@@ -31,7 +31,7 @@ KINDS = {0: "a free joint (a free-flying base)", 1: "a ball joint"}
 
 
 def arm_of_model(model: Any, name: str, lines: Lines, source: str) -> tuple[dict[str, Any], Positions]:
-    """Data and positions of the sheet of a compiled model; ``lines`` tells where bodies and joints are written.
+    """Data and positions of the sheet of a compiled model; ``lines`` says where bodies and joints are written.
 
     Raises :class:`tmodes.errors.InputError` for a joint that the sheet cannot tell of.
     """

@@ -1,4 +1,4 @@
-"""Which processes of this computer run, so that what the dead ones left behind can be told."""
+"""Which processes of this computer run, so that what the dead ones left behind can be recognised."""
 
 from __future__ import annotations
 

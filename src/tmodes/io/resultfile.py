@@ -1,4 +1,4 @@
-"""The result file: NetCDF-4, followed by a seal that tells its length and its checksum.
+"""The result file: NetCDF-4, followed by a seal with its length and its checksum.
 
 HDF5 readers (xarray, h5py, netCDF4) pass over what follows the end of their data, so they all read the file; tmodes
 reads the seal first and believes nothing that does not match it. The seal has 64 bytes in every version, little-endian:
@@ -159,7 +159,7 @@ def _encoding(variable: Variable) -> dict[str, Any]:
 def _check_plain(path: object, body: memoryview, max_bytes: int) -> None:
     """Refuse what a result never holds: links out of the file, Python objects, more numbers than the limit.
 
-    A checksum tells damage, not intent: a made-up file may declare any size and name any other file.
+    A checksum shows damage, not intent: a made-up file may declare any size and name any other file.
     """
     import h5py
 

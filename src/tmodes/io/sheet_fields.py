@@ -1,7 +1,7 @@
 """Every place of a data sheet: what belongs there, found by walking the sheet's types along with its data.
 
 Lists of joints and links have any length and a section or a signal may be of several kinds, so the place of a path is
-only known beside the data; its unit too, because a joint turns or slides.
+only known next to the data; its unit too, because a joint turns or slides.
 """
 
 from __future__ import annotations

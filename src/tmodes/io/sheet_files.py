@@ -1,4 +1,4 @@
-"""One way in for every file that describes an arm: what kind it is, is told by its ending and its first words."""
+"""One way in for every file that describes a robot: its ending and first words say what it is."""
 
 from __future__ import annotations
 

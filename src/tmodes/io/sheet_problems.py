@@ -21,14 +21,14 @@ __all__ = ["Complaint", "arm_problems"]
 SHEET = "the data sheet"
 
 MOST_TOLD = 500
-"""Number of wrong places for which words are sought: more are told by none."""
+"""Number of wrong places for which similar words are sought: no more."""
 
 Complaint = tuple[tuple[Step, ...], InputError]
 """The path of a wrong value by keys and numbers, and what is to be said of it."""
 
 
 def arm_problems(error: ValidationError, data: Any) -> list[Complaint]:
-    """One complaint for each wrong place of the plain data that was refused, of very many the first."""
+    """One problem for each wrong place of the plain data that was refused, of very many the first."""
     info: dict[tuple[Step, ...], InputError] = {}
     for detail in islice(error.errors(include_url=False), MOST_TOLD):
         for steps, problem in _problems(detail, data):

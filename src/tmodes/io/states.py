@@ -27,7 +27,7 @@ ANSWERS = (
     *("reading", "H", "h", "f_el", "f_di", "Q", "tip", "J", "phidd", "F_tip_on_environment"),
     *("kinetic", "potential_gravity", "potential_elastic", "rayleigh", "energy"),
 )
-"""What a record may hold beside it, and what is not read: another program's answers at that state."""
+"""What a record may hold next to it, and what is not read: another program's answers at that state."""
 
 
 class _Repeated(dict[str, Any]):
@@ -58,7 +58,7 @@ def holds_phi(path: str | os.PathLike[str]) -> bool:
 
 
 def parsed_json(content: bytes, source: str) -> Any:
-    """JSON of a file that may be hostile; raises :class:`tmodes.errors.InputError` that tells the line."""
+    """JSON of a file that may be hostile; raises :class:`tmodes.errors.InputError` that says the line."""
     if content.count(b"[") + content.count(b"{") > MOST_BRACKETS:
         most = f"at most {MOST_BRACKETS} lists and objects"
         raise InputError("the file", "a flood of brackets", most, "check that this is the file you mean", source)

@@ -31,7 +31,7 @@ LONGEST = 80
 
 @dataclass
 class NotANumber(ValueError):
-    """What is wrong with a value where a number belongs, and how to mend it."""
+    """What is wrong with a value where a number belongs, and how to fix it."""
 
     got: str
     hint: str

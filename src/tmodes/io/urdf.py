@@ -1,7 +1,7 @@
 """Read a URDF into the plain data of an arm's sheet.
 
 Links, joints, inertias, limits and friction are read; names stay. Geometry is not loaded: only the checked paths of its
-files are kept. What other programs put beside them (gazebo, transmission, ros2_control) is passed over; what is
+files are kept. What other programs put next to them (gazebo, transmission, ros2_control) is passed over; what is
 misspelt is not. Format: http://wiki.ros.org/urdf/XML.
 """
 
@@ -111,7 +111,7 @@ def _check_root(robot: Element) -> None:
 
 
 def _read(element: Element, reading: _Reading) -> None:
-    """Read one link or joint; what is wrong with it is kept beside the errors of the others."""
+    """Read one link or joint; what is wrong with it is kept next to the errors of the others."""
     try:
         if element.tag == "link":
             name = text_at(element, "name", "a link's name")

@@ -129,7 +129,7 @@ def _limits(joint: UrdfJoint, which: str) -> dict[str, float]:
 
 
 def _range(element: Element, which: str) -> dict[str, float]:
-    """Lower and upper limit; one that is missing beside the other is zero, which is the format's own rule."""
+    """Lower and upper limit; one that is missing next to the other is zero, which is the format's own rule."""
     if not element.attributes.keys() & {"lower", "upper"}:
         return {}
     lower, upper = (_limit(element, name, which) for name in ("lower", "upper"))

@@ -58,7 +58,7 @@ def says_massless(link: Element) -> Element | None:
 
 
 def _refuse_stray(link: Element, which: str) -> None:
-    """A mass beside the inertial would be lost without a word."""
+    """A mass next to the inertial would be lost without a word."""
     for tag in ("mass", "inertia"):
         if stray := link.first(tag):
             hint = f"put <{tag}> inside <inertial>"

@@ -1,4 +1,4 @@
-"""Joints that mimic another: a chain of this program has none, so the whole group is held, and that is told."""
+"""Joints that mimic another: a chain of this program has none, so the whole group is held, and that is reported."""
 
 from __future__ import annotations
 

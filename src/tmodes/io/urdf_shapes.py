@@ -168,7 +168,7 @@ def _negative(element: Element, which: str, name: str) -> InputError:
 
 
 def _colour(shape: Element, root: Element) -> str:
-    """Of its material, told there or by name at the top of the file."""
+    """Of its material, given there or by name at the top of the file."""
     material = shape.first("material")
     if material is None:
         return PLAIN

@@ -1,4 +1,4 @@
-"""Values of a URDF's attributes: numbers, triples and names, each refused with its file, line, element and mend."""
+"""Values of a URDF's attributes: numbers, triples and names, each refused with its file, line, element and fix."""
 
 from __future__ import annotations
 
@@ -113,7 +113,7 @@ def _finite(element: Element, text: str, which: str) -> float:
 
 
 def _no_number(text: str) -> tuple[str, str, str]:
-    """What a text is that is no number of sensible size: got, expected, mend."""
+    """What a text is that is no number of sensible size: got, expected, fix."""
     expected = f"a finite number of at most {MOST_MAGNITUDE:g}"
     if comma := COMMA.fullmatch(text):
         return shown(text), expected, f"write a decimal point instead of the comma: {comma[1]}.{comma[2]}"

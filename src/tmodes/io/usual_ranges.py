@@ -34,7 +34,7 @@ DENSITY_OVER_MODULUS = (3e-8, 3.0)
 def oddity(value: float, unit: str, plausible: Sequence[float] | None) -> str | None:
     """What is odd about a number outside the plausible range of its field, with the likely factor; None inside.
 
-    A negative damping is told in words of its own: it is allowed, as in a model of chatter or flutter.
+    A negative damping is given in words of its own: it is allowed, as in a model of chatter or flutter.
     """
     low, high = plausible or (-math.inf, math.inf)
     if low <= value <= high or math.isinf(value):

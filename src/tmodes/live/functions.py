@@ -87,7 +87,7 @@ class ModelFunctions:
 
 
 def live_module(arm: ModelFunctions, methods: Sequence[str], *, slopes: bool = True) -> LiveModule:
-    """All functions of an arm; ``slopes``: ``rest.rate`` tells its derivatives too, half as much code again.
+    """All functions of an arm; ``slopes``: ``rest.rate`` gives its derivatives too, half as much code again.
 
     Loops: ``reference.METHOD`` (where there is a reference run) and ``real.METHOD``. Samples: ``observe`` and ``rate``
     of both as of :class:`tmodes.simulation.loop.LoopModel`; ``rest.rate``, whose accelerations vanish at

@@ -19,7 +19,7 @@ FORMAT = 1
 
 @dataclass(frozen=True)
 class LiveModule:
-    """``wasm``: the module, with memory of its own; ``layout``: plain data that tells the engine how to call it."""
+    """``wasm``: the module, with memory of its own; ``layout``: plain data by which the engine calls it."""
 
     wasm: bytes
     layout: dict[str, Any]

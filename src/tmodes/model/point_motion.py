@@ -1,4 +1,4 @@
-"""How named points move in the world: what the model tells of them, by name."""
+"""How named points move in the world: what the model gives, by name."""
 
 from __future__ import annotations
 
@@ -12,7 +12,7 @@ __all__ = ["PointMotion"]
 Array = NDArray[np.float64]
 
 _POINT = 24
-"""Numbers told of a point: pose (15), rate (3), acceleration (6)."""
+"""Numbers reported of a point: pose (15), rate (3), acceleration (6)."""
 
 
 class PointMotion(NamedTuple):

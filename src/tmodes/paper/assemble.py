@@ -54,7 +54,7 @@ Variables = dict[str, tuple[tuple[str, ...], NDArray[np.float64], str, str]]
 """Dimensions, values, unit and long name of each variable."""
 
 Observed = dict[str, NDArray[np.float64]]
-"""What a model tells of each sample, by the names of ``OBSERVED``."""
+"""What a model gives at each sample, by the names of ``OBSERVED``."""
 
 
 def assemble(
@@ -66,7 +66,7 @@ def assemble(
 ) -> PaperResult:
     """Gather all that a result shows; the time axis is the real robot's, as far as both regimes came.
 
-    ``told``: what analyses found (frequencies, settling, warnings), plain data that is kept as JSON.
+    ``reported``: what analyses found (frequencies, settling, warnings), plain data that is kept as JSON.
     """
     import xarray as xr
 

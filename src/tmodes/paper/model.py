@@ -123,7 +123,7 @@ class PaperModel:
             angles = np.where(found[:, None], angles, angles - change)
             first = angles.copy() if step == 0 else first
             size, scale = np.abs(change).max(axis=1), np.abs(angles).max(axis=1)
-            # Beside a stiff surface rounding alone moves the arm: then steps end to shrink well below what matters.
+            # Next to a stiff surface rounding alone moves the arm: then steps end to shrink well below what matters.
             found |= (size <= 1e-14 + 1e-12 * scale) | ((size <= 1e-9 * scale) & (size >= before / 2))
             before = size
             if found.all():
@@ -190,7 +190,7 @@ class PaperModel:
     def simulate_batch(
         self, parameters: ArrayLike, schedules: Schedules, states: ArrayLike, settings: Integration, **how: Unpack[How]
     ) -> BatchRun:
-        """Many robots of this structure at once, as :func:`tmodes.simulation.batch.simulate.simulate_lanes` tells."""
+        """Many robots of this structure at once, as :func:`tmodes.simulation.batch.simulate.simulate_lanes` reports."""
         return simulate_lanes(self, parameters, schedules, states, settings, **how)
 
     @cached_property

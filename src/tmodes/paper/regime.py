@@ -30,7 +30,7 @@ class PaperRun:
     trajectory: Trajectory
 
     def observed(self, count: int) -> dict[str, NDArray[np.float64]]:
-        """What the model tells of the first ``count`` samples, by the names of ``OBSERVED``."""
+        """What the model gives at the first ``count`` samples, by the names of ``OBSERVED``."""
         run = self.trajectory
         return self.model.observe(run.times[:count], run.states[:count], self.rows[:count], self.parameters)
 
@@ -47,7 +47,7 @@ def run_paper(
     """Run one robot from rest in its own equilibrium, its motor controlled or following theta_o exactly.
 
     ``until`` [s] ends the run before its duration (it is then kept in no journal); 0 gives the first sample alone.
-    ``stops``: conditions (:func:`tmodes.paper.quantities.robot_stops`) of which the first that sets in ends the run.
+    ``stops``: conditions (:func:`tmodes.paper.quantities.robot_stops`) of which the first that triggers ends the run.
     ``otherwise``: the settings to go on with where the motion turns out stiff; None: those of the robot to the end.
     Raises :class:`tmodes.errors.SimulationError` where there is no equilibrium, the mass matrix is singular, or a
     condition holds at the start.

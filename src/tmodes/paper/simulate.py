@@ -39,8 +39,8 @@ def simulate(
 ) -> PaperResult:
     """Plan with the known robot, run with the real one, and gather everything into a Result.
 
-    Give a :class:`Robot` (its ``real`` factors make the real one) or a pair of your own. ``stop``: conditions beside
-    those of ``integration.stop``; the real robot's run ends where the first of all sets in. A run that cannot go on
+    Give a :class:`Robot` (its ``real`` factors make the real one) or a pair of your own. ``stop``: conditions besides
+    those of ``integration.stop``; the real robot's run ends where the first of all triggers. A run that cannot go on
     keeps what it had: look at ``result.status`` and ``result.message``.
 
     Raises :class:`tmodes.errors.SimulationError` when it cannot start (no equilibrium, singular mass matrix, too stiff
@@ -87,7 +87,7 @@ def simulate(
 def _as_far_as(reference: PaperRun) -> float | None:
     """End of the real run [s]: its own where the reference is whole, else that of the reference, to be compared.
 
-    After Ctrl-C nothing more is computed: the same command goes on later.
+    After Ctrl-C nothing more is computed: the same command continues later.
     """
     planned = reference.trajectory
     if planned.status == "finished":

@@ -67,7 +67,7 @@ class RunFolder:
         return self
 
     def _check_kinds(self) -> None:
-        """A folder where a file is to be written, or a file in place of the figures' folder, is told before the run."""
+        """A folder in place of a file, or a file in place of the figures' folder, is an error before the run."""
         for place, wanted in ((self.result_file, False), (self.report_file, False), (self.figures, True)):
             if place.exists() and place.is_dir() != wanted:
                 got, expected = ("a file", "a folder") if wanted else ("a folder", "a file")

@@ -70,7 +70,7 @@ def with_shapes(result: Result, shapes: Sequence[LinkShape]) -> Result:
     """The result with the surfaces of its links, simplified as by :func:`few_shapes`.
 
     Variables ``mesh_vertices`` (mesh_vertex, axis) [m], in the frame of their link, and ``mesh_faces`` (mesh_face,
-    corner); the attribute ``meshes`` tells link, colour and numbers of both of each surface.
+    corner); the attribute ``meshes`` holds link, colour and numbers of both of each surface.
     """
     return with_few_shapes(result, few_shapes(shapes))
 

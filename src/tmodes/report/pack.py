@@ -1,10 +1,10 @@
 """A page's data as one block of bytes: a JSON head, and the arrays that it names; ``web/src/pack.ts`` reads it.
 
 ``TMPK``, length of the head (uint32, little-endian), the head (UTF-8), zeros up to a multiple of 8, then the arrays,
-each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` tells type, shape and place;
+each from a multiple of 8 on. In the head an array is ``{"$array": k}``, and ``arrays[k]`` gives type, shape and place;
 ``{"$sum": [a, b]}`` is the sum of two. The type ``d2``: whole numbers of two bytes as changes from row to row (modulo
 65536), the low bytes of all of them, then the high ones.
-``d4``: single precision, its bits told in the same way, in four planes.
+``d4``: single precision, its bits given in the same way, in four planes.
 """
 
 from __future__ import annotations

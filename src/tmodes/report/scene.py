@@ -116,7 +116,7 @@ def lines_at(
 
 
 def drawn_links(data: Any) -> list[str]:
-    """The links that a result tells lines of."""
+    """The links of which a result has lines."""
     return [str(name) for name in data["link"].values] if "link" in data.dims else []
 
 

@@ -33,7 +33,7 @@ def _bytes_per_sample(chain: Chain, stations: int) -> int:
 def ready_to_run(arm: Robot) -> Robot:
     """The arm, if something moves it; one with an initial state and no drives runs freely, its motors without torque.
 
-    Raises :class:`tmodes.errors.InputError` that tells what to add where joints could move and nothing moves them.
+    Raises :class:`tmodes.errors.InputError` that says what to add where joints could move and nothing moves them.
     """
     if arm.drives:
         return arm

@@ -1,7 +1,7 @@
 """Result: the frozen, self-describing record of one run.
 
 Every series is a labelled variable with its unit; the attributes tell the robot, the settings and how the run ended.
-What results of all kinds of robots share is a :class:`RunRecord`; the attribute ``kind`` tells one kind from another.
+What results of all kinds of robots share is a :class:`RunRecord`; the attribute ``kind`` says what ran.
 """
 
 from __future__ import annotations

@@ -26,11 +26,11 @@ __all__ = ["summarise_result"]
 Array = NDArray[np.float64]
 
 MOST_ENTRIES = 40
-"""Deformations that are told, the largest ones."""
+"""Deformations that are reported, the largest ones."""
 
 
 def summarise_result(data: Dataset, band: float = 0.05) -> dict[str, Any]:
-    """A plain dictionary of floats and words, ready for JSON; units are in the keys or beside. What is missing is None.
+    """A plain dictionary of floats and words, ready for JSON; units are in the keys. What is missing is None.
 
     ``band`` [-] is the share of the largest deviation within which the tip counts as settled, between 0 and 1; for the
     usual one the run itself was continued (:mod:`tmodes.result.settling`), for any other its samples are looked at.

@@ -29,7 +29,7 @@ class Change(NamedTuple):
 
 
 def near_difference(value_at: Callable[[float], Array], value: float) -> Array:
-    """Derivative of smooth arithmetic at a value, told of changes of it; at 0 the change counts in its own unit."""
+    """Derivative of smooth arithmetic at a value, from changes of it; at 0 the change counts in its own unit."""
     step = _NEAR * (abs(value) or 1.0)
     return (value_at(step) - value_at(-step)) / (2 * step)
 
@@ -42,7 +42,7 @@ def far_difference(value_at: Callable[[float], Array], value: float) -> Array:
 
 
 def number_at(path: str, known: Any, *, zero: bool = False) -> float:
-    """The number that stands at a path; one that stands for several equal ones is told once.
+    """The number that stands at a path; one that stands for several equal ones counts once.
 
     Raises :class:`tmodes.errors.InputError` for anything else, and for a zero where none may be.
     """
@@ -56,9 +56,9 @@ def number_at(path: str, known: Any, *, zero: bool = False) -> float:
 
 
 def replaced(sheet: Any, steps: Sequence[str | int], value: float) -> Any:
-    """A sheet with another number where one stands, made anew without checks; None where none stands by itself.
+    """A sheet with another number where one stands, made again without checks; None where none stands by itself.
 
-    A check of the whole takes longer than what differences need beside it.
+    A check of the whole takes longer than what differences need otherwise.
     """
     if not steps:
         alone = isinstance(sheet, tuple) and len(sheet) == 1 and isinstance(sheet[0], float)

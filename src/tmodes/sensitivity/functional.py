@@ -17,10 +17,10 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class Functional:
-    """One number of a run: ``measure(times (n,), told)`` -> its value and its derivatives.
+    """One number of a run: ``measure(times (n,), quantities)`` -> its value and its derivatives.
 
     ``quantities``: names of what is looked at, as :class:`tmodes.sensitivity.quantities.Quantities` knows them;
-    ``told`` holds each as an array (n, numbers), and derivatives come by the same names in the same shapes; a name that
+    ``quantities`` holds each as an array (n, numbers), derivatives by the same names in the same shapes; a name that
     is left out has none.
     """
 

@@ -1,7 +1,7 @@
 """Sensitivities of a run to its data sheet, and gradients of what is measured on it.
 
 The steps of the run are recorded and differentiated as they are, whatever their lengths would be for other numbers: the
-results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact sets in or
+results are exact for these steps, and as exact as the tolerances for the motion itself. Where a contact starts or
 ends, a step ends on the change; that its time moves with the numbers is not seen, which leaves nothing out where the
 force is continuous there. On a unilateral surface with a damper it jumps with the speed of impact: such runs are
 refused.
@@ -55,7 +55,7 @@ class Cost:
 class Sensitivities:
     """``times`` (n,) [s], ``states`` (n, size), and by path their derivatives (n, size) per unit of the quantity.
 
-    ``told``: the quantities that were asked for, (n, numbers), and ``of`` their derivatives by name and path.
+    ``info``: the quantities that were asked for, (n, numbers), and ``of`` their derivatives by name and path.
     """
 
     times: Array
@@ -94,7 +94,7 @@ def forward_sensitivities(
 ) -> Sensitivities:
     """Derivatives of the states at all samples by numbers of the sheet: ``links.arm.length``, ``gear.stiffness``.
 
-    ``quantities``: what else is told and differentiated, as ``tip`` (:class:`tmodes.sensitivity.quantities.Quantities`
+    ``quantities``: what else is given and differentiated, as ``tip`` (:class:`tmodes.sensitivity.quantities.Quantities`
     has their names). ``start``: directions (size,) of the state at the start, by names of one's own. Eight directions
     are carried along at once; of many numbers and one functional :func:`adjoint_gradient` is the quicker.
     ``most_bytes``: memory for the states of the steps; where they are more, some are kept and those between computed

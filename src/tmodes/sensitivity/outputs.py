@@ -23,7 +23,7 @@ _MOVED = ("q", "v", "base")
 """What the motion of points follows from."""
 
 _POINT, _TOLD = 24, {"": slice(9, 12), "_velocity": slice(15, 18)}
-"""Numbers that are told of a point, and where they have its position and its velocity."""
+"""Numbers that are reported of a point, and where they have its position and its velocity."""
 
 _FROM = ("state", "row", "parameters")
 
@@ -80,12 +80,12 @@ class RunOutputs:
         return plain | self._parted(self._points.along(self.parameters, self._moved, ways, change=change))
 
     def _parted(self, info: Blocks) -> Blocks:
-        """Positions and velocities from what is told of all points."""
+        """Positions and velocities from what is reported of all points."""
         points = info["points"].reshape(len(info["points"]), -1, _POINT)
         return {name: points[:, k, _TOLD[kind]] for name, (k, kind) in self._places.items()}
 
     def _joined(self, weights: Blocks) -> Blocks:
-        """Weights of positions and velocities as those of all that is told of points."""
+        """Weights of positions and velocities as those of all that is reported of points."""
         count, size = len(self._instants["time"]), sum(slot.size for slot in self._points_of())
         points = np.zeros((count, size // _POINT, _POINT))
         for name, (k, kind) in self._places.items():

@@ -39,7 +39,7 @@ def arm_issues(arm: Robot) -> list[Issue]:
 
 
 def _unknown(path: str, name: str, known: Iterable[str], hint: str = "check the spelling") -> Iterator[Issue]:
-    """A misfit when a name is none of those that are known."""
+    """An issue when a name is none of those that are known."""
     known = list(known)
     if name not in known:
         close = get_close_matches(name, known, n=1)

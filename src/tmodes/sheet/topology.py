@@ -38,7 +38,7 @@ def rooted_order(joints: Sequence[JointSheet]) -> list[int]:
 
 
 def last_link(joints: Sequence[JointSheet]) -> str:
-    """The link behind the most joints that move, of several the last of the sheet: where the tip is, unless told."""
+    """The link behind the most joints that move, of several the last of the sheet: where the tip is by default."""
     names, moving = parents(joints), {BASE: 0}
     for index in rooted_order(joints):
         moving[joints[index].child] = moving[names[index]] + joints[index].kind.size
@@ -47,7 +47,7 @@ def last_link(joints: Sequence[JointSheet]) -> str:
 
 
 def tree_issues(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator[Issue]:
-    """All that keeps joints and the names of the described ``links`` from being one tree; names are told."""
+    """All that keeps joints and the names of the described ``links`` from being one tree, by name."""
     if not joints:
         yield Issue("joints", "an empty robot", "at least one joint", "add a joint and the link that it carries")
         return

@@ -53,7 +53,7 @@ def driven_by(regime: RunSetup) -> RunSetup:
 
 @dataclass
 class _Guarded:
-    """A controller that is asked with care: what it raises or returns wrongly is told with its name and the time."""
+    """A controller that is asked with care: wrong returns and raised errors are reported with name and time."""
 
     controller: Controller
     joints: tuple[str, ...]
@@ -220,7 +220,7 @@ def _across(run: _Run, before: float, after: float, state: Array, length: float)
 
 
 def _set_in(run: _Run, ends: tuple[float, float], begun: tuple[Array, float], state: Array) -> tuple[Any, ...] | None:
-    """Time and state where a condition sets in within an interval, and the words; what is tried is not counted."""
+    """Time and state where a condition triggers within an interval, and the words; what is tried is not counted."""
     counts = run.steps, run.evaluations
     find = SetIn(run.stops, lambda time, at: run.row(time, at, ends[0]), run.settings.duration)
     found = find.within(ends, (begun[0], state), lambda time: _across(run, ends[0], time, *begun)[0])

@@ -18,7 +18,7 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True)
 class SetIn:
-    """Finds where a condition sets in; ``row`` gives that of the input at a time and state, ``duration`` [s]."""
+    """Finds where a condition triggers; ``row`` gives that of the input at a time and state, ``duration`` [s]."""
 
     stops: Stops
     row: Callable[[float, Array], Array]

@@ -1,4 +1,4 @@
-"""How a run that did not reach its end says so: a status, when, in which coordinate, the likely cause, and a mend."""
+"""How a run that did not reach its end is reported: status, time, coordinate, likely cause, and a fix."""
 
 from __future__ import annotations
 
@@ -36,7 +36,7 @@ class Lost(NamedTuple):
         )
 
     def _kind(self, status: Status) -> tuple[str, str, str]:
-        """Status, cause and mend by the loop's own word."""
+        """Status, cause and fix by the loop's own word."""
         if status is Status.NOT_CONVERGED:
             hint = "shorten integration.step, or loosen integration.relative_tolerance"
             return "not_converged", f" and the iterations of a step of {self.step:.3g} s do not converge", hint

@@ -1,4 +1,4 @@
-"""How far a run is from the exact motion: told by its own local errors, or by a second run."""
+"""How far a run is from the exact motion: given by its own local errors, or by a second run."""
 
 from __future__ import annotations
 
@@ -17,12 +17,12 @@ def with_error(run: Trajectory, settings: Integration, again: Callable[[Integrat
     - ``check_error``: from a run with a tenth of the tolerances, whose error is a tenth as large (tolerance
       proportionality); at fixed step with half of it, whose error is 1/2^order of it (Richardson);
     - else at fixed step: from a run with twice the step, at half the cost; none where that one is unstable;
-    - else the sizes of the local errors, summed over the steps as the method tells them of each component. It bounds
-      what motions that do not grow make of them; it is mostly far too large, because what goes on is the solution of
+    - else the sizes of the local errors, summed over the steps as the method reports them of each component. It bounds
+      what motions that do not grow make of them; it is mostly far too large, because what continues is the solution of
       higher order. Where a motion is unstable, or its frequency changes with its energy, errors grow faster than this
       sum; where a slow coordinate is fed by the error of its own rate, they may pass it.
 
-    A second run that does not reach the end tells nothing. Interrupted within it, the run counts as interrupted.
+    A second run that does not reach the end reports nothing. Interrupted within it, the run counts as interrupted.
     """
     one = settings.integrator
     order = one.order if one and not one.adaptive else None

@@ -99,7 +99,7 @@ class LoopModel:
     def simulate_batch(
         self, parameters: ArrayLike, schedules: Schedules, states: ArrayLike, settings: Integration, **how: Unpack[How]
     ) -> BatchRun:
-        """Many robots of this structure at once, as :func:`tmodes.simulation.batch.simulate.simulate_lanes` tells."""
+        """Many robots of this structure at once, as :func:`tmodes.simulation.batch.simulate.simulate_lanes` reports."""
         return simulate_lanes(self, parameters, schedules, states, settings, **how)
 
     def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: LoopNumbers | None = None) -> Array:

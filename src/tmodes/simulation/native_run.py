@@ -1,4 +1,4 @@
-"""The arrays that a native time loop works on, and what they tell: how a run goes on, how it ended, what it took."""
+"""The arrays that a native time loop works on, and what they tell: how a run continues, how it ended, what it took."""
 
 from __future__ import annotations
 
@@ -23,7 +23,7 @@ BOUND = 1e8
 """A coordinate [rad] or rate [rad/s] beyond this is no motion any more: the run has diverged."""
 
 MOST_EVENTS, EVENT_TIME = 1000, 1e-3
-"""A contact that sets in and ends more often than this within this time [s] chatters: no motion gets through that."""
+"""A contact that starts and ends more often than this within this time [s] chatters: no motion gets through that."""
 
 
 class NativeRun:
@@ -154,7 +154,7 @@ class NativeRun:
         return self.trajectory(*self._ending())
 
     def trajectory(self, status: str, message: str) -> Trajectory:
-        """The run so far; its error is told where the loops of all its parts sum their local errors.
+        """The run so far; its error is reported where the loops of all its parts sum their local errors.
 
         The error of a motion that was lost is not known.
         """

@@ -1,4 +1,4 @@
-"""A run of one model over time: calls the native loop piece by piece, and tells how it ended."""
+"""A run of one model over time: calls the native loop piece by piece, and says how it ended."""
 
 from __future__ import annotations
 
@@ -46,12 +46,12 @@ def integrate(
     otherwise: Integration | None = None,
     stops: Stops | None = None,
 ) -> Trajectory:
-    """Integrate from ``state`` (size,) over ``settings.duration``, or until the first of ``stops`` sets in.
+    """Integrate from ``state`` (size,) over ``settings.duration``, or until the first of ``stops`` triggers.
 
     Where no method is named, dormand_prince begins.
 
     ``otherwise``: the settings to go on with where the motion turns out stiff for the explicit method of ``settings``.
-    ``progress`` is told the share of the time that is done. Ctrl-C ends the run with what it has (``interrupted``).
+    ``progress`` is given the share of the time that is done. Ctrl-C ends the run with what it has (``interrupted``).
     Stopping, continuing from a journal, and the pieces in which the loop is called change no bit of the samples.
     Raises :class:`tmodes.errors.SimulationError` where a stop condition holds at the start already.
     """

@@ -1,7 +1,7 @@
-"""A run that is watched for stop conditions: where one sets in, the run ends, at a time that is found exactly.
+"""A run that is watched for stop conditions: where one triggers, the run ends, at a time that is found exactly.
 
 The native loop writes some points of each step by its dense output; conditions are looked at there, many steps at once.
-Where one sets in between two points, that step is taken again (the same step, bit by bit) and asked for points ever
+Where one triggers between two points, that step is taken again (the same step, bit by bit) and asked for points ever
 closer together, until two neighbours in time hold the change between them.
 """
 
@@ -53,7 +53,7 @@ class WatchedRun:
             stops.refuse_at_start(self._instants(self._here()))
 
     def advance(self, steps: int) -> None:
-        """Go on by at most so many steps, or to where a condition sets in."""
+        """Go on by at most so many steps, or to where a condition triggers."""
         run, steps, looks = self.run, min(steps, _PIECE), integrator(self.run.settings.method).looks
         before, first = _kept(run), self._here()
         run.looks, run.seen = float(looks), np.zeros(1 + steps * looks * (len(SEEN) + len(run.state)))
@@ -88,7 +88,7 @@ class WatchedRun:
         return self.stops.beyond(self._instants(points))
 
     def _first_change(self, points: _Points, before: dict[str, Array]) -> tuple[_Points, _Points] | None:
-        """The last point at which no condition holds, and the first at which one does; None where none sets in."""
+        """The last point at which no condition holds, and the first at which one does; None where none triggers."""
         beyond = self._beyond(points)
         holds = np.flatnonzero((beyond > 0).any(axis=1))
         end = int(holds[0]) if len(holds) else len(beyond)
@@ -164,7 +164,7 @@ class WatchedRun:
         return _Points(times, np.full(len(times), segment), states)
 
     def _end(self, a: _Points, b: _Points, before: dict[str, Array]) -> None:
-        """End the run where the condition sets in, between two points: there its last sample is."""
+        """End the run where the condition triggers, between two points: there its last sample is."""
         run = self.run
         if a.times[0] < b.times[0]:
             start, close = self._before_step(b.times[0], before), np.spacing(run.first.duration)

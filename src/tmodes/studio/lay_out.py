@@ -23,7 +23,7 @@ PACKAGE = "package://"
 def lay_out(robot: UrdfRobot, sent: Sequence[Path], top: Path) -> None:
     """Link each mesh that is missing to the one file of its name among those ``sent``, which all lie in ``top``.
 
-    A browser tells the names of chosen files without their folders. Nothing is written outside of the folder of
+    A browser gives the names of chosen files without their folders. Nothing is written outside of the folder of
     ``top``, and a mesh whose path is not allowed stays where it is.
     """
     by_name: dict[str, list[Path]] = {}
@@ -32,7 +32,7 @@ def lay_out(robot: UrdfRobot, sent: Sequence[Path], top: Path) -> None:
     for name, place in _meshes(robot):
         alike = by_name.get(PurePosixPath(name).name.lower(), [])
         if len(alike) == 1 and (target := _missing(robot.folders, name, place, top)):
-            with suppress(OSError):  # it stays missing, which is told
+            with suppress(OSError):  # it stays missing, which is reported
                 make_within(top.parent, target.parent)
                 os.link(alike[0], target)
 

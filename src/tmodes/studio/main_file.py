@@ -13,7 +13,7 @@ KINDS = ((".yaml", ".yml"), (".urdf",), (".urdf.xacro", ".xacro"), (".xml",))
 """Endings of a robot's own file; where there are several kinds, the first in this order is meant."""
 
 SHEET = re.compile(rb"^\s*[\"']?(urdf|kind|format)[\"']?\s*:", re.MULTILINE)
-"""What tells a data sheet from the other YAML files of a package of models."""
+"""What reports a data sheet from the other YAML files of a package of models."""
 
 
 def main_file(contents: Mapping[str, bytes]) -> str:

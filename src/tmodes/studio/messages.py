@@ -1,4 +1,4 @@
-"""Errors as the page gets them: of each wrong value its path, what was got, what is expected, and how to mend it."""
+"""Errors as the page gets them: of each wrong value its path, what was got, what is expected, and how to fix it."""
 
 from __future__ import annotations
 
@@ -39,7 +39,7 @@ def info_error(path: str, message: str, got: str = "", expected: str = "", hint:
 
 
 def info_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Sequence[str]) -> list[dict[str, Any]]:
-    """Why shapes of links are not shown, each at its link of the sheet's plain ``data``; ``roots`` are not told."""
+    """Why shapes of links are not shown, each at its link of the sheet's plain ``data``; ``roots`` are not reported."""
     found = []
     for reason in reasons:
         error = reason.error if isinstance(reason, Unseen) else reason
@@ -47,7 +47,7 @@ def info_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Seque
             error = as_sent(error, roots)
         [info, *_] = info_errors(error, data)
         path = info["path"]
-        if isinstance(reason, Unseen):  # a damaged file is told at the link that shows it
+        if isinstance(reason, Unseen):  # a damaged file is reported at the link that shows it
             path, info["where"] = f"links.{reason.link}", info["where"] or path
         message = f"a shape is not shown: {info['message']}"
         found.append(info | {"path": path, "message": message, "steps": _steps(path, data)})
@@ -55,7 +55,7 @@ def info_unseen(reasons: Iterable[Unseen | TmodesError], data: Any, roots: Seque
 
 
 def as_sent(error: InputError, roots: Sequence[str]) -> InputError:
-    """The error with files named as they are within ``roots``, and what mends it in a page instead of a terminal."""
+    """The error with files named as they are within ``roots``, and what fixes it in a page instead of a terminal."""
 
     def own(text: str) -> str:
         for root in roots:

@@ -19,7 +19,7 @@ def own_folder(parent: Path | None = None) -> Iterator[Path]:
     """A new folder in ``parent``, default: the temporary one; named after this process.
 
     Those of processes that were killed are removed first. At the end it is given another name before it is emptied, so
-    that nothing that still goes on can write into it. Raises :class:`OSError` where none can be made.
+    that nothing that still continues can write into it. Raises :class:`OSError` where none can be made.
     """
     parent = Path(parent or tempfile.gettempdir()).resolve()
     _sweep(parent)

@@ -100,7 +100,7 @@ class _Worker:
 class Pool:
     """``size`` workers; a job waits until one is free, the one that last did the same for the same client if it is.
 
-    So the curves that somebody drags stay with one worker, and longer work, such as a report, goes on beside them.
+    So the curves that somebody drags stay with one worker, and longer work, such as a report, continues next to them.
     What workers write meanwhile lies in ``place``, which its owner removes.
     """
 
@@ -168,7 +168,7 @@ class Pool:
     async def _give_back(self, worker: _Worker) -> None:
         if self._stopped:
             return
-        with suppress(OSError):  # the next job tries again, and tells
+        with suppress(OSError):  # the next job tries again, and reports
             worker = await self._living(worker)
         await self._free_again(worker)
 

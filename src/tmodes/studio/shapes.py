@@ -19,7 +19,7 @@ __all__ = ["Shapes"]
 
 
 class Shapes:
-    """The surfaces of the robot that was shown last, simplified; ``unseen`` tells what of it cannot be shown."""
+    """The surfaces of the robot that was shown last, simplified; ``unseen`` says what of it cannot be shown."""
 
     def __init__(self) -> None:
         self._key: tuple[Any, ...] = ()
@@ -46,7 +46,7 @@ class Shapes:
 
     @property
     def key(self) -> tuple[Any, ...]:
-        """What tells these surfaces from others."""
+        """What reports these surfaces from others."""
         return self._key
 
     def on(self, result: Result) -> Result:
@@ -56,7 +56,7 @@ class Shapes:
         return with_few_shapes(result, self._few)
 
     def unseen(self, data: Any) -> list[dict[str, Any]]:
-        """What cannot be shown, as the page tells it at the links of the sheet's plain ``data``."""
+        """What cannot be shown, as the page reports it at the links of the sheet's plain ``data``."""
         if self._source.get("file") == GONE:
             hint = "upload them again"
             return [info_error("", "the shapes of this upload are not kept any more", hint=hint)]

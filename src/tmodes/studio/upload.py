@@ -46,7 +46,7 @@ def uploaded(files: Any, shelf: Shelf) -> Uploaded:
     contents = _decoded(files)
     main = main_file(contents)
     room = shelf.room()
-    top = room / "upload"  # one folder further in: a URDF beside the folder of its meshes names them with `..`
+    top = room / "upload"  # one folder further in: a URDF next to the folder of its meshes names them with `..`
     roots = (top, room)
     try:
         paths = [_put(room, top.joinpath(*PurePosixPath(name).parts), content, name)

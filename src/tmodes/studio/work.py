@@ -25,7 +25,7 @@ Progress = Callable[[str, float], None]
 
 @dataclass(frozen=True)
 class Answer:
-    """What was asked for: its bytes, and what is told beside them."""
+    """What was asked for: its bytes, and what is reported next to them."""
 
     content: bytes
     info: dict[str, Any]
@@ -43,7 +43,7 @@ class Workshop:
     ) -> Answer:
         """The ``product`` (one of :data:`PRODUCTS`) of a sheet's plain data; ``seconds`` tell what each part took.
 
-        ``looks``: where the shapes of its links are, as :class:`tmodes.studio.looks.Source`; ``unseen`` tells which of
+        ``looks``: where the shapes of its links are, as :class:`tmodes.studio.looks.Source`; ``unseen`` says which of
         them cannot be shown.
         Raises :class:`tmodes.errors.TmodesError` for a sheet that is wrong or cannot run.
         """

@@ -2,7 +2,7 @@
 
 In:  ``{"job": 7, "product": "page", "sheet": {...}, "looks": null}`` or ``{"cancel": 7}``
 Out: ``{"job": 7, "kind": "progress", "stage": "real robot", "share": 0.3, "bytes": 0}``, then one of ``done``,
-``error`` and ``cancelled``, each followed by as many bytes as it tells.
+``error`` and ``cancelled``, each followed by as many bytes as it reports.
 
 When the orders end, because the server closed them or is no more, the process ends too, whatever it does.
 """
@@ -32,7 +32,7 @@ class _Cancelled(BaseException):  # no Exception: nothing on the way may take it
 
 
 class _Orders:
-    """What is to be done, and what is no more to be done: read beside the work, so that a run can be ended."""
+    """What is to be done, and what is no more to be done: read next to the work, so that a run can be ended."""
 
     def __init__(self, source: BinaryIO) -> None:
         self.waiting: queue.Queue[dict[str, Any]] = queue.Queue()
@@ -59,7 +59,7 @@ class _Answers:
 
 def main() -> None:
     """Work until the orders end."""
-    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server tells when it is over
+    signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server reports when it is over
     answers = _Answers(os.fdopen(os.dup(sys.stdout.fileno()), "wb"))
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what a library prints is no answer
     orders = _Orders(sys.stdin.buffer)

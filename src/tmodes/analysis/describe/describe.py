@@ -33,7 +33,7 @@ BAD_SHARE = 0.05
 def describe(
     arm: Robot, held: Mapping[str, float] | None = None, progress: Progress = lambda stage, share: None
 ) -> dict[str, Any]:
-    """All that ``tmodes describe`` tells of an arm, as plain data with units in the names.
+    """All that ``tmodes describe`` prints of a robot, as plain data with units in the names.
 
     The sag and the stiffness are those under the arm's weight alone, the driven coordinates at ``held``, else at their
     first command. An arm that finds no rest is described too: then ``sag`` and ``stiffness`` are None and ``warnings``
@@ -98,7 +98,7 @@ def _rest(
 
 
 def statics_info(arm: Robot, rest: Equilibrium, point: int = 0) -> dict[str, Any]:
-    """All that ``tmodes static`` tells of an arm at rest, as plain data; ``point``: whose stiffness."""
+    """All that ``tmodes static`` prints of a robot at rest, as plain data; ``point``: whose stiffness."""
     free, lines = rest.lowest_frequency_Hz, _lines(rest)
     return {
         "coordinates": rest.named,

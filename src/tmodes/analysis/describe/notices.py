@@ -25,7 +25,7 @@ THICK = 10.0
 
 
 def notices(arm: Robot, chain: Chain, info: dict[str, Any], rest: Equilibrium | None) -> list[str]:
-    """Sentences on what is told of an arm, and on its rest where it has one."""
+    """Sentences on what is reported of an arm, and on its rest where it has one."""
     found = [*_frequencies(info["links"]), *_gears(info["gears"]), *_thick(chain)]
     return [*found, *(rest_notices(arm, rest) if rest else ())]
 

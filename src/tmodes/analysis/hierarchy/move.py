@@ -30,7 +30,7 @@ _SHORTEST, _LONGEST = 0.5, 5.0
 """Duration of that move [s]: at least, at most."""
 
 _SAMPLES = 100
-"""Samples of a move, beside the knots of its signals."""
+"""Samples of a move, next to the knots of its signals."""
 
 _ORDER = 5
 """Order of the extrapolation: 1 to 5 steps in each column."""

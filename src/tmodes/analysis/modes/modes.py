@@ -30,10 +30,10 @@ NOTHING = 1e-13
 
 
 MOST_WHOLE = 120
-"""Coordinates up to which all modes are told."""
+"""Coordinates up to which all modes are reported."""
 
 LOWEST = 60
-"""Modes that are told of an arm with more: the lowest, their damping by their own motions."""
+"""Modes that are reported of an arm with more: the lowest, their damping by their own motions."""
 
 
 class Servo(NamedTuple):

@@ -1,4 +1,4 @@
-"""The modes of an arm as its data sheet tells it: about its rest, for each thing that its motors may do."""
+"""The modes of an arm as its data sheet states it: about its rest, for each thing that its motors may do."""
 
 from __future__ import annotations
 

@@ -21,7 +21,7 @@ FIRST_ORDER = 1e-10
 """Compliance of the unloaded arm, over the largest of its kind, below which nothing gives to first order."""
 
 BENT = (1e-2, 0.5)
-"""Share of the largest compliance of travels, and of turns, from which a bent arm's own is told all the same.
+"""Share of the largest compliance of travels, and of turns, from which a bent arm's own is reported all the same.
 
 The stretch that is left out is some 1e-4 of bending or less; the twist that is left out is as large as bending.
 """

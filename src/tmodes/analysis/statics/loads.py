@@ -1,6 +1,6 @@
 """Loads on the named points of an arm at rest: dead or following forces and moments, and elastic surfaces.
 
-Each tells its wrench on the points, and what the turning of its direction adds to the stiffness.
+Each gives its wrench on the points, and what the turning of its direction adds to the stiffness.
 """
 
 from __future__ import annotations

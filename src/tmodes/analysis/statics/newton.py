@@ -27,7 +27,7 @@ ROUNDING = 1e-7
 """Newton step below which one that no longer shrinks is rounding."""
 
 GOOD = 1e-9
-"""Residual over the level of the loads of what is told as an equilibrium."""
+"""Residual over the level of the loads of what is reported as an equilibrium."""
 
 SMALL_TURN = 1e-6
 """Deflection [rad, m] whose force is the level of an arm that carries next to nothing."""

@@ -18,7 +18,7 @@ __all__ = ["LoadPath", "Progress", "Station", "follow"]
 Array = NDArray[np.float64]
 
 Progress = Callable[[str, float], None]
-"""Told the name of the work and the share of it that is done."""
+"""Gets the name of the stage and the share of it that is done."""
 
 LONGEST = 0.4
 """Largest change of a coordinate in one step [rad, m], by the tangent."""

@@ -1,4 +1,4 @@
-"""The rest of an arm as its data sheet tells it: its loads and contact, its drives at their first command."""
+"""The rest of an arm as its data sheet states it: its loads and contact, its drives at their first command."""
 
 from __future__ import annotations
 

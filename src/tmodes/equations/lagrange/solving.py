@@ -1,6 +1,6 @@
 """Kernels that balance a system's rows: forces on points, contact, and the accelerations that follow.
 
-All rows are those of the energies' own coordinates (own = C z) unless told otherwise.
+All rows are those of the energies' own coordinates (own = C z) unless stated otherwise.
 """
 
 from __future__ import annotations

@@ -100,7 +100,7 @@ class System:
 
     ``coordinates``: name -> unit (``rad`` or ``m``). ``parameters``: name -> value, which a robot's sheet may change.
     ``kinetic(q, v, p)`` [J], a quadratic form in the rates. ``gravity(q, p)`` and ``elastic(q, p)`` [J]: potential
-    energies, told apart because statics vary the weight. ``dissipation(q, v, p)`` [W]: Rayleigh's function, half of the
+    energies, apart because statics vary the weight. ``dissipation(q, v, p)`` [W]: Rayleigh's function, half of the
     power lost. ``forces(q, v, p)``: further generalized forces by coordinate name, on the right side. ``points(q, p)``:
     name -> position [m], or (position, rotation matrix); the first is the tip. ``inputs``: coordinates that a drive of
     the robot may act on; None: all of them. ``lines``: polylines to draw, each a sequence of names of points or

@@ -29,7 +29,7 @@ class ClosedLoop(LoopParts):
     def implicit_rate(self) -> Schedule:
         """(time, state, row, step, start) -> derivative of the state, for the steps of implicit methods.
 
-        Springs, dampers and servos start from ``start`` (2 nq), and h D + h^2 K stand beside the masses; all else is
+        Springs, dampers and servos start from ``start`` (2 nq), and h D + h^2 K are added to the masses; all else is
         taken where ``state`` is, at ``time``.
         """
         return self._rate(Instant(self, apart=True))

@@ -87,7 +87,7 @@ class Servo:
         return (*winding, *(self.controller.numbers() if self.controller else ()))
 
     def kernel(self, view: View | None = None) -> Kernel:
-        """(numbers, signal, th, th', current, h, ...) -> (effort, feedback (2), rate of the current, told (4), rates).
+        """(numbers, signal, th, th', current, h, ...) -> (effort, feedback (2), rate of the current, info (4), rates).
 
         ``feedback``: fall of the effort per th and th', for implicit steps; ``rates``: of the controller's own states.
         More inputs, where the structure has them: noise (3), own states, and the blocks of ``view``.
@@ -159,7 +159,7 @@ class _Law:
 
 
 def needed_kernel(winding: Winding) -> Kernel:
-    """(winding, rotor inertia, signal, load of arm, gear and friction) -> (effort, told (4)).
+    """(winding, rotor inertia, signal, load of arm, gear and friction) -> (effort, info (4)).
 
     Of a motor whose motion is given: what it must do. The voltage leaves out the inductance.
     """

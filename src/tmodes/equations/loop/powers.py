@@ -21,7 +21,7 @@ __all__ = ["Powers"]
 
 
 class Powers:
-    """What the forces of an instant do: ``works`` by kind, and what is told of drives, gears and the contact."""
+    """What the forces of an instant do: ``works`` by kind, and what is reported of drives, gears and the contact."""
 
     def __init__(self, instant: Instant) -> None:
         self.instant, self.loop, self.plan, self.parts = instant, instant.loop, instant.plan, instant.parts
@@ -119,7 +119,7 @@ class Powers:
         self.powers["link_damping"] += self.way.link_losses()
 
     def _power_of_loads(self) -> Slot:
-        """Powers of loads and contact; what is told of the contact."""
+        """Powers of loads and contact; what is reported of the contact."""
         for k, wrench in self.instant.dead.items():
             pose, rate, _ = self.solution.point(k)
             self.powers["loads"] += self._call(power_kernel(), wrench, pose, rate)

@@ -1,7 +1,7 @@
 """Link frames that make the way from joint to joint short: z along the own axis, x across to the next axis.
 
 Denavit-Hartenberg frames as in W. Khalil and J. Kleinfinger, "A new geometric notation for open and closed-loop
-robots", IEEE ICRA 1986. Where a frame stands is a choice that no result tells of; a way of two turns about one axis
+robots", IEEE ICRA 1986. Where a frame stands is a choice that no result shows; a way of two turns about one axis
 each costs half of a general one: S. McMillan and D. Orin, "Efficient computation of articulated-body inertias using
 successive axial screws", IEEE Trans. Robotics and Automation 11 (1995) 606-611.
 """

@@ -1,6 +1,6 @@
 """Kernels of a joint: into it (rates), out of it (articulated inertia, forces), and on (accelerations).
 
-The joint frame stands in its parent's tip frame; ``hinge`` is what one pass tells the next: E (9) from the parent's
+The joint frame stands in its parent's tip frame; ``hinge`` is what one pass gives the next: E (9) from the parent's
 axes to the link's, the joint's place from the parent's tip (3), and the bias acceleration of the link's root (6). The
 axes of a bending parent are those of its root, so that inertias are turned once on their way and not twice.
 Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7, with classical accelerations.

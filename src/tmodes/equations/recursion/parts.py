@@ -201,7 +201,7 @@ class Parts:
         return LinkPart(BendingLink(numbers.structure), *blocks, at_stations, first, names)
 
     def _phases(self) -> list[tuple[float, float]]:
-        """Cosine and sine of what each joint's angle is told from in its short way, in the order of the joints."""
+        """Cosine and sine of what each joint's angle is measured from in its short way, in the order of the joints."""
         screws = zip(self.nodes, self.framing.screws, strict=True)
         phases = {part.angle: screw.phase for part, screw in screws if screw}
         return [phases.get(angle, STRAIGHT) for angle in self.joints]

@@ -78,7 +78,7 @@ class Passes(Coordinates):
     """Blocks of one schedule by what they mean; each pass adds its calls.
 
     ``wrenches``: number of a point -> force and moment on it, in world axes. ``attached``: index of a node -> inertia
-    and bias force of what moves with its tip beside its own body, as those of the tip.
+    and bias force of what moves with its tip next to its own body, as those of the tip.
     """
 
     def __init__(

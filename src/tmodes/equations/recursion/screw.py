@@ -1,6 +1,6 @@
 """Kernels of a revolute joint between rigid links whose frames stand on their axes: turns about one axis at a time.
 
-Rows and columns that are zero are told as zeros and fold away: behind a joint without inertia of its own nothing of the
+Rows and columns that are zero are exact zeros and fold away: behind a joint without inertia of its own nothing of the
 articulated inertia is left along its axis. Featherstone, Rigid Body Dynamics Algorithms (2008), chapter 7; the screws
 are those of McMillan and Orin (1995), see :mod:`tmodes.equations.recursion.framing`.
 """
@@ -237,7 +237,7 @@ def _drift(hinge: Any) -> Force:
 
 
 def _clear(inertia: Inertia) -> None:
-    """Nothing is left along the axis: exactly, and so it is told."""
+    """Nothing is left along the axis: exactly, and so it is stated."""
     inertia.coupling[2] = v.zero()
     for i in range(3):
         inertia.angular[i][2] = inertia.angular[2][i] = 0.0

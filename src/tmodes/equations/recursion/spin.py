@@ -15,7 +15,7 @@ __all__ = ["Spin"]
 class Spin:
     """Rotation about ``axis`` (0, 1 or 2) by an angle of which cosine, sine, sin^2 and sin cos are given.
 
-    A vector told in the turned axes is ``vector`` in those before; ``back`` goes the other way.
+    A vector given in the turned axes is ``vector`` in those before; ``back`` goes the other way.
     """
 
     axis: int

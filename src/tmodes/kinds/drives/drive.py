@@ -29,7 +29,7 @@ _Stiffness = Annotated[float, Field(gt=0.0, allow_inf_nan=True)]
 _Limit = Annotated[float, Field(gt=0.0, le=LARGEST)]
 
 MOST_RANGES = 5
-"""Largest number of stiffnesses of one gear; harmonic drives are told with three."""
+"""Largest number of stiffnesses of one gear; harmonic drives are given with three."""
 
 
 class FrictionSheet(DataSheet):

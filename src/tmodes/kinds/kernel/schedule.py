@@ -67,7 +67,7 @@ class Schedule:
     calls: list[tuple[Kernel, tuple[Slot, ...], tuple[Slot, ...]]] = field(default_factory=list)
     changing: int = 0
     gate: Slot | None = None
-    """Two numbers, both positive while a force acts that sets in and ends at once."""
+    """Two numbers, both positive while a force acts that starts and ends at once."""
     zeros: tuple[Slot, ...] = ()
     """Parameters that are zero whatever the robot's numbers."""
     often: bool = False

@@ -60,7 +60,7 @@ class Force:
         return Force(v.matvec(rotation, self.angular), v.matvec(rotation, self.linear))
 
     def force_at(self, arm: v.Vector) -> Force:
-        """A force that acts at ``arm``, told about the origin."""
+        """A force that acts at ``arm``, expressed about the origin."""
         return Force(v.add(self.angular, v.cross(arm, self.linear)), self.linear)
 
     def motion_at(self, arm: v.Vector) -> Force:
@@ -106,7 +106,7 @@ class Inertia:
         )
 
     def at(self, arm: v.Vector) -> Inertia:
-        """X^T I X: the inertia of what hangs at ``arm``, told about the origin."""
+        """X^T I X: the inertia of what hangs at ``arm``, expressed about the origin."""
         lever = v.skew(arm)
         coupling = _sum(self.coupling, v.matmul(lever, self.linear))
         # A + r^ H^T - (H + r^ B) r^ = A + r^ H^T + (r^ (H + r^ B)^T)^T, symmetric: only its upper half is needed.

@@ -54,7 +54,7 @@ def _fitted(root: Section, tip: Section, material: Material | None, start: float
     shares = start + (end - start) * (1 + _NODES) / 2
     table = np.array([_numbers(root, tip, material, share) for share in shares])
     exact = np.array([_numbers(root, tip, material, share) for share in (start, end)])
-    with np.errstate(invalid="ignore", divide="ignore"):  # of infinite stiffnesses, which are told apart below
+    with np.errstate(invalid="ignore", divide="ignore"):  # of infinite stiffnesses, which are distinguished below
         mean, slope = _WEIGHTS @ table / 2, 1.5 * (_WEIGHTS * _NODES) @ table
         ends = np.array([mean - slope, mean + slope])
         usable = np.isfinite(table).all(axis=0) & (ends > 0).all(axis=0)

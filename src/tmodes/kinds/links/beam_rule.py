@@ -1,7 +1,7 @@
 """Where a strain link has its mass: Gauss points under its own mass per length, and the polynomials through them.
 
 Where the stiffness of the section jumps, the curvature jumps and the tangent has a kink that no polynomial follows: the
-link is divided there in spans, each with its own points and its own polynomials. A taper, also one that is told in many
+link is divided there in spans, each with its own points and its own polynomials. A taper, also one given in many
 pieces, is one span.
 """
 

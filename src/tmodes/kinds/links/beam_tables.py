@@ -60,7 +60,7 @@ def section_edges(shape: StrainShape, points: Array, stations: tuple[float, ...]
 
 
 def beam_tables(beam: BeamNumbers, stations: tuple[float, ...] = ()) -> BeamTables:
-    """All tables of a beam with the sections at ``stations`` told."""
+    """All tables of a beam with the sections at ``stations``."""
     rule = beam_rule(beam)
     shape = _shape(beam, rule, stations)
     edges = section_edges(shape, rule.points, stations)

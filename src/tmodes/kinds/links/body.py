@@ -39,7 +39,7 @@ def principal_moments(matrix: ArrayLike) -> tuple[NDArray[np.float64], Literal["
 
 
 def entries(matrix: NDArray[np.float64]) -> dict[str, float]:
-    """The six entries by which a sheet tells a symmetric matrix (3, 3): what :meth:`Inertia.matrix` turns back."""
+    """The six entries by which a sheet gives a symmetric matrix (3, 3): what :meth:`Inertia.matrix` turns back."""
     return {a + b: float(matrix["xyz".index(a), "xyz".index(b)]) for a, b in ("xx", "yy", "zz", "xy", "xz", "yz")}
 
 

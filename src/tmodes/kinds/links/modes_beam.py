@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import math
 from collections.abc import Sequence
-from typing import ClassVar, Literal
+from typing import Any, ClassVar, Literal
 
 import numpy as np
 from pydantic import Field
@@ -85,6 +85,11 @@ class ModesSheet(BendingSheet):
         ]
         link = RigidLink((*masses, *(sheet_body(one, self._at_rest(one.station)) for one in bodies)))
         return LoweredLink((link,), rest, rest, lambda s: Spot(0, 1.0, self._at_rest(s)))
+
+    def element_stations(self, element: int, stations: Any) -> Any:
+        """Places along all modes of places along one, whose line is drawn by itself."""
+        start, end = [0.0, *self._ends][element : element + 2]
+        return start + (end - start) * stations
 
     def _spot(self, s: float) -> Spot:
         return Spot(0, s, self._mount(s))

@@ -52,7 +52,7 @@ class StrainShape:
 
     @property
     def breaks(self) -> tuple[tuple[str, int], ...]:
-        """Where sections are told, from root to tip: ("point", m), ("station", k), ("tip", 0)."""
+        """Where sections are, from root to tip: ("point", m), ("station", k), ("tip", 0)."""
         found: list[tuple[str, int]] = []
         for m in range(self.points + 1):
             found += [("station", k) for k, before in enumerate(self.stations) if before == m]

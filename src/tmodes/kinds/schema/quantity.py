@@ -36,7 +36,7 @@ SMALLEST = 1e-12
 
 
 class Issue(NamedTuple):
-    """A value that is right by itself and wrong beside the others of its group."""
+    """A value that is right by itself and wrong with the others of its group."""
 
     field: str
     got: str
@@ -117,7 +117,7 @@ def not_negative(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
 
 
 def dissipation(unit: str, symbol: str, meaning: str, *, most: float = LARGEST, **more: Any) -> Any:
-    """A quantity that takes energy from a motion; a negative one feeds it, which is told and not forbidden."""
+    """A quantity that takes energy from a motion; a negative one feeds it, which is reported and not forbidden."""
     return quantity(unit, symbol, meaning, plausible=(0.0, most), **more)
 
 

@@ -47,7 +47,7 @@ _PAIRS: dict[type[ast.operator], Callable[[Any, Any], Any]] = {
 
 @dataclass
 class FormulaError(ValueError):
-    """What is wrong with a formula: got, expected, mend."""
+    """What is wrong with a formula: got, expected, fix."""
 
     got: str
     expected: str

@@ -1,4 +1,4 @@
-"""One lane of a batch on the loop of a single run, and how a lane is told that did not simply finish."""
+"""One lane of a batch on the loop of a single run, and how a case is reported that did not simply finish."""
 
 from __future__ import annotations
 

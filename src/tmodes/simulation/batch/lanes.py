@@ -63,7 +63,7 @@ def _side(work: Work) -> int:
 
 
 def run_lanes(work: Work, lanes: range, wish: Callable[[], bool], reached: Array) -> list[Trajectory]:
-    """Run a span of lanes to their ends, or until ``wish`` to stop; ``reached`` (all,) is told their times [s].
+    """Run a span of lanes to their ends, or until ``wish`` to stop; ``reached`` (all,) gets their times [s].
 
     How spans and pieces are cut, and what else the machine does, changes no bit of the samples, unless a limit on time
     ends the run.

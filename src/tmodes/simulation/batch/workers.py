@@ -33,9 +33,9 @@ def thread_count(threads: int | None) -> int:
 
 
 def run_all(works: Sequence[Work], threads: int, progress: Callable[[float], None]) -> dict[int, Trajectory]:
-    """Run all lanes of all works, each told by its place; Ctrl-C ends them with what they have (``interrupted``).
+    """Run all lanes of all works, each with its place; Ctrl-C ends them with what they have (``interrupted``).
 
-    ``progress`` is told the share of all lanes' time that is done; what it raises stops the batch.
+    ``progress`` is given the share of all lanes' time that is done; what it raises stops the batch.
     """
     lanes = [(work, span) for work in works for span in spans(work, threads)]
     reached, stop = np.zeros(len(works[0].states) if works else 0), Event()

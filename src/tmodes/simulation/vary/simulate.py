@@ -44,11 +44,11 @@ def simulate_batch(
     :func:`tmodes.simulation.simulate.simulate_motion` runs it, without a
     reference run.
     ``tips``: also where the tip was. ``threads``: None for one on each core. ``out``: a folder for the samples, where
-    they are too many for memory. ``progress`` is told the stage and its share.
+    they are too many for memory. ``progress`` is given the stage and its share.
 
     A lane that cannot start (``failed``) or cannot go on keeps what it had and disturbs no other: look at ``status``
     and ``message``. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers,
-    telling their lane, and for lanes whose coordinates differ; :class:`tmodes.errors.SimulationError` where none can
+    reporting their lane, and for lanes whose coordinates differ; :class:`tmodes.errors.SimulationError` where none can
     start.
     """
     return run_prepared(
@@ -58,7 +58,7 @@ def simulate_batch(
 
 @dataclass(frozen=True, eq=False)
 class Prepared:
-    """Lanes that were checked and can run, or why not; ``values`` is what the batch tells of them, by path.
+    """Lanes that were checked and can run, or why not; ``values`` is what the batch describes them, by path.
 
     ``times`` (n,) [s]: of the samples; ``folder``: where they go, or None.
     """
@@ -76,7 +76,7 @@ def prepared(
     out: str | os.PathLike[str] | None = None,
     progress: Progress = lambda stage, share: None,
 ) -> Prepared:
-    """All that can be wrong with a batch is told here, before anything runs; see :func:`simulate_batch`."""
+    """All that can be wrong with a batch is reported here, before anything runs; see :func:`simulate_batch`."""
     values = _checked(vary)
     size = len(next(iter(values.values())))
     changes = [{path: _plain(numbers[lane]) for path, numbers in values.items()} for lane in range(size)]

@@ -48,7 +48,7 @@ class Spread:
 
     @property
     def worst(self) -> int | None:
-        """The lane that parts farthest; None where none can be told."""
+        """The lane that parts farthest; None where there is none."""
         return int(np.nanargmax(self.largest)) if np.isfinite(self.largest).any() else None
 
     def info(self, batch: BatchRun) -> dict[str, Any]:
