@@ -69,7 +69,7 @@ def test_a_change_stands_on_the_changes_before_it() -> None:
     assert [(error.which, error.where) for error in caught.value.errors] == [
         ("drives.0.signal.ramp_fraction", "spong1987.yaml")
     ]
-    with pytest.raises(InputError, match="unknown key `drives.0.signal.ramp_fraction`, expected one of type, "):
+    with pytest.raises(InputError, match=r"unknown key `drives\.0\.signal\.ramp_fraction`, expected one of type, "):
         load("spong1987", dict(reversed(changes.items())))
 
 
