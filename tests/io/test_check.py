@@ -82,9 +82,9 @@ def test_all_errors_are_reported_in_the_order_of_the_file() -> None:
 @pytest.mark.parametrize(
     ("old", "new", "hint"),
     [
-        ("stiffness: 4700.0", "stifness: 4700.0", "Did you mean `stiffness`?"),
-        ("  resistance: 0.299", "  Resistance: 0.299", "Did you mean `resistance`?"),
-        ("back_emf_constant", "back-EMF-constant", "Did you mean `back_emf_constant`?"),
+        ("stiffness: 4700.0", "stifness: 4700.0", "Did you mean `gear.stiffness`?"),
+        ("  resistance: 0.299", "  Resistance: 0.299", "Did you mean `motor.resistance`?"),
+        ("back_emf_constant", "back-EMF-constant", "Did you mean `motor.back_emf_constant`?"),
         ("  velocity_gain: 20.0", "  velocity_gain: 20.0\n  Klp: 3.0", "Did you mean `controller.position_gain`?"),
         ("gravity: 9.81", "gravity: 9.81\nlength: 3.0", "Did you mean `link.modes.0.length`? Write it there"),
         ("gravity: 9.81", "gravity: 9.81\ngear.stiffness: 3.0", "put the key `stiffness` inside the group `gear`"),
@@ -94,7 +94,7 @@ def test_all_errors_are_reported_in_the_order_of_the_file() -> None:
     ],
 )
 def test_the_name_that_was_meant_is_reported(old: str, new: str, hint: str) -> None:
-    assert any(hint in error.hint for error in problems(old, new))
+    assert any(hint in str(error) for error in problems(old, new))
 
 
 def test_a_missing_key_is_reported_with_meaning_unit_and_the_line_of_its_group() -> None:
@@ -116,7 +116,7 @@ def test_the_link_has_exactly_two_modes() -> None:
 
 @pytest.mark.parametrize(
     ("version", "words"),
-    [("2", "newer than this program"), ("0", "the first format there is"), ("true", "got true"), ("1.0", "got 1.0")],
+    [("2", "newer than this program"), ("0", "got 0, expected the number 1"), ("true", "got true"), ("1.0", "got 1.0")],
 )
 def test_another_format_is_reported_alone(version: str, words: str) -> None:
     message = problem("format: 1", f"format: {version}", "stiffness: 4700.0", "rigidity: 4700.0")
@@ -140,7 +140,7 @@ def test_no_more_than_a_hundred_errors_are_listed() -> None:
 def test_data_is_not_changed() -> None:
     data, lines = parse_yaml(sheet("gravity: 9.81", 'gravity: "981 cm/s^2"'), "my.yaml")
     before = json.dumps(data)
-    assert robot_from_data(data, lines).gravity == 9.81
+    assert robot_from_data(data, lines).gravity == (0.0, 0.0, -9.81)
     assert json.dumps(data) == before
 
 
@@ -163,7 +163,7 @@ def test_whole_numbers_may_be_written_with_an_exponent() -> None:
 
 class TestRealRobot:
     def test_a_factor_of_zero_takes_a_damping_away_but_no_stiffness(self) -> None:
-        assert read(sheet("gear.damping: 0.2", "gear.damping: 0.0")).pair().real.gear.damping == 0.0
+        assert read(sheet("gear.damping: 0.2", "gear.damping: 0.0")).pair().real.joints[0].gear.damping == 0.0
         message = problem("gear.stiffness: 0.2", "gear.stiffness: 0.0")
         assert message.startswith(f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness must be")
 
@@ -174,7 +174,7 @@ class TestRealRobot:
 
     def test_an_unknown_path_is_reported_once(self) -> None:
         message = problem("gear.stiffness: 0.2", "gear.siffness: 0.2")
-        assert "real.gear.siffness: got a path that names no number" in message
+        assert "unknown key `real.gear.siffness`. Did you mean `gear.stiffness`?" in message
 
     @pytest.mark.parametrize("path", ["reference.end", "integration.duration", "environment.friction_law", "gear"])
     def test_only_numbers_of_the_plant_differ(self, path: str) -> None:
@@ -201,7 +201,7 @@ class TestWhatMustFitTogether:
         assert changed(integration__step=3.0).integration.step == 3.0
         with pytest.raises(InputErrors, match=r"integration.step.*expected at most integration.duration"):
             changed(integration__step=3.0, integration__method="rk4")
-        with pytest.raises(InputErrors, match=r"integration.step must be"):
+        with pytest.raises(InputErrors, match=r"integration.step: got 1e-09, that is 2e\+09 steps.*at least 1e-08 s"):
             changed(integration__step=1e-9, integration__method="rk4")
 
     @pytest.mark.parametrize("duration", [0.0, -1.0, math.nan, math.inf, 1e9])
@@ -221,5 +221,5 @@ def test_gains_and_loads_may_be_zero() -> None:
     assert (value_of(robot, "controller.position_gain"), value_of(robot, "payload.mass"), robot.gravity) == (
         0.0,
         0.0,
-        0.0,
+        (0.0, 0.0, 0.0),
     )

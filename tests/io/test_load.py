@@ -6,7 +6,7 @@ from pathlib import Path
 
 import pytest
 
-from io_cases import SHEET, line_of
+from io_cases import SHEET, line_of, value_of
 from tmodes.errors import InputError, InputErrors
 from tmodes.robots import names, text
 from tmodes.robots.load import load
@@ -31,7 +31,7 @@ def test_neither_name_nor_file(wrong: str) -> None:
     with pytest.raises(InputError, match="or the path of a file that exists") as caught:
         load(wrong)
     str(caught.value).encode()
-    with pytest.raises(InputError, match="one of filipovic2010"):
+    with pytest.raises(InputError, match=r"one of .*, filipovic2010, "):
         text(wrong)
 
 
@@ -55,5 +55,5 @@ def test_a_changed_value_is_not_blamed_on_a_line_of_the_file() -> None:
 
 def test_changes_may_have_units() -> None:
     robot = load("filipovic2010", {"link.modes.0.length": "700 mm", "real.payload.mass": 1.5})
-    assert robot.link.modes[0].length == 0.7
-    assert robot.pair().real.payload.mass == 0.75
+    assert value_of(robot, "link.modes.0.length") == 0.7
+    assert value_of(robot.pair().real, "payload.mass") == 0.75

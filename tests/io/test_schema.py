@@ -45,6 +45,9 @@ def test_required_keys_are_those_without_a_default() -> None:
 
 def test_every_quantity_has_unit_symbol_and_meaning_and_may_be_text_with_a_unit() -> None:
     quantities = {path: node for path, node in keys_of(SCHEMA) if "unit" in node}
+    factors = quantities.pop("real")
+    assert [choice["type"] for choice in factors["anyOf"]] == ["object"]
+    assert factors["description"].endswith("[-]")
     assert len(quantities) > 40
     for path, node in quantities.items():
         assert node["description"].endswith(f"[{node['unit']}]"), path

@@ -104,9 +104,10 @@ def real_arm(arm: Robot) -> Robot:
 def _unknown_factors(data: Any) -> Iterator[Complaint]:
     """Entries of ``real`` that name no number, before the sheet becomes a robot."""
     real = data.get("real") if isinstance(data, dict) else None
-    for path in real if isinstance(real, dict) else ():
+    others = {key: value for key, value in copy.deepcopy(data).items() if key != "real"} if real else {}
+    for path in islice(real, MOST_TOLD) if isinstance(real, dict) else ():
         try:
-            _factored(copy.deepcopy(data), str(path))
+            _factored(others, str(path))
         except InputError as error:
             if error.got != _LEFT_OUT:  # that number is reported itself
                 yield ("real", path), InputError("", error.got, error.expected, error.hint)
@@ -148,7 +149,7 @@ def _scaled(value: Any, factor: float) -> Any:
     if isinstance(value, dict):
         return {key: _scaled(item, factor) for key, item in value.items()}
     known = float(value)  # infinite ones are text in plain data
-    return known if math.isinf(known) else known * factor
+    return known if math.isinf(known) and factor else known * factor if factor else 0.0
 
 
 def _wrong_real(arm: Robot) -> Iterator[Complaint]:

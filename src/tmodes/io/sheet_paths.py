@@ -13,7 +13,7 @@ from tmodes.errors import InputError
 from tmodes.io.forms import ROBOT, form_of, own_path, robot_change, robot_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, quantities, root_of
 from tmodes.io.sheet_units import at
-from tmodes.io.words import nearest, shown
+from tmodes.io.words import nearest, plain, shown
 from tmodes.kinds.links.material import LIBRARY
 
 __all__ = ["changed_places", "entered", "later_changes", "set_arm_paths", "steps_of"]
@@ -145,8 +145,15 @@ def _unknown(
     start = own_path(named(before, data), data)
     meant = nearest(where, known)
     found = ".".join(filter(None, (start, meant, *beyond))) if meant else _elsewhere(where, data)
+    found = found if before else _in_other_letters(path, data) or found
     hint = f"did you mean `{found}`?" if found else "look the path up in the data sheet"
     return InputError(path, "an unknown key", expected, hint)
+
+
+def _in_other_letters(path: str, data: Any) -> str:
+    """The path of a number that differs in capital letters and hyphens alone; empty where there is none."""
+    paths = (own_path(named(steps, data), data) for _, _, steps, _ in quantities(data))
+    return next((found for found in paths if plain(found) == plain(path)), "")
 
 
 def _elsewhere(word: str, data: Any) -> str:

@@ -10,9 +10,10 @@ from pydantic import ValidationError
 from pydantic_core import ErrorDetails
 
 from tmodes.errors import InputError
-from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, place_of, root_of
+from tmodes.io.forms import own_path
+from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, place_of, quantities, root_of
 from tmodes.io.sheet_units import at
-from tmodes.io.sheet_words import choices, kind_of
+from tmodes.io.sheet_words import choices, is_group, kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 
@@ -22,6 +23,9 @@ SHEET = "the data sheet"
 
 MOST_TOLD = 500
 """Number of wrong places for which similar words are sought: no more."""
+
+_REMOVE = "remove it"
+"""Hint for a key that is unknown wherever it stands."""
 
 Complaint = tuple[tuple[Step, ...], InputError]
 """The path of a wrong value by keys and numbers, and what is to be said of it."""
@@ -33,7 +37,22 @@ def arm_problems(error: ValidationError, data: Any) -> list[Complaint]:
     for detail in islice(error.errors(include_url=False), MOST_TOLD):
         for steps, problem in _problems(detail, data):
             info.setdefault(steps, problem)
+    if homeless := [(str(steps[-1]), one) for steps, one in info.items() if one.hint == _REMOVE]:
+        words = _words(data)
+        for key, problem in homeless:
+            if key in words:
+                problem.hint = f"did you mean `{words[key]}`? Write it there"
     return list(info.items())
+
+
+def _words(data: Any) -> dict[str, str]:
+    """The first path of a number with each key and each symbol, by which a key in the wrong group is known."""
+    found: dict[str, str] = {}
+    for _, _, steps, place in quantities(data):
+        path = own_path(named(steps, data), data)
+        found.setdefault(str(steps[-1]), path)
+        found.setdefault(str(place.extra.get("symbol")), path)
+    return found
 
 
 def _problems(detail: ErrorDetails, data: Any) -> Iterator[Complaint]:
@@ -86,13 +105,16 @@ def _unknown(steps: tuple[Step, ...], data: Any) -> InputError:
     close = nearest(key, known)
     group = named(steps[:-1], data)
     hint = f"did you mean `{group}.{close}`?" if close and group else f"did you mean `{close}`?"
-    hint = hint if close else _elsewhere(key, data)
+    hint = hint if close and "." not in key else _elsewhere(key, data)
     return InputError("", "an unknown key", f"one of {', '.join(known) or 'the known keys'}", hint)
 
 
 def _elsewhere(key: str, data: Any) -> str:
-    """A key that belongs to the sheet's outermost level, or to none."""
-    return f"put `{key}` at the outermost level" if key in keys(root_of(data).annotation) else "remove it"
+    """Where a key belongs that is no misspelt one of its group: it holds its own path, or is of the outermost level."""
+    group, _, name = key.rpartition(".")
+    if group and place_of(steps := key.split("."), data) is not None and is_group(_group(tuple(steps[:-1]), data)):
+        return f"put the key `{name}` inside the group `{group}`"
+    return f"put `{key}` at the outermost level" if key in keys(root_of(data).annotation) else _REMOVE
 
 
 def _short(steps: tuple[Step, ...], data: Any) -> InputError:
@@ -108,7 +130,9 @@ def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
         expected += f": {place.meaning}"
     words = choices(place.members, place.info) if place else []
     lines = " or ".join(f"`{steps[-1]}: {choice}`" for choice in words or ["..."]) if steps else ""
-    return InputError("", "nothing", expected, f"add the line {lines}" if lines else "add it")
+    group = own_path(named(steps[:-1], data), data)
+    inside = f" inside `{group}`" if group else ""
+    return InputError("", "nothing", expected, f"add the line {lines}{inside}" if lines else "add it")
 
 
 def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
@@ -132,13 +156,13 @@ def _wrong(steps: tuple[Step, ...], kind: str, detail: ErrorDetails, data: Any) 
         expected = f"a group with the keys {', '.join(keys(root_of(data).annotation))}" if not steps else detail["msg"]
         return InputError("", shown(value), expected, "compare it with a published robot")
     bounds = {} if place.extra.get("span") else detail.get("ctx", {})
-    if LARGEST in map(_magnitude, bounds.values()):
-        expected = f"{place.expected} of a magnitude of at most {LARGEST:g}"
-        return InputError("", shown(value), expected, "correct the exponent or the unit")
     if kind == "arithmetic" and bounds:
         expected = f"a magnitude from {bounds['smallest']:g} to {bounds['largest']:g} [{place.unit}]"
         rigid = "; .inf makes it rigid" if place.may_be_infinite else ""
         return InputError("", shown(value), expected, f"correct the exponent or the unit{rigid}")
+    if LARGEST in map(_magnitude, bounds.values()):
+        expected = f"{place.expected} of a magnitude of at most {LARGEST:g}"
+        return InputError("", shown(value), expected, "correct the exponent or the unit")
     return InputError("", shown(value), place.expected, _hint(place, value))
 
 

@@ -85,6 +85,9 @@ def expected_kind(members: list[Any], info: FieldInfo | None) -> str:
         return f"a group with the keys {', '.join(fields(member))}"
     if names := choices(members, info):
         return f"one of {', '.join(names)}"
+    items = get_args(member) if get_origin(member) is tuple else ()
+    if items and Ellipsis not in items:
+        return f"a list of exactly {len(items)} {'groups' if is_group(items[0]) else 'values'}"
     plain = {tuple: f"a list{_length(info, 'items')}", dict: "a group of names"}
     if origin := get_origin(member):
         return repr(get_args(member)[0]) if origin is Literal else plain[origin]

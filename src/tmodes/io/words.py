@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-__all__ = ["nearest", "shown", "shown_path"]
+__all__ = ["nearest", "plain", "shown", "shown_path"]
 
 LONGEST = 60
 
@@ -46,12 +46,13 @@ def nearest(word: str, names: Iterable[str]) -> str | None:
 
     Case, spaces and hyphens do not count.
     """
-    plain, meant = {_plain(name): name for name in names}, _plain(word[:LONGEST])
-    close = difflib.get_close_matches(meant, plain, n=1, cutoff=0.6)
-    starts = [name for name in plain if len(meant) >= SHORTEST and name.startswith(meant)]
+    known, meant = {plain(name): name for name in names}, plain(word[:LONGEST])
+    close = difflib.get_close_matches(meant, known, n=1, cutoff=0.6)
+    starts = [name for name in known if len(meant) >= SHORTEST and name.startswith(meant)]
     found = close or (starts if len(starts) == 1 else [])
-    return plain[found[0]] if found else None
+    return known[found[0]] if found else None
 
 
-def _plain(word: str) -> str:
+def plain(word: str) -> str:
+    """A word without what does not count when names are compared: case, hyphens, outer spaces."""
     return word.strip().lower().replace("-", "_").replace(" ", "_")
