@@ -147,5 +147,5 @@ def test_a_lane_whose_mass_matrix_is_singular_is_named(robot):
 
 def test_a_stop_that_batches_do_not_watch_is_refused(robot):
     """Rather than left out without a word."""
-    with pytest.raises(InputError, match=r"integration.energy_stop: got true; .*tmodes run"):
+    with pytest.raises(InputError, match=r"integration.energy_stop: got true, expected false: .*tmodes run"):
         tmodes.simulate_batch(robot.with_({"integration.energy_stop": True}), {"payload.mass": [0.5]})
