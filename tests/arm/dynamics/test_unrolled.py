@@ -89,7 +89,7 @@ def test_one_program_is_the_kernels(name: str, monkeypatch: pytest.MonkeyPatch) 
 
 @pytest.mark.parametrize("arithmetic", ["double", "lanes"])
 def test_each_sample_has_what_follows_from_its_own_numbers(arithmetic: str) -> None:
-    """Numbers of each sample are prepared anew; lanes agree with single samples to the bit."""
+    """Numbers of each sample are prepared again; lanes agree with single samples to the bit."""
     schedule, numbers = SCHEDULES["run with a gear"]()
     rows, scale = random_rows(schedule, 8), np.linspace(0.5, 1.5, 8)[:, None]
     own = np.ascontiguousarray(numbers * scale)
