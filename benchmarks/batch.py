@@ -28,13 +28,12 @@ from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.compile.native import processor
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.model import PaperModel
-from tmodes.robots import load_robot
+from tmodes.robots.load import load
 from tmodes.simulation.batch.work import LaneNumbers
 from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
 
 _DURATIONS = {6: 1.0, 12: 0.5, 36: 0.3}
@@ -64,11 +63,10 @@ class Case:
 
 def seed() -> Case:
     """The robot of the paper, its whole move."""
-    robot = load_robot("filipovic2010")
-    mechanism, parameters = robot.split(drive_kind("controlled"))
-    model, settings = PaperModel(mechanism), robot.integration.model_copy(update={"output_step": 0.01})
-    start = model.rest(robot.reference.start, parameters)
-    return Case("seed's robot, 2 s", model, parameters.vector, robot.reference.schedule(), start, settings)
+    robot = load("filipovic2010", {"contact": False})
+    setup, settings = run_setup(robot), robot.integration.model_copy(update={"output_step": 0.01})
+    numbers, schedule = setup.model.numbers.vector, setup.planned.schedule
+    return Case("seed's robot, 2 s", setup.model, numbers, schedule, setup.start, settings)
 
 
 def chain(joints: int) -> Case:

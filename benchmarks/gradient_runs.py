@@ -15,8 +15,6 @@ from numpy.typing import NDArray
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_units import at
-from tmodes.paper.sheet import PaperRobot
-from tmodes.robots import load_robot
 from tmodes.robots.load import load
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.functional import Functional, tracking_error
@@ -88,9 +86,6 @@ class Case:
         return self.functional.measure(done.times, seen.info())[0]
 
     def _value(self, path: str) -> float:
-        if isinstance(self.sheet, PaperRobot):
-            reference: Any = self.sheet.reference
-            return reference.end if path == "reference.end" else dict(self.sheet.numbers())[path]
         data = sheet_data(self.sheet)
         steps = steps_of(path, data)
         info = at(entered(data, steps[:-1], path), steps[-1])
@@ -109,7 +104,7 @@ def cases() -> dict[str, Callable[[], Case]]:
         f"drives.{k}.controller.position_gain" for k in range(4)
     ]
     return {
-        "seed": lambda: Case("filipovic2010", load_robot("filipovic2010").with_(info), _ROBOT),
+        "seed": lambda: Case("filipovic2010", load("filipovic2010").with_(info), _ROBOT),
         "panda": lambda: Case("panda_elastic", load("panda_elastic").with_(info), tuple(panda)),
         "stiff": lambda: Case("stiff arm, 54", stiff_arm(duration=DURATION, method="extrapolation"), tuple(stiff), 5),
     }

@@ -13,8 +13,8 @@ import numpy as np
 
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
-from tmodes.paper.sheet import PaperRobot
-from tmodes.paper.simulate import simulate
+from tmodes.result.run import run
+from tmodes.sheet import Robot
 
 from .page_node import in_node
 
@@ -45,25 +45,26 @@ def drawn(live: LiveMap, count: int, seed: int = 5) -> list[list[float]]:
     return settings
 
 
-def equality(robot: PaperRobot, folder: Path, count: int = 10) -> list[Equality]:
+def equality(robot: Robot, folder: Path, count: int = 10) -> list[Equality]:
     """At the unchanged setting, and at so many random ones; natively as ``tmodes run --set`` runs them."""
-    live, result = live_map(robot.pair()), simulate(robot)
+    live, result = live_map(robot.pair()), run(robot)
     bundle, method = live_bundle(result), result.statistics["real"]["method"]
     assert bundle is not None, "the seed's run can be made again in a page"
     jobs = [[slider.value for slider in live.sliders], *drawn(live, count)]
     found = []
-    for values, run in zip(jobs, in_node(bundle, jobs, folder, keep=True), strict=True):
+    for values, page in zip(jobs, in_node(bundle, jobs, folder, keep=True), strict=True):
         changed = robot.with_(live.changes(values) | {"integration.method": method})
-        true = simulate(changed).data
-        worst, name = _apart(run["series"], true)
+        true = run(changed).data
+        worst, name = _apart(page["series"], true)
         found.append(Equality(worst, name, sensitivity(changed, true)))
     return found
 
 
-def sensitivity(robot: PaperRobot, data: Any) -> float:
+def sensitivity(robot: Robot, data: Any) -> float:
     """How far all series of a native run go apart where the last digit of one stiffness is another."""
     info = [name for name, one in data.items() if "time" in one.dims and "s" not in one.dims]
-    others = [simulate(robot.with_({"gear.stiffness": robot.gear.stiffness * factor})).data for factor in LAST_DIGITS]
+    stiffness = robot.joints[0].gear.stiffness
+    others = [run(robot.with_({"gear.stiffness": stiffness * factor})).data for factor in LAST_DIGITS]
     return max(_apart({name: other[name].values for name in info}, data)[0] for other in others)
 
 

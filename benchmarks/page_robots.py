@@ -10,12 +10,10 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from tmodes.paper.simulate import simulate
 from tmodes.report.write import write_report
-from tmodes.result import assemble_result
+from tmodes.result.run import run
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
-from tmodes.simulation.simulate import simulate_motion
 
 from .stiff_arm import stiff_arm
 
@@ -70,7 +68,7 @@ ROBOTS: dict[str, tuple[str, Callable[[], Any]]] = {
 
 def result_of(sheet: Any) -> Any:
     """Its run, with all that is reported of it."""
-    return assemble_result(simulate_motion(sheet), sheet) if isinstance(sheet, Robot) else simulate(sheet)
+    return run(sheet)
 
 
 def written(result: Any, path: Path) -> Path:

@@ -26,11 +26,11 @@ from typing import Any
 import numpy as np
 
 from tmodes.bench.missing import PeerMissing
-from tmodes.equations.lagrange.closed_loop import closed_loop, rate_function
+from tmodes.compile.ir.c_text import c_text
+from tmodes.compile.ir.unroll import unrolled
 from tmodes.integrate.settings import Integration
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
-from tmodes.robots import load_robot
+from tmodes.robots.load import load
+from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
 
 from .equal_error import at_equal_error, tell
@@ -53,18 +53,19 @@ class Seed:
     """The package's own side of the comparison."""
 
     def __init__(self, contact: bool = False) -> None:
-        robot = load_robot("filipovic2010")
-        self.robot = robot.pair().real
-        self.mechanism, self.parameters = self.robot.split(Drive.CONTROLLED, contact=contact)
-        self.model = PaperModel(self.mechanism)
-        self.schedule = self.robot.reference.schedule()
-        self.start = self.model.rest(0.0, self.parameters)
+        setup = run_setup(load("filipovic2010", {"contact": contact}).pair().real)
+        self.model, self.mechanics, self.start = setup.model, setup.mechanics, setup.start
+        self.parameters, self.schedule = self.model.numbers, setup.planned.schedule
 
     def run(self, settings: Integration) -> tuple[float, np.ndarray]:
-        """Time of a run from Python and back, and the final state."""
+        """Time of a run from Python and back, and the final tip [m]."""
         began = time.perf_counter()
         run = integrate(self.model, self.parameters, self.schedule, self.start, settings)
-        return time.perf_counter() - began, run.states[-1]
+        return time.perf_counter() - began, self.tips(run.states[-1:])[0]
+
+    def tips(self, states: np.ndarray) -> np.ndarray:
+        """Positions of the tip [m] in states of the closed loop, (n, 3)."""
+        return self.mechanics.points(states[:, self.model.layout.q]).position[:, 0]
 
     def rk4(self) -> Contender:
         """The paper's way: 37,500 equal steps."""
@@ -77,11 +78,10 @@ class Seed:
         return lambda: self.run(settings)
 
     def gcc(self, flags: str) -> tuple[Contender, float]:
-        """The same right-hand side, printed as C by CasADi, in a loop of C; and gcc's own time."""
+        """The same right-hand side, printed as C, in a loop of C; and gcc's own time."""
         from .peers import c_loop
 
-        function = rate_function(closed_loop(self.mechanism))
-        loop = c_loop.build(_c_of(function), "rate", len(self.start), c_loop.FLAGS[flags])
+        loop = c_loop.build(_c_of(self.model.loop.rate), "closed", len(self.start), c_loop.FLAGS[flags])
         rows = self.schedule.rows_at(self.schedule.knots[:-1])
 
         def run() -> tuple[float, np.ndarray]:
@@ -89,26 +89,39 @@ class Seed:
                 self.start, parameters=self.parameters.vector, knots=self.schedule.knots, rows=rows, steps=STEPS,
                 step=2 / STEPS, repeats=1,
             )  # fmt: skip
-            return done.seconds, done.state
+            return done.seconds, self.tips(done.state[None, :])[0]
 
         return run, loop.compile_seconds
 
 
-def _c_of(function: Any) -> str:
-    import casadi as ca
+_CLOSED = """
+#include <string.h>
+static int closed(const double **arg, double **res, long long *iw, double *w, int mem)
+{
+    static double s[WORKSPACE];
+    static const double *known;
+    if (known != arg[3]) {
+        memcpy(s, arg[3], PARAMETERS * sizeof(double));
+        rate_prepare(s);
+        known = arg[3];
+    }
+    COPIES
+    rate(s);
+    RESULTS
+    return 0;
+}
+"""
 
-    generator = ca.CodeGenerator("rate", {"with_header": False})
-    generator.add(function)
-    return generator.dump()
 
-
-def tip_of(state: np.ndarray) -> np.ndarray:
-    """Tip position of a state [m], by the formula of the paper, (42)."""
-    q, delta, _, vt, e, _ = state[:6]
-    lm, le = 0.6 * np.cos(vt), 0.3 * np.cos(vt + e)
-    x = lm * np.cos(q) + le * np.cos(q + delta)
-    y = lm * np.sin(q) + le * np.sin(q + delta)
-    return np.array([x, y, 0.6 * np.sin(vt) + 0.3 * np.sin(vt + e)])
+def _c_of(schedule: Any) -> str:
+    """The rate as C, called as the loop calls it; what follows from the parameters alone is computed once."""
+    inputs = [(schedule.offset(schedule.inputs[name]), schedule.inputs[name].size) for name in ("time", "state", "row")]
+    copies = [f"memcpy(s + {at}, arg[{k}], {size} * sizeof(double));" for k, (at, size) in enumerate(inputs)]
+    given = [schedule.offset(slot) + k for slot in schedule.outputs["rate"] for k in range(slot.size)]
+    results = [f"res[0][{k}] = s[{place}];" for k, place in enumerate(given)]
+    text = _CLOSED.replace("WORKSPACE", str(schedule.workspace)).replace("PARAMETERS", str(schedule.parameters))
+    text = text.replace("COPIES", "\n    ".join(copies)).replace("RESULTS", "\n    ".join(results))
+    return c_text(unrolled(schedule), "rate") + text
 
 
 def in_turns(contenders: dict[str, Contender], rounds: int, exact: np.ndarray) -> list[Row]:
@@ -120,9 +133,8 @@ def in_turns(contenders: dict[str, Contender], rounds: int, exact: np.ndarray) -
     for number in range(rounds):
         for name, contender in contenders.items():
             print(f"\rround {number + 1} of {rounds}: {name:<40}", end="", file=sys.stderr)
-            seconds, state = contender()
+            seconds, tip = contender()
             times[name].append(seconds)
-            tip = tip_of(state) if len(state) > 3 else state
             errors[name] = float(np.linalg.norm(tip - exact))
     print(file=sys.stderr)
     return [Row(name, statistics.median(times[name]), errors[name]) for name in contenders]
@@ -139,11 +151,11 @@ def exact_tip() -> tuple[np.ndarray, Callable[[str, float], Contender]]:
     def contender(method: Any, rtol: float) -> Contender:
         def run() -> tuple[float, np.ndarray]:
             done = peer.simulate(rhs, start, rtol, rtol * 1e-3, method)
-            return done.seconds, done.states[-1]
+            return done.seconds, peer.tip(done.states[-1:], parameters)[0]
 
         return run
 
-    return tip_of(peer.reference_solution(rhs, start).states[-1]), contender
+    return peer.tip(peer.reference_solution(rhs, start).states[-1:], parameters)[0], contender
 
 
 def chains() -> dict[str, Contender]:
@@ -170,12 +182,11 @@ def _chain(run: Any) -> tuple[float, np.ndarray]:
 
 _COLD = """
 import time, casadi, llvmlite.binding, tmodes.compile.loops.explicit_loop
-from tmodes.equations import closed_loop
-from tmodes.robots import load_robot
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel as Model
-mechanism, _ = load_robot("filipovic2010").split(Drive.CONTROLLED)
-began = time.perf_counter(); Model(mechanism).loops["dormand_prince"]; print(time.perf_counter() - began)
+from tmodes.robots.load import load
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.plan import planned
+plan = planned(load("filipovic2010", {"contact": False})).plan
+began = time.perf_counter(); LoopModel(plan).loops["dormand_prince"]; print(time.perf_counter() - began)
 """
 
 
@@ -220,7 +231,7 @@ def main() -> None:
     in_contact = {"tmodes, RK4, in contact": touching.rk4()}
     for flags in compile_times:
         in_contact[f"{flags}, in contact"] = touching.gcc(flags)[0]
-    contact_exact = tip_of(touching.adaptive(1e-13)()[1])
+    contact_exact = touching.adaptive(1e-13)()[1]
     rows += in_turns(in_contact, chosen.rounds, contact_exact)
 
     equal = at_equal_error(seed, chosen.rounds)

@@ -31,9 +31,9 @@ def measured(case: Case) -> tuple[float, float, float, float]:
     """First and third locked frequency [Hz], largest deviation [mm], largest th12d [mrad] of a case."""
     reading, payload, contact = case
     changes = {"reading": reading, "payload.mass": payload, "contact": contact}
-    result = tmodes.run(tmodes.load_robot("filipovic2010", changes))
+    result = tmodes.run(tmodes.load("filipovic2010", changes))
     locked = [mode["frequency_Hz"] for mode in result.frequencies["locked"]]
-    bending = abs(result.data.deformation.sel(deformation_kind="th12d"))
+    bending = abs(result.data.deformation.sel(deformation_kind="link.azimuth2"))
     return locked[0], locked[2], float(result.data.deviation.max()) * 1e3, float(bending.max()) * 1e3
 
 

@@ -23,7 +23,7 @@ TARGET = Path(__file__).parents[1] / "docs/images/filipovic2010-run.png"
 
 def draw(target: Path = TARGET) -> None:
     """Run the robot and draw how it bends, tracks, rings, and what the ringing is made of."""
-    result = tmodes.run(tmodes.load_robot("filipovic2010"))
+    result = tmodes.run(tmodes.load("filipovic2010"))
     with plot.house_style():
         figure = new_figure(5.2)
         figure.set_dpi(170)
@@ -58,7 +58,7 @@ def _series(panels: Sequence[Axes], data: Any) -> None:
     time = data["time"].values
     panels[0].plot(time, data["deviation"].values * 1e3, color="#1a1c20")
     panels[0].set_ylabel("deviation [mm]")
-    angles = {"th12d": r"$\vartheta_{1,2\delta}$ [mrad]", "xi": r"$\xi$ [mrad]"}
+    angles = {"link.azimuth2": r"$\vartheta_{1,2\delta}$ [mrad]", "joint.gear": r"$\xi$ [mrad]"}
     for panel, (name, label) in zip(panels[1:], angles.items(), strict=True):
         for kind, words, look in _LOOKS:
             panel.plot(time, data[kind].sel(deformation_kind=name).values * 1e3, label=words, **look)

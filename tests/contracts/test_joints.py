@@ -22,7 +22,7 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.schema.quantity import DataSheet, any_sign
 from tmodes.model.model import Model
-from tmodes.robots.load import load_sheet
+from tmodes.robots.load import load
 from tmodes.simulation.simulate import simulate_motion
 
 Array = NDArray[np.float64]
@@ -226,7 +226,7 @@ def read(kind: str, folder: Path) -> Any:
     more, driven = IN_SHEETS[kind]
     path = folder / f"{kind}.yaml"
     path.write_text(SHEET.format(kind=kind, more=more, body=BODY, driven=driven), encoding="utf-8")
-    return load_sheet(str(path))
+    return load(str(path))
 
 
 @pytest.mark.parametrize("kind", IN_SHEETS)
@@ -251,4 +251,4 @@ def test_wrong_words_of_a_user_kind_are_named(wrong: str, words: str, tmp_path: 
     right = "type: screw" if wrong.startswith("type") else "parameters: {pitch: 0.02}"
     path.write_text(path.read_text(encoding="utf-8").replace(right, wrong), encoding="utf-8")
     with pytest.raises(TmodesError, match=words):
-        load_sheet(str(path))
+        load(str(path))

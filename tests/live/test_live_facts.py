@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tmodes import load, run
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
-from tmodes.paper.sheet import PaperRobot
-from tmodes.paper.simulate import simulate
 from tmodes.report.data import page_data
-from tmodes.robots.load import load
+from tmodes.sheet import Robot
 
 from .node import live_in_node
 
@@ -25,10 +24,8 @@ def live() -> LiveMap:
     return live_map(seed().pair())
 
 
-def seed() -> PaperRobot:
-    sheet = load("filipovic2010")
-    assert isinstance(sheet, PaperRobot)
-    return sheet
+def seed() -> Robot:
+    return load("filipovic2010")
 
 
 def info(fact: dict[str, Any]) -> str:
@@ -36,22 +33,34 @@ def info(fact: dict[str, Any]) -> str:
 
 
 def test_every_headline_number_and_its_note_are_those_of_the_native_report(live: LiveMap, tmp_path: Path) -> None:
-    """Settling, too, for which both carry their runs on beyond the end."""
-    bundle = live_bundle(simulate(seed()))
+    """Of settling the page has no number where the native run is carried on beyond its end, and never another one."""
+    bundle = live_bundle(run(seed()))
     assert bundle is not None
     jobs = [[given.get(one.path, one.value) for one in live.sliders] for given in SETTINGS]
     settled = set()
-    for given, run in zip(SETTINGS, live_in_node(bundle, jobs, tmp_path), strict=True):
-        native = simulate(seed().with_({**given, "integration.method": "dormand_prince"}))
+    for given, live_run in zip(SETTINGS, live_in_node(bundle, jobs, tmp_path), strict=True):
+        native = run(seed().with_({**given, "integration.method": "dormand_prince"}))
         for fact in page_data([native])["runs"][0]["facts"]:
-            own = run["facts"][fact["id"]]
+            if fact["id"] == "settling":
+                assert "settling" not in live_run["facts"]
+                settled.add(str(given))
+                continue
+            own = live_run["facts"][fact["id"]]
             if fact["id"] == "energy.residual":  # rounding, in the tenth digit of what was moved
                 assert own["value"] < 1e-8
                 continue
             assert (own["value"] is None) == (fact["value"] is None), fact["id"]
             if fact["value"] is not None:
                 assert own["value"] == pytest.approx(fact["value"], rel=1e-6), fact["id"]
-            assert info(own) == info(fact), fact["id"]
-        assert np.isfinite(run["facts"]["frequency.first"]["value"])
-        settled.add(run["facts"]["settling"]["value"] is None)
-    assert settled == {True, False}
+            if (fact["id"], fact["note"]) != ("vibration.residual", "the run ends with the move"):
+                assert info(own) == info(fact), fact["id"]
+        assert np.isfinite(live_run["facts"]["frequency.first"]["value"])
+    assert len(settled) == len(SETTINGS)
+
+
+@pytest.mark.xfail(strict=True, reason="the page takes a move that ends with the run for one that is cut by its end")
+def test_a_move_that_ends_with_the_run_is_recognised(live: LiveMap, tmp_path: Path) -> None:
+    bundle = live_bundle(run(seed()))
+    assert bundle is not None
+    (own,) = live_in_node(bundle, [[one.value for one in live.sliders]], tmp_path)
+    assert own["facts"]["vibration.residual"]["note"] == "the run ends with the move"

@@ -10,7 +10,7 @@ import pytest
 
 from links import broken_links, pages
 from notation_doc import quantities
-from tmodes.paper.sheet import PaperRobot
+from tmodes.io.forms import F2010
 
 ROOT = Path(__file__).resolve().parents[2]
 
@@ -24,7 +24,7 @@ def test_written_page_is_up_to_date(tool: str) -> None:
 
 
 def test_every_number_of_the_data_sheet_is_in_the_notation() -> None:
-    paths = {path.replace("modes.N", "modes.0") for path, *_ in quantities(PaperRobot)}
+    paths = {path.replace("modes.N", "modes.0") for path, *_ in quantities(F2010.root)}
     robot_yaml = ROOT / "src" / "tmodes" / "robots" / "filipovic2010.yaml"
     assert len(paths) >= 30
     assert {"gear.stiffness", "link.modes.0.length", "gravity", "integration.step"} <= paths

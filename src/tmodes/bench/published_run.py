@@ -13,9 +13,8 @@ from tmodes.bench.clock import now
 from tmodes.bench.equal_error import Runner
 from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved, tolerances_of
 from tmodes.integrate.settings import Integration
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
-from tmodes.robots import load_robot
+from tmodes.robots.load import load
+from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
 
 __all__ = ["DURATION", "ERROR", "PAPER_STEPS", "SeedRun"]
@@ -37,10 +36,10 @@ class SeedRun:
     """The robot with its real characteristics in free space, from rest; ``exact`` is SciPy's DOP853 at 1e-12."""
 
     def __init__(self) -> None:
-        robot = load_robot("filipovic2010").pair().real
-        mechanism, self.parameters = robot.split(Drive.CONTROLLED, contact=False)
-        self.model, self.schedule = PaperModel(mechanism), robot.reference.schedule().until(DURATION)
-        self.start = self.model.rest(0.0, self.parameters)
+        robot = load("filipovic2010", {"contact": False, "integration.duration": DURATION}).pair().real
+        setup = run_setup(robot)
+        self.model, self.mechanics, self.start = setup.model, setup.mechanics, setup.start
+        self.schedule = setup.planned.schedule
 
     @cached_property
     def exact(self) -> NDArray[np.float64]:
@@ -67,7 +66,7 @@ class SeedRun:
 
     def _ours(self, settings: Integration) -> tuple[float, float]:
         began = now()
-        run = integrate(self.model, self.parameters, self.schedule, self.start, settings)
+        run = integrate(self.model, self.model.numbers, self.schedule, self.start, settings)
         seconds = now() - began
         return seconds, self._error(run.states[1:]) if run.status == "finished" else np.inf
 
@@ -80,13 +79,13 @@ class SeedRun:
 
     def _solved(self, method: str, tolerance: float) -> tuple[float, NDArray[np.float64]]:
         def rate(t: float, state: NDArray[np.float64], row: NDArray[np.float64]) -> Any:
-            return self.model.rate([t], state, row, self.parameters)[0]
+            return self.model.rate([t], state, row)[0]
 
         knots, rows = self.schedule.knots, list(self.schedule.rows_at(self.schedule.knots[:-1]))
         return solved(rate, self.start, knots.tolist(), rows, method, tolerance, SAMPLES)
 
     def _tips(self, states: NDArray[np.float64]) -> NDArray[np.float64]:
-        return self.model.observe(SAMPLES, states, self.schedule.rows_at(SAMPLES), self.parameters)["tip"]
+        return self.mechanics.points(states[:, self.model.layout.q]).position[:, 0]
 
     def _error(self, states: NDArray[np.float64]) -> float:
         return float(np.linalg.norm(self._tips(states) - self.exact, axis=1).max())

@@ -77,9 +77,10 @@ class Stressed:
         return [strain, sqrt(normal * normal + 3 * across * across), normal, across]
 
 
-def in_section(rotation: v.Matrix, *vectors: v.Vector) -> list[v.Vector]:
-    """Vectors in the axes that are the columns of ``rotation``."""
-    return [v.matvec(v.transpose(rotation), vector) for vector in vectors]
+def in_section(rotation: v.Matrix, moment: v.Vector, force: v.Vector) -> tuple[v.Vector, v.Vector]:
+    """Moment and force in the axes that are the columns of ``rotation``."""
+    axes = v.transpose(rotation)
+    return v.matvec(axes, moment), v.matvec(axes, force)
 
 
 def packed_place(

@@ -82,7 +82,8 @@ class _Kernels:
         """(tables, q, qd, qdd, rate and acceleration of the root) -> the mass at the end of each inner mode."""
 
         def build(tables: Any, q: Any, qd: Any, qdd: Any, rate: Any, root: Any) -> list[list[Any]]:
-            line, m = self._line(tables, *self.structure.angles(q, qd), v.vec(rate)), self.structure.modes
+            azimuth, elevation = self.structure.angles(q, qd)
+            line, m = self._line(tables, azimuth, elevation, v.vec(rate)), self.structure.modes
             return [self._mass(line, k, tables[m + k], tables[2 * m + k], Force.of(root), qdd) for k in self.inner]
 
         n = self.structure.size
