@@ -207,7 +207,7 @@ def test_modes_of_any_robot(robot, elements):
 
 @pytest.mark.xfail(
     strict=True, raises=AssertionError,
-    reason="the search for the rest leaves the buckled shape for a stable one bent by 2.3 rad, beyond the model's range",
+    reason="the search for the rest finds a stable shape bent by 2.3 rad, beyond the model's range",
 )  # fmt: skip
 def test_buckling_is_reported(robot):
     """A preload that buckles the arm: `modes` says so."""
