@@ -1,4 +1,4 @@
-/* tmodes, built from cb7fc97135acce69; BSD-3-Clause */
+/* tmodes, built from b868f63b9bb25883; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
