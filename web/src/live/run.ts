@@ -20,8 +20,8 @@ import * as signals from "./signals";
 const FEWEST = 32; // samples of a spectrum
 
 /**
- * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the actual robot's
- * motion.
+ * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the motion of
+ * the actual robot.
  */
 export async function runOf(
   engine: Engine, bundle: Bundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,
