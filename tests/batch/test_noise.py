@@ -10,8 +10,6 @@ import tmodes
 from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError
 from tmodes.kinds.signals.noise import Noise, normal_numbers
-from tmodes.paper.simulate import simulate
-from tmodes.robots.load import load
 from tmodes.simulation.simulate import simulate_motion
 
 
@@ -91,17 +89,20 @@ def test_each_lane_has_a_seed_of_its_own():
 def shaken_robot(**noise):
     """The paper's robot over 50 ms, its controller with noise on what is wanted."""
     changes = {"integration.duration": 0.05, "integration.output_step": 1e-3}
-    return load("filipovic2010").with_(changes | {f"reference.noise.{name}": x for name, x in noise.items()})
+    return tmodes.load("filipovic2010").with_(changes | {f"reference.noise.{name}": x for name, x in noise.items()})
 
 
 def test_noise_on_the_wanted_angle_of_the_robot():
     """The controller hears the move with the signal of the same numbers on it; the plan has none."""
     robot = shaken_robot(deviation=1e-4, frequency=200.0, seed=5)
-    shaken, still = simulate(robot).data, simulate(shaken_robot()).data
+    shaken, still = tmodes.run(robot).data, tmodes.run(shaken_robot()).data
     signal = Noise(type="noise", deviation=1e-4, frequency=200.0, seed=5).schedule(0.05)
-    heard = (shaken["theta_wanted"] - still["theta_wanted"]).values
-    assert np.abs(heard - signal.at(shaken["time"].values)).max() < 1e-15
-    assert np.abs(heard).max() > 1e-5
+    law, times = robot.drives[0].controller, shaken["time"].values
+    apart = [(shaken[name] - still[name]).sel(coordinate="joint.motor").values for name in ("q", "v")]
+    heard = law.position_gain * (signal.at(times) - apart[0]) + law.velocity_gain * (signal.at(times, 1) - apart[1])
+    voltage = (shaken["voltage"] - still["voltage"]).sel(drive="joint").values
+    assert np.abs(voltage - heard).max() < 1e-13
+    assert np.abs(heard).max() > 0.1
     assert shaken["q_reference"].equals(still["q_reference"])
     assert np.abs(shaken["q"] - still["q"]).max() > 1e-6
     assert np.abs(shaken["energy_balance"]).max() < 1e-6 * np.abs(shaken["work"]).max()
@@ -113,12 +114,12 @@ def test_each_lane_of_the_robot_has_a_seed_of_its_own():
     assert batch.finished.all()
     assert batch.states[0].tobytes() == batch.states[2].tobytes()
     assert np.abs(batch.states[0] - batch.states[1]).max() > 1e-4
-    run = simulate(robot.with_({"reference.noise.seed": 12})).data["q"].values
+    run = simulate_motion(robot.with_({"reference.noise.seed": 12})).q
     assert np.abs(batch.states[8, :, : run.shape[1]] - run).max() < 1e-12
 
 
 def test_noise_that_wants_too_many_pieces_is_refused_at_once():
     robot = shaken_robot(deviation=1e-4, frequency=1e9)
-    for run in (lambda: simulate(robot), lambda: tmodes.simulate_batch(robot, {"payload.mass": [0.5]})):
+    for run in (lambda: tmodes.run(robot), lambda: tmodes.simulate_batch(robot, {"payload.mass": [0.5]})):
         with pytest.raises(InputError, match="at most"):
             run()

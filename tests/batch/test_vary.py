@@ -78,11 +78,11 @@ def test_the_tip_on_a_base_that_moves():
 
 
 def test_a_lane_that_cannot_start_disturbs_no_other(robot):
-    loads = [0.5, 1e5, 0.6]
+    loads = [0.5, 1e12, 0.6]
     batch = tmodes.simulate_batch(robot, {"payload.mass": loads}, tips=True)
     good = tmodes.simulate_batch(robot, {"payload.mass": [0.5, 0.6]}, tips=True)
     assert batch.status == ("finished", "failed", "finished")
-    assert "no equilibrium" in batch.message[1]
+    assert "static equilibrium: coordinate link" in batch.message[1]
     assert batch.counts[1] == 0
     assert np.isnan(batch.states[1]).all()
     assert batch.states[[0, 2]].tobytes() == good.states.tobytes()
@@ -133,19 +133,7 @@ def test_too_large_is_refused_before_the_lanes_are_prepared(robot):
     assert not stages
 
 
-def test_a_lane_whose_mass_matrix_is_singular_is_named(robot):
-    """A payload beside which all else weighs nothing: the coordinate is told, and the others are as without it."""
-    light = {"payload.mass": [0.5, 1e12, 0.6], "gravity": [0.0, 0.0, 0.0]}
-    free = robot.with_({"contact": False})
-    batch = tmodes.simulate_batch(free, light)
-    assert batch.status == ("finished", "failed", "finished")
-    assert "singular in coordinate" in batch.message[1]
-    assert batch.counts[1] == 0
-    good = tmodes.simulate_batch(free, {path: values[::2] for path, values in light.items()})
-    assert batch.states[[0, 2]].tobytes() == good.states.tobytes()
-
-
 def test_a_stop_that_batches_do_not_watch_is_refused(robot):
     """Rather than left out without a word."""
-    with pytest.raises(InputError, match=r"integration.energy_stop: got true; .*tmodes run"):
+    with pytest.raises(InputError, match=r"integration.energy_stop: got true, expected false: .*tmodes run"):
         tmodes.simulate_batch(robot.with_({"integration.energy_stop": True}), {"payload.mass": [0.5]})

@@ -133,4 +133,5 @@ def test_command_without_a_folder(monkeypatch: pytest.MonkeyPatch) -> None:
     info = json.loads(cli("--json"))
     assert (info["folder"], info["used"]) == (None, False)
     done = CliRunner().invoke(app, ["cache", "clear"])
-    assert "expected one that is used" in str(done.exception)
+    assert "no cache is used" in str(done.exception)
+    assert "name a folder of your own: TMODES_CACHE=FOLDER" in str(done.exception)

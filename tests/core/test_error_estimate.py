@@ -5,9 +5,9 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+import tmodes
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.regime import run_paper
-from tmodes.paper.simulate import simulate
 
 TIGHT = {"relative_tolerance": 1e-13, "absolute_tolerance": 1e-16}
 
@@ -95,7 +95,8 @@ def flat(info, start=""):
 def test_headline_figures(robot, changes, most):
     """Beside every figure stands an error that is not far below the true one; sharp where it was asked for."""
     coarse = {"relative_tolerance": 1e-7, "absolute_tolerance": 1e-10}
-    result, exact = simulate(with_settings(robot, **coarse, **changes)), simulate(with_settings(robot, **TIGHT))
+    published = tmodes.load("filipovic2010")
+    result, exact = (tmodes.run(with_settings(published, **given)) for given in (coarse | changes, TIGHT))
     info = result.summary()["error"]["figures"]
     is_, should = flat(result.summary()), flat(exact.summary())
     true = {name: abs(is_[name] - should[name]) for name in info if name in is_}

@@ -7,6 +7,7 @@ import itertools
 import numpy as np
 import pytest
 
+import tmodes
 from tmodes.equations.lagrange.implicit_step import implicit_rate_function
 from tmodes.errors import InputErrors
 from tmodes.kinds.signals.schedule import Schedule
@@ -14,7 +15,6 @@ from tmodes.paper.environment import FrictionLaw
 from tmodes.paper.mechanism import Drive, Mechanism, Reading
 from tmodes.paper.model import PaperModel
 from tmodes.paper.model_loops import rate_of
-from tmodes.paper.simulate import simulate
 
 from .test_integrators import LOSSLESS, plucked, run, slope
 
@@ -82,12 +82,18 @@ def test_midpoint_keeps_the_energy(robot, reading):
     assert abs(drift) < 0.2 * bands[0]
 
 
-def test_a_gear_that_is_all_but_rigid(robot):
+@pytest.fixture(scope="module")
+def published():
+    """The paper's robot as every robot is loaded."""
+    return tmodes.load("filipovic2010")
+
+
+def test_a_gear_that_is_all_but_rigid(published):
     """Explicit steps would be held back by it; the motion is that of a rigid gear, the nearer the stiffer."""
-    rigid = simulate(robot.with_({"gear.stiffness": float("inf")}))
+    rigid = tmodes.run(published.with_({"gear.stiffness": float("inf")}))
     apart = []
     for stiffness in (1e7, 1e8):
-        stiff = simulate(robot.with_({"gear.stiffness": stiffness, "gear.damping": 1e-4 * stiffness}))
+        stiff = tmodes.run(published.with_({"gear.stiffness": stiffness, "gear.damping": 1e-4 * stiffness}))
         assert "by extrapolation" in stiff.message
         assert stiff.statistics["real"]["method"] == "extrapolation"
         apart.append(float(np.abs(stiff.data["tip"] - rigid.data["tip"]).max()))
@@ -95,9 +101,9 @@ def test_a_gear_that_is_all_but_rigid(robot):
     assert apart[0] / apart[1] == pytest.approx(10.0, rel=0.1)
 
 
-def test_the_default_reports_its_choice(robot):
+def test_the_default_reports_its_choice(published):
     """Not stiff: explicit, and why."""
-    done = simulate(robot.with_({"integration.duration": 0.1}))
+    done = tmodes.run(published.with_({"integration.duration": 0.1}))
     assert "by dormand_prince: the fastest eigenvalue" in done.message
 
 
@@ -113,10 +119,10 @@ def test_rest_on_a_surface_that_hardly_gives(robot, stiffness):
     assert abs(np.linalg.norm(tip) - reach) < 0.1 / np.sqrt(stiffness)
 
 
-def test_tolerances_below_the_rounding_of_extrapolation(robot):
+def test_tolerances_below_the_rounding_of_extrapolation(published):
     """Named it is refused in words; chosen by the stiffness it is not."""
     stiff = {"gear.stiffness": 1e9, "gear.damping": 1e3, "integration.relative_tolerance": 1e-11}
-    with pytest.raises(InputErrors, match=r"relative_tolerance.*expected at least 1e-10 for extrapolation"):
-        robot.with_({**stiff, "integration.method": "extrapolation"})
-    done = simulate(robot.with_({**stiff, "integration.duration": 0.5}))
+    with pytest.raises(InputErrors, match=r"relative_tolerance.*at least 1e-10 for extrapolation"):
+        published.with_({**stiff, "integration.method": "extrapolation"})
+    done = tmodes.run(published.with_({**stiff, "integration.duration": 0.5}))
     assert "by dormand_prince, because extrapolation rounds above its tolerance" in done.message

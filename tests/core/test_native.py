@@ -96,9 +96,9 @@ def test_what_does_not_change_is_computed_once(robot):
     mechanism, _ = robot.split(Drive.CONTROLLED)
     program = straight_line(rate_function(closed_loop(mechanism)), invariant=3)
     assert len(program.held) > 20
-    operations = sum(value.kind not in ("input", "constant") for value in program.values)
+    operations = sum(value.opcode not in ("input", "constant") for value in program.values)
     pairs = zip(program.fixed, program.values, strict=True)
-    changing = sum(not fixed and value.kind != "input" for fixed, value in pairs)
+    changing = sum(not fixed and value.opcode != "input" for fixed, value in pairs)
     assert changing < operations - 20
 
 

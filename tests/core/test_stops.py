@@ -8,42 +8,45 @@ import sys
 
 import numpy as np
 import pytest
-from tmodes.io.write import robot_to_yaml
 
+import tmodes
 from tmodes.errors import InputError, InputErrors, SimulationError
 from tmodes.io.assignment import parse_assignment
 from tmodes.io.sheet_write import arm_to_yaml
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
-from tmodes.paper.quantities import robot_quantities, robot_stops
-from tmodes.paper.regime import run_paper
-from tmodes.paper.sheet import PaperRobot
-from tmodes.paper.simulate import simulate
-from tmodes.result.record import PaperResult
+from tmodes.simulation.plan import Follow
+from tmodes.simulation.quantities import arm_quantities, arm_stops
+from tmodes.simulation.start import run_setup, run_trajectory
 from tmodes.simulation.stops import Instants
 
 SHORT = {"integration.duration": 0.6, "integration.output_step": 0.01}
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 
 
+@pytest.fixture(scope="module")
+def robot():
+    """The paper's robot as published."""
+    return tmodes.load("filipovic2010")
+
+
 @pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4", "extrapolation", "midpoint"])
 def test_a_motor_that_follows_its_reference_passes_an_angle(robot, method):
-    """theta is theta_o of the planned robot: it passes an angle when the polynomials of the reference do."""
-    sheet = robot.with_({**SHORT, "integration.method": method})
-    run = run_paper(sheet, Drive.PRESCRIBED, stops=robot_stops(sheet, ["theta.position > 2 deg"], Drive.PRESCRIBED))
-    schedule = robot.reference.schedule()
-    assert run.trajectory.status == "stopped_by_condition"
-    time = run.trajectory.times[-1]
-    assert schedule.at(time) == pytest.approx(np.deg2rad(2), abs=1e-9)
-    assert run.trajectory.states[-1, 5] == pytest.approx(np.deg2rad(2), abs=1e-13)
+    """The motor of the reference run passes an angle when the polynomials of the signal do."""
+    changes = {**SHORT, "integration.method": method, "integration.stop": ["joint.motor.position > 2 deg"]}
+    setup = run_setup(robot.with_(changes), Follow.WANTED)
+    done = run_trajectory(setup, stops=arm_stops(setup))
+    signal = robot.drives[0].signal.schedule(robot.integration.duration)
+    assert done.status == "stopped_by_condition"
+    assert signal.at(done.times[-1]) == pytest.approx(np.deg2rad(2), abs=1e-9)
+    motor = setup.model.layout.q.start + setup.model.coordinates.index("joint.motor")
+    assert done.states[-1, motor] == pytest.approx(np.deg2rad(2), abs=1e-13)
 
 
 @pytest.mark.parametrize("method", ["dormand_prince", "rk4"])
 def test_a_result_up_to_the_condition(robot, method):
-    """A success with its own status: its last sample is where the condition sets in, the reference has one there."""
+    """A success with its own status: its last sample is where the condition triggers, the reference has one there."""
     sheet = robot.with_({**SHORT, "integration.method": method, "integration.stop": ["tip.speed > 0.05 m/s"]})
-    result = simulate(sheet)
-    whole = simulate(robot.with_({**SHORT, "integration.method": method}))
+    result = tmodes.run(sheet)
+    whole = tmodes.run(robot.with_({**SHORT, "integration.method": method}))
     assert (result.status, result.success) == ("stopped_by_condition", True)
     assert "`tip.speed > 0.05 m/s`, tip.speed reaches 0.05 m/s" in result.message
     end = float(result.data["time"][-1])
@@ -51,18 +54,17 @@ def test_a_result_up_to_the_condition(robot, method):
     assert np.linalg.norm(result.data["tip_velocity"].values[-1]) == pytest.approx(0.05, abs=1e-12)
     count = result.data.sizes["time"] - 1
     assert result.data["q"].values[:count].tobytes() == whole.data["q"].values[:count].tobytes()
-    between = np.interp(end, whole.data["time"].values, whole.data["q_reference"].values[:, 5])
-    assert result.data["q_reference"].values[-1, 5] == pytest.approx(between, abs=1e-4)
+    motors = [one.data["q_reference"].sel(coordinate="joint.motor").values for one in (whole, result)]
+    between = np.interp(end, whole.data["time"].values, motors[0])
+    assert motors[1][-1] == pytest.approx(between, abs=1e-4)
     assert result.summary()["error"]["figures"]["deviation.end_m"] > 0
 
 
 def test_every_name_gives_a_number(robot):
     """All quantities that a message may offer have values at a state, one for each instant."""
-    mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model = PaperModel(mechanism)
-    states = np.tile(model.rest(0.0, parameters), (3, 1))
-    rows = robot.reference.schedule().rows_at(np.zeros(3))
-    for name, quantity in robot_quantities(model, parameters).items():
+    setup = run_setup(robot)
+    states, rows = np.tile(setup.start, (3, 1)), np.tile(setup.first_row, (3, 1))
+    for name, quantity in arm_quantities(setup).items():
         values = quantity.of(Instants(np.zeros(3), states, rows))
         assert values.shape == (3,), name
         assert np.isfinite(values).all(), name
@@ -70,13 +72,13 @@ def test_every_name_gives_a_number(robot):
 
 @pytest.mark.parametrize(
     ("stop", "error", "info"),
-    [("theta.positoin > 1", InputError, "Did you mean `theta.position`"),
+    [("joint.motor.positoin > 1", InputError, r"stop.0: unknown name .*Did you mean `joint.motor.position`"),
      ("contact.force < 5 Nm", InputError, "another dimension|unknown"),
      ("contact.force > 1 N", SimulationError, "holds at the start already")],
 )  # fmt: skip
 def test_what_is_refused(robot, stop, error, info):
     with pytest.raises(error, match=info):
-        simulate(robot.with_(SHORT), stop=[stop])
+        tmodes.run(robot.with_(SHORT), stop=[stop])
 
 
 def test_a_sheet_with_a_wrong_condition_is_refused(robot):
@@ -89,12 +91,9 @@ def test_a_sheet_with_a_wrong_condition_is_refused(robot):
 @pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
 def test_conditions_are_written_and_read_back(name, tmp_path):
     """In the sheet as YAML, with whatever a condition holds."""
-    from tmodes.robots.load import load
-
-    sheet = load(name, {"integration.stop": ["tip.z < 250 mm", "abs(tip.velocity.x) > 90e-3"]})
-    written = robot_to_yaml(sheet) if isinstance(sheet, PaperRobot) else arm_to_yaml(sheet)
-    (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
-    assert load(tmp_path / "sheet.yaml") == sheet
+    sheet = tmodes.load(name, {"integration.stop": ["tip.z < 250 mm", "abs(tip.velocity.x) > 90e-3"]})
+    (tmp_path / "sheet.yaml").write_text(arm_to_yaml(sheet), encoding="utf-8")
+    assert tmodes.load(tmp_path / "sheet.yaml") == sheet
 
 
 def test_batches_refuse_conditions(robot):
@@ -110,26 +109,24 @@ def test_batches_refuse_conditions(robot):
 def test_a_wrong_name_is_reported_by_check(name, tmp_path):
     """Before anything runs, and nothing is written."""
     from tmodes.cli.main import app
-    from tmodes.robots.load import load
 
-    sheet = load(name, {"integration.stop": ["tip.q < 1"]})
-    written = robot_to_yaml(sheet) if isinstance(sheet, PaperRobot) else arm_to_yaml(sheet)
-    (tmp_path / "sheet.yaml").write_text(written, encoding="utf-8")
-    with pytest.raises(InputError, match=r"integration.stop.0: got the unknown name 'tip.q'.*Did you mean `tip.z`"):
+    sheet = tmodes.load(name, {"integration.stop": ["tip.q < 1"]})
+    (tmp_path / "sheet.yaml").write_text(arm_to_yaml(sheet), encoding="utf-8")
+    with pytest.raises(InputError, match=r"integration.stop.0: unknown name 'tip.q'.*Did you mean `tip.z`"):
         app(["check", str(tmp_path / "sheet.yaml")], standalone_mode=False)
 
 
 def test_from_the_command_line(tmp_path):
-    """The result is whole, the exit code is 0, and the way it ended is told."""
-    options = ["--stop", "theta.position > 2 deg", "--no-figures", "--duration", "0.6"]
+    """The result is whole, the exit code is 0, and the way it ended is reported."""
+    options = ["--stop", "joint.motor.position > 2 deg", "--no-figures", "--duration", "0.6"]
     command = [*COMMAND, "run", "filipovic2010", *options, "--json", "--out", str(tmp_path)]
     done = subprocess.run(command, capture_output=True, text=True, check=True)
     info = json.loads(done.stdout)
     assert info["status"] == "stopped_by_condition"
-    assert "theta.position > 2 deg" in done.stderr
-    kept = PaperResult.load(tmp_path / "result.nc")
+    assert "joint.motor.position > 2 deg" in done.stderr
+    kept = tmodes.Result.load(tmp_path / "result.nc")
     assert kept.status == "stopped_by_condition"
-    assert kept.robot.integration.stop == ("theta.position > 2 deg",)
+    assert kept.robot.integration.stop == ("joint.motor.position > 2 deg",)
 
 
 @pytest.mark.parametrize("name", ["filipovic2010", "spong1987"])
@@ -142,9 +139,7 @@ def test_from_the_command_line(tmp_path):
      ("energy_tolerance=0", "from 1e-12 to 1e+12")],
 )  # fmt: skip
 def test_refused_settings_tell_the_least_and_the_largest_value(name, assignment, span):
-    from tmodes.robots.load import load
-
     path, value = parse_assignment(f"integration.{assignment}")
     with pytest.raises(InputErrors) as errors:
-        load(name, {path: value})
+        tmodes.load(name, {path: value})
     assert span in str(errors.value)

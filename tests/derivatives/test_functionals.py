@@ -11,6 +11,7 @@ import pytest
 from numpy.typing import NDArray
 
 from derivatives.test_runs import SQUARES, bending_arm, loaded_arm
+from io_cases import value_of
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import steps_of
@@ -57,15 +58,6 @@ def arm() -> Robot:
 def measured(sheet: Any, functional: Functional) -> float:
     run = forward_sensitivities(sheet, quantities=functional.quantities)
     return functional.measure(run.times, run.info)[0]
-
-
-def value_of(sheet: Robot, path: str) -> float:
-    return sheet.reference.start if path == "reference.start" else dict(sheet.numbers(), **_ends(sheet))[path]
-
-
-def _ends(sheet: Robot) -> dict[str, float]:
-    reference: Any = sheet.reference
-    return {"reference.end": reference.end}
 
 
 @pytest.mark.parametrize("path", ROBOT_PATHS)

@@ -10,6 +10,7 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 
+from io_cases import value_of
 from tmodes.errors import InputError, SimulationError
 from tmodes.robots.load import load
 from tmodes.sensitivity.changes import Changes
@@ -73,8 +74,7 @@ def paths_of(name: str) -> tuple[str, ...]:
 
 
 def value_at(name: str, path: str) -> float:
-    known: Any = seed_robot().numbers() if name == "seed" else zip(ARM_PATHS, (20.0, 300.0, 0.6), strict=True)
-    return dict(known)[path]
+    return value_of(sheet_of(name, "rk4"), path)
 
 
 @cache

@@ -8,12 +8,11 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tmodes import load, run
 from tmodes.live.bundle import live_bundle
 from tmodes.live.map import LiveMap, live_map
-from tmodes.paper.sheet import PaperRobot
-from tmodes.paper.simulate import simulate
 from tmodes.report.data import page_data
-from tmodes.robots.load import load
+from tmodes.sheet import Robot
 
 from .node import live_in_node
 
@@ -25,10 +24,8 @@ def live() -> LiveMap:
     return live_map(seed().pair())
 
 
-def seed() -> PaperRobot:
-    sheet = load("filipovic2010")
-    assert isinstance(sheet, PaperRobot)
-    return sheet
+def seed() -> Robot:
+    return load("filipovic2010")
 
 
 def info(fact: dict[str, Any]) -> str:
@@ -37,14 +34,14 @@ def info(fact: dict[str, Any]) -> str:
 
 def test_every_headline_number_and_its_note_are_those_of_the_native_report(live: LiveMap, tmp_path: Path) -> None:
     """Settling, too, for which both carry their runs on beyond the end."""
-    bundle = live_bundle(simulate(seed()))
+    bundle = live_bundle(run(seed()))
     assert bundle is not None
     jobs = [[given.get(one.path, one.value) for one in live.sliders] for given in SETTINGS]
     settled = set()
-    for given, run in zip(SETTINGS, live_in_node(bundle, jobs, tmp_path), strict=True):
-        native = simulate(seed().with_({**given, "integration.method": "dormand_prince"}))
+    for given, live_run in zip(SETTINGS, live_in_node(bundle, jobs, tmp_path), strict=True):
+        native = run(seed().with_({**given, "integration.method": "dormand_prince"}))
         for fact in page_data([native])["runs"][0]["facts"]:
-            own = run["facts"][fact["id"]]
+            own = live_run["facts"][fact["id"]]
             if fact["id"] == "energy.residual":  # rounding, in the tenth digit of what was moved
                 assert own["value"] < 1e-8
                 continue
@@ -52,6 +49,6 @@ def test_every_headline_number_and_its_note_are_those_of_the_native_report(live:
             if fact["value"] is not None:
                 assert own["value"] == pytest.approx(fact["value"], rel=1e-6), fact["id"]
             assert info(own) == info(fact), fact["id"]
-        assert np.isfinite(run["facts"]["frequency.first"]["value"])
-        settled.add(run["facts"]["settling"]["value"] is None)
+        assert np.isfinite(live_run["facts"]["frequency.first"]["value"])
+        settled.add(live_run["facts"]["settling"]["value"] is None)
     assert settled == {True, False}

@@ -11,11 +11,9 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tmodes import load, run
 from tmodes.live.bundle import live_bundle
-from tmodes.paper.sheet import PaperRobot
-from tmodes.paper.simulate import simulate
 from tmodes.report.pack import embedded, pack
-from tmodes.robots.load import load
 
 from .node import built_page, worst_difference
 
@@ -68,9 +66,7 @@ def page_of(bundle: dict[str, Any], program: str) -> str:
 def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> None:
     """The same numbers as natively, no request, no complaint of the browser; a newer run ends an older one."""
     playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to look at the page")
-    sheet = load("filipovic2010")
-    assert isinstance(sheet, PaperRobot)
-    result = simulate(sheet)
+    result = run(load("filipovic2010"))
     bundle = live_bundle(result)
     assert bundle is not None
     (tmp_path / "page.html").write_text(page_of(bundle, built_page(ENTRY, tmp_path)), encoding="utf-8")
@@ -85,7 +81,7 @@ def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> Non
         page.goto((tmp_path / "page.html").as_uri())
         sliders = page.evaluate("ready")
         workers = len(page.workers)
-        run = json.loads(page.evaluate("one()"))
+        given = json.loads(page.evaluate("one()"))
         both = page.evaluate("both()")
         spent = page.evaluate("timed(12)")
         page.evaluate("close()")
@@ -98,6 +94,6 @@ def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> Non
     assert len(spent) == 12
     print(f"slider to curves, median: {np.median(spent[2:]):.1f} ms")
     series = {name: np.reshape([*one["data"].values()] if isinstance(one["data"], dict) else one["data"], one["shape"])
-              for name, one in run["series"].items()}  # fmt: skip
-    tips = {name: series[name] for name in ("tip", "tip_reference", "q", "deviation", "contact_force_radial")}
+              for name, one in given["series"].items()}  # fmt: skip
+    tips = {name: series[name] for name in ("tip", "tip_reference", "q", "deviation", "contact_force_normal")}
     assert worst_difference(tips, result.data, {})[0] < 1e-9

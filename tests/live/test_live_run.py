@@ -8,6 +8,7 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tmodes import load
 from tmodes.io.primitives import box
 from tmodes.io.urdf_shapes import LinkShape
 from tmodes.io.yaml_file import parse_yaml
@@ -18,7 +19,6 @@ from tmodes.report.meshes import with_shapes
 from tmodes.report.pack import pack
 from tmodes.report.scene import scene_of
 from tmodes.result import Result, assemble_result
-from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.simulate import simulate_motion

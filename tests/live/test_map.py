@@ -5,10 +5,10 @@ from __future__ import annotations
 import numpy as np
 import pytest
 
+from tmodes import load
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import run_numbers, whole, whole_moves
 from tmodes.live.sliders import MOST
-from tmodes.robots.load import load
 from tmodes.simulation.plan import Follow
 
 from .chain import chain

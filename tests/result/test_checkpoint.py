@@ -160,7 +160,7 @@ def test_a_length_beyond_the_file_is_not_allocated(tmp_path: Path) -> None:
 def test_a_number_that_is_not_finite_is_not_stored(value: float, tmp_path: Path) -> None:
     with CheckpointWriter(tmp_path / "log", IDENTITY) as log:
         log.append(record(0))
-        with pytest.raises(ResultFileError, match="'state': got a number that is not finite"):
+        with pytest.raises(ResultFileError, match="'state' must be finite numbers, got a number that is not finite"):
             log.append({"state": [0.0, value]})
     assert same(read_checkpoint(tmp_path / "log", IDENTITY).records, 1)
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
+from functools import cache
 from pathlib import Path
 from typing import Any
 
@@ -11,6 +12,7 @@ import pytest
 
 from arm.see.runs import result_of
 from see.looking import OPTIONS
+from tmodes import load, run
 from tmodes.plot import drawings
 from tmodes.plot.save import Drawing
 from tmodes.report import write_report
@@ -20,14 +22,20 @@ NASTY = """<script>alert("1")</script> & 'x' <img src=x onerror=alert(2)> ]]> --
 """A text that breaks pages that do not escape."""
 
 
+@cache
+def seed_result(contact: bool = True) -> Result:
+    """The run of the 2010 paper's robot as published, 2 s; or in free space."""
+    return run(load("filipovic2010").with_({"contact": contact}))
+
+
 def failed_result(name: str = NASTY) -> Result:
     """A run that diverged after three samples, with every text nasty."""
-    data = result_of("swinging").data.isel(time=slice(0, 3)).copy()
+    data = seed_result(contact=False).data.isel(time=slice(0, 3)).copy()
     robot = json.loads(data.attrs["robot"]) | {"name": name, "title": name, "citation": name}
     data.attrs |= {
         "robot": json.dumps(robot),
         "status": "diverged",
-        "message": f"q is not finite at t = 0.008 s. {name}",
+        "message": f"q is not finite at t = 0.003 s. {name}",
         "warnings": json.dumps([f"Energy grew. {name}"]),
         "versions": json.dumps({name: name}),
     }
@@ -36,6 +44,7 @@ def failed_result(name: str = NASTY) -> Result:
 
 RESULTS = {
     "contact": lambda: result_of("swinging"),
+    "2010": seed_result,
     "free": lambda: result_of("pendulum"),
     "at rest": lambda: result_of("cantilever"),
     "three samples": failed_result,
@@ -51,7 +60,7 @@ def result(request: pytest.FixtureRequest) -> Result:
 @pytest.fixture(scope="session")
 def good() -> Result:
     """A finished run in contact."""
-    return result_of("swinging")
+    return seed_result()
 
 
 @pytest.fixture(scope="session")

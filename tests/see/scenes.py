@@ -7,14 +7,13 @@ from functools import cache
 from arm.see.runs import QUINTIC, sheet, tube
 from tmodes import load, run
 from tmodes.result import Result
-from tmodes.result.record import PaperResult
 from tmodes.sheet import Robot
 
 MOVE = {"reference.duration": 0.2, "integration.duration": 0.2, "integration.line_points": 7}
 
 
 @cache
-def robot_result(mass: float = 0.5) -> PaperResult:
+def robot_result(mass: float = 0.5) -> Result:
     """The robot of the 2010 paper in contact, a move of 0.2 s."""
     return run(load("filipovic2010").with_(MOVE | {"payload.mass": mass}))
 

@@ -9,12 +9,11 @@ import pytest
 
 from live.chain import chain
 from see.looking import look
-from tmodes.paper.simulate import simulate
+from tmodes import load, run
 from tmodes.report.data import live_page
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.viewer import viewer_document
 from tmodes.result import assemble_result
-from tmodes.robots import load_robot
 from tmodes.simulation.simulate import simulate_motion
 
 STATUS = ".sliders-panel [role=status]"
@@ -22,7 +21,7 @@ PANEL = ".lower section[aria-label='Modes of vibration']"
 
 
 def of_robot(changes: dict[str, float]) -> Any:
-    return simulate(load_robot("filipovic2010").with_({"integration.duration": 0.3, **changes}))
+    return run(load("filipovic2010").with_({"integration.duration": 0.3, **changes}))
 
 
 def of_arm(changes: dict[str, float]) -> Any:

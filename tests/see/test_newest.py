@@ -10,10 +10,9 @@ import numpy as np
 import pytest
 
 from see.looking import look
-from tmodes.paper.simulate import simulate
+from tmodes import load, run
 from tmodes.report.data import live_page
 from tmodes.report.viewer import viewer_document
-from tmodes.robots import load_robot
 
 PAYLOAD = '[data-path="payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"
@@ -30,14 +29,14 @@ INK = """(place) => [...document.querySelectorAll(place + ' canvas')].map((canva
 @pytest.fixture(scope="module")
 def robot() -> Any:
     """The seed's robot, for a short time."""
-    return load_robot("filipovic2010").with_({"integration.duration": 0.3})
+    return load("filipovic2010").with_({"integration.duration": 0.3})
 
 
 @pytest.fixture(scope="module")
 def window(browser: Any, robot: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Its report, open."""
     path = tmp_path_factory.mktemp("newest") / "report.html"
-    path.write_text(viewer_document(live_page(simulate(robot))), encoding="utf-8")
+    path.write_text(viewer_document(live_page(run(robot))), encoding="utf-8")
     window = look(browser, path, LOW)
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     return window
@@ -61,7 +60,7 @@ def test_a_chart_that_comes_into_sight_shows_the_newest_run(window: Any, robot: 
     page.wait_for_selector(f"{place} canvas")
     text = page.locator(f"{place} .plot-area").get_attribute("aria-label")
     low, high = map(float, re.findall(r"kinetic real, from (-?[\d.]+) to (-?[\d.]+)", text)[0])
-    true = unit_of(window, place) * simulate(robot.with_({"payload.mass": 1.1})).data["energy"].values[:, 0]
+    true = unit_of(window, place) * run(robot.with_({"payload.mass": 1.1})).data["energy"].values[:, 0]
     assert (low, high) == pytest.approx((true.min(), true.max()), rel=2e-3, abs=2e-3 * true.max())
 
 
@@ -83,7 +82,7 @@ def test_the_file_of_a_chart_out_of_sight_has_the_newest_run(window: Any, robot:
     head, *rows = (tmp_path / "saved.csv").read_text(encoding="utf-8").splitlines()
     column = next(k for k, name in enumerate(head.split('","')) if " real" in name and "original" not in name)
     values = np.array([float(row.split(",")[column]) for row in rows])
-    true = unit_of(window, place) * simulate(robot.with_({"payload.mass": 1.2})).data["gear_torque"].values
+    true = unit_of(window, place) * run(robot.with_({"payload.mass": 1.2})).data["gear_torque"].values
     assert values == pytest.approx(true, rel=1e-6, abs=1e-6 * np.abs(true).max())
 
 

@@ -8,14 +8,15 @@ import numpy as np
 import pytest
 from numpy.typing import NDArray
 from scipy.spatial.transform import Rotation
-from tmodes.report.scene_paper import real_robot
 
 from see.scenes import arm_result, robot_result
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
+from tmodes.analysis.modes.modes import arm_modes
+from tmodes.analysis.modes.of_sheet import servos_of
+from tmodes.analysis.spectrum import MotorState
+from tmodes.analysis.statics.rest import arm_rest
 from tmodes.report.mode_shapes import modes_of
-from tmodes.report.pack import Coarse, Sum, pack
-from tmodes.report.scene import line_of, scene_of
+from tmodes.report.pack import Coarse, TwoParts, pack
+from tmodes.report.scene import actual_robot, line_of, scene_of
 from tmodes.report.scene_arrays import displaced, kept, stations_shown, steady
 from tmodes.report.scene_sections import section_of, solid_bar
 from tmodes.sheet import Robot
@@ -25,7 +26,7 @@ RESULTS = [robot_result, arm_result]
 
 def plain(values: Any) -> NDArray[np.float64]:
     """The numbers of a packed array, as the page gets them."""
-    if isinstance(values, Sum):
+    if isinstance(values, TwoParts):
         return plain(values.large) + plain(values.small)
     if isinstance(values, Coarse):
         low, high = values.values.min(), values.values.max()
@@ -52,7 +53,7 @@ def test_the_reference_ends_where_the_result_says(made: Any) -> None:
     line, reference = plain(scene["line"]), plain(scene["reference"])
     info = result.data.isel(time=frames(result))
     assert np.abs(line - info["line"].transpose("time", ..., "s", "axis").values).max() < 1e-6
-    if result.kind == "robot":
+    if made is robot_result:
         assert np.abs(reference[:, -1, -1] - info["tip_reference"].values).max() < 1e-6
     else:
         hand = info["tip_reference"].values - reference[:, -1, 0]
@@ -75,7 +76,7 @@ def test_roots_look_along_their_links(made: Any) -> None:
 def test_the_rigid_robot_lies_along_its_motor() -> None:
     result = robot_result()
     info = result.data.isel(time=frames(result))
-    theta = info["q"].sel(coordinate="theta").values
+    theta = info["q"].sel(coordinate="joint.motor").values
     tip = 0.9 * np.stack([np.cos(theta), np.sin(theta), 0 * theta], axis=-1)
     assert np.abs(plain(scene_of(result)["rigid"])[:, -1, -1] - tip).max() < 1e-6
 
@@ -83,7 +84,7 @@ def test_the_rigid_robot_lies_along_its_motor() -> None:
 def test_the_reference_is_enlarged_about_its_own_rigid_arm() -> None:
     result = robot_result()
     info = result.data.isel(time=frames(result))
-    theta = info["q_reference"].sel(coordinate="theta").values
+    theta = info["q_reference"].sel(coordinate="joint.motor").values
     tip = 0.9 * np.stack([np.cos(theta), np.sin(theta), 0 * theta], axis=-1)
     assert np.abs(plain(scene_of(result)["referenceRigid"])[:, -1, -1] - tip).max() < 1e-6
     scene = scene_of(arm_result())
@@ -106,7 +107,7 @@ def test_small_displacements_keep_their_digits() -> None:
     moved = 1e-4 * np.sin(np.arange(rigid.size)).reshape(rigid.shape)
     coarse = kept(rigid)
     shown = displaced(rigid + moved, rigid, coarse)
-    assert isinstance(shown, Sum)
+    assert isinstance(shown, TwoParts)
     assert np.abs(plain(shown) - plain(coarse) - moved).max() < 1e-8
 
 
@@ -150,23 +151,22 @@ def test_modes_are_those_of_the_result(made: Any) -> None:
 
 
 def test_the_tip_of_a_mode_moves_by_the_jacobian() -> None:
-    from tmodes.analysis.spectrum import MotorState
-    from tmodes.paper.modes import shaped_modes
-
     result = robot_result()
-    robot = real_robot(result)
-    phi, shaped = shaped_modes(robot, MotorState.CONTROLLED)
-    mechanism, parameters = robot.split(Drive.VOLTAGE, contact=False)
-    jacobian = PaperModel(mechanism).evaluate(phi[None], np.zeros((1, 6)), np.zeros(1), parameters)["J"][0]
-    for mode, (_, motion) in zip(modes_of(result), shaped, strict=False):
+    robot = actual_robot(result)
+    rest = arm_rest(robot, contact=True)
+    jacobian = rest.model.jacobian(rest.q)[0, :3]
+    shaped = arm_modes(rest, MotorState.CONTROLLED, servos_of(robot, rest.model))
+    moving = [mode for mode in shaped if mode.motion is not None and mode.frequency_Hz > 0]
+    assert len(moving) == 6
+    for mode, one in zip(modes_of(result), moving, strict=False):
         tip = mode["real"][-1, -1] + 1j * mode["imaginary"][-1, -1]
-        wanted = jacobian @ motion
+        wanted = jacobian @ one.motion
         share = np.vdot(wanted, tip) / np.vdot(wanted, wanted)
         assert np.abs(tip - share * wanted).max() < 1e-5 * np.abs(tip).max()
 
 
 def test_the_line_panel_holds_the_series_of_the_result() -> None:
-    for result, links in ((robot_result(), ["Mode 1", "Mode 2"]), (arm_result(), ["rod"])):
+    for result, links in ((robot_result(), ["link.1", "link.2"]), (arm_result(), ["rod"])):
         panel = line_of(result)
         assert panel is not None
         assert panel["links"] == links
@@ -190,8 +190,8 @@ def test_what_stands_on_what() -> None:
     scene = scene_of(arm_result())
     assert [(link["name"], link["parent"], link["bends"]) for link in scene["links"]] == [
         ("rod", -1, True), ("hand", 0, False)]  # fmt: skip
-    assert [(joint["link"], joint["kind"], joint["elastic"]) for joint in scene["joints"]] == [
-        (0, "revolute", True), (1, "revolute", False)]  # fmt: skip
+    assert [(joint["link"], joint["drawing"], joint["elastic"]) for joint in scene["joints"]] == [
+        (0, "cylinder", True), (1, "cylinder", False)]  # fmt: skip
     assert scene["contact"] is None
     contact = scene_of(robot_result())["contact"]
     assert contact["surface"] == {"kind": "ball", "center": [0, 0, 0], "radius": pytest.approx(0.9), "inside": True}

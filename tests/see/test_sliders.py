@@ -9,10 +9,9 @@ import pytest
 
 from see.looking import look
 from see.test_page import ink
-from tmodes.paper.simulate import simulate
+from tmodes import load, run
 from tmodes.report.data import live_page
 from tmodes.report.viewer import viewer_document
-from tmodes.robots import load_robot
 
 PAYLOAD = '[data-path="payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"
@@ -23,14 +22,14 @@ VALUE = "[data-chart=tip_deviation] .toggle .value"
 @pytest.fixture(scope="module")
 def robot() -> Any:
     """The seed's robot, for a short time."""
-    return load_robot("filipovic2010").with_({"integration.duration": 0.3})
+    return load("filipovic2010").with_({"integration.duration": 0.3})
 
 
 @pytest.fixture(scope="module")
 def window(browser: Any, robot: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Its report, open."""
     path = tmp_path_factory.mktemp("alive") / "report.html"
-    path.write_text(viewer_document(live_page(simulate(robot))), encoding="utf-8")
+    path.write_text(viewer_document(live_page(run(robot))), encoding="utf-8")
     window = look(browser, path, (1280, 1000))
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     return window
@@ -44,7 +43,7 @@ def give(window: Any, text: str) -> None:
 def test_a_changed_payload_is_simulated_as_natively(window: Any, robot: Any) -> None:
     before = ink(window, "tip_deviation")
     give(window, "0.9")
-    wanted = simulate(robot.with_({"payload.mass": 0.9})).summary()["deviation"]["max_m"]
+    wanted = run(robot.with_({"payload.mass": 0.9})).summary()["deviation"]["max_m"]
     info = window.page.locator(WORST).inner_text().replace("\u00a0", " ").split(" ")
     assert info[1] == "mm"
     assert float(info[0]) == pytest.approx(1e3 * wanted, rel=1e-3)
@@ -58,7 +57,7 @@ def test_the_changed_sheet_can_be_saved(window: Any, tmp_path: Path) -> None:
         window.page.locator(".sliders-panel").get_by_role("button", name="Save YAML").click()
     path = tmp_path / given.value.suggested_filename
     given.value.save_as(path)
-    assert load_robot(path).payload.mass == 0.7
+    assert load(path).payload.mass == 0.7
 
 
 def test_the_way_back(window: Any) -> None:

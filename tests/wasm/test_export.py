@@ -14,10 +14,9 @@ import numpy as np
 import pytest
 
 from arm.run.sheets import pendulum
+from tmodes import load, run
 from tmodes.errors import ResultFileError
 from tmodes.live.wasm_export import Exported, exported
-from tmodes.paper.simulate import simulate
-from tmodes.robots.load import load
 from wasm.node import ROOT, built_model
 
 SCRIPT = """
@@ -61,7 +60,7 @@ def test_it_runs_in_node_as_natively(made: Exported, seed: Any, folder: Path) ->
     (folder / "use.mjs").write_text(SCRIPT)
     done = subprocess.run([node, "use.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=60)
     assert done.returncode == 0, done.stderr
-    info, native = json.loads(done.stdout), simulate(seed).data
+    info, native = json.loads(done.stdout), run(seed).data
     states = np.array(info["states"]).reshape(native.sizes["time"], -1)
     assert (info["status"], info["runs"]) == ("finished", ["reference", "real"])
     np.testing.assert_allclose(states[:, :6], native["q"].values, rtol=0, atol=1e-12)
@@ -91,7 +90,7 @@ def test_the_example_runs_from_disk(made: Exported, seed: Any, folder: Path, chr
     assert said == []
     assert title == "<script>"
     assert info.startswith("finished: reached the end, t = 0.1 s")
-    last = float(simulate(seed).data["q"].values[-1, 0])
+    last = float(run(seed).data["q"].values[-1, 0])
     assert float(info.rpartition(" ")[2]) == pytest.approx(last, rel=1e-10)
 
 

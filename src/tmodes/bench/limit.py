@@ -87,7 +87,7 @@ def limit(schedule: Any) -> Limit:
     program = Program("main", (), -1, len(outputs), code.main, outputs, [False] * len(code.main))
     path = critical_path(program, here.latency)
     changing = sum(count for name, count in _kinds(program).items() if name)
-    operations = sum(value.kind not in READ for value in (*code.prepare, *code.main))
+    operations = sum(value.opcode not in READ for value in (*code.prepare, *code.main))
     return Limit(operations, changing, path, path / here.cycle, throughput(program, here.cost))
 
 
@@ -98,8 +98,8 @@ def _measured(kind: str) -> str | None:
 def _kinds(program: Program) -> Counter[str | None]:
     """How often each measured operation is needed for a new state; sine and cosine of one angle count once."""
     changing = [value for value, fixed in zip(program.values, program.fixed, strict=True) if not fixed]
-    counts = Counter(_measured(value.kind) for value in changing if value.kind not in ("sin", "cos"))
-    counts["sin"] = len({value.args for value in changing if value.kind in ("sin", "cos")})
+    counts = Counter(_measured(value.opcode) for value in changing if value.opcode not in ("sin", "cos"))
+    counts["sin"] = len({value.args for value in changing if value.opcode in ("sin", "cos")})
     return counts
 
 
@@ -108,7 +108,7 @@ def critical_path(program: Program, latency: dict[str, float]) -> float:
     ready: list[float] = []
     for value, fixed in zip(program.values, program.fixed, strict=True):
         before = max((ready[arg] for arg in value.args), default=0.0)
-        kind = _measured(value.kind)
+        kind = _measured(value.opcode)
         ready.append(0.0 if fixed else before + (latency[kind] if kind else 0.0))
     return max((ready[index] for _, index in program.outputs), default=0.0)
 
@@ -135,8 +135,8 @@ def _fused(program: Program) -> int:
     read.update(index for _, index in program.outputs)
     values, fixed = program.values, program.fixed
     return sum(
-        value.kind in ("add", "sub")
+        value.opcode in ("add", "sub")
         and not fixed[index]
-        and any(values[arg].kind in ("mul", "sq") and read[arg] == 1 and not fixed[arg] for arg in value.args)
+        and any(values[arg].opcode in ("mul", "sq") and read[arg] == 1 and not fixed[arg] for arg in value.args)
         for index, value in enumerate(values)
     )

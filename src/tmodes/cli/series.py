@@ -44,7 +44,7 @@ class Series:
 def series_of_result(data: Dataset) -> Iterator[Series]:
     """Every series; of what is known along a link the value of the largest size at each instant, with its sign."""
     for name, variable in data.data_vars.items():
-        if variable.dims[:1] == ("time",) and variable.dtype.kind == "f":
+        if variable.dims[:1] == ("time",) and np.issubdtype(variable.dtype, np.floating):
             yield from _parts(str(name), _farthest(variable), _coordinate_units(data))
 
 

@@ -120,7 +120,7 @@ def _check_storable(dataset: Dataset) -> None:
     """Refuse what would need pickle, or would come back as something else."""
     hint = "store numbers and text; anything else as JSON text in an attribute"
     for name, variable in dataset.variables.items():
-        if variable.dtype.kind not in "fiuU" or variable.size == 0:
+        if variable.dtype.str[1] not in "fiuU" or variable.size == 0:
             got = f"{variable.dtype} of shape {variable.shape}"
             raise file_error(f"variable {name}", got, "numbers or text, at least one", hint)
     places: dict[str, dict[Any, Any]] = {"the result": dataset.attrs}
@@ -147,7 +147,7 @@ def _body(dataset: Dataset) -> memoryview:
 
 def _encoding(variable: Variable) -> dict[str, Any]:
     """Text as UTF-8 of fixed width; numbers compressed, in chunks of about a megabyte along the first axis."""
-    if variable.dtype.kind == "U":
+    if variable.dtype.str[1] == "U":
         return {"dtype": "S1"}
     if not variable.ndim:
         return {"_FillValue": None}
@@ -167,7 +167,12 @@ def _check_plain(path: object, body: memoryview, max_bytes: int) -> None:
     with h5py.File(io.BytesIO(body), "r") as file:
         for name in file:
             data = file[name] if isinstance(file.get(name, getlink=True), h5py.HardLink) else None
-            if not isinstance(data, h5py.Dataset) or data.external or data.is_virtual or data.dtype.kind not in "fiuSV":
+            if (
+                not isinstance(data, h5py.Dataset)
+                or data.external
+                or data.is_virtual
+                or data.dtype.str[1] not in "fiuSV"
+            ):
                 raise file_error(path, f"{name!r}, which is no plain variable", "numbers and text", "do not trust it")
             size += data.nbytes
     if size > max_bytes:
@@ -180,7 +185,7 @@ def _dataset(body: memoryview) -> Dataset:
     with xr.open_dataset(io.BytesIO(body), engine="h5netcdf", decode_times=False, mask_and_scale=False) as lazy:
         dataset = lazy.load().drop_encoding()
     for name, variable in dataset.variables.items():
-        if variable.dtype.kind == "O":
+        if variable.dtype.str[1] == "O":
             dataset[name] = dataset[name].astype(str)
         dataset[name].attrs = _plain(variable.attrs)
     dataset.attrs = _plain(dataset.attrs)

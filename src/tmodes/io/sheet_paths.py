@@ -102,7 +102,7 @@ def steps_of(path: str, data: Any) -> list[Step]:
         group = _expanded(value, steps)
         inner = inside(place, step, group, [*steps, step], data) if place else None
         if inner is None:
-            raise _unknown(path, steps, where, value, place, data)
+            raise _unknown(path, steps, (where, *words[used:]), value, place, data)
         steps.append(step)
         place, value, words = inner, at(group, step), words[used:]
     return steps
@@ -132,9 +132,10 @@ def _step(value: Any, words: list[str], place: ChainPlace | None) -> tuple[Step,
 
 
 def _unknown(
-    path: str, before: Sequence[Step], where: str, value: Any, place: ChainPlace | None, data: Any
+    path: str, before: Sequence[Step], words: Sequence[str], value: Any, place: ChainPlace | None, data: Any
 ) -> InputError:
-    """The error for a step that leads nowhere; ``before`` are those that led to ``value``."""
+    """The error for a step that leads nowhere, the first of ``words``; ``before`` are those that led to ``value``."""
+    where, *beyond = words
     if isinstance(value, (list, tuple)):
         known = [str(item.get("name") or k) if isinstance(item, Mapping) else str(k) for k, item in enumerate(value)]
         expected = f"one of {', '.join(known[:12])}" if known else "an empty list"
@@ -143,7 +144,7 @@ def _unknown(
         expected = f"one of {', '.join(known)}" if known else "no further key"
     start = own_path(named(before, data), data)
     meant = nearest(where, known)
-    found = ".".join(filter(None, (start, meant))) if meant else _elsewhere(where, data) or (start if before else "")
+    found = ".".join(filter(None, (start, meant, *beyond))) if meant else _elsewhere(where, data)
     found = found if before else _in_other_letters(path, data) or found
     hint = f"did you mean `{found}`?" if found else "look the path up in the data sheet"
     return InputError(path, "an unknown key", expected, hint)

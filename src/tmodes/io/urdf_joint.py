@@ -56,9 +56,9 @@ def joint_ends(element: Element) -> UrdfJoint:
 def joint_of(joint: UrdfJoint) -> dict[str, Any]:
     """The joint of the sheet; its origin is in the parent link's frame, as a URDF means it."""
     which = f"joint {joint.name}"
-    data: dict[str, Any] = {"name": joint.name, "type": KINDS[joint.kind], "parent": joint.parent, "child": joint.child}
+    data: dict[str, Any] = {"name": joint.name, "type": KINDS[joint.type], "parent": joint.parent, "child": joint.child}
     data |= {"origin": origin_at(joint.element, which), "from": "frame"}
-    if joint.kind == "fixed":
+    if joint.type == "fixed":
         return data
     data["axis"] = _axis(joint.element, which)
     if limits := _limits(joint, which):
@@ -72,7 +72,7 @@ def follows(joint: UrdfJoint) -> Follows | None:
     """The joint that this one mimics, None where it moves by itself."""
     which = f"joint {joint.name}: mimic"
     element = only(joint.element, "mimic", which)
-    if element is None or joint.kind == "fixed":
+    if element is None or joint.type == "fixed":
         return None
     check_attributes(element, {"joint", "multiplier", "offset"}, which)
     factor = number_at(element, "multiplier", f"{which} multiplier", 1.0)
@@ -118,7 +118,7 @@ def _limits(joint: UrdfJoint, which: str) -> dict[str, float]:
     if element is None:
         return {}
     check_attributes(element, {"lower", "upper", "effort", "velocity"}, f"{which}: limit")
-    limits: dict[str, float] = {} if joint.kind == "continuous" else _range(element, which)
+    limits: dict[str, float] = {} if joint.type == "continuous" else _range(element, which)
     for key, name in (("speed", "velocity"), ("effort", "effort")):
         value = _limit(element, name, which)
         if value < 0.0:

@@ -30,7 +30,7 @@ def massless(
     own = {name: body["mass"] for name, body in bodies.items()} | dict.fromkeys(weighed, 1.0)
     whole, rigid = _carried(tree, own)
     for joint in tree.joints:
-        if joint.kind not in MOVING:
+        if joint.type not in MOVING:
             continue
         stated = says_massless(links[joint.child])
         if whole[joint.child] == 0.0:
@@ -51,5 +51,5 @@ def _carried(tree: Tree, own: Mapping[str, float]) -> tuple[dict[str, float], di
     rigid = dict(whole)
     for joint in reversed(tree.joints):
         whole[joint.parent] += whole[joint.child]
-        rigid[joint.parent] += 0.0 if joint.kind in MOVING else rigid[joint.child]
+        rigid[joint.parent] += 0.0 if joint.type in MOVING else rigid[joint.child]
     return whole, rigid

@@ -19,7 +19,7 @@ def hold_followers(joints: tuple[UrdfJoint, ...], data: list[dict[str, Any]]) ->
     that does not exist, does not move, or follows another itself.
     """
     info = {joint.name: said for joint in joints if (said := follows(joint))}
-    moving = {joint.name: sheet for joint, sheet in zip(joints, data, strict=True) if joint.kind in MOVING}
+    moving = {joint.name: sheet for joint, sheet in zip(joints, data, strict=True) if joint.type in MOVING}
     for joint in joints:
         if joint.name in info:
             _check_leader(joint, info[joint.name].leader, moving, info)

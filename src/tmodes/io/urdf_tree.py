@@ -20,7 +20,7 @@ class UrdfJoint:
     """A joint's name, kind, and the links that it connects, with its element."""
 
     name: str
-    kind: str
+    type: str
     parent: str
     child: str
     element: Element

@@ -21,13 +21,13 @@ __all__ = ["SheetNumber", "real_entry", "sheet_numbers"]
 
 @dataclass(frozen=True)
 class SheetNumber:
-    """A number of a sheet: its path, the same with ``*`` for each item of a list (``kind``), and what it is of.
+    """A number of a sheet: its path, the same with ``*`` for each item of a list (``pattern``), and what it is of.
 
     ``least`` and ``most`` are its bounds by the sheet's checks; ``above`` says that the least itself is refused.
     """
 
     path: str
-    kind: str
+    pattern: str
     owner: str
     value: float
     unit: str

@@ -27,7 +27,7 @@ class Knob:
     that of the real robot on them, None where their factors differ.
     """
 
-    kind: str
+    pattern: str
     targets: tuple[tuple[str, float], ...]
     start: float
     low: float
@@ -84,7 +84,7 @@ class _Rule(NamedTuple):
     label where the sheet's own words do not say whose it is.
     """
 
-    kind: str
+    pattern: str
     group: str
     reach: float = 4.0
     real: bool = False
@@ -125,8 +125,8 @@ def knobs_of(sheet: Robot) -> list[Knob]:
     for rule in _RULES:
         kinds: dict[str, list[SheetNumber]] = {}
         for number in numbers:
-            if re.fullmatch(rule.kind, number.kind) and _useful(sheet, number, rule):
-                kinds.setdefault(number.kind, []).append(number)
+            if re.fullmatch(rule.pattern, number.pattern) and _useful(sheet, number, rule):
+                kinds.setdefault(number.pattern, []).append(number)
         for group in kinds.values():
             found += _knobs(sheet, group, rule)
     return found
@@ -136,9 +136,9 @@ def _useful(sheet: Robot, number: SheetNumber, rule: _Rule) -> bool:
     """A load of an arm is on the link with its tip; a plane moves along its normal; a slider is finite."""
     if not math.isfinite(number.value):
         return False
-    if number.kind == "contact.shape.position.*":
+    if number.pattern == "contact.shape.position.*":
         return sheet.contact is not None and int(number.path[-1]) == sheet.contact.shape.steep_axis
-    if number.kind == "links.*.bodies.*.mass":
+    if number.pattern == "links.*.bodies.*.mass":
         tip = sheet.tip.link if sheet.tip else sheet.links[-1].name if sheet.links else ""
         return number.owner == tip and number.value > 0
     return number.value > 0 or (rule.room > 0 and number.least < 0)
@@ -160,7 +160,7 @@ def _knob(sheet: Robot, group: Sequence[SheetNumber], span: tuple[float, float, 
     reals, factors = [path for path, _ in entries if path], {factor for _, factor in entries}
     common = factors.pop() if len(factors) == 1 else None
     targets = tuple((number.path, number.value) for number in group)
-    return Knob(group[0].kind, targets, *span, log, tuple(reals) if len(reals) == len(group) else (), common)
+    return Knob(group[0].pattern, targets, *span, log, tuple(reals) if len(reals) == len(group) else (), common)
 
 
 def _reach(sheet: Robot, number: SheetNumber, rule: _Rule) -> tuple[float, float]:
@@ -182,7 +182,7 @@ def _label(number: SheetNumber, knob: Knob) -> str:
     """What a knob moves, and whose: ``bending stiffness about z, forearm``."""
     words, owner = re.split("[,;]", number.meaning)[0], number.owner
     if knob.together:
-        return f"{words}, all {'motors' if '.motor.' in knob.kind else knob.kind.partition('.')[0]}"
+        return f"{words}, all {'motors' if '.motor.' in knob.pattern else knob.pattern.partition('.')[0]}"
     steps = number.path.split(".")
     if words.endswith("about y and about z"):
         words = words.replace("about y and about z", f"about {'yz'[int(steps[-1])]}") if steps[-1] in "01" else words
@@ -200,9 +200,9 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: 
     found: list[Slider] = []
     for index, knob in enumerate(knobs):
         number = info[knob.targets[0][0]]
-        rule = next(rule for rule in _RULES if re.fullmatch(rule.kind, knob.kind))
+        rule = next(rule for rule in _RULES if re.fullmatch(rule.pattern, knob.pattern))
         label = rule.words.format("xyz"[int(number.path[-1])] if "{" in rule.words else "") or _label(number, knob)
-        path, unit = (knob.kind, "-") if knob.together else (number.path, number.unit)
+        path, unit = (knob.pattern, "-") if knob.together else (number.path, number.unit)
         shown = f"{label}: times the sheet's" if knob.together else label
         own = (path, shown, number.symbol, unit, rule.group, knob.start, knob.low, knob.high, knob.log)
         found.append(Slider(index, False, *own))

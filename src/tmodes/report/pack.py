@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["Coarse", "Sum", "embedded", "pack"]
+__all__ = ["Coarse", "TwoParts", "embedded", "pack"]
 
 _KINDS = {"float64": "f8", "int32": "i4", "uint8": "u1"}
 
@@ -33,7 +33,7 @@ class Coarse:
 
 
 @dataclass(frozen=True, eq=False)
-class Sum:
+class TwoParts:
     """An array as the sum of two of its shape, such as a place and what it is displaced by, which keeps its digits."""
 
     large: NDArray[Any] | Coarse
@@ -81,7 +81,7 @@ def _plain(value: Any, arrays: _Arrays) -> Any:
     match value:
         case Coarse():
             return _coarse(value.values, arrays)
-        case Sum():
+        case TwoParts():
             return {"$sum": [_plain(value.large, arrays), _plain(value.small, arrays)]}
         case np.ndarray():
             return _single(value, arrays) if value.dtype == np.float32 else arrays.add(value)

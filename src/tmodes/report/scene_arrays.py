@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.report.pack import Coarse, Sum
+from tmodes.report.pack import Coarse, TwoParts
 
 __all__ = ["colour", "displaced", "kept", "quaternions", "stations_shown", "steady"]
 
@@ -25,14 +25,14 @@ def kept(values: Array) -> NDArray[np.float32] | Coarse:
     return values.astype(np.float32) if values.size <= _FINE else Coarse(values)
 
 
-def displaced(values: Array, rigid: Array, base: NDArray[np.float32] | Coarse) -> NDArray[np.float32] | Sum:
+def displaced(values: Array, rigid: Array, base: NDArray[np.float32] | Coarse) -> NDArray[np.float32] | TwoParts:
     """Places that differ little from ``rigid``, which is kept as ``base``.
 
     The difference keeps its own digits, because it is shown enlarged.
     """
     if values.size <= _FINE:
         return values.astype(np.float32)
-    return Sum(base, kept(values - rigid))
+    return TwoParts(base, kept(values - rigid))
 
 
 def colour(name: str, label: str, unit: str, values: Array) -> dict[str, Any]:

@@ -156,7 +156,7 @@ class RunRecord:
         import numpy as np
 
         for name, variable in self.data.variables.items():
-            if variable.dtype.kind == "f" and not np.isfinite(variable.values).all():
+            if np.issubdtype(variable.dtype, np.floating) and not np.isfinite(variable.values).all():
                 hint = "keep only what is before it: result.data.isel(time=slice(None, n))"
                 raise file_error(f"variable {name}", "a number that is not finite", "finite numbers", hint)
 

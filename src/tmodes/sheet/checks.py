@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterable, Iterator, Mapping
 from difflib import get_close_matches
-from typing import TYPE_CHECKING
+from typing import Any
 
 import numpy as np
 
@@ -14,9 +14,6 @@ from tmodes.kinds.schema.frames import Convention
 from tmodes.kinds.schema.quantity import SMALLEST, Issue
 from tmodes.sheet.parts import Command, DriveSheet, TipSheet
 from tmodes.sheet.topology import BASE, tree_issues
-
-if TYPE_CHECKING:
-    from tmodes.sheet import Robot
 
 __all__ = ["MOST_COORDINATES", "arm_issues", "coordinate_count"]
 
@@ -29,7 +26,7 @@ SINGULAR = 1e-9
 """Smallest over largest singular value of couplings at which they are singular but for round-off [-]."""
 
 
-def arm_issues(arm: Robot) -> list[Issue]:
+def arm_issues(arm: Any) -> list[Issue]:
     """All that does not fit; the names only where the tree stands, the masses only where the names do."""
     return (
         list(tree_issues(arm.joints, [link.name for link in arm.links]))
@@ -48,7 +45,7 @@ def _unknown(path: str, name: str, known: Iterable[str], hint: str = "check the 
         yield Issue(path, f"the unknown name `{name}`", f"one of {info}" if known else "no name", hint)
 
 
-def _points(arm: Robot) -> Iterator[Issue]:
+def _points(arm: Any) -> Iterator[Issue]:
     if arm.tip:
         yield from _point(arm, "tip", arm.tip)
     names = ["tip"]
@@ -63,14 +60,14 @@ def _points(arm: Robot) -> Iterator[Issue]:
         yield from _unknown("contact.point", arm.contact.point, names, "add it under `points`")
 
 
-def _point(arm: Robot, path: str, point: TipSheet) -> Iterator[Issue]:
+def _point(arm: Any, path: str, point: TipSheet) -> Iterator[Issue]:
     yield from _unknown(f"{path}.link", point.link, [joint.child for joint in arm.joints])
     if point.at is not None and arm.link(point.link).beam is None:
         hint = "remove `at`, and give the position in the link's frame"
         yield Issue(f"{path}.at", f"{point.at:g}", "no station: the link has no beam", hint)
 
 
-def _drives(arm: Robot) -> Iterator[Issue]:
+def _drives(arm: Any) -> Iterator[Issue]:
     joints = {name: joint for joint in arm.joints for name in (joint.coordinates or [joint.name])}
     active = [name for name, joint in joints.items() if not joint.is_locked and joint.is_active]
     seen: set[str] = set()
@@ -99,7 +96,7 @@ def _drive(path: str, drive: DriveSheet, joint: JointSheet) -> Iterator[Issue]:
         yield Issue(f"{path}.command", got, "a joint without an elastic gear", hint)
 
 
-def _couplings(arm: Robot) -> Iterator[Issue]:
+def _couplings(arm: Any) -> Iterator[Issue]:
     elastic = [name for joint in arm.joints if joint.is_elastic and joint.is_active for name in joint.coordinates]
     hint = "couplings are between the gears of active joints"
     for joint, factors in arm.couplings.items():
@@ -127,7 +124,7 @@ def _singular(couplings: Mapping[str, Mapping[str, float]], names: list[str]) ->
         yield Issue("couplings", got, "factors by which every motor moves a gear", hint)
 
 
-def _initial(arm: Robot) -> Iterator[Issue]:
+def _initial(arm: Any) -> Iterator[Issue]:
     names = [name for joint in arm.joints for name in (joint.name, joint.child, *joint.coordinates)]
     for group in ("coordinates", "rates"):
         for name in getattr(arm.initial, group):
@@ -135,7 +132,7 @@ def _initial(arm: Robot) -> Iterator[Issue]:
                 yield from _unknown(f"initial.{group}.{name}", name, names)
 
 
-def _links(arm: Robot) -> Iterator[Issue]:
+def _links(arm: Any) -> Iterator[Issue]:
     carriers = {joint.child: index for index, joint in enumerate(arm.joints)}
     for index, link in enumerate(arm.links):
         for issue in link.beam.station_issues(link.bodies) if link.beam else ():
@@ -147,7 +144,7 @@ def _links(arm: Robot) -> Iterator[Issue]:
             yield Issue(f"joints.{carriers[link.name]}.dh.a", repr(joint.dh.a), expected, hint)
 
 
-def _size(arm: Robot) -> Iterator[Issue]:
+def _size(arm: Any) -> Iterator[Issue]:
     """Refused before anything is allocated."""
     moving, motors, bends = _counts(arm)
     if (count := moving + motors + bends) > MOST_COORDINATES:
@@ -155,12 +152,12 @@ def _size(arm: Robot) -> Iterator[Issue]:
         yield Issue("links", got, f"at most {MOST_COORDINATES}", "take fewer functions, segments or joints")
 
 
-def coordinate_count(arm: Robot) -> int:
+def coordinate_count(arm: Any) -> int:
     """How many coordinates the arm has: those of its joints, of the motors behind elastic gears, of its links."""
     return sum(_counts(arm))
 
 
-def _counts(arm: Robot) -> tuple[int, int, int]:
+def _counts(arm: Any) -> tuple[int, int, int]:
     moving = sum(joint.kind.size for joint in arm.joints if not joint.is_locked)
     motors = sum(joint.kind.size for joint in arm.joints if joint.is_elastic)
     return moving, motors, sum(link.beam.coordinate_count for link in arm.links if link.beam and link.name != BASE)

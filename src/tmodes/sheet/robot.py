@@ -15,6 +15,7 @@ from typing import Annotated, Any, Literal, Self
 from pydantic import Field, field_validator, model_validator
 
 from tmodes import upward
+from tmodes.errors import InputError
 from tmodes.integrate.settings import RobotIntegration
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.joints.joint import JointSheet
@@ -170,7 +171,21 @@ class Robot(DataSheet):
 
 @dataclass(frozen=True)
 class RobotPair:
-    """The arm twice: with the numbers as known, by which motions are planned, and as they really are."""
+    """The robot twice: with the numbers as known, by which motions are planned, and as they really are.
+
+    Their motions are compared sample by sample, so that integration, equations and whether there is a contact must be
+    the same. Raises :class:`tmodes.errors.InputError` where they differ.
+    """
 
     nominal: Robot
     real: Robot
+
+    def __post_init__(self) -> None:
+        for name in ("integration", "equations", "contact"):
+            known, real = getattr(self.nominal, name), getattr(self.real, name)
+            if name == "contact":
+                known, real = known is not None, real is not None
+            if known != real:
+                expected = f"that of the nominal robot, {known!r}"
+                hint = "make them equal: the motions of both robots are compared sample by sample"
+                raise InputError(f"{name} of the real robot", repr(real), expected, hint)

@@ -69,7 +69,7 @@ class _Guarded:
             effort = np.asarray(self.controller(time, q, v), dtype=float)
         except Exception as error:
             raise self._failed(time, f"{type(error).__name__}: {error}", "an answer") from error
-        wanted = f"{len(self.joints)} efforts, of {', '.join(self.joints)}"
+        wanted = f"an array of shape ({len(self.joints)},), the efforts of {', '.join(self.joints)}"
         if effort.shape != (len(self.joints),):
             raise self._failed(time, f"an array of shape {effort.shape}", wanted)
         if not np.isfinite(effort).all():

@@ -83,6 +83,8 @@ def simulate_motion(
     warnings = [*([verdict.sentence] if verdict.sentence else []), *_growing(setups), *start_warnings(setups.real)]
     warnings += setups.warnings
     reference, until = _reference(setups.nominal, progress, journals, warnings)
+    if reference and reference.status == "diverged":
+        reference = replace(reference, message=f"{reference.message}; likely cause: {_cause(verdict, warnings)}")
     trajectory, used, rows = _run(setups.real, until, stops, progress, journals, controller, tuple(stop))
     if reference and trajectory.status == STOPPED:
         reference = _until(reference, float(trajectory.times[-1]))

@@ -9,7 +9,7 @@ from arm.cli.command import tmodes
 
 def test_right():
     done = tmodes("check", "spong1987")
-    assert "spong1987: right" in done.stdout
+    assert "spong1987: valid" in done.stdout
     info = json.loads(tmodes("check", "spong1987", "--json").stdout)
     assert info["ok"] is True
     assert info["kind"] == "arm"

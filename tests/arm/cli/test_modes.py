@@ -8,6 +8,7 @@ from importlib import resources
 
 import numpy as np
 import pytest
+from scipy.optimize import brentq
 
 from arm.analysis.sheets import clamped_sheet, locked_sheet
 from arm.cli.command import tmodes
@@ -22,13 +23,21 @@ def test_json():
 
 def test_real_and_known_arm():
     info = tmodes("modes", "spong1987", "--set", "real.joints.joint.gear.stiffness=0.8").stdout
-    assert "real arm, motor locked" in info
-    assert "arm as known, motor locked" in info
+    assert "actual robot, motor locked" in info
+    assert "nominal robot, motor locked" in info
 
 
-@pytest.mark.parametrize("arguments", [["--angle", "0.5"], ["--contact"], ["--reading", "printed"]])
+@pytest.mark.parametrize("arguments", [["--angle", "1e4"], ["--contact"], ["--reading", "printed"]])
 def test_what_an_arm_has_not_is_refused(arguments):
     assert arguments[0] in tmodes("modes", "spong1987", *arguments, code=2).stderr
+
+
+def test_at_an_angle_of_the_motor():
+    """Spring and weight: 100 (q - 0.5) + 9.8 sin q = 0 at rest, about which w^2 = 100 + 9.8 cos q."""
+    info = json.loads(tmodes("modes", "spong1987", "--angle", "0.5", "--json").stdout)
+    angle = brentq(lambda q: 100 * (q - 0.5) + 9.8 * np.sin(q), 0, 0.5)
+    hertz = info["real"]["locked"][0]["frequency_Hz"]
+    assert 2 * np.pi * hertz == pytest.approx(np.sqrt(100 + 9.8 * np.cos(angle)), rel=1e-8)
 
 
 @pytest.mark.parametrize("command", ["describe", "static", "modes"])
@@ -42,7 +51,7 @@ def test_nothing_moves(command, tmp_path):
 
 
 def test_modes_that_are_not_converged_are_marked(tmp_path):
-    """Three functions: 5.596 and 35.07 Hz exact, the third 6 % high; links are told in table and JSON."""
+    """Three functions: 5.596 and 35.07 Hz exact, the third 6 % high; links are reported in table and JSON."""
     file = tmp_path / "clamped.yaml"
     file.write_text(json.dumps(clamped_sheet(functions={"bend_y": 3}, basis="tip_weighted")), encoding="utf-8")
     done = tmodes("modes", file)
@@ -56,7 +65,7 @@ def test_modes_that_are_not_converged_are_marked(tmp_path):
 
 def test_growth_is_reported_in_seconds(tmp_path):
     """A hanging meter whose 200 N pull upwards: 100 N*m/rad are too soft, it tips over."""
-    text = (resources.files("tmodes.robots") / "arms" / "spong1987.yaml").read_text(encoding="utf-8")
+    text = (resources.files("tmodes.robots") / "spong1987.yaml").read_text(encoding="utf-8")
     file = tmp_path / "tipping.yaml"
     file.write_text(re.sub(r"(?m)^gravity:.*$", "gravity: [0, 0, 200]", text), encoding="utf-8")
     out = tmodes("modes", file).stdout

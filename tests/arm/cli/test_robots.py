@@ -1,4 +1,4 @@
-"""``tmodes robots``: arms beside the robot of 2010."""
+"""``tmodes robots``: the published robots."""
 
 from __future__ import annotations
 
@@ -14,7 +14,7 @@ from arm.cli.command import tmodes
 
 def test_list():
     info = {one["name"]: one for one in json.loads(tmodes("robots", "--json").stdout)}
-    assert info["filipovic2010"]["kind"] == "robot"
+    assert info["filipovic2010"]["kind"] == "2010 robot"
     assert info["spong1987"]["kind"] == "arm"
     assert info["ur5_elastic"]["kind"] == "arm, with a URDF"
     assert all(one["title"] and one["citation"] for one in info.values())
@@ -27,7 +27,7 @@ def test_a_sheet_can_be_edited_and_checked(tmp_path):
     text = tmodes("robots", "spong1987").stdout
     assert "# k [N*m/rad]" in text
     (tmp_path / "mine.yaml").write_text(text.replace("name: spong1987", "name: mine"), encoding="utf-8")
-    assert "mine: right" in tmodes("check", tmp_path / "mine.yaml").stdout
+    assert "mine: valid" in tmodes("check", tmp_path / "mine.yaml").stdout
     info = json.loads(tmodes("robots", "spong1987", "--json").stdout)
     assert info["joints"][0]["name"] == "joint"
 

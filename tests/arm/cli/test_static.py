@@ -47,8 +47,13 @@ def test_wrong_lines_are_refused(arguments, info):
     assert info in tmodes("static", ARM, *arguments, code=2).stderr
 
 
-def test_the_robot_of_the_paper_is_sent_elsewhere():
-    assert "kind: arm" in tmodes("static", "filipovic2010", code=2).stderr
+def test_the_robot_of_2010():
+    """A force along y at 0.9 m gives way l^2/k at the gear of 4700 N*m/rad, the rest in the link."""
+    info = json.loads(tmodes("static", "filipovic2010", "--json").stdout)
+    assert info["stable"] is True
+    assert info["held"] == ["joint.motor"]
+    along = info["stiffness"]["directions"][1]
+    assert along["shares"]["joint.gear"] == pytest.approx(along["stiffness"] * 0.9**2 / 4700, rel=2e-3)
 
 
 def test_buckling_is_reported():

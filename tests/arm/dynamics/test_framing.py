@@ -123,7 +123,7 @@ def test_other_joints_between(kinds: str) -> None:
 
 @pytest.mark.parametrize("axis", [X, np.array([0.0, 0.6, 0.8])])
 def test_any_axis_with_rotors(axis) -> None:
-    """Inertia of a rotor stays along the axis: the whole articulated inertia goes on."""
+    """Inertia of a rotor stays along the axis: the whole articulated inertia is passed on."""
     assert_moves_as_newton_and_euler_say(tree(PLACES["general"], axis=axis, motor=Motor(0.3)))
 
 

@@ -37,12 +37,12 @@ OPERATIONS: dict[str, Any] = {
 def values_of(program: Any, inputs: Any) -> list[float]:
     found: list[float] = []
     for value in program:
-        if value.kind == "constant":
+        if value.opcode == "constant":
             found.append(value.value)
-        elif value.kind == "input":
+        elif value.opcode == "input":
             found.append(inputs[value.source[0]][value.source[1]])
         else:
-            found.append(OPERATIONS[value.kind](*(found[arg] for arg in value.args)))
+            found.append(OPERATIONS[value.opcode](*(found[arg] for arg in value.args)))
     return found
 
 
@@ -76,7 +76,7 @@ def test_traced_kernels_are_casadis() -> None:
 def test_traced_kernels_have_no_more_operations_than_casadis() -> None:
     """But for a few that CasADi knows by heart."""
     for kernel in plain_kernels():
-        counts = [sum(value.kind not in READ for value in one.values)
+        counts = [sum(value.opcode not in READ for value in one.values)
                   for one in (kernel_program(kernel), block_program(kernel_function(kernel)))]  # fmt: skip
         assert counts[0] <= 1.1 * counts[1] + 2, kernel.key
 
@@ -87,7 +87,7 @@ def test_what_is_known_folds_away() -> None:
         return [[x * 0.0, 1.0 * y, 0.0 - (-x), x - (-y), 0.0 - x, (-x) * (-y), 2.0 + x * 0, 1 / y, y * x, 0.0 / y]]
 
     program = kernel_program(Kernel("folds", (2,), (10,), build, plain=True))
-    kinds = [value.kind for value in program.values]
+    kinds = [value.opcode for value in program.values]
     assert sorted(kinds) == ["add", "constant", "input", "input", "inv", "mul", "neg"]
     assert results_of(program, [[3.0, 5.0]], (10,)) == [0.0, 5.0, 3.0, 8.0, -3.0, 15.0, 2.0, 0.2, 15.0, 0.0]
 

@@ -15,6 +15,7 @@ from arm.oracle.robots import arms
 from arm.oracle.variants import carried, reordered, rigidified, split_placements, stiffened
 from arm.random_chains import random_chain, random_placement, random_state
 from tmodes.chain.chain import Chain
+from tmodes.kinds.drives.registry import drive_kind
 from tmodes.model.model import Model
 
 Array = NDArray[np.float64]
@@ -45,7 +46,7 @@ def driven(model: Any, chain: Chain) -> list[int]:
     return [
         names.index(motor if motor in names else joint)
         for motor, joint, drive in rows
-        if joint in names and drive in {"effort", "elastic"}
+        if joint in names and drive in (drive_kind("effort"), drive_kind("elastic"))
     ]
 
 

@@ -37,7 +37,7 @@ CASES = {"step": STEP, "tubes": TUBES}
 
 
 def clamped(case: tuple[float, tuple[BeamPiece, ...]], **more: Any) -> Model:
-    """The beam on a wall, no gravity, its tip told."""
+    """The beam on a wall, no gravity, its tip as a point of interest."""
     length, pieces = case
     link = Beam(length, pieces, **{"twist": 1, "bend_y": 3, "bend_z": 3, **more})
     node = Node("rod", -1, Joint("wall", joint_kind("fixed")), link)

@@ -89,7 +89,7 @@ def test_one_program_is_the_kernels(name: str, monkeypatch: pytest.MonkeyPatch) 
 
 @pytest.mark.parametrize("arithmetic", ["double", "lanes"])
 def test_each_sample_has_what_follows_from_its_own_numbers(arithmetic: str) -> None:
-    """Numbers of each sample are prepared anew; lanes agree with single samples to the bit."""
+    """Numbers of each sample are prepared again; lanes agree with single samples to the bit."""
     schedule, numbers = SCHEDULES["run with a gear"]()
     rows, scale = random_rows(schedule, 8), np.linspace(0.5, 1.5, 8)[:, None]
     own = np.ascontiguousarray(numbers * scale)
@@ -106,7 +106,7 @@ def test_zeros_and_twins_are_gone() -> None:
     called = sum(len(block_program(kernel_function(kernel)).values) for kernel, _, _ in schedule.calls)
     assert len(code.main) < 0.8 * called
     assert len(set(code.main)) == len(code.main)
-    places = {value.source[1] for value in code.main if value.kind == "input"}
+    places = {value.source[1] for value in code.main if value.opcode == "input"}
     zeros = {schedule.offset(slot) + k for slot in schedule.zeros for k in range(slot.size)}
     assert not places & zeros
     assert {place for place, _ in code.prepared} <= places

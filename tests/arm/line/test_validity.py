@@ -1,4 +1,4 @@
-"""Warnings of a run: each limit passed is told with its first time and how far; nothing is told within them."""
+"""Warnings of a run: each limit passed is reported with its first time and how far; within the limits nothing is."""
 
 from __future__ import annotations
 
@@ -37,7 +37,7 @@ def info(q: Any, wrenches: Any = None, **changes: Any) -> list[str]:
 
 
 def info_of_joints(q: Any, v: Any = 0.0, effort: Any = 0.0) -> list[str]:
-    """What the run itself tells, of the same samples put in the place of its own."""
+    """What the run itself reports, for the same samples put in the place of its own."""
     run = simulate_motion(Robot.from_data(sheet() | {"integration": {"duration": 0.02, "output_step": 0.01}}))
     nothing = np.zeros(len(q))
     return joint_warnings(replace(

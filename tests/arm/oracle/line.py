@@ -128,7 +128,7 @@ def cardinal(nodes: Array, s: Array) -> Array:
 class Line:
     """The line of one beam with coordinates ``q`` (twist, bend y, bend z, stretch; each in rising order).
 
-    ``asked``: places s < 1 whose sections are told besides those of the beam's bodies.
+    ``asked``: places s < 1 whose sections are given in addition to those of the beam's bodies.
     """
 
     def __init__(self, beam: Beam, q: Any, asked: tuple[float, ...] = ()):

@@ -1,4 +1,4 @@
-"""A native model beside its oracle: the same state in the order of each, and what both must agree on."""
+"""A native model next to its oracle: the same state in the order of each, and what both must agree on."""
 
 from __future__ import annotations
 

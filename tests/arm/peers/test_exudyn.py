@@ -1,4 +1,4 @@
-"""Large motion of flexible links beside Exudyn's beams (absolute nodal coordinates), over two seconds."""
+"""Large motion of flexible links against Exudyn's beams (absolute nodal coordinates), over two seconds."""
 
 from __future__ import annotations
 

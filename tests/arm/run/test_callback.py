@@ -1,4 +1,4 @@
-"""A Python function as the controller: the same motion as the built-in law, and every fault of it told."""
+"""A Python function as the controller: the same motion as the built-in law, and every fault of it reported."""
 
 from __future__ import annotations
 
@@ -96,7 +96,7 @@ def test_steps_that_fail_end_the_run():
 
 
 def test_no_acceleration_from_the_start():
-    """No length of a first step can be told; the run ends at once."""
+    """No length of a first step can be found; the run ends at once."""
     run = simulate_motion(
         sheet(initial={"state": "zero", "rates": {"joint": 1.0}}), controller=lambda time, q, v: [1e308]
     )

@@ -166,7 +166,7 @@ def test_loads_dead_and_following(frame):
 
 
 def test_base_that_shakes_and_turns():
-    """A free link on a base that travels and turns: written in the inertial frame; the base's work is told."""
+    """A free link on a base that travels and turns: written in the inertial frame; the base's work is reported."""
     travel = {"type": "expression", "formula": "0.1*sin(5*t)"}
     turn = {"type": "expression", "formula": "0.4*t**2"}
     run = simulate_motion(link_under(None, base_motion={"x": travel, "yaw": turn}, initial={

@@ -1,4 +1,4 @@
-"""Each way in which a run can end says what it is: status, time, coordinate, likely cause, mend."""
+"""Each way in which a run can end says what it is: status, time, coordinate, likely cause, fix."""
 
 from __future__ import annotations
 
@@ -48,7 +48,7 @@ def test_a_bounce_whose_period_shrinks_chatters(method: str) -> None:
     touching = changes / 2 * np.pi * np.sqrt(1e-3 / 1e12)
     stopped = float(run.message.partition("t = ")[2].partition(" s")[0])
     assert 0 < zeno + touching - stopped < 1.2e-3
-    # Period n is e^n times the first, so the changes so far tell how near the end is.
+    # Period n is e^n times the first, so the changes so far show how near the end is.
     assert stopped - touching == pytest.approx(first * (1 + 2 * e * (1 - e ** (changes / 2)) / (1 - e)), rel=2e-2)
     for words in ("more than 1000 times within 0.001 s", "period shrinks", "give the surface damping"):
         assert words in run.message
@@ -75,7 +75,7 @@ def test_a_bounce_that_comes_to_rest_does_not_chatter() -> None:
      (Status.NOT_CONVERGED, 12.0, "not_converged", "shorten integration.step")],
 )  # fmt: skip
 def test_what_was_lost_is_named(status: Status, acceleration: float, named: str, words: str) -> None:
-    """The status is one that results know; time, coordinate and value are told, then what to do."""
+    """The status is one that results know; time, coordinate and value are reported, then what to do."""
     lost = Lost(0.25, 1e-3, np.array([1.0, acceleration, 2.0]), ("a", "b", "c"), 1e8)
     info, message = lost.info(status)
     assert info == named

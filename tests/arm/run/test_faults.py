@@ -11,9 +11,7 @@ import pytest
 from arm.run.sheets import TIGHT, arm, pendulum, torque
 from tmodes.errors import InputErrors
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
-from tmodes.robots import load_robot
+from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import RunSetup, run_setup
@@ -39,7 +37,7 @@ def run_with(regime: RunSetup, value: float) -> Trajectory:
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("value", [np.nan, np.inf])
 def test_a_force_that_is_no_number_ends_the_run_where_it_comes(method: str, value: float) -> None:
-    """Not a step further: all before is as it was without, all is finite, and the coordinate and the time are told."""
+    """No step further: all before is as it was without, all is finite; the coordinate and the time are reported."""
     regime = run_setup(swing(method=method))
     bad, good = run_with(regime, value), run_with(regime, 1.0)
     assert bad.status == "diverged"
@@ -53,20 +51,19 @@ def test_a_force_that_is_no_number_ends_the_run_where_it_comes(method: str, valu
 
 @pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4"])
 def test_the_2010_robot_keeps_what_was_before_a_reference_that_is_no_number(method: str) -> None:
-    """The same in its native loops."""
-    robot = load_robot("filipovic2010")
-    mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, schedule = PaperModel(mechanism), robot.reference.schedule()
+    """The same with a reference of several pieces, a controller, contact and the equations of Lagrange."""
+    changes = {"integration.method": method, "integration.output_step": 1e-2}
+    setup = run_setup(load("filipovic2010", changes))
+    schedule = setup.planned.schedule
+    knot = schedule.knots[1]
     coefficients = schedule.coefficients.copy()
     coefficients[1:] = np.nan
-    update = {"method": method, "duration": 2 * schedule.knots[1], "output_step": 1e-2}
-    settings = robot.integration.model_copy(update=update)
-    start = model.rest(robot.reference.start, parameters)
-    run = integrate(model, parameters, Schedule(schedule.knots, coefficients), start, settings)
+    settings = setup.arm.integration.model_copy(update={"duration": 2 * knot})
+    run = integrate(setup.model, setup.model.numbers, Schedule(schedule.knots, coefficients), setup.start, settings)
     assert run.status == "diverged"
-    assert f"at t = {schedule.knots[1]:.6g} s in coordinate " in run.message
+    assert f"at t = {knot:.6g} s in coordinate " in run.message
     assert np.isfinite(run.states).all()
-    assert run.times[-1] <= schedule.knots[1] < run.times[-1] + 1.01e-2
+    assert run.times[-1] <= knot < run.times[-1] + 1.01e-2
 
 
 def test_a_coordinate_without_mass_is_named_before_the_run() -> None:
@@ -91,10 +88,11 @@ def later(answer: Any) -> Any:
 @pytest.mark.parametrize(
     ("answer", "info"),
     [([np.nan], "nan for joint joint"), ([np.inf], "inf for joint joint"), ([1.0, 2.0], r"shape \(2,\)"),
-     (None, "expected 1 efforts"), ("text", "could not convert"), ([1j], "complex")],
+     (None, r"must return an array of shape \(1,\), the efforts of joint, got an array of shape \(\)"),
+     ("text", "could not convert"), ([1j], "complex")],
 )  # fmt: skip
 def test_a_controller_that_goes_wrong_later(answer: Any, info: str) -> None:
-    """Its name, the time and what it gave are told; what was done is kept as it was."""
+    """Its name, the time and what it gave are reported; what was done is kept as it was."""
     run = simulate_motion(swing(output_step=1e-2), controller=later(answer))
     assert run.status == "stopped"
     assert "controller later.<locals>.controller at t = 0.0" in run.message

@@ -102,7 +102,7 @@ def test_unstable_step_is_reported_before_and_after():
 
 
 def test_controller_that_feeds_energy_in():
-    """A control of the wrong sign in the torque: the start is told to be unstable, with the coordinate."""
+    """A control of the wrong sign in the torque: the start is reported as unstable, with the coordinate."""
     drive = {"command": "voltage", "signal": ZERO}
     motor = {**MOTOR, "resistance": 1.0, "back_emf_constant": 0.1, "torque_constant": 0.1}
     standing = {"joint": float(np.pi)}

@@ -1,4 +1,4 @@
-"""Motions that turn stiff during a run: seen, told, and gone on with by the implicit method where it may choose."""
+"""Motions that turn stiff during a run: detected, reported, and continued by the implicit method where allowed."""
 
 from __future__ import annotations
 
@@ -51,7 +51,7 @@ def test_a_vibration_that_hardly_decays_is_seen() -> None:
 
 
 def test_a_change_that_does_not_pay_is_taken_back() -> None:
-    """Friction of a contact is explicit in both methods: after a trial the explicit one goes on, and says so."""
+    """Friction of a contact is explicit in both methods: after a trial the explicit one continues, and says so."""
     run, alone = (simulate_motion(sliding(method=method)) for method in ("auto", "dormand_prince"))
     assert "extrapolation was tried" in run.message
     assert "by dormand_prince again" in run.message
@@ -127,7 +127,7 @@ def test_same_bits_after_a_kill_on_either_side(share: float, monkeypatch: pytest
 
 
 def test_chattering_ends_a_run(monkeypatch: pytest.MonkeyPatch) -> None:
-    """A contact that sets in and ends too often within a time: a status of its own, and what was done is kept."""
+    """A contact that starts and ends too often within a time: a status of its own, and what was done is kept."""
     monkeypatch.setattr("tmodes.simulation.native_run.MOST_EVENTS", 3)
     monkeypatch.setattr("tmodes.simulation.native_run.EVENT_TIME", 10.0)
     run = simulate_motion(landing(damping=0.0, method="dormand_prince", duration=1.0))
@@ -151,7 +151,7 @@ def test_errors_bound_the_true_ones(method: str) -> None:
 
 
 def test_errors_of_an_arms_figures() -> None:
-    """Beside each headline figure of an arm; sharp with a second run."""
+    """Next to each headline figure of an arm; sharp with a second run."""
     from tmodes.result import assemble_result
 
     coarse = {"method": "dormand_prince", "relative_tolerance": 1e-6, "absolute_tolerance": 1e-8, "duration": 0.1}

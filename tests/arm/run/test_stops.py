@@ -71,7 +71,7 @@ def test_falling_mass_passes_a_height(method: str) -> None:
 @pytest.mark.parametrize("method", METHODS)
 @pytest.mark.parametrize("angle", [0.4, -0.7])
 def test_pendulum_passes_an_angle(method: str, angle: float) -> None:
-    """The time of the elliptic integral, within the error that the run tells of its states over the rate."""
+    """The time of the elliptic integral, within the error of the states that the run estimates, over the rate."""
     tolerances = {"relative_tolerance": 1e-10, "absolute_tolerance": 1e-12}
     sheet = pendulum(method=method, step=1e-4, stop=[f"hinge.position < {angle} rad"], **tolerances)
     run = simulate_motion(sheet)
@@ -108,7 +108,7 @@ def test_a_condition_that_holds_for_a_moment_within_a_step(method: str) -> None:
 
 @pytest.mark.parametrize("method", METHODS)
 def test_jump_of_the_input(method: str) -> None:
-    """What jumps beyond a value does so at the knot, exactly, and both sides are told."""
+    """What jumps beyond a value does so at the knot, exactly, and both sides are reported."""
     signal = {"type": "step", "start": 0.0, "end": 30.0, "time": 0.3217}
     sheet = mass(drives=[{"joint": "slide", "command": "effort", "signal": signal}], integration={"method": method})
     run = simulate_motion(sheet, stop=["slide.effort > 20"])
@@ -118,7 +118,7 @@ def test_jump_of_the_input(method: str) -> None:
 
 
 def test_the_first_of_several() -> None:
-    """Each is looked at; the first that sets in ends the run, whatever their order."""
+    """Each is looked at; the first that triggers ends the run, whatever their order."""
     early, late = "abs(slide.velocity) > 2 m/s", "tip.z < 0.5"
     for stop in ([early, late], [late, early]):
         run = simulate_motion(mass(), stop=stop)
@@ -219,7 +219,7 @@ class _Memory:
 
 
 def test_same_bytes_however_it_is_interrupted(monkeypatch: pytest.MonkeyPatch) -> None:
-    """Cut into pieces of any length, and gone on with from any record, the last one included."""
+    """Cut into pieces of any length, and continued from any record, the last one included."""
     regime = run_setup(pendulum(method="rk4", step=1e-3))
     stops = arm_stops(regime, ("abs(hinge.velocity) > 2.9 rad/s",))
     whole = run_trajectory(regime, stops=stops)

@@ -1,4 +1,4 @@
-"""What a file can get wrong: keys, kinds of values, units, names, sizes; each told with its place."""
+"""What a file can get wrong: keys, kinds of values, units, names, sizes; each reported with its place."""
 
 from __future__ import annotations
 
@@ -16,10 +16,10 @@ from tmodes.io.sheet_plausible import implausible_arm
 from tmodes.io.yaml_file import parse_yaml
 
 KEYS = [
-    (lambda d: d.update(gravty=9.81), "gravty: got the unknown key 'gravty'", "Did you mean `gravity`?"),
-    (lambda d: d["joints"][0].update(axs=[0, 0, 1]), "joints.shoulder.axs", "Did you mean `axis`?"),
-    (lambda d: d["joints"][0]["gear"].update(stifness=1), "joints.shoulder.gear.stifness", "Did you mean `stiffness`?"),
-    (lambda d: d["links"][0]["beam"].update(lenght=1), "links.upper.beam.lenght", "Did you mean `length`?"),
+    (lambda d: d.update(gravty=9.81), "unknown key `gravty`", "Did you mean `gravity`?"),
+    (lambda d: d["joints"][0].update(axs=[0, 0, 1]), "joints.shoulder.axs", "Did you mean `joints.shoulder.axis`?"),
+    (lambda d: d["joints"][0]["gear"].update(stifness=1), "gear.stifness", "mean `joints.shoulder.gear.stiffness`?"),
+    (lambda d: d["links"][0]["beam"].update(lenght=1), "links.upper.beam.lenght", "mean `links.upper.beam.length`?"),
     (lambda d: d["links"][0]["beam"]["section"].update(EI=1), "links.upper.beam.section.EI", "remove it"),
     (lambda d: d["joints"][0].update(loads=[]), "joints.shoulder.loads", "put `loads` at the outermost level"),
     (lambda d: d.update(loads=[{"point": "tp", "frame": "world"}]), "loads.0.point", "Did you mean `tip`?"),
@@ -30,7 +30,7 @@ KEYS = [
     (lambda d: d["links"][1].pop("name"), "links.1.name is missing", "add the line `name: ...`"),
     (lambda d: d.pop("joints"), "joints is missing", "add the line `joints: ...`"),
     (lambda d: d.update(kind="robot"), "kind: got 'robot', expected 'arm'", ""),
-    (lambda d: d.update(format=2), "format must be", "update tmodes"),
+    (lambda d: d.update(format=2), "format: got 2, newer than this program, expected at most 1", "update tmodes"),
     (lambda d: d.update(format=True), "format: got true", "write `format: 1`"),
 ]
 
@@ -58,7 +58,7 @@ VALUES = [
     (lambda d: d["joints"][0].update(name=5), "joints.0.name", ""),
     (lambda d: d["joints"][0].update(name="a\x1b[2J"), "control characters", ""),
     (lambda d: d["joints"][0].update(gear=4700), "joints.shoulder.gear: got 4700, expected a group with the keys", ""),
-    (lambda d: d.update(joints={"shoulder": {}}), "joints: got a group of 1 keys, expected a list", ""),
+    (lambda d: d.update(joints={"shoulder": {}}), "joints must be a list of 0 to 500 items, got a group of 1 keys", ""),
     (lambda d: d.update(name=""), "name must be", "text of 1 to 100 characters"),
     (lambda d: d["links"][0]["beam"].update(section="tube"), "links.upper.beam.section", ""),
     (lambda d: d["links"][0]["beam"].update(material=[1]), "links.upper.beam.material", ""),
@@ -141,9 +141,12 @@ DRIVES = [
     ({"joint": "elbo"}, "Did you mean `elbow`?"),
     ({"command": "torque"}, "torque without a motor"),
     ({"command": "position"}, "drives.0.controller is missing"),
-    ({"controller": {"type": "pd", "position_gain": 1, "velocity_gain": 1}}, "beside the command `effort`"),
+    (
+        {"controller": {"type": "pd", "position_gain": 1, "velocity_gain": 1}},
+        "got a controller with the command `effort`",
+    ),
     ({"joint": "shoulder"}, "effort on a joint behind an elastic gear"),
-    ({"signal": {"type": "ramp"}}, "drives.0.signal.type must be one of constant, step, trapezoid"),
+    ({"signal": {"type": "ramp"}}, "drives.0.signal.type must be one of constant, expression, noise"),
     ({"signal": {"value": 1}}, "drives.0.signal.type is missing"),
     ({"signal": 5}, "drives.0.signal: got 5"),
 ]
@@ -167,15 +170,15 @@ def test_a_locked_joint_is_not_driven() -> None:
 HUGE = [
     (lambda d: d.update(joints=d["joints"] * 251), "joints must be a list of 0 to 500 items"),
     (lambda d: d["links"][1].update(bodies=[body()] * 201), "links.fore.bodies"),
-    (lambda d: d.update(points=[0] * 300_000), "the data sheet must be"),
+    (lambda d: d.update(points=[0] * 300_000), "the data sheet: got more than 200000 values"),
 ]
 
 
 @pytest.mark.parametrize(("change", "words"), HUGE)
 def test_huge_sheets_are_refused_with_the_numbers(change, words: str) -> None:
-    start = time.monotonic()
+    start = time.process_time()
     assert words in problem(changed(change))
-    assert time.monotonic() - start < 2
+    assert time.process_time() - start < 2
 
 
 def test_too_many_coordinates_are_counted_before_anything_is_made() -> None:

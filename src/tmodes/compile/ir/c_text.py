@@ -30,8 +30,8 @@ def _function(name: str, program: Sequence[Instruction], results: Sequence[tuple
 
 
 def _value(value: Instruction) -> str:
-    if value.kind == "constant":
+    if value.opcode == "constant":
         return value.value.hex()
-    if value.kind == "input":
+    if value.opcode == "input":
         return f"w[{value.source[1]}]"
-    return _FORMS[value.kind].format(*(f"v{arg}" for arg in value.args))
+    return _FORMS[value.opcode].format(*(f"v{arg}" for arg in value.args))

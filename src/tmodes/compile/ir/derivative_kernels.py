@@ -151,24 +151,24 @@ class _Writer:
         found: list[Any] = []
         turned: dict[int, tuple[Any, Any]] = {}
         for instruction in program.values:
-            if instruction.kind == "constant":
+            if instruction.opcode == "constant":
                 value = self.plain.constant(instruction.value)
-            elif instruction.kind == "input":
+            elif instruction.opcode == "input":
                 k = taken[instruction.source[0]]
                 value = self.kinds[k].load(self.b, self.places[k], instruction.source[1])
-            elif instruction.kind in ("sin", "cos"):
+            elif instruction.opcode in ("sin", "cos"):
                 angle = instruction.args[0]
                 if angle not in turned:
                     turned[angle] = self._turned(program.values[angle], found[angle])
-                value = turned[angle][0 if instruction.kind == "sin" else 1]
+                value = turned[angle][0 if instruction.opcode == "sin" else 1]
             else:
-                value = self._operation(instruction.kind, [found[arg] for arg in instruction.args])
+                value = self._operation(instruction.opcode, [found[arg] for arg in instruction.args])
             found.append(value)
         return found
 
     def _turned(self, instruction: Any, angle: Any) -> tuple[Any, Any]:
         """Sine and cosine; those of inputs are kept for the derivatives, which are spared to compute them again."""
-        kept = instruction.kind == "input" and instruction.source in self.angles
+        kept = instruction.opcode == "input" and instruction.source in self.angles
         place = 2 * self.angles.index(instruction.source) if kept else 0
         if kept and not self.keeps:
             return tuple(self.plain.load(self.b, self.places[-1], place + k) for k in range(2))

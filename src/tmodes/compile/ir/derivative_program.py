@@ -108,8 +108,8 @@ def _function(named: _Named) -> ca.Function:
 @lru_cache(maxsize=4096)
 def _turned(named: _Named) -> tuple[Source, ...]:
     values = block_program(_function(named)).values
-    angles = (values[value.args[0]] for value in values if value.kind in ("sin", "cos"))
-    return tuple(sorted({angle.source for angle in angles if angle.kind == "input"}))
+    angles = (values[value.args[0]] for value in values if value.opcode in ("sin", "cos"))
+    return tuple(sorted({angle.source for angle in angles if angle.opcode == "input"}))
 
 
 def _expressions(kernel: Any) -> tuple[list[Any], list[Any]]:

@@ -45,10 +45,10 @@ def _values(
     for index, value in enumerate(values):
         if index in found or (only and not only[index]):
             continue
-        if value.kind == "constant":
+        if value.opcode == "constant":
             found[index] = ca.SX(value.value)
-        elif value.kind == "input":
+        elif value.opcode == "input":
             found[index] = arguments[value.source[0]][value.source[1]]
         elif all(arg in found for arg in value.args):
-            found[index] = _APPLIED[value.kind](*(found[arg] for arg in value.args))
+            found[index] = _APPLIED[value.opcode](*(found[arg] for arg in value.args))
     return found

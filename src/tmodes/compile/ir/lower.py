@@ -83,20 +83,20 @@ class _Writer:
 
     def _write_all(self, *, fixed: bool) -> None:
         for index, value in enumerate(self.program.values):
-            if value.kind == "constant":
+            if value.opcode == "constant":
                 self.known[index] = self.arithmetic.constant(value.value)
             elif self.program.fixed[index] == fixed:
                 self.known[index] = self._value(value)
 
     def _value(self, value: Instruction) -> Any:
-        if value.kind == "input":
+        if value.opcode == "input":
             argument, element = value.source
             holder = self.arguments[argument]
             pointed = isinstance(holder.type, ir.PointerType)
             return self.arithmetic.load(self.builder, holder, element) if pointed else holder
-        if value.kind in ("sin", "cos"):
+        if value.opcode in ("sin", "cos"):
             angle = value.args[0]
             if angle not in self.turned:
                 self.turned[angle] = self.arithmetic.turn(self.builder, self.known[angle])
-            return self.turned[angle][0 if value.kind == "sin" else 1]
-        return self.arithmetic.operation(self.builder, value.kind, *(self.known[arg] for arg in value.args))
+            return self.turned[angle][0 if value.opcode == "sin" else 1]
+        return self.arithmetic.operation(self.builder, value.opcode, *(self.known[arg] for arg in value.args))

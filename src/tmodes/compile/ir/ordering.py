@@ -40,7 +40,7 @@ def in_good_order(values: Sequence[Instruction], results: Sequence[int]) -> list
     """Indices of the values that ``results`` need, in a better order, what is read first."""
     chosen = needed(values, results)
     scheduler = _Scheduler(values, chosen, results)
-    return [k for k in chosen if values[k].kind in READ] + scheduler.run()
+    return [k for k in chosen if values[k].opcode in READ] + scheduler.run()
 
 
 class _Scheduler:
@@ -48,10 +48,10 @@ class _Scheduler:
 
     def __init__(self, values: Sequence[Instruction], chosen: Sequence[int], results: Iterable[int]) -> None:
         count = len(values)
-        reads = [value.kind in READ for value in values]
+        reads = [value.opcode in READ for value in values]
         operations = [index for index in chosen if not reads[index]]
-        self.cycles = [_CYCLES.get(value.kind, 4) for value in values]
-        self.unit = [value.kind in _ADDERS for value in values]
+        self.cycles = [_CYCLES.get(value.opcode, 4) for value in values]
+        self.unit = [value.opcode in _ADDERS for value in values]
         self.args = [[arg for arg in {*value.args} if not reads[arg]] for value in values]
         self.readers: list[list[int]] = [[] for _ in values]
         for index in operations:

@@ -32,12 +32,12 @@ _BINARY = {
 
 
 class Instruction(NamedTuple):
-    """One value: ``kind`` is an operation, ``constant`` or ``input``; ``args`` are indices of earlier values.
+    """One value: ``opcode`` is an operation, ``constant`` or ``input``; ``args`` are indices of earlier values.
 
     ``source`` is (argument, element) of an input, ``value`` the number of a constant.
     """
 
-    kind: str
+    opcode: str
     args: tuple[int, ...] = ()
     source: tuple[int, int] = (0, 0)
     value: float = 0.0
@@ -64,7 +64,7 @@ class Program:
         """Invariant values that the changing part reads, constants aside."""
         used = {arg for index, value in enumerate(self.values) if not self.fixed[index] for arg in value.args}
         used |= {index for _, index in self.outputs}
-        return sorted(index for index in used if self.fixed[index] and self.values[index].kind != "constant")
+        return sorted(index for index in used if self.fixed[index] and self.values[index].opcode != "constant")
 
 
 def straight_line(function: ca.Function, invariant: int) -> Program:
@@ -89,7 +89,7 @@ def straight_line(function: ca.Function, invariant: int) -> Program:
 
 
 def _is_fixed(program: Program, instruction: Instruction) -> bool:
-    if instruction.kind == "input":
+    if instruction.opcode == "input":
         return instruction.source[0] == program.invariant
     return all(program.fixed[arg] for arg in instruction.args)
 
@@ -156,12 +156,12 @@ def with_shared_inverses(values: Sequence[Instruction]) -> tuple[list[Instructio
 
     A division keeps its unit busy for as long as five products.
     """
-    divided = Counter(value.args[1] for value in values if value.kind == "div")
+    divided = Counter(value.args[1] for value in values if value.opcode == "div")
     changed: list[Instruction] = []
     places: list[int] = []
     inverses: dict[int, int] = {}
     for value in values:
-        divisor = value.args[1] if value.kind == "div" else -1
+        divisor = value.args[1] if value.opcode == "div" else -1
         if divided[divisor] >= _WORTH_AN_INVERSE:
             if divisor not in inverses:
                 inverses[divisor] = len(changed)

@@ -16,8 +16,8 @@ def early_angles(values: Sequence[Instruction]) -> list[int]:
     late: list[bool] = []
     angles: dict[int, None] = {}
     for value in values:
-        late.append(value.kind in _TURNS or any(late[arg] for arg in value.args))
-        if value.kind in _TURNS and not late[value.args[0]]:
+        late.append(value.opcode in _TURNS or any(late[arg] for arg in value.args))
+        if value.opcode in _TURNS and not late[value.args[0]]:
             angles[value.args[0]] = None
     return list(angles)
 

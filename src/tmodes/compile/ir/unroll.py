@@ -113,10 +113,10 @@ class _Numbered:
         """The values of a kernel for given inputs; its results as (output, element, index)."""
         here: list[int] = []
         for step in program.values:
-            if step.kind == "input":
+            if step.opcode == "input":
                 here.append(inputs[step.source[0]][step.source[1]])
             else:
-                here.append(self.value(step.kind, tuple(here[arg] for arg in step.args), value=step.value))
+                here.append(self.value(step.opcode, tuple(here[arg] for arg in step.args), value=step.value))
         return [(out, element, self.zero if i is None else here[i]) for out, element, i in program.results]
 
 
@@ -124,11 +124,11 @@ def _parted(values: list[Instruction], results: list[tuple[int, int]], schedule:
     """What follows from the parameters apart from what changes, and a place in the workspace for what is kept."""
     fixed: list[bool] = []
     for value in values:
-        known = value.kind == "constant" or (value.kind == "input" and value.source[1] < schedule.parameters)
-        fixed.append(known or (value.kind != "input" and all(fixed[arg] for arg in value.args)))
+        known = value.opcode == "constant" or (value.opcode == "input" and value.source[1] < schedule.parameters)
+        fixed.append(known or (value.opcode != "input" and all(fixed[arg] for arg in value.args)))
     ends = [index for _, index in results]
     used = {arg for index in needed(values, ends) if not fixed[index] for arg in values[index].args} | {*ends}
-    kept = [i for i in sorted(used) if fixed[i] and values[i].kind not in ("input", "constant")]
+    kept = [i for i in sorted(used) if fixed[i] and values[i].opcode not in ("input", "constant")]
     taken |= {place for slot in schedule.inputs.values() for place in _span(schedule, slot)}
     free = [place for place in range(schedule.parameters, schedule.workspace) if place not in taken]
     prepared = [(place, index) for place, index in zip(free, kept, strict=False)]

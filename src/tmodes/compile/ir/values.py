@@ -39,7 +39,7 @@ class _Writer:
     def compute(self, chosen: Iterable[int]) -> None:
         """Those of the chosen values that are not merely read, in their order."""
         for index in chosen:
-            if self.program[index].kind not in READ:
+            if self.program[index].opcode not in READ:
                 self.needed(index)
 
     def needed(self, index: int) -> Any:
@@ -49,14 +49,14 @@ class _Writer:
         return self.values[index]
 
     def _written(self, instruction: Instruction) -> Any:
-        if instruction.kind == "constant":
+        if instruction.opcode == "constant":
             return self.arithmetic.constant(instruction.value)
-        if instruction.kind == "input":
+        if instruction.opcode == "input":
             return self.read(*instruction.source)
-        if instruction.kind in ("sin", "cos"):
-            return self._turn(instruction.args[0])[0 if instruction.kind == "sin" else 1]
+        if instruction.opcode in ("sin", "cos"):
+            return self._turn(instruction.args[0])[0 if instruction.opcode == "sin" else 1]
         args = [self.needed(arg) for arg in instruction.args]
-        return self.arithmetic.operation(self.b, instruction.kind, *args)
+        return self.arithmetic.operation(self.b, instruction.opcode, *args)
 
     def _turn(self, angle: int) -> tuple[Any, Any]:
         if angle not in self.turned:

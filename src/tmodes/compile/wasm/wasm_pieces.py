@@ -39,7 +39,7 @@ class _Pieces:
         self.cuts = [*range(0, len(values), piece), len(values)]
         crossing = {
             arg for start in self.cuts[1:-1] for value in values[start : start + piece] for arg in value.args
-            if arg < start and values[arg].kind not in READ
+            if arg < start and values[arg].opcode not in READ
         }  # fmt: skip
         self.slots = {index: slot for slot, index in enumerate(sorted(crossing))}
         self.blocks = program.inputs + program.outputs
@@ -85,7 +85,7 @@ class _Pieces:
                 if arg not in places:
                     places[arg] = len(steps)
                     kept = Instruction("input", source=(self.blocks, self.slots.get(arg, 0)))
-                    steps.append(values[arg] if values[arg].kind in READ else kept)
+                    steps.append(values[arg] if values[arg].opcode in READ else kept)
             places[index] = len(steps)
             steps.append(values[index]._replace(args=tuple(places[arg] for arg in values[index].args)))
         return places, steps

@@ -29,7 +29,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
-from tmodes.equations.lagrange.robot import system_robot
+from tmodes.equations.lagrange.as_sheet import system_robot
 from tmodes.equations.lagrange.terms import Energies, EquationTerms, equation_terms
 from tmodes.errors import InputError
 from tmodes.sheet.robot import RECURSION, Robot
