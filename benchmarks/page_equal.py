@@ -7,7 +7,7 @@ rejected, and nobody can ask the page to agree better than the native run agrees
 from __future__ import annotations
 
 from pathlib import Path
-from typing import Any, NamedTuple
+from typing import Any, NamedTuple, cast
 
 import numpy as np
 
@@ -63,7 +63,7 @@ def equality(robot: Robot, folder: Path, count: int = 10) -> list[Equality]:
 def sensitivity(robot: Robot, data: Any) -> float:
     """How far all series of a native run go apart where the last digit of one stiffness is another."""
     info = [name for name, one in data.items() if "time" in one.dims and "s" not in one.dims]
-    stiffness = robot.joints[0].gear.stiffness
+    stiffness: Any = cast("Any", robot.joints[0].gear).stiffness
     others = [run(robot.with_({"gear.stiffness": stiffness * factor})).data for factor in LAST_DIGITS]
     return max(_apart({name: other[name].values for name in info}, data)[0] for other in others)
 

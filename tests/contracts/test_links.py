@@ -32,9 +32,9 @@ class TableStructure(LinkStructure):
     """One angle about z; stiffness numbers: the angles of the knots, then by how much the slope rises at each."""
 
     knots: int
-    size: ClassVar[int] = 1
-    table_size: ClassVar[int] = 1
-    damping_size: ClassVar[int] = 1
+    size: ClassVar[int] = 1  # pyright: ignore[reportIncompatibleMethodOverride]
+    table_size: ClassVar[int] = 1  # pyright: ignore[reportIncompatibleMethodOverride]
+    damping_size: ClassVar[int] = 1  # pyright: ignore[reportIncompatibleMethodOverride]
 
     @property
     def key(self) -> str:
@@ -62,7 +62,7 @@ class TableStructure(LinkStructure):
 @dataclass(frozen=True, eq=False)
 class TableLink(Link):
     kind: ClassVar[str] = "table"
-    coordinates: ClassVar[tuple[str, ...]] = ("bend",)
+    coordinates: ClassVar[tuple[str, ...]] = ("bend",)  # pyright: ignore[reportIncompatibleMethodOverride]
     length: float
     springs: Any
     damping: float
@@ -76,7 +76,7 @@ class TableLink(Link):
 @register
 class TableSheet(BendingSheet):
     words: ClassVar[tuple[str, ...]] = ("table",)
-    coordinate_count: ClassVar[int] = 1
+    coordinate_count: ClassVar[int] = 1  # pyright: ignore[reportIncompatibleMethodOverride]
     model: Literal["table"]
     length: float = positive("m", "L", "length")
     angles: tuple[float, ...] = Field(strict=False)
@@ -151,7 +151,9 @@ def test_dynamics_follow_from_the_energies(word: str) -> None:
 @pytest.mark.parametrize("word", BENDING)
 def test_forces_and_tangents_are_derivatives(word: str) -> None:
     """Spring forces of the energy, tangents of the forces; power lost is that of the dampers, never negative."""
-    for link in sheet_of(word).model_validate({"model": word, **BEAMS[word]}).lowered(()).links:
+    sheet = sheet_of(word)
+    assert sheet is not None
+    for link in sheet.model_validate({"model": word, **BEAMS[word]}).lowered(()).links:
         numbers = link.numbers(link.stations())
         structure = numbers.structure
         q, qd, _ = state(structure.size, 5)

@@ -1,4 +1,4 @@
-"""What every reference must keep: it ends where told, is continuous with its rate, and lasts as long as it says."""
+"""What every trapezoidal move keeps: it ends where it should, is continuous with its rate, and lasts as it says."""
 
 from __future__ import annotations
 
@@ -7,10 +7,11 @@ import pytest
 from hypothesis import given
 from hypothesis import strategies as st
 
-from tmodes.paper.trapezoidal_move import TrapezoidalMove
+from tmodes.kinds.signals.trapezoid import Trapezoid
 
 moves = st.builds(
-    TrapezoidalMove,
+    Trapezoid,
+    type=st.just("trapezoid"),
     start=st.floats(-10, 10),
     end=st.floats(-10, 10),
     duration=st.floats(0.01, 100),
@@ -21,7 +22,7 @@ moves = st.builds(
 @given(moves)
 def test_from_rest_to_rest(move):
     """Start, end, and no speed at either."""
-    motion = move.schedule()
+    motion = move.schedule(move.duration)
     assert motion.duration == pytest.approx(move.duration)
     size = 1 + abs(move.start) + abs(move.end)
     assert motion.at([0.0, move.duration]) == pytest.approx([move.start, move.end], abs=1e-12 * size)
@@ -31,7 +32,7 @@ def test_from_rest_to_rest(move):
 @given(moves)
 def test_continuous_with_its_rate(move):
     """No jump of angle or speed at a knot, and the speed is the derivative of the angle."""
-    motion, size = move.schedule(), 1 + abs(move.start) + abs(move.end)
+    motion, size = move.schedule(move.duration), 1 + abs(move.start) + abs(move.end)
     for left, right, knot in zip(motion.coefficients[:-1], motion.coefficients[1:], motion.knots[1:-1], strict=True):
         tau = knot - motion.knots[:-1][list(motion.knots[1:]).index(knot)]
         powers = tau ** np.arange(3)
@@ -46,9 +47,9 @@ def test_continuous_with_its_rate(move):
 
 @given(moves, st.floats(0.1, 3.0))
 def test_cut_or_held(move, share):
-    """``until`` changes nothing within, and holds the last angle beyond."""
-    motion, end = move.schedule(), share * move.duration
-    other = motion.until(end)
+    """A schedule up to another time is the same within the move, and holds the last value beyond."""
+    motion, end = move.schedule(move.duration), share * move.duration
+    other = move.schedule(end)
     assert other.knots[-1] == end
     assert (np.diff(other.knots) > 0).all()
     times = np.linspace(0, end, 50)
@@ -59,7 +60,7 @@ def test_cut_or_held(move, share):
 @given(moves)
 def test_rows_are_what_compiled_code_reads(move):
     """Each row: start of the piece, then its coefficients."""
-    motion = move.schedule()
+    motion = move.schedule(move.duration)
     times = np.linspace(0, move.duration, 7)
     rows = motion.rows_at(times)
     tau = times - rows[:, 0]

@@ -15,6 +15,7 @@ import tmodes
 from tmodes.analysis.modes.modes import arm_modes
 from tmodes.analysis.statics.rest import arm_rest
 from tmodes.errors import InputError, InputErrors
+from tmodes.simulation.simulate import simulate_motion
 
 ROOT = Path(__file__).parents[2]
 EXAMPLE = ROOT / "examples" / "cart_with_flexible_pole.py"
@@ -53,7 +54,7 @@ def double_pendulum(name: str = "double_pendulum", **more: Any) -> Any:
 def test_energy_is_kept_in_a_free_motion() -> None:
     start = {"state": "zero", "coordinates": {"first": 2.0}, "rates": {"second": 3.0}}
     settings = {"duration": 3.0, "output_step": 0.01, "relative_tolerance": 1e-11, "absolute_tolerance": 1e-13}
-    run = tmodes.simulate_motion(double_pendulum().robot(initial=start, integration=settings))
+    run = simulate_motion(double_pendulum().robot(initial=start, integration=settings))
     energy = np.sum([*run.energies.values()], axis=0)
     assert np.ptp(energy) < 1e-8 * np.ptp(run.energies["kinetic"])
 
@@ -105,7 +106,7 @@ def test_an_elastic_gear_before_a_coordinate(example: dict[str, Any]) -> None:
         joints={"cart": cart}, drives=[drive], initial={"state": "zero", "rates": {"pole": 5.0}},
         integration={"duration": 0.5, "output_step": 0.01},
     )  # fmt: skip
-    run = tmodes.simulate_motion(robot)
+    run = simulate_motion(robot)
     assert run.coordinates == ("cart.motor", "cart", "pole")
     assert np.abs(run.energy_balance).max() < 1e-7 * run.energy_moved
 

@@ -8,6 +8,7 @@ from pathlib import Path
 
 import pytest
 
+from tmodes.kinds.links.beam_data import BeamData
 from tmodes.robots.load import load
 from tmodes.robots.packages import installed_models
 from tmodes.sheet import Robot
@@ -41,7 +42,7 @@ def test_elasticity_over_a_urdf(tmp_path: Path) -> None:
     shutil.copy(installed_models()[0] / URDF, tmp_path)
     arm = loaded(BLOCKS[1], tmp_path)
     beam = arm.link("forearm_link").beam
-    assert beam is not None
+    assert isinstance(beam, BeamData)
     assert beam.length == pytest.approx(0.39225)
     assert beam.section_pieces()[0].start.mass == pytest.approx(3.14159265 * (0.038**2 - 0.034**2) * 2700, rel=1e-6)
     assert arm.link("forearm_link").bodies == ()

@@ -47,8 +47,7 @@ def driven_by(regime: RunSetup) -> RunSetup:
     model = LoopModel(own)
     start = np.zeros(model.layout.size)
     start[: 2 * len(model.coordinates)] = regime.start[: 2 * len(model.coordinates)]
-    planned = replace(regime.planned, plan=own)
-    return replace(regime, planned=planned, model=model, start=start, callback=True)
+    return replace(regime, planned=replace(regime.planned, plan=own), model=model, start=start, callback=True)
 
 
 @dataclass
@@ -164,8 +163,7 @@ def run_with_controller(
 
 
 def _advance(run: _Run, times: Array, progress: Callable[[float], None]) -> tuple[str, str]:
-    state, length = run.states[0], 0.0
-    end = float(times[-1])
+    state, length, end = run.states[0], 0.0, float(times[-1])
     try:
         for before, after, is_sample in _intervals(run.regime.planned.schedule.knots, times):
             begun = state, length
@@ -201,8 +199,7 @@ def _across(run: _Run, before: float, after: float, state: Array, length: float)
     from scipy.integrate import DOP853, RK45
 
     s = run.settings
-    first = min(length, after - before) if length > 0 else None
-    wish = length
+    first, wish = min(length, after - before) if length > 0 else None, length
     with np.errstate(over="ignore", invalid="ignore"):  # where a trial step leaves the numbers, a shorter one is taken
         solver = (DOP853 if s.method == "dop853" else RK45)(
             lambda t, y: run.rate(t, y, before), before, state, after,
@@ -247,8 +244,7 @@ def _rk4(run: _Run, before: float, after: float, state: Array) -> Array:
 def _lost(run: _Run, time: float, state: Array) -> str:
     """Where the motion was lost; empty while it is one."""
     names = run.regime.model.coordinates
-    size = np.abs(state[: 2 * len(names)])
-    bad = np.flatnonzero(~(size < BOUND))
+    bad = np.flatnonzero(~(np.abs(state[: 2 * len(names)]) < BOUND))
     if not len(bad):
         return ""
     return f"diverged before t = {time:.6g} s in coordinate {names[bad[0] % len(names)]}, which leaves {BOUND:g}"

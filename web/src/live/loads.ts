@@ -90,7 +90,8 @@ export function loadsOf(
   const frameOf = new Map(frames.map((sample, frame) => [sample, frame]));
   const looked = Array.from(times.keys()).filter((k) => k % every === 0 || frameOf.has(k));
   const all: Record<string, Float64Array> = { q: series.q.data, v: series.v.data, a: series.a.data };
-  if ("wrenches" in engine.layout.samples.line.inputs) all.wrenches = wrenchesOf(bundle, blocks, schedule, times, series);
+  if ("wrenches" in engine.layout.samples.line.inputs)
+    all.wrenches = wrenchesOf(bundle, blocks, schedule, times, series);
   const rows = Object.entries(all).map(([name, data]) => [name, rowsOf(data, data.length / times.length, looked)]);
   const inputs: Samples = { ...Object.fromEntries(rows), base: doubles(bundle.split.weight) };
   linesAt(engine, blocks, inputs, looked.length, (found, row, k) => {
@@ -144,7 +145,9 @@ function linkOf({ name, at }: LineInfo, length: number, kept: number): LinkLoads
   };
 }
 
-function watch(link: LinkLoads, { width, at }: LineInfo, own: Float64Array, places: ArrayLike<number>, sample: number): void {
+function watch(
+  link: LinkLoads, { width, at }: LineInfo, own: Float64Array, places: ArrayLike<number>, sample: number,
+): void {
   const last = places.length - 1;
   const bent = last * width + at.deflection[0];
   see(link, "deflection", Math.sqrt(own[bent] ** 2 + own[bent + 1] ** 2), places[last], sample);
@@ -160,7 +163,9 @@ function see({ name, largest }: LinkLoads, quantity: Quantity, value: number, s:
   if (!before || value > before.value) largest[quantity] = { link: name, value, s, sample };
 }
 
-function keep(link: LinkLoads, { width, at }: LineInfo, own: Float64Array, frame: number, shown: ArrayLike<number>): void {
+function keep(
+  link: LinkLoads, { width, at }: LineInfo, own: Float64Array, frame: number, shown: ArrayLike<number>,
+): void {
   const put = (name: string, into: Float64Array) => {
     const [start, stop] = at[name];
     const size = stop - start;

@@ -19,8 +19,8 @@ import { setpointsOf, spanOf } from "./span";
 import * as signals from "./signals";
 
 /**
- * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the actual robot's
- * motion.
+ * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the motion of
+ * the actual robot.
  */
 export async function runOf(
   engine: Engine, bundle: Bundle, values: readonly number[], watch: Watch, kept: Kept<Regime>,

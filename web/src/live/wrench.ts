@@ -16,7 +16,8 @@ export interface LoadInfo {
 
 /** The wrench of a load at a time [s]; `own` as its sheet says, at `at` of `rotations` [9] that of its point. */
 export function wrenchAt(
-  { follower, signal }: LoadInfo, own: Float64Array, schedule: Schedule, time: number, rotations: Float64Array, at: number,
+  { follower, signal }: LoadInfo, own: Float64Array, schedule: Schedule, time: number, rotations: Float64Array,
+  at: number,
 ): Float64Array {
   const factor = signal < 0 ? 1 : valueAt(schedule, signal, time);
   return (follower ? inWorld(rotations, at, own) : own).map((value) => factor * value);

@@ -227,9 +227,7 @@ class System:
         symbols = ca.symvar(rest)
         if symbols:
             found = ca.Function("rest", symbols, [rest])
-            random = np.random.default_rng(1)
-            for _ in range(3):
-                values = random.uniform(0.5, 1.5, len(symbols))
+            for values in np.random.default_rng(1).uniform(0.5, 1.5, (3, len(symbols))):
                 whole = float(ca.Function("whole", symbols, [kinetic - rest])(*values))
                 if abs(float(found(*values))) > 1e-9 * max(abs(whole), 1e-300):
                     got, expected = "terms linear in the rates, or without them", "a quadratic form in the rates"
@@ -239,8 +237,7 @@ class System:
 
 def _point(name: str, value: Any) -> tuple[Any, Any]:
     """Position (3,) and rotation (3, 3) or None, of what a system's ``points`` gave."""
-    paired = isinstance(value, tuple) and len(value) == 2
-    position, rotation = value if paired else (value, None)
+    position, rotation = value if isinstance(value, tuple) and len(value) == 2 else (value, None)
     position = ca.vertcat(*position) if isinstance(position, (list, tuple)) else ca.SX(position)
     if position.shape != (3, 1):
         got = f"a position of shape {position.shape}"

@@ -1,8 +1,7 @@
 """What a link kind has to state: its numbers and places, and the structure of its equations.
 
-A kind consists of three classes: a sheet (what a person writes, see :mod:`tmodes.kinds.links.sheet`), a :class:`Link`
-(final numbers, one element of a chain) and, where it bends, a :class:`LinkStructure` (the equations without numbers).
-Everything else asks these; nothing asks which kind it is.
+A kind consists of a sheet (what a person writes, see :mod:`tmodes.kinds.links.sheet`), a :class:`Link` (final numbers)
+and, where it bends, a :class:`LinkStructure` (the equations without numbers). Nothing asks which kind it is.
 """
 
 from __future__ import annotations
@@ -226,10 +225,7 @@ class Link(LinkFacts):
         return ()
 
     def stations(self, asked: Sequence[float] = ()) -> tuple[float, ...]:  # noqa: ARG002
-        """Places s < 1 where sections are computed besides the tip, in rising order; by default none.
-
-        A kind with sections anywhere answers with :meth:`along`: where bodies and named points (``asked``) are.
-        """
+        """Places s < 1 with sections besides the tip, rising; default: none. Sections anywhere: :meth:`along`."""
         return ()
 
     def along(self, asked: Sequence[float]) -> tuple[float, ...]:
