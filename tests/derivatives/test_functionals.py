@@ -63,7 +63,8 @@ def measured(sheet: Any, functional: Functional) -> float:
 @pytest.mark.parametrize("path", ROBOT_PATHS)
 def test_the_gradient_of_a_tip_error_is_that_of_runs_with_other_sheets(path: str) -> None:
     functional, found = tracking_error("tip", TOUCHED), gradient_of_robot()
-    value = value_of(robot(), path)
+    written = value_of(robot(), path)
+    value = written["xx"] if isinstance(written, dict) else written  # one inertia about all axes
     scale = value or 1.0
 
     def at(change: float) -> float:

@@ -74,7 +74,8 @@ def paths_of(name: str) -> tuple[str, ...]:
 
 
 def value_at(name: str, path: str) -> float:
-    return value_of(sheet_of(name, "rk4"), path)
+    found = value_of(sheet_of(name, "rk4"), path)
+    return found[0] if isinstance(found, list) else found  # the same stiffness in both planes
 
 
 @cache
