@@ -1,4 +1,4 @@
-/* tmodes, built from cb7fc97135acce69; BSD-3-Clause */
+/* tmodes, built from 3508572be2fa273f; BSD-3-Clause */
 /* three
 The MIT License
 
