@@ -82,9 +82,9 @@ def test_a_run_that_diverges(tmp_path):
     done = tmodes("run", "filipovic2010", *stiff, "--out", tmp_path, code=3)
     for word in ("diverged at t = ", "coordinate", "dt*omega"):
         assert word in done.stderr
-    from tmodes.result.record import PaperResult
+    from tmodes.result import Result
 
-    kept = PaperResult.load(tmp_path / "result.nc")
+    kept = Result.load(tmp_path / "result.nc")
     assert kept.status == "diverged"
     assert kept.data.sizes["time"] >= 1
     assert "diverged" in (tmp_path / "report.html").read_text(encoding="utf-8")
@@ -95,7 +95,7 @@ def test_robots_prints_a_sheet_that_runs(tmp_path):
     assert "filipovic2010" in tmodes("robots").stdout
     file = tmp_path / "my.yaml"
     file.write_text(tmodes("robots", "filipovic2010").stdout, encoding="utf-8")
-    assert "right" in tmodes("check", file).stdout
+    assert "filipovic2010: valid (" in tmodes("check", file).stdout
     file.write_text(file.read_text(encoding="utf-8").replace("mass: 0.5 ", "mass: -0.5 "), encoding="utf-8")
     line = file.read_text(encoding="utf-8").splitlines().index("  mass: -0.5                     # m     [kg]") + 1
     wrong = tmodes("check", file, code=2).stderr
@@ -189,16 +189,16 @@ SHORTER = LONG | {"integration.duration": "6000", "reference.duration": "6000"}
 
 def test_interruption_leaves_a_valid_file_and_goes_on(tmp_path):
     """Ctrl-C, early and late: exit 130, a marked result; the same command then ends as if nobody had pressed it."""
-    from tmodes.result.record import PaperResult
+    from tmodes.result import Result
 
     line = ["run", "filipovic2010", "--no-figures", *settings(SHORTER)]
-    for stage in ("prescribed", "controlled"):
+    for stage in ("reference", "real"):
         with running(line, tmp_path / "a", stage) as process:
             process.send_signal(signal.SIGINT)
             info = process.communicate(timeout=60)[1]
         assert "Traceback" not in info
         assert process.returncode == 130
-        first = PaperResult.load(tmp_path / "a/result.nc")
+        first = Result.load(tmp_path / "a/result.nc")
         assert first.status == "interrupted"
         assert all(np.isfinite(v.values).all() for v in first.data.data_vars.values() if v.dtype.kind == "f")
     assert "continuing" in tmodes(*line, "--out", tmp_path / "a").stderr
@@ -220,7 +220,7 @@ def test_a_run_whose_report_was_not_written_goes_on_there(tmp_path):
 def test_killed_and_continued(tmp_path):
     """kill -9, twice; the third run ends with the same bytes as one that nobody disturbed."""
     line = ["run", "filipovic2010", "--no-figures", *settings(SHORTER)]
-    for stage in ("prescribed", "controlled"):
+    for stage in ("reference", "real"):
         with running(line, tmp_path / "a", stage) as process:
             process.kill()
     assert not (tmp_path / "a/result.nc").exists()

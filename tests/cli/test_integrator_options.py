@@ -8,7 +8,7 @@ import sys
 
 import pytest
 
-from tmodes.result.record import PaperResult
+from tmodes.result import Result
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 SHORT = ["--duration", "0.2", "--no-contact", "--no-figures"]
@@ -31,7 +31,7 @@ def test_options_and_what_is_reported(tmp_path):
     assert 0 < printed["statistics"]["real"]["smallest_step_s"] <= printed["statistics"]["real"]["mean_step_s"]
     assert printed["seconds_per_simulated_second"]["real"] > 0
     assert printed["summary"]["error"]["figures"]["deviation.max_m"] > 0
-    kept = PaperResult.load(tmp_path / "json" / "result.nc")
+    kept = Result.load(tmp_path / "json" / "result.nc")
     assert kept.robot.integration.absolute_tolerance == 1e-11
     assert kept.timing == {}
     assert (tmp_path / "table" / "result.nc").read_bytes() == (tmp_path / "json" / "result.nc").read_bytes()

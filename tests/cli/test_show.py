@@ -16,7 +16,6 @@ from result.synthetic import synthetic_result
 from tmodes.cli.series import first_series, series_of_result
 from tmodes.cli.sparkline import ASCII, BLOCKS, sparkline, steps_for
 from tmodes.result import Result
-from tmodes.result.record import PaperResult
 
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "show"]
 
@@ -50,7 +49,7 @@ def test_folder_and_file_tell_the_same(robot_run):
 
 def test_numbers_for_machines_are_those_of_the_series(robot_run):
     found = json.loads(info(robot_run, "--json").stdout)
-    data = PaperResult.load(robot_run / "result.nc").data
+    data = Result.load(robot_run / "result.nc").data
     tip = data["tip"].sel(axis="y").values
     own = next(one for one in found["series"] if (one["variable"], one["of"]) == ("tip", "y"))
     assert (own["min"], own["max"], own["end"]) == (tip.min(), tip.max(), tip[-1])
@@ -124,7 +123,7 @@ def test_damaged_results_are_refused(robot_run, tmp_path, hurt):
 
 def test_what_is_no_result(tmp_path):
     assert "a folder without result.nc" in info(tmp_path, code=4).stderr
-    assert "got nothing" in info(tmp_path / "none", code=4).stderr
+    assert "none is missing, expected a result file" in info(tmp_path / "none", code=4).stderr
 
 
 def test_the_reader_goes_away(robot_run):

@@ -84,7 +84,7 @@ def test_what_cannot_be_viewed(runs, tmp_path):
     (tmp_path / "result.nc").write_bytes((runs[0] / "result.nc").read_bytes()[:-9])
     assert "seal" in viewed(runs[0], tmp_path, code=4).stderr
     assert "at most 6" in viewed(*[runs[0]] * 7, code=2).stderr
-    assert "got nothing" in viewed(tmp_path / "none", code=4).stderr
+    assert "none is missing, expected a result file" in viewed(tmp_path / "none", code=4).stderr
     assert "tmodes run spong1987" in viewed("spong1987", code=4).stderr
     assert "got a folder" in viewed(runs[0], "--out", tmp_path, "--overwrite", code=4).stderr
 

@@ -194,10 +194,10 @@ def test_meshes_that_are_chosen_with_a_urdf(tab, tmp_path):
     (home / "meshes" / "arm.stl").write_bytes(stl(0.25))
     chooser, folder = (tab.page.get_by_label(name, exact=True) for name in ("Upload", "Folder"))
     tab.fresh(lambda: folder.set_input_files(home))
-    assert not tab.page.is_visible(".doubts")
+    assert not tab.page.is_visible(".notices")
     chooser.set_input_files([home / "two.urdf", home / "two.yaml"])
-    tab.page.wait_for_selector(".doubts", timeout=WAIT)
-    assert "two.urdf:6 · links.arm" in tab.page.inner_text(".doubts")
+    tab.page.wait_for_selector(".notices", timeout=WAIT)
+    assert "two.urdf:6 · links.arm" in tab.page.inner_text(".notices")
     assert "not there" in tab.page.inner_text(".sheet .doubt")
     assert tab.page.locator("details[data-path='links.0']").get_attribute("aria-invalid") is None
     tab.fresh(lambda: folder.set_input_files(home))
@@ -220,7 +220,7 @@ def test_another_robot_with_its_own_form(tab):
 LONG = """async () => {
   const told = await (await fetch("api/robots/filipovic2010")).json();
   Object.assign(told.sheet.integration, { duration: 20000, output_step: 1, relative_tolerance: 1e-12 });
-  told.sheet.reference.duration = 20000;
+  told.sheet.drives[0].signal.duration = 20000;
   const headers = { "Content-Type": "application/json" };
   const body = JSON.stringify({ sheet: told.sheet, overwrite: true });
   await fetch("api/studies/long.yaml", { method: "PUT", headers, body });

@@ -62,8 +62,14 @@ def mechanics(
         "surface": pair.real.contact and pair.real.contact.shape.drawing(),
         "contactPoint": -1 if real.planned.plan.touch is None else real.planned.plan.touch.point,
         "electric": any(n.joint.motor and n.joint.motor.resistance is not None for n in model.chain.nodes),
+        "setpoints": [k for k, drive in enumerate(real.planned.plan.drives) if drive.joint in _positioned(pair)],
         **vibrations_info(pair.real, real.planned.plan, model),
     }
+
+
+def _positioned(pair: RobotPair) -> set[str]:
+    """The joints whose drives have a position as their signal."""
+    return {drive.joint for drive in pair.real.drives if drive.command in ("position", "prescribed")}
 
 
 def _run(regime: RunSetup) -> dict[str, Any]:

@@ -96,6 +96,8 @@ export interface Bundle extends LiveBundle {
   /** What is touched, as the sheet says; the block `surface` of the map reports where it is: place (3) and radius. */
   surface: SceneContact["surface"] | null;
   electric: boolean;
+  /** The drives, by their place, whose signals are positions. */
+  setpoints: number[];
   /** Loads on named points, whose wrenches are a block of numbers; `signal` -1: constant. */
   loads: (LoadInfo & { point: number })[];
   touch: Surface | null;

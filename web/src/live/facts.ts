@@ -6,8 +6,6 @@ import { sizes, worst, type SeriesOf } from "./series";
 
 export type Facts = LiveRun["facts"];
 
-/** Share of the largest deviation within which the tip counts as settled. */
-export const BAND = 0.05;
 const FEWEST = 8;
 const NEEDS_THE_END = ["settling", "vibration.residual"];
 
@@ -44,48 +42,35 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
       ),
       note: "over the run",
     };
-    facts.settling = settling(times, deviation, moveEnd);
+    const unseen = unsettled(times, moveEnd);
+    if (unseen) facts.settling = unseen;
   }
   facts["vibration.residual"] = vibration(times, series, moveEnd);
   return facts;
 }
 
-function settling(times: Float64Array, deviation: Float64Array, moveEnd: number | null): Facts[string] {
+/**
+ * Why settling is not seen; null where the native run carries on beyond its end to see it. The page does not carry on:
+ * it then gives no number of its own, and the original run's stays, marked as such.
+ */
+function unsettled(times: Float64Array, moveEnd: number | null): Facts[string] | null {
   const unseen = (why: string): Facts[string] => ({ value: null, note: `not seen: ${why}` });
-  if (moveEnd === null) return unseen("what moves the robot changes up to the end of the run");
+  if (moveEnd === null) return null; // cut, or ending with the run: the native run tells them apart
   const end = times[times.length - 1];
-  if (end <= moveEnd * (1 + 1e-9)) {
+  if (moveEnd > end * (1 + 1e-9)) {
     const when = `the run ends at ${figures(end, 6)} s, the move at ${figures(moveEnd, 6)} s`;
     return unseen(`${when}: simulate longer to see it settle`);
   }
-  const { value, limit, strayed } = settled(times, deviation, moveEnd);
-  if (strayed !== end) return { value, note: limit };
-  const left = `${figures(deviation[deviation.length - 1])} m`;
-  return unseen(`the deviation is still ${left} when the run ends at ${figures(end, 6)} s`);
-}
-
-/** When the tip stays near its reference, after the move [s], what that means in words, and when it last did not. */
-export function settled(
-  times: Float64Array,
-  deviation: Float64Array,
-  moveEnd: number,
-): { value: number; limit: string; strayed: number } {
-  const limit = BAND * deviation[worst(deviation)];
-  let strayed = moveEnd;
-  for (let k = 0; k < times.length; k += 1) if (times[k] > moveEnd && deviation[k] > limit) strayed = times[k];
-  return {
-    value: strayed - moveEnd,
-    limit: `until the tip stays within ${info(limit, "m")}, ${100 * BAND} % of its largest deviation`,
-    strayed,
-  };
+  return null;
 }
 
 /** Of a run that broke off: it has not settled, and what was largest was so until then. */
 export function brokenOff(facts: Facts): Facts {
   const info: Facts = {};
+  const needing = NEEDS_THE_END.filter((id) => id !== "settling" || "deviation.max" in facts);
+  for (const id of needing) info[id] = { value: null, note: "the run broke off" };
   for (const [id, { value, note }] of Object.entries(facts)) {
-    if (NEEDS_THE_END.includes(id)) info[id] = { value: null, note: "the run broke off" };
-    else info[id] = { value, note: `until it broke off: ${note}` };
+    if (!needing.includes(id)) info[id] = { value, note: `until it broke off: ${note}` };
   }
   return info;
 }

@@ -15,9 +15,8 @@ import { brokenOff, type Facts } from "./facts";
 import type { Kept } from "./kept";
 import { numbersOf } from "./map";
 import { range } from "./series";
+import { setpointsOf, spanOf } from "./span";
 import * as signals from "./signals";
-
-const FEWEST = 32; // samples of a spectrum
 
 /**
  * The whole run; raises an error where it cannot start. `kept`: the reference run before; `moving` hears the motion of
@@ -61,17 +60,11 @@ export async function runOf(
     series,
     scene: sceneOf(engine, bundle, real.blocks, series, times, frames, colours),
     line: linePanel(bundle, loads.links, frames.length),
-    span: spanOf(times, end),
+    span: spanOf(times, end, setpointsOf(bundle, series)),
     facts: failed ? brokenOff(facts) : facts,
   };
 }
 
-/** The time after the move, where the run goes on long enough, else the whole run, as tmodes/report/spectra.py. */
-function spanOf(times: Float64Array, end: number | null): [number, number] {
-  const last = times[times.length - 1];
-  const first = end === null ? -1 : times.findIndex((time) => time >= end * (1 + 1e-9));
-  return [first >= 0 && times.length - first >= FEWEST ? times[first] : times[0], last];
-}
 
 /** When the last signal stops changing [s]; null where one never does. */
 function moveEnd(all: signals.Schedule): number | null {

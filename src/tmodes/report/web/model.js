@@ -1,4 +1,4 @@
-/* tmodes, built from 3508572be2fa273f; BSD-3-Clause */
+/* tmodes, built from f501866426d39bfb; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
