@@ -1,4 +1,4 @@
-/* tmodes, built from b868f63b9bb25883; BSD-3-Clause */
+/* tmodes, built from f501866426d39bfb; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
