@@ -146,7 +146,8 @@ def _unknown(
     meant = nearest(where, known)
     found = ".".join(filter(None, (start, meant, *beyond))) if meant else _elsewhere(where, data)
     found = found if before else _in_other_letters(path, data) or found
-    hint = f"did you mean `{found}`?" if found else "look the path up in the data sheet"
+    look = f"look at `{start}` in the data sheet" if before else "look the path up in the data sheet"
+    hint = f"did you mean `{found}`?" if found else look
     return InputError(path, "an unknown key", expected, hint)
 
 

@@ -20,7 +20,11 @@ KEYS = [
     (lambda d: d["joints"][0].update(axs=[0, 0, 1]), "joints.shoulder.axs", "Did you mean `joints.shoulder.axis`?"),
     (lambda d: d["joints"][0]["gear"].update(stifness=1), "gear.stifness", "mean `joints.shoulder.gear.stiffness`?"),
     (lambda d: d["links"][0]["beam"].update(lenght=1), "links.upper.beam.lenght", "mean `links.upper.beam.length`?"),
-    (lambda d: d["links"][0]["beam"]["section"].update(EI=1), "links.upper.beam.section.EI", "remove it"),
+    (
+        lambda d: d["links"][0]["beam"]["section"].update(EI=1),
+        "beam.section.EI",
+        "mean `links.upper.beam.section.bending_stiffness.0`?",
+    ),
     (lambda d: d["joints"][0].update(loads=[]), "joints.shoulder.loads", "put `loads` at the outermost level"),
     (lambda d: d.update(loads=[{"point": "tp", "frame": "world"}]), "loads.0.point", "Did you mean `tip`?"),
     (lambda d: d.update(tip={"link": "for"}), "tip.link", "Did you mean `fore`?"),

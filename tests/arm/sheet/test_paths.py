@@ -109,9 +109,13 @@ def test_a_factor_on_a_material_of_the_library() -> None:
 
 
 def test_what_is_rigid_stays_rigid() -> None:
-    data = sheet(real={"joints.shoulder.gear.stiffness": 0.0})
+    """Any factor but zero, which would make a gear of no stiffness of it."""
+    data = sheet(real={"joints.shoulder.gear.stiffness": 0.5})
     data["joints"][0]["gear"]["stiffness"] = math.inf
     assert arm_of(data).pair().real.joints[0].gear.stiffness == (math.inf,)
+    assert "real.joints.shoulder.gear.stiffness must be" in problem(
+        {**data, "real": {"joints.shoulder.gear.stiffness": 0.0}}
+    )
 
 
 @pytest.mark.parametrize(
