@@ -1,3 +1,4 @@
+# pyright: reportAttributeAccessIssue=false, reportOptionalMemberAccess=false
 """Noise: what its numbers promise, and a seed of its own in each lane."""
 
 from __future__ import annotations

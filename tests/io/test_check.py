@@ -1,3 +1,4 @@
+# pyright: reportOptionalMemberAccess=false
 """All that is wrong with a data sheet is reported together, with line, unit and hint."""
 
 from __future__ import annotations

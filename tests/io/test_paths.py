@@ -1,3 +1,4 @@
+# pyright: reportAttributeAccessIssue=false, reportOptionalMemberAccess=false
 """Values are changed by dotted path; paths that do not exist are reported with those that were meant."""
 
 from __future__ import annotations

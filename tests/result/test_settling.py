@@ -1,3 +1,4 @@
+# pyright: reportOptionalSubscript=false
 """When the tip has settled: the run is continued beyond its end, against the closed form of one damped vibration."""
 
 from __future__ import annotations

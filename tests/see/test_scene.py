@@ -1,3 +1,4 @@
+# pyright: reportOperatorIssue=false
 """The scene of a page says where everything was: held against kinematics and against what the result tells."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# pyright: reportAttributeAccessIssue=false
 """The report that is alive: a slider moved, and charts, numbers and sheet follow; the run as it was stays."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# pyright: reportArgumentType=false
 """The page on a phone, by keyboard alone, on paper, and for who wants nothing to move."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# pyright: reportAttributeAccessIssue=false
 """The studio's server: robots, checks, runs, studies, as the page asks for them."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# pyright: reportAttributeAccessIssue=false
 """The ladder: its rungs are models with known errors, its move is followed exactly, its advice is the cheapest."""
 
 from __future__ import annotations

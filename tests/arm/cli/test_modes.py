@@ -1,3 +1,4 @@
+# pyright: reportArgumentType=false, reportCallIssue=false
 """``tmodes modes`` of an arm."""
 
 from __future__ import annotations

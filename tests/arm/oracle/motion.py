@@ -1,3 +1,4 @@
+# pyright: reportAttributeAccessIssue=false
 """Where everything of a chain is, as CasADi expressions of its coordinates: composition of frames and nothing else."""
 
 from __future__ import annotations

@@ -1,3 +1,4 @@
+# pyright: reportArgumentType=false, reportCallIssue=false
 """Friction of the whole normal force, the moving mass in it: against H, h and J of the same robot, and energy."""
 
 from __future__ import annotations
