@@ -203,6 +203,7 @@ def _system(name: str, title: str, *, printed: bool) -> System:
         elastic=elastic,
         dissipation=dissipation,
         points=_points,
+        lines=(),
         numbers=_numbers,
         own=OWN,
         directions=basis(),

@@ -1,4 +1,4 @@
-/* tmodes, built from d2bf1e171d193d7e; BSD-3-Clause */
+/* tmodes, built from f19997c9e5fb003b; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
