@@ -49,9 +49,12 @@ class Lowered:
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.
 
-        Raises :class:`tmodes.errors.SimulationError` where the force of a contact jumped on the way: how the time of
+        Raises :class:`tmodes.errors.InputError` for a sampled controller, whose samples cannot be differentiated yet; :class:`tmodes.errors.SimulationError` where the force of a contact jumped on the way: how the time of
         the jump moves with the numbers is part of the derivative, and not seen.
         """
+        if self.model.plan.is_sampled:
+            hint = "take a controller in continuous time, or vary the numbers in a batch"
+            raise InputError("drives", "a sampled controller", "controllers in continuous time for derivatives", hint)
         done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
         if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(

@@ -9,7 +9,8 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.spectrum import GROWING, RINGS, MotorState, damped_motions
+from tmodes.analysis.modes.closed_loop import Feedback, closed_loop_motions
+from tmodes.analysis.spectrum import GROWING, RINGS, MotorState
 from tmodes.analysis.statics.compliance import Spring, springs_of
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.held import driven
@@ -68,12 +69,16 @@ class ArmMode:
 
 
 def arm_modes(
-    rest: Equilibrium, motors: MotorState = MotorState.LOCKED, servos: Mapping[str, Servo] | None = None
+    rest: Equilibrium,
+    motors: MotorState = MotorState.LOCKED,
+    servos: Mapping[str, Servo] | None = None,
+    feedback: Feedback | None = None,
 ) -> list[ArmMode]:
     """Modes by rising frequency about an arm at rest.
 
     ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on
-    the springs and dampers ``servos`` of their controllers, those without one stand still. Prescribed joints always
+    the springs and dampers ``servos`` of their controllers, or under the ``feedback`` of
+    :func:`tmodes.analysis.modes.closed_loop.feedback_of`; those without one stand still. Prescribed joints always
     stand still. Dry friction, which has no slope at rest, is left out. Of an arm of more than 120 coordinates the
     lowest 60 modes. Raises :class:`SimulationError` for a mass
     matrix that is not positive definite.
@@ -82,17 +87,18 @@ def arm_modes(
     moving = moving_coordinates(rest, motors, chosen)
     springs = springs_of(rest.model, rest.q) if len(moving) else {}
     mass, damping, stiffness = (matrix.copy() for matrix in _matrices(rest))
-    for name, servo in chosen.items():
+    loop = feedback if chosen and feedback else _springs(rest, chosen)
+    for name in chosen:
         k = rest.model.coordinates.index(name)
-        springs[f"{name.removesuffix('.motor')}.controller"] = _single(rest.model.nq, k, servo.stiffness)
-        stiffness[k, k] += servo.stiffness
-        damping[k, k] += servo.damping
+        held = max(0.0, float(loop.stiffness[k, k]))
+        springs[f"{name.removesuffix('.motor')}.controller"] = _single(rest.model.nq, k, held)
     if not len(moving):
         return []
     block = np.ix_(moving, moving)
     mass, damping, stiffness = mass[block], damping[block], stiffness[block]
-    squares, shapes = _undamped(mass, stiffness)
-    eigenvalues, motions = _eigenvalues(mass, damping, stiffness, shapes)
+    loop = loop.on(np.eye(rest.model.nq)[:, moving])
+    squares, shapes = _undamped(mass, stiffness + loop.stiffness)
+    eigenvalues, motions = _eigenvalues(mass, damping, stiffness, shapes, loop)
     whole = np.zeros((rest.model.nq, len(squares)), dtype=shapes.dtype)
     moved = np.zeros(whole.shape, dtype=complex)
     whole[moving], moved[moving] = shapes, motions
@@ -106,19 +112,31 @@ def arm_modes(
     return [_controlled(mode, eigenvalues[k]) for k, mode in enumerate(modes)] if chosen else modes
 
 
+def _springs(rest: Equilibrium, servos: Mapping[str, Servo]) -> Feedback:
+    """Controllers that are springs and dampers."""
+    n = rest.model.nq
+    stiffness, damping = np.zeros((n, n)), np.zeros((n, n))
+    for name, servo in servos.items():
+        k = rest.model.coordinates.index(name)
+        stiffness[k, k], damping[k, k] = servo
+    return Feedback(stiffness, damping, np.zeros((n, 0)), np.zeros((0, 2 * n)))
+
+
 def _single(size: int, k: int, value: float) -> Spring:
     row = np.zeros((1, size))
     row[0, k] = 1.0
     return Spring(row, value * row)
 
 
-def _eigenvalues(mass: Array, damping: Array, stiffness: Array, shapes: Array) -> tuple[Complex, Complex]:
+def _eigenvalues(
+    mass: Array, damping: Array, stiffness: Array, shapes: Array, loop: Feedback
+) -> tuple[Complex, Complex]:
     """Of each mode [1/s], and its damped motion; where only some were found, by the motions that they span."""
     spanned = shapes
     if len(shapes) > shapes.shape[1]:
         mass, damping, stiffness = (shapes.T @ matrix @ shapes for matrix in (mass, damping, stiffness))
-        shapes = np.eye(len(mass))
-    values, damped = damped_motions(mass, damping, stiffness)
+        loop, shapes = loop.on(shapes), np.eye(len(mass))
+    values, damped = closed_loop_motions(mass, damping, stiffness, loop)
     chosen = _partners(mass, shapes, values, damped)
     motions = damped[:, chosen]
     return values[chosen], motions if spanned is shapes else spanned @ motions

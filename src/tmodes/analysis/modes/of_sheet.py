@@ -6,6 +6,7 @@ from dataclasses import asdict
 from typing import Any, NamedTuple
 
 from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
+from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.converged import CONVERGED, MOST_CHECKED, finer, frequency_errors
 from tmodes.analysis.modes.modes import ArmMode, MotorState, Servo, arm_modes
 from tmodes.analysis.statics.equilibrium import Equilibrium
@@ -77,12 +78,12 @@ def vibrations(arm: Robot, *, contact: bool = False, progress: Progress = lambda
 
 
 def _states(arm: Robot, rest: Equilibrium, progress: Progress) -> dict[str, list[ArmMode]]:
-    servos = servos_of(arm, rest.model)
+    servos, feedback = servos_of(arm, rest.model), feedback_of(arm, rest)
     states = [MotorState.LOCKED, MotorState.FREE, *([MotorState.CONTROLLED] if servos else [])]
     found = {}
     for k, state in enumerate(states):
         progress("modes", k / len(states))
-        found[str(state)] = arm_modes(rest, state, servos)
+        found[str(state)] = arm_modes(rest, state, servos, feedback)
     return found
 
 
