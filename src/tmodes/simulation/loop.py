@@ -111,7 +111,8 @@ class LoopModel:
         """What is shown of n instants.
 
         ``q``, ``v``, ``a`` (n, nq); ``drives`` (n, drives, 4): effort [N*m], voltage [V], current [A], wanted;
-        ``controls`` (n, states) of controllers, after the samples at that time; ``gear`` (n, drives) [N*m]; ``contact`` (n, 6): force by the point (3), its normal part [N], penetration [m], its rate;
+        ``controls`` (n, states) of controllers, after the samples at that time; ``gear``
+        (n, drives) [N*m]; ``contact`` (n, 6): force by the point (3), its normal part [N], penetration [m], its rate;
         ``base`` (n, 24); ``powers`` (n, works) [W].
         """
         blocks = self._blocks(time, state, row)

@@ -64,6 +64,13 @@ class Feedback:
     by: Array
     samples: tuple[_Sample, ...] = ()
 
+    @property
+    def springs(self) -> Array:
+        """The stiffness (n, n) with that of sampled controllers, as if they worked at all times."""
+        n = len(self.stiffness)
+        held = (self.drive[:, list(sample.rows)] @ sample.by[:, :n] for sample in self.samples)
+        return self.stiffness - sum(held, np.zeros((n, n)))
+
     def on(self, basis: Array) -> Feedback:
         """The same in the coordinates (m) of which those of the robot are ``basis`` (n, m)."""
         n, k = self.drive.shape
@@ -77,7 +84,10 @@ class Feedback:
 
 
 def closed_loop_motions(mass: Array, damping: Array, stiffness: Array, loop: Feedback) -> tuple[Complex, Complex]:
-    """Eigenvalues [1/s] and the coordinates' part of the motions of M q'' + D q' + K q = 0 under feedback."""
+    """Eigenvalues [1/s] and the coordinates' part of the motions of M q'' + D q' + K q = 0 under feedback.
+
+    Raises :class:`tmodes.errors.SimulationError` for sample times without a common period.
+    """
     n, k = loop.drive.shape
     matrix = np.zeros((2 * n + k, 2 * n + k))
     matrix[:n, n : 2 * n] = np.eye(n)
@@ -140,8 +150,7 @@ def feedback_of(arm: Robot, rest: Equilibrium) -> Feedback | None:
     """The controllers of a data sheet about its rest, their wanted values where the robot is.
 
     None where each acts as a spring and a damper of its own drive, which
-    :func:`tmodes.analysis.modes.of_sheet.servos_of` gives. Raises :class:`tmodes.errors.SimulationError` where no common
-    period of the sample times is found.
+    :func:`tmodes.analysis.modes.of_sheet.servos_of` gives.
     """
     found = list(_drives(arm, rest))
     simple = all(one.law.is_local and not one.servo.has_current for one in found)
@@ -230,8 +239,7 @@ class _Linear:
             found.append((own, whole[:, place : place + len(own)]))
         if seen:
             currents = slice(2 * n, 2 * n + len(self.current))
-            found += [
-                (q, whole[:, :n]), (np.zeros(n), whole[:, n : 2 * n]),
-                (np.zeros(len(self.current)), whole[:, currents]), (np.concatenate(setpoints), np.tile(still, len(setpoints))),
-            ]  # fmt: skip
+            found += [(q, whole[:, :n]), (np.zeros(n), whole[:, n : 2 * n])]
+            found.append((np.zeros(len(self.current)), whole[:, currents]))
+            found.append((np.concatenate(setpoints), np.tile(still, len(setpoints))))
         return [value for value, _ in found], [direction for _, direction in found]

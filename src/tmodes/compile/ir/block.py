@@ -137,8 +137,8 @@ class ScheduleRate:
 
     ``step_offset``: where in the held memory the length of an implicit step is put; ``gate_offset``: where two numbers
     stand that are both positive while a force acts that starts and ends; None where there is none. ``call_from``: as
-    ``call`` with one more pointer after the state, to the coordinates and rates that springs start from. ``sampled``: the
-    state after the samples at a knot, as a function of the same kind; None where nothing is sampled.
+    ``call`` with one more pointer after the state, to the coordinates and rates that springs start from. ``sampled``:
+    the state after the samples at a knot, as a function of the same kind; None where nothing is sampled.
     """
 
     prepare: Any

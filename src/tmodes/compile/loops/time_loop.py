@@ -92,8 +92,7 @@ class TimeLoop:
 
     def _prepared(self) -> Any:
         """The memory of what sampled controllers compute; None without one."""
-        sampled = self.lowered.sampled
-        if sampled is None:
+        if (sampled := self.lowered.sampled) is None:
             return None
         held = scratch(self.builder, sampled.held_size, "sampling")
         self.array["after"] = scratch(self.builder, self.size, "after")

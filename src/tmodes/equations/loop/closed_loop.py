@@ -59,7 +59,10 @@ class ClosedLoop(LoopParts):
 
     @cached_property
     def observe(self) -> Schedule:
-        """(time, state, row, step) -> q, v, a, drives (4 each), controls, gear, contact (6), fold, the base's row, powers."""
+        """(time, state, row, step) -> what is shown.
+
+        q, v, a, drives (4 each), own states of controllers, gear, contact (6), fold, the base's row, powers.
+        """
         instant = Instant(self, after=self.plan.is_sampled)
         powers, drives = Powers(instant), range(len(self.drivers))
         shown = {
