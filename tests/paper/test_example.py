@@ -110,7 +110,7 @@ def test_stationary_part_at_rest_is_the_gravity_sag(free):
 
 
 def test_settling_is_found_beyond_the_end_of_the_run(robot):
-    """A run as long as its move tells when the tip settles; a longer run sees the same with its own samples."""
+    """A run as long as its move reports when the tip settles; a longer run sees the same with its own samples."""
     info = simulate(robot).summary()["settling"]
     longer = simulate(robot.with_({"integration.duration": 14.0}))
     time, deviation = longer.data["time"].values, longer.data["deviation"].values
