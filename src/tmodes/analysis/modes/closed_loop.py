@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.chain.chain import Motor
-from tmodes.equations.loop.control_kernels import TOLD, Servo, View, Winding
+from tmodes.equations.loop.control_kernels import OUTPUTS, Servo, View, Winding
 from tmodes.equations.loop.plan import winding_of
 from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.errors import SimulationError
@@ -35,7 +35,7 @@ MOST_SAMPLES = 10_000
 """Samples within the common period of several controllers up to which their poles are computed."""
 
 _GONE = 1e-8
-"""An eigenvalue of the sampled system below this is a state that is written anew at each sample, no motion."""
+"""An eigenvalue of the sampled system below this is a state that each sample overwrites, no motion."""
 
 
 @dataclass(frozen=True)
@@ -204,7 +204,7 @@ class _Linear:
             if one.law.period is not None:
                 samples.append(_Sample(one.law.period, rows, self._slopes(k, one, sampled=True)))
             elif rows:
-                by[list(rows)] = found[4 + TOLD :]
+                by[list(rows)] = found[4 + OUTPUTS :]
         return Feedback(-effort[:, :n], -effort[:, n : 2 * n], effort[:, 2 * n :], by, tuple(samples))
 
     def _slopes(self, k: int, one: _Drive, *, sampled: bool) -> Array:
