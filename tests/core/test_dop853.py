@@ -6,7 +6,7 @@ import numpy as np
 import pytest
 from scipy.integrate import DOP853, solve_ivp
 
-from tmodes.integrate.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
+from tmodes.integrate.dop853 import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.mechanism import Drive
