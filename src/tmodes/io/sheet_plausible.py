@@ -73,7 +73,7 @@ def _beam(name: str, beam: BendingSheet) -> Iterator[str]:
 
 
 def _sag(arm: Robot, name: str, beam: BendingSheet) -> Iterator[str]:
-    """A piece of the beam, clamped at its root, under the weight of the bodies on the link: its chord turns F L^2/3EI."""
+    """A piece of the beam, clamped, under the weight of the bodies on the link: its chord turns by F L^2/3EI."""
     mass, start, sag = sum(body.mass for body in arm.link(name).bodies), 0.0, 0.0
     for piece in beam.section_pieces():
         length, start = (piece.end - start) * beam.line_length, piece.end

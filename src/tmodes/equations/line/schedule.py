@@ -43,7 +43,7 @@ class Lines:
     and ``ROOTS`` (6 each: force, moment about the node's root, in the world, by what it carries on what holds it).
 
     ``numbers``: its parameters, which begin with those of the chain; ``links``: the lines of each node, none of a rigid
-    one, whose output is :data:`RIGID`; ``ends``: where rigid links end, in their own frames; ``drawn``: names of further
+    one, whose output is :data:`RIGID`; ``ends``: where rigid links end, in their own frames; ``drawn``: names of more
     straight lines, whose output is :data:`RIGID` too.
     """  # noqa: D205
 

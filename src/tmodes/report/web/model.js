@@ -1,4 +1,4 @@
-/* tmodes, built from f19997c9e5fb003b; BSD-3-Clause */
+/* tmodes, built from 1f7ee9895fa1aec0; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
