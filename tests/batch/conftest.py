@@ -7,11 +7,11 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tmodes.paper.mechanism import Drive, Parameters
+from tmodes.paper.model import PaperModel
 
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive, Parameters
-from tmodes.paper.model import PaperModel
 from tmodes.robots import load_robot
 
 

@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 import pytest
+from tmodes.paper.mechanism import Parameters
 
 from tmodes.errors import InputError
-from tmodes.paper.mechanism import Parameters
 from tmodes.simulation.batch.simulate import prepare_loops
 from tmodes.simulation.trajectory import integrate
 

@@ -9,9 +9,9 @@ from dataclasses import replace
 
 import numpy as np
 import pytest
+from tmodes.paper.mechanism import Parameters
 
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Parameters
 from tmodes.simulation.batch.store import load_batch
 from tmodes.simulation.trajectory import integrate
 

@@ -3,8 +3,8 @@
 from __future__ import annotations
 
 import pytest
-
 from tmodes.paper.sheet import PaperRobot
+
 from tmodes.robots import load_robot
 
 

@@ -5,12 +5,12 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy.integrate import DOP853, solve_ivp
+from tmodes.paper.mechanism import Drive
+from tmodes.paper.model import PaperModel
 
 from tmodes.integrate.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
 from tmodes.simulation.trajectory import integrate
 
 STILL = Schedule(np.array([0.0, 10.0]), np.zeros((1, 3)))

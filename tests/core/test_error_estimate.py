@@ -4,10 +4,10 @@ from __future__ import annotations
 
 import numpy as np
 import pytest
-
-import tmodes
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.regime import run_paper
+
+import tmodes
 
 TIGHT = {"relative_tolerance": 1e-13, "absolute_tolerance": 1e-16}
 

@@ -6,15 +6,15 @@ import itertools
 
 import numpy as np
 import pytest
-
-import tmodes
 from tmodes.equations.lagrange.implicit_step import implicit_rate_function
-from tmodes.errors import InputErrors
-from tmodes.kinds.signals.schedule import Schedule
 from tmodes.paper.environment import FrictionLaw
 from tmodes.paper.mechanism import Drive, Mechanism, Reading
 from tmodes.paper.model import PaperModel
 from tmodes.paper.model_loops import rate_of
+
+import tmodes
+from tmodes.errors import InputErrors
+from tmodes.kinds.signals.schedule import Schedule
 
 from .test_integrators import LOSSLESS, plucked, run, slope
 

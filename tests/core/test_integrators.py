@@ -5,11 +5,11 @@ from __future__ import annotations
 import numpy as np
 import pytest
 from scipy.integrate import RK45, solve_ivp
+from tmodes.paper.mechanism import Drive, Reading
+from tmodes.paper.model import PaperModel
 
 from tmodes.integrate.dormand_prince import B_ERROR, DENSE, A, C
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive, Reading
-from tmodes.paper.model import PaperModel
 from tmodes.simulation.trajectory import integrate, sample_times
 
 LOSSLESS = {

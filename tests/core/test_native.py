@@ -6,15 +6,15 @@ import casadi as ca
 import mpmath
 import numpy as np
 import pytest
+from tmodes.equations.lagrange.closed_loop import closed_loop, observe_function, rate_function
+from tmodes.equations.lagrange.symbols import symbolic_robot
+from tmodes.paper.mechanism import Drive, Parameters
+from tmodes.paper.model import PaperModel
 
 from tmodes.compile import cache
 from tmodes.compile.ir import kernels
 from tmodes.compile.ir.program import straight_line
-from tmodes.equations.lagrange.closed_loop import closed_loop, observe_function, rate_function
-from tmodes.equations.lagrange.symbols import symbolic_robot
 from tmodes.errors import CompileError, ResultFileError
-from tmodes.paper.mechanism import Drive, Parameters
-from tmodes.paper.model import PaperModel
 
 
 def sampled(function, *inputs, parameters=(1.0,)):

@@ -8,6 +8,7 @@ from typing import Any
 import casadi as ca
 import numpy as np
 import pytest
+from tmodes.paper.mechanism import Parameters
 
 from tmodes.chain.chain import Body, Chain, Gear, Joint, Motor, Node, Placement, RigidLink
 from tmodes.compile.ir import kernels
@@ -17,7 +18,6 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.model.model import Model
-from tmodes.paper.mechanism import Parameters
 from tmodes.simulation.trajectory import integrate
 
 from .scale import memory, often

@@ -21,7 +21,7 @@ __all__ = ["MAX_BYTES", "folder", "load", "save", "source_digest"]
 MAX_BYTES = 256 * 2**20
 """Size of the cache above which the entries not used for the longest time go."""
 
-_SOURCES = ("chain", "compile", "equations", "kinds", "paper", "sheet")
+_SOURCES = ("chain", "compile", "equations", "kinds", "sheet")
 
 _HEAD = b"tmodes compiled code, layout 1\n"
 """First line of an entry; entries of another layout are made again."""
