@@ -1,7 +1,7 @@
 # pyright: reportArgumentType=false, reportCallIssue=false
 """Random chains for property tests: trees of every kind of joint and link, and states that stay in the model's range.
 
-A chain is drawn from one integer, so that a failing example is told by one number; how large it is, and whether it
+A chain is drawn from one integer, so that a failing example is given by one number; how large it is, and whether it
 bends, are arguments.
 """
 

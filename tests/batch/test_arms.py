@@ -100,7 +100,7 @@ def test_stiff_arms_run_one_by_one(swing, threads):
 
 
 def test_a_lane_that_chatters_ends_by_itself(bounce, monkeypatch):
-    """A contact that changes too often: told as a run by itself tells it; the others go on."""
+    """A contact that changes too often: reported as in a run by itself; the others continue."""
     monkeypatch.setattr("tmodes.simulation.native_run.MOST_EVENTS", 1)
     monkeypatch.setattr("tmodes.simulation.native_run.EVENT_TIME", 10.0)
     model, chosen = bounce.model, settings(bounce)

@@ -26,7 +26,7 @@ def native(request):
     library = Library("powers", to_object(module, 2), {"log": 2, "exp": 2})
 
     def applied(name, values):
-        """Of any count of numbers: the last ones stand beside ones."""
+        """Of any count of numbers: the last ones stand next to ones."""
         count = len(values)
         full = np.append(np.asarray(values, dtype=float), np.ones(-count % lanes.stride))
         found = np.empty_like(full)

@@ -1,4 +1,4 @@
-"""Batches of the paper's robot: each lane is the run by itself, whatever stands beside it."""
+"""Batches of the paper's robot: each lane is the run by itself, whatever stands next to it."""
 
 from __future__ import annotations
 
@@ -75,8 +75,8 @@ from tmodes.robots import load_robot
 robot = load_robot("filipovic2010")
 model = Model(robot.split(Drive.CONTROLLED)[0])
 settings = robot.integration.model_copy(update={"duration": 0.02, "output_step": 5e-4})
-with np.load(sys.argv[1]) as told:
-    model.simulate_batch(told["many"], robot.reference.schedule(), told["start"], settings, out=sys.argv[2])
+with np.load(sys.argv[1]) as info:
+    model.simulate_batch(info["many"], robot.reference.schedule(), info["start"], settings, out=sys.argv[2])
 """
 
 

@@ -1,4 +1,4 @@
-"""Varied sheets: each lane is the run of its own sheet; wrong numbers and starts are told with their lane."""
+"""Varied sheets: each lane is the run of its own sheet; wrong numbers and starts are reported with their lane."""
 
 from __future__ import annotations
 
@@ -67,7 +67,7 @@ def test_each_lane_has_its_own_start_and_motion():
 
 
 def test_the_tip_on_a_base_that_moves():
-    """The tip is told in the world, which the base does not stand in."""
+    """The tip is given in the world, which the base does not stand in."""
     ramp = {"type": "expression", "formula": "0.3*t"}
     arm = type(swing()).from_data(swing().model_dump(mode="json", exclude_none=True) | {"base_motion": {"x": ramp}})
     batch = tmodes.simulate_batch(arm, {"gravity": [9.0, 9.8]}, tips=True)

@@ -84,7 +84,7 @@ def test_gcc_that_takes_too_long_is_left_out() -> None:
 
 @pytest.mark.skipif(sys.platform != "linux", reason="looks at /proc")
 def test_what_a_compiler_started_ends_with_it(tmp_path: Path) -> None:
-    """gcc is a driver: the compiler proper, its child, would go on for minutes beside what is measured next."""
+    """gcc is a driver: the compiler proper, its child, would go on for minutes next to what is measured next."""
     child = f"import os, time; open({str(tmp_path / 'pid')!r}, 'w').write(str(os.getpid())); time.sleep(60)"
     driver = f"import subprocess, sys; subprocess.run([sys.executable, '-c', {child!r}])"
     with pytest.raises(PeerMissing, match="given up"):
@@ -94,7 +94,7 @@ def test_what_a_compiler_started_ends_with_it(tmp_path: Path) -> None:
         if not Path(f"/proc/{pid}/cmdline").exists() or not Path(f"/proc/{pid}/cmdline").read_bytes():
             return
         time.sleep(0.02)
-    pytest.fail("it goes on")
+    pytest.fail("it continues")
 
 
 @pytest.mark.usefixtures("working_gcc")

@@ -41,7 +41,7 @@ def test_a_product_that_one_sum_reads_is_fused() -> None:
     assert throughput(program(ca.vertcat(product + x[2], product), x, p), COST) == 1.0
 
 
-def test_sums_go_beside_products_where_there_are_units_for_both() -> None:
+def test_sums_go_next_to_products_where_there_are_units_for_both() -> None:
     """Two sums and three products: on units of their own the products are what takes time."""
     x, p = ca.SX.sym("x", 4), ca.SX.sym("p")
     both = program(ca.vertcat(x[0] + x[1], x[2] + x[3], x[0] * x[1], x[1] * x[2], x[2] * x[3]), x, p)

@@ -26,7 +26,7 @@ def tmodes_batch(*arguments, code=0):
 
 
 def test_sweep_into_a_folder(tmp_path):
-    """All combinations; the table tells the spread and the worst lane, the folder holds all samples."""
+    """All combinations; the table shows the spread and the worst lane, the folder holds all samples."""
     out = tmp_path / "with spaces é"
     vary = ["--vary", "payload.mass=0.4:0.6:3", "--vary", "gear.damping=0:4:3"]
     info = tmodes_batch(*vary, "--out", out).stdout
@@ -114,7 +114,7 @@ def test_grid_is_all_combinations():
 
 
 def test_a_longer_draw_begins_with_the_shorter_one():
-    """More runs, or another path beside, change no number that was drawn."""
+    """More runs, or another path next to, change no number that was drawn."""
     short, long = drawn({"a": (0.0, 2.0)}, 10, 7), drawn({"b": (5.0, 6.0), "a": (0.0, 2.0)}, 1000, 7)
     assert long["a"][:10].tolist() == short["a"].tolist()
     assert np.all((long["b"] >= 5.0) & (long["b"] < 6.0))

@@ -52,7 +52,7 @@ def test_the_main_job(tmp_path):
 
 
 def test_run_as_json(tmp_path):
-    """Machines get everything that a person is told, and nothing else on standard output."""
+    """Machines get everything that a person sees, and nothing else on standard output."""
     done = tmodes("run", "filipovic2010", "--json", "--no-figures", "--no-contact", "--out", tmp_path / "o")
     info = json.loads(done.stdout)
     assert info["status"] == "finished"
@@ -77,7 +77,7 @@ def test_same_bytes_everywhere(tmp_path):
 
 
 def test_a_run_that_diverges(tmp_path):
-    """Time, coordinate and reason are told, what was done is kept, the exit code is not zero."""
+    """Time, coordinate and reason are reported, what was done is kept, the exit code is not zero."""
     stiff = settings({"gear.stiffness": "4.7e9", "integration.method": "rk4", "integration.step": "1e-3"})
     done = tmodes("run", "filipovic2010", *stiff, "--out", tmp_path, code=3)
     for word in ("diverged at t = ", "coordinate", "dt*omega"):
@@ -256,7 +256,7 @@ def sheet(tmp_path, name):
 
 
 def test_names_are_text(tmp_path):
-    """A name that looks like markup, or that the terminal cannot write, is told as it is."""
+    """A name that looks like markup, or that the terminal cannot write, is reported as it is."""
     info = tmodes("modes", sheet(tmp_path, "[/b] Róbót"), env=os.environ | {"PYTHONIOENCODING": "ascii"}).stdout
     assert "[/b] R\\xf3b\\xf3t" in info
     assert "control characters" in tmodes("check", sheet(tmp_path, "a\x1b[31mb"), code=2).stderr

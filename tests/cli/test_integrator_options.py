@@ -21,7 +21,7 @@ def tmodes(*arguments: object, code: int = 0) -> subprocess.CompletedProcess[str
 
 
 def test_options_and_what_is_reported(tmp_path):
-    """Method and both tolerances reach the run; steps, time of computing and errors are told."""
+    """Method and both tolerances reach the run; steps, time of computing and errors are reported."""
     options = ["--integrator", "dop853", "--rtol", 1e-8, "--atol", 1e-11, *SHORT]
     info = tmodes("run", "filipovic2010", *options, "--out", tmp_path / "table").stdout
     for words in ("of dop853 (", "of computing for each simulated second", "error", "< ", "--check-error"):
@@ -58,7 +58,7 @@ def test_unknown_integrator(tmp_path):
 
 
 def test_passes_of_lanes_are_reported(tmp_path):
-    """Of a method that evaluates several states at once both counts are told."""
+    """Of a method that evaluates several states at once both counts are reported."""
     options = ["--integrator", "extrapolation", "--duration", "0.02", "--no-figures"]
     info = tmodes("run", "spong1987", *options, "--out", tmp_path).stdout
     assert "evaluations in " in info

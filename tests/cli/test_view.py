@@ -51,7 +51,7 @@ def runs(tmp_path_factory: pytest.TempPathFactory) -> list[Path]:
 
 
 def test_two_runs_side_by_side(runs, tmp_path):
-    """Runs of one robot are told apart by their folders; the page asks for nothing outside."""
+    """Runs of one robot are distinguished by their folders; the page asks for nothing outside."""
     out = tmp_path / "a page.html"
     info = json.loads(viewed(*runs, "--out", out, "--json").stdout)
     document = out.read_text(encoding="utf-8")
@@ -112,7 +112,7 @@ def test_a_result_in_a_notebook():
             shown.save(path)
 
 
-def test_results_beside_each_other_in_a_notebook():
+def test_results_side_by_side_in_a_notebook():
     result = result_of("cantilever")
     assert [run["name"] for run in head_of(show(result, result).document)["runs"]] == ["test 1", "test 2"]
     named = show(result, result, names=["a", "<script>"])

@@ -184,7 +184,7 @@ def test_a_sheet_names_registered_laws_only():
         dropped("soil").with_({"contact.law": "mud"})
 
 
-def test_code_is_shared_by_structure_and_told_apart_by_source():
+def test_code_is_shared_by_structure_and_distinguished_by_source():
     assert Touch(contact("soil")).key == Touch(contact("soil")).key
     assert Soil.fingerprint() != contact("bilateral").fingerprint()
     assert len(Soil.fingerprint().split()[-1]) == 16

@@ -25,7 +25,7 @@ HARDENING = 40.0
 
 
 class Muscle(DriveKind):
-    """An effort beside a cubic spring about zero [N*m/rad^3] and the joint's friction."""
+    """An effort next to a cubic spring about zero [N*m/rad^3] and the joint's friction."""
 
     name = "muscle"
     summary = "effort and a hardening spring"

@@ -233,7 +233,7 @@ def test_report(word: str, tmp_path: Any) -> None:
     assert f"link.{given.chain().nodes[0].link.coordinates[0]}" in path.read_text(encoding="utf-8")
 
 
-def test_kinds_are_refused_and_told_apart() -> None:
+def test_kinds_are_refused_and_distinguished() -> None:
     with pytest.raises(Exception, match=r"links\.link\.beam\.model.*tabel"):
         sheet("table").with_({"links.link.beam.model": "tabel"})
     with pytest.raises(ValueError, match="table"):

@@ -29,7 +29,7 @@ def cli(*arguments: str) -> str:
 
 @pytest.mark.skipif(not hasattr(os, "getuid"), reason="needs owners of files")
 def test_folder_of_another_user_is_refused(place: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Code of somebody else is neither read nor written, and it is told why."""
+    """Code of somebody else is neither read nor written, and the reason is given."""
     cache.save("key", b"theirs")
     monkeypatch.setattr(os, "getuid", lambda: place.stat().st_uid + 1)
     assert cache.folder() is None
@@ -54,7 +54,7 @@ def test_folder_that_cannot_be_made_is_reported(tmp_path: Path, monkeypatch: pyt
     assert "cannot be made" in cli()
 
 
-def test_entry_of_another_layout_is_made_anew(place: Path) -> None:
+def test_entry_of_another_layout_is_made_again(place: Path) -> None:
     """What an older version wrote, sealed in its own way, is no entry of ours."""
     cache.save("key", b"code")
     (entry,) = place.iterdir()

@@ -8,7 +8,7 @@ from scipy.integrate import DOP853, solve_ivp
 from tmodes.paper.mechanism import Drive
 from tmodes.paper.model import PaperModel
 
-from tmodes.integrate.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
+from tmodes.integrate.dop853 import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.trajectory import integrate

@@ -63,14 +63,14 @@ def test_second_runs_tell_the_error_itself(robot, exact, changes):
 
 
 def test_no_estimate_from_a_run_that_is_lost(robot):
-    """Twice a step that is just stable is not: rk4 tells no error then, and the run is whole."""
+    """Twice a step that is just stable is not: rk4 gives no error then, and the run is whole."""
     run = trajectory(robot, method="rk4", step=1.4e-3, duration=0.2)
     assert run.status == "finished"
     assert run.error is None
 
 
 def test_estimate_interrupted(robot):
-    """Ctrl-C in the second run: the run counts as interrupted, so that the same command goes on."""
+    """Ctrl-C in the second run: the run counts as interrupted, so that the same command continues."""
     from tmodes.simulation.error_estimate import with_error
     from tmodes.simulation.trajectory import Trajectory
 
@@ -93,7 +93,7 @@ def flat(info, start=""):
 
 @pytest.mark.parametrize(("changes", "most"), [({}, 3e3), ({"check_error": True}, 3.0)])
 def test_headline_figures(robot, changes, most):
-    """Beside every figure stands an error that is not far below the true one; sharp where it was asked for."""
+    """Next to every figure stands an error that is not far below the true one; sharp where it was asked for."""
     coarse = {"relative_tolerance": 1e-7, "absolute_tolerance": 1e-10}
     published = tmodes.load("filipovic2010")
     result, exact = (tmodes.run(with_settings(published, **given)) for given in (coarse | changes, TIGHT))

@@ -31,7 +31,7 @@ def numbers(robot):
 
 @pytest.mark.parametrize("mechanism", STRUCTURES, ids=lambda one: one.key)
 def test_a_step_without_length_is_the_rate(mechanism, numbers):
-    """The forces at a step's end, sorted anew, are the forces."""
+    """The forces at a step's end, sorted again, are the forces."""
     rate, implicit = rate_of(mechanism), implicit_rate_function(mechanism)
     random = np.random.default_rng(5)
     state, row = 0.3 * random.normal(size=17), random.normal(size=mechanism.reference_degree + 2)

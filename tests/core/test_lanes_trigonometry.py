@@ -48,7 +48,7 @@ def test_lanes_are_right_to_one_place(angles):
 
 
 def test_lanes_equal_single_numbers_to_the_bit(angles):
-    """In every order, so that far lanes stand beside near ones; the sign of zero counts too."""
+    """In every order, so that far lanes stand next to near ones; the sign of zero counts too."""
     mixed = np.random.default_rng(5).permutation(np.concatenate([angles, 10.0 ** np.arange(-8, 36)]))
     mixed = mixed[: len(mixed) // 4 * 4]
     assert turned(mixed, "lanes").tobytes() == turned(mixed, "double").tobytes()

@@ -93,7 +93,7 @@ def test_power_balance(robot, reading, contact, law):
 
 
 def test_unstable_step_is_never_called_finished(robot):
-    """rk4 beyond its stability limit: told before, diverged after, with dt*omega; what it had is kept."""
+    """rk4 beyond its stability limit: reported before, diverged after, with dt*omega; what it had is kept."""
     change = {"gear.stiffness": 4.7e9, "integration.method": "rk4", "integration.step": 1e-3}
     result = tmodes.run(robot.with_(change))
     assert result.status == "diverged"

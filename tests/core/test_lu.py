@@ -1,4 +1,4 @@
-"""Dense LU factors in native code beside NumPy's solver."""
+"""Dense LU factors in native code next to NumPy's solver."""
 
 from __future__ import annotations
 

@@ -122,7 +122,7 @@ def test_a_function_outlives_its_library(sine_cosine):
     assert out == pytest.approx([np.sin(0.5), np.cos(0.5)], abs=0)
 
 
-def test_damaged_cache_entry_is_made_anew(sine_cosine, tmp_path, monkeypatch):
+def test_damaged_cache_entry_is_made_again(sine_cosine, tmp_path, monkeypatch):
     """A bit flip, a cut, another key's entry: never used, always replaced."""
     monkeypatch.setenv("TMODES_CACHE", str(tmp_path / "cache"))
     kernels._loaded.clear()

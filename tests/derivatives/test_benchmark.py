@@ -1,4 +1,4 @@
-"""The benchmark of gradients runs, and the errors that it tells beside its ratios are those of right derivatives."""
+"""The benchmark of gradients runs, and the errors that it prints next to its ratios are those of right derivatives."""
 
 from __future__ import annotations
 

@@ -36,7 +36,7 @@ def test_they_may_stand_under_the_key_states_and_after_a_byte_order_mark(tmp_pat
     assert read_states(written(tmp_path, '\ufeff{"states": [' + TEXT + "]}")) == [RECORD]
 
 
-def test_answers_of_another_program_may_stand_beside(tmp_path: Path) -> None:
+def test_answers_of_another_program_may_stand_next_to_ours(tmp_path: Path) -> None:
     readings = json.loads(ORACLE.read_text(encoding="utf-8"))["readings"]
     samples = [sample for reading in readings.values() for sample in [*reading["free"], *reading["contact"]]]
     states = read_states(written(tmp_path, json.dumps(samples)))

@@ -77,7 +77,7 @@ def test_what_a_zero_hides_is_reported() -> None:
 
 
 def test_rounding_is_no_dependence() -> None:
-    """A number that is zero but for rounding, beside large ones."""
+    """A number that is zero but for rounding, next to large ones."""
     form = fitted(evaluate(lambda x, y, z: [1e3 * x, (x + 1e3) - x - 1e3, y]), RANGES, generator())
     assert 1 not in form.products
     assert 1 not in form.sums

@@ -26,11 +26,11 @@ const found = systems.map(({{ mass, damping, stiffness }}) => {{
   const n = mass.length;
   const still = undamped(array(mass), array(stiffness), n);
   const {{ values, shapes }} = damped(array(mass), array(damping), array(stiffness), n, still);
-  const told = {{
+  const info = {{
     squares: still.squares, still: still.shapes, re: values.re, im: values.im, real: shapes.re, imaginary: shapes.im,
     inverse: inverted(array(mass), n),
   }};
-  return Object.fromEntries(Object.entries(told).map(([name, one]) => [name, [...one]]));
+  return Object.fromEntries(Object.entries(info).map(([name, one]) => [name, [...one]]));
 }});
 process.stdout.write(JSON.stringify({{ found, partners: assigned(array(cost), rows, columns) }}));
 """

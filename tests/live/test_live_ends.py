@@ -66,7 +66,7 @@ def test_the_span_moves_with_the_move(tmp_path: Path) -> None:
 
 
 def test_an_arm_that_breaks_off_shows_what_there_is(tmp_path: Path) -> None:
-    """Half of its steps: it says so, is the native run as far as it went, and tells no number that needs the end."""
+    """Half of its steps: it says so, is the native run as far as it went, and gives no number that needs the end."""
     arm = chain(2).with_({"integration.duration": 0.4})
     result = result_of(arm)
     steps = int(result.statistics["real"]["steps"]) // 2

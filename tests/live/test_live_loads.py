@@ -82,7 +82,7 @@ def loaded() -> Robot:
 
 
 class Case(NamedTuple):
-    """A bundle, and beside each run in the page the native result of the same setting."""
+    """A bundle, and next to each run in the page the native result of the same setting."""
 
     bundle: dict[str, Any]
     runs: list[dict[str, Any]]
@@ -158,7 +158,7 @@ def test_headline_numbers_are_of_the_new_run(case: Case) -> None:
 
 
 def test_of_very_many_samples_some_are_looked_at(case: Case, tmp_path: Path) -> None:
-    """The note tells so; what is shown at the frames is as before."""
+    """The note says so; what is shown at the frames is as before."""
     dense = 334
     times = np.linspace(0.0, case.bundle["times"][-1], dense * (len(case.bundle["times"]) - 1) + 1)
     more = {"times": times, "frames": (dense * frames_of(case)).astype(np.int32)}

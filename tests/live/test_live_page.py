@@ -1,4 +1,4 @@
-"""The live model in a page that is opened from a file, with no server and no network: in a worker, cancelled, told."""
+"""The live model in a page that is opened from a file, with neither server nor network."""
 
 from __future__ import annotations
 
@@ -20,12 +20,12 @@ from .node import built_page, worst_difference
 ENTRY = """
 import { openLive, Superseded } from "{web}/src/live/live";
 import { inflated, unpack } from "{web}/src/pack";
-const told = (run) => JSON.stringify(run, (key, value) => ArrayBuffer.isView(value) ? Array.from(value) : value);
+const info = (run) => JSON.stringify(run, (key, value) => ArrayBuffer.isView(value) ? Array.from(value) : value);
 (globalThis as any).ready = (async () => {
   const bundle = unpack(await inflated(document.getElementById("data")!.textContent!)) as any;
   const live = await openLive(bundle);
   const values = live.sliders.map((slider) => slider.value);
-  (globalThis as any).one = async () => told(await live.run(values));
+  (globalThis as any).one = async () => info(await live.run(values));
   (globalThis as any).both = async () => {
     const ended = (problem) => problem instanceof Superseded ? "superseded" : String(problem);
     const first = live.run(values).then(() => "done", ended);
@@ -64,7 +64,7 @@ def page_of(bundle: dict[str, Any], program: str) -> str:
 
 
 def test_page_from_a_file_runs_in_a_worker(chromium: str, tmp_path: Path) -> None:
-    """The same numbers as natively, no request, no complaint of the browser; a newer run ends an older one."""
+    """The same numbers as natively, no request, no error of the browser; a newer run ends an older one."""
     playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to look at the page")
     result = run(load("filipovic2010"))
     bundle = live_bundle(result)

@@ -1,4 +1,4 @@
-"""The peers lie beside the package, not in it: the repository's root must be importable."""
+"""The peers lie next to the package, not in it: the repository's root must be importable."""
 
 import sys
 from pathlib import Path

@@ -22,7 +22,7 @@ def with_equivalents(data: Mapping[str, float]) -> dict[str, float]:
 
 
 def random_parameters(rng: np.random.Generator) -> dict[str, float]:
-    """A robot with every number drawn anew; the preload takes either sign, so Fc does too. SI units."""
+    """A robot with every number drawn again; the preload takes either sign, so Fc does too. SI units."""
 
     def draw(low: float, high: float) -> float:
         return float(rng.uniform(low, high))

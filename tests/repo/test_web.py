@@ -16,7 +16,7 @@ PROGRAMS = ("viewer.js", "studio.js", "model.js")
 
 @pytest.mark.parametrize("name", PROGRAMS)
 def test_it_is_built_from_these_sources(name: str) -> None:
-    assert built_from(BUILT / name) == digest(), "python tools/web.py builds it anew"
+    assert built_from(BUILT / name) == digest(), "python tools/web.py builds it again"
 
 
 @pytest.mark.parametrize("name", ["viewer.js", "studio.js"])

@@ -1,4 +1,4 @@
-"""The sources of the pages keep the rules of the house: short files, short lines, each telling what it is."""
+"""The sources of the pages keep the rules of the house: short files, short lines, each saying what it is."""
 
 from __future__ import annotations
 

@@ -1,6 +1,6 @@
 """A made-up result of the right shape and plausible size: for tests of files, figures and summaries, not of physics.
 
-The example robot's motion told by sines: 0 to 45 degrees in 2 s, angles of the size that it has, ringing at 4.94 Hz
+The example robot's motion given by sines: 0 to 45 degrees in 2 s, angles of the size that it has, ringing at 4.94 Hz
 and 20.2 Hz. What can be exact at no cost is exact: sums, the tip, the moments of a linear mode.
 The dimension of the deformations is ``deformation_kind`` (as ``energy_kind``, ``work_kind``): xarray lets no variable
 of several dimensions, here ``deformation``, bear the name of one of them.

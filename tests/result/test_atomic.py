@@ -1,4 +1,4 @@
-"""Files whole or absent, one writer per folder, trouble told before a run."""
+"""Files whole or absent, one writer per folder, trouble reported before a run."""
 
 from __future__ import annotations
 
@@ -153,7 +153,7 @@ for _ in range(20):
     which = results[back.data.sizes["time"] != 1000]
     assert back.data.identical(which.data), back
     orphans = len(list(path.parent.glob(".tmodes-*.tmp")))
-assert orphans > 0, "no kill came while a file was being written: the test told nothing"
+assert orphans > 0, "no kill came while a file was being written: the test showed nothing"
 print(orphans)
 """
 
@@ -235,17 +235,17 @@ def test_a_lock_that_cannot_be_judged_holds(changes: dict[str, str], tmp_path: P
         pass
 
 
-def test_a_lock_that_was_taken_anew_while_it_was_judged_is_kept(
+def test_a_lock_that_was_taken_again_while_it_was_judged_is_kept(
     tmp_path: Path, monkeypatch: pytest.MonkeyPatch
 ) -> None:
     """Its holder was read alive, released it and ended before it was looked for; meanwhile another took it."""
     left_lock(tmp_path, since="the first")
 
-    def taken_anew(_: object) -> bool:
+    def taken_again(_: object) -> bool:
         left_lock(tmp_path, since="the second")
         return True
 
-    monkeypatch.setattr(atomic._Holder, "gone", taken_anew)
+    monkeypatch.setattr(atomic._Holder, "gone", taken_again)
     with pytest.raises(ResultFileError, match="another is just taking"), FolderLock(tmp_path):
         pass
     assert "the second" in (tmp_path / LOCK_NAME).read_text()

@@ -37,15 +37,15 @@ def ringing(duration: float, damping: float = 2 * RATIO * np.sqrt(STIFFNESS * IN
 def test_a_short_run_settles_as_a_long_one():
     """The continuation finds what a run that is long enough shows in its samples."""
     short, long = tmodes.run(ringing(0.6)), tmodes.run(ringing(8.0))
-    told = short.settling
-    assert told
-    assert told["reason"] == ""
+    info = short.settling
+    assert info
+    assert info["reason"] == ""
     deviation, time = long.motion["deviation"].values, long.motion["time"].values
     outside = time[deviation > 0.05 * deviation.max()]
     assert outside[-1] > 0.8  # beyond the end of the short run
-    assert told["time_s"] == pytest.approx(outside[-1] - 0.01, abs=3e-3)
-    assert long.settling["time_s"] == pytest.approx(told["time_s"], abs=3e-3)
-    assert short.summary()["settling"] == told
+    assert info["time_s"] == pytest.approx(outside[-1] - 0.01, abs=3e-3)
+    assert long.settling["time_s"] == pytest.approx(info["time_s"], abs=3e-3)
+    assert short.summary()["settling"] == info
     assert short.summary(0.5)["settling"]["band"] == 0.5
 
 

@@ -1,4 +1,4 @@
-"""The data of the charts: each curve is the series that it tells to be, in the unit that it tells."""
+"""The data of the charts: each curve is the series that it claims to be, in the unit that it states."""
 
 from __future__ import annotations
 

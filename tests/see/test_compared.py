@@ -1,4 +1,4 @@
-"""Runs beside each other that have little in common: other kinds of gears, units, joints, and lengths of time."""
+"""Runs side by side that have little in common: other kinds of gears, units, joints, and lengths of time."""
 
 from __future__ import annotations
 
@@ -59,7 +59,7 @@ def window(browser: Any, info: dict[str, Any], tmp_path_factory: pytest.TempPath
 
 
 def value(window: Window, chart: str, name: str) -> str:
-    """What the legend of a chart tells of a run at the page's time."""
+    """What the legend of a chart shows of a run at the page's time."""
     rows = window.page.locator(f"[data-chart='{chart}'] .legend-row").first.locator(".toggle, .key")
     (found,) = [one for one in rows.all() if one.inner_text().split("\n")[0].strip() == name]
     return found.locator(".value").inner_text().strip()
@@ -107,7 +107,7 @@ def test_a_run_has_its_colour_in_every_chart(window: Window, info: dict[str, Any
 
 
 def test_after_the_end_of_a_shorter_run_the_longer_one_goes_on(window: Window) -> None:
-    """The time is that of the longest run; what has ended tells no value, and its robot rests where it ended."""
+    """The time is that of the longest run; what has ended shows no value, and its robot rests where it ended."""
     assert window.page.locator(".transport .time").inner_text().endswith("of 0.3 s")
     window.page.wait_for_selector("[data-chart=tip_deviation] canvas")
     window.page.locator(".scrub").fill("500")

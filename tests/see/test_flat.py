@@ -49,7 +49,7 @@ def opened(bare: Any, pages: Callable[[str], Path]) -> Iterator[Window]:
 
 @pytest.fixture
 def robot(opened: Window) -> Window:
-    """The 2010 robot's scene, made anew."""
+    """The 2010 robot's scene, made again."""
     opened.do("view.dispose(); clock.seek(0); window.view = mount()")
     return opened
 
@@ -134,7 +134,7 @@ def test_modes_are_animated_and_end(robot: Window) -> None:
     assert differing(first, robot.picture()) == 0
 
 
-def test_a_changed_run_stands_beside_the_page_s_own(robot: Window) -> None:
+def test_a_changed_run_stands_next_to_the_page_s_own(robot: Window) -> None:
     robot.do("clock.seek(0.15)")
     first = robot.picture()
     robot.do("""(() => {

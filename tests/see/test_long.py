@@ -87,7 +87,7 @@ def scene(times: Array, values: Array) -> dict[str, Any]:
 
 
 def test_its_page_stays_small(times: Array, values: Array, charts: list[dict[str, Any]]) -> None:
-    """Charts twice over (rates beside coordinates), as much again of loads along the links, and the robot."""
+    """Charts twice over (rates next to coordinates), as much again of loads along the links, and the robot."""
     shown = scene(times, values)
     loads = [kept(np.stack([np.roll(shown["colours"][0]["values"].values, k, axis=0)] * 2, -1)) for k in range(4)]
     rates = [{**chart, "curves": [_steeper(curve) for curve in chart["curves"]]} for chart in charts]

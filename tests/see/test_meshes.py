@@ -170,7 +170,7 @@ def shapes_of(tmp_path: Path, *geometries: str) -> tuple[list[LinkShape], list[s
 
 
 def test_a_mesh_of_many_shapes_is_read_once(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
-    """Also where it is damaged; each of its shapes is told."""
+    """Also where it is damaged; each of its shapes is reported."""
     (tmp_path / "good.stl").write_bytes(binary(box([1.0, 2.0, 3.0])))
     (tmp_path / "bad.obj").write_text("v 0 0 0\nf 1 2 9\n", encoding="utf-8")
     read = []

@@ -17,11 +17,11 @@ NOTE = f"{PANEL} .note"
 BUTTON = f"{PANEL} tbody button"
 FOCUSED = f"() => [...document.querySelectorAll(`{BUTTON}`)].indexOf(document.activeElement)"
 RECORD = """([fact, panel]) => {
-  const told = (element) => element.innerText.split("\\n")[0];
+  const info = (element) => element.innerText.split("\\n")[0];
   const seen = () => ({
-    fact: told(document.querySelector(fact)),
-    cells: [...document.querySelectorAll(`${panel} tbody tr`)].map((row) => [...row.cells].slice(0, 2).map(told)),
-    others: [...document.querySelectorAll(".facts-panel .was")].map(told),
+    fact: info(document.querySelector(fact)),
+    cells: [...document.querySelectorAll(`${panel} tbody tr`)].map((row) => [...row.cells].slice(0, 2).map(info)),
+    others: [...document.querySelectorAll(".facts-panel .was")].map(info),
   });
   window.records = [seen()];
   window.watching?.disconnect();
@@ -41,7 +41,7 @@ HOLD = """() => {
     return post.apply(this, given);
   };
 }"""
-"""The next run is told early, and whole only when `release` is called."""
+"""The next run is reported early, and whole only when `release` is called."""
 
 
 @pytest.fixture(scope="module", params=[*KINDS])
@@ -76,7 +76,7 @@ def move(page: Any, slider: str, value: float) -> None:
 
 
 def move_and_wait(page: Any, slider: str, value: float) -> None:
-    """The same, until another first frequency is told and the modes are those of the new run."""
+    """The same, until another first frequency is reported and the modes are those of the new run."""
     before = page.locator(FREQUENCY).inner_text()
     move(page, slider, value)
     page.wait_for_function(

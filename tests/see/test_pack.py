@@ -53,8 +53,8 @@ def test_javascript_reads_back_what_was_packed(tmp_path: Path) -> None:
     program = """
     import {inflated, unpack} from "./pack.mjs"; import {readFileSync} from "node:fs";
     const page = unpack(await inflated(readFileSync("text", "utf8")));
-    const told = (n) => ({data: [...n.data], shape: n.shape});
-    console.log(JSON.stringify({a: told(page.a[0]), c: told(page.b.c), d: told(page.b.d), word: page.word}));
+    const info = (n) => ({data: [...n.data], shape: n.shape});
+    console.log(JSON.stringify({a: info(page.a[0]), c: info(page.b.c), d: info(page.b.d), word: page.word}));
     """
     (tmp_path / "t.mjs").write_text(program, encoding="utf-8")
     done = subprocess.run(["node", "t.mjs"], cwd=tmp_path, check=True, capture_output=True, timeout=60)

@@ -33,8 +33,8 @@ def test_the_page_writes_the_same() -> None:
       import {{ build }} from "esbuild";
       const made = await build({{ entryPoints: ["src/format.ts"], format: "esm", write: false }});
       const text = Buffer.from(made.outputFiles[0].text).toString("base64");
-      const {{ told }} = await import("data:text/javascript;base64," + text);
-      console.log(JSON.stringify({json.dumps([case[:2] for case in CASES])}.map(([value, unit]) => told(value, unit))));
+      const {{ info }} = await import("data:text/javascript;base64," + text);
+      console.log(JSON.stringify({json.dumps([case[:2] for case in CASES])}.map(([value, unit]) => info(value, unit))));
     """
     ran = subprocess.run(
         [node, "--input-type=module", "-e", program], cwd=WEB, capture_output=True, text=True, check=True

@@ -1,4 +1,4 @@
-"""The report: one file that asks for nothing, escapes everything, and tells a failed run at the top."""
+"""The report: one file that asks for nothing, escapes everything, and shows a failed run at the top."""
 
 from __future__ import annotations
 

@@ -1,5 +1,5 @@
 # pyright: reportOperatorIssue=false
-"""The scene of a page says where everything was: held against kinematics and against what the result tells."""
+"""The scene of a page says where everything was: held against kinematics and against what the result holds."""
 
 from __future__ import annotations
 

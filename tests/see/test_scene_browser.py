@@ -69,7 +69,7 @@ def browser(engine: Any, chromium: str) -> Iterator[Any]:
 
 
 def run_of(result: Any, name: str) -> dict[str, Any]:
-    """What the page is told of a run, as far as the scene needs it."""
+    """What the page gets of a run, as far as the scene needs it."""
     return {"name": name, "duration": float(result.data["time"][-1]), "scene": scene_of(result),
             "line": line_of(result), "modes": modes_of(result)}  # fmt: skip
 
@@ -170,7 +170,7 @@ def opened(browser: Any, pages: Callable[[str], Path]) -> Iterator[Window]:
 
 @pytest.fixture
 def robot(opened: Window) -> Window:
-    """The 2010 robot's scene, made anew."""
+    """The 2010 robot's scene, made again."""
     opened.do("view.dispose(); clock.seek(0); window.view = mount()")
     return opened
 
@@ -238,7 +238,7 @@ def test_modes_are_animated_and_end(robot: Window) -> None:
     assert differing(first, robot.picture()) == 0
 
 
-def test_a_changed_run_stands_beside_the_page_s_own(robot: Window) -> None:
+def test_a_changed_run_stands_next_to_the_page_s_own(robot: Window) -> None:
     robot.do("clock.seek(0.15)")
     first = robot.picture()
     raised = """(() => {
@@ -305,7 +305,7 @@ def test_the_scale_reports_the_largest_value_and_its_unit(browser: Any, pages: C
     window.close()
 
 
-def test_three_robots_in_one_scene_and_beside_each_other(browser: Any, pages: Callable[[str], Path]) -> None:
+def test_three_robots_in_one_scene_and_side_by_side(browser: Any, pages: Callable[[str], Path]) -> None:
     window = look(browser, pages("three"))
     legend = window.page.locator(".scene-legend").inner_text()
     assert all(name in legend for name in ("0.5 kg", "0.25 kg", "1.0 kg"))

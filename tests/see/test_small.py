@@ -46,7 +46,7 @@ PAPER = """() => [...document.querySelectorAll('.chart-grid canvas')].map((canva
 
 @pytest.fixture(scope="module")
 def compared(tmp_path_factory: pytest.TempPathFactory) -> Path:
-    """A page of three runs beside each other."""
+    """A page of three runs side by side."""
     runs = [synthetic_result(duration=duration, samples=501) for duration in (2.0, 1.0, 1.5)]
     path = tmp_path_factory.mktemp("compared") / "three.html"
     path.write_text(viewer_document(page_data(runs, names=["one", "two", "three"])), encoding="utf-8")
@@ -157,7 +157,7 @@ def test_on_paper_the_report_has_its_figures_two_to_a_page(browser: Any, reports
 
 
 def test_what_is_opened_for_paper_is_closed_again(browser: Any, reports: dict[str, Path]) -> None:
-    """What somebody opened stays open; also where the browser tells twice that it prints."""
+    """What somebody opened stays open; also where the browser says twice that it prints."""
     page = look(browser, reports["good"]).page
     folded = page.locator("details")
     folded.nth(0).evaluate("(it) => { it.open = true; }")

@@ -34,7 +34,7 @@ SLOW_URDF = """<robot name="two">
 
 @pytest.fixture(scope="module")
 def address(tmp_path_factory: pytest.TempPathFactory) -> Iterator[str]:
-    """A studio as its command starts it, which must end by itself when it is told to."""
+    """A studio as its command starts it, which must end by itself when it is asked to."""
     folder = tmp_path_factory.mktemp("studies")
     command = [
         sys.executable,
@@ -91,7 +91,7 @@ class Tab:
         self.page.locator(".line", has_text=re.compile(f"^{start}")).wait_for(timeout=within)
 
     def fresh(self, act: Any) -> str:
-        """Do something and wait for new curves; what is told of them."""
+        """Do something and wait for new curves; what is reported of them."""
         self.page.evaluate("document.querySelector('.line').textContent = ''")
         act()
         self.info("New curves")
@@ -198,10 +198,10 @@ def test_meshes_that_are_chosen_with_a_urdf(tab, tmp_path):
     chooser.set_input_files([home / "two.urdf", home / "two.yaml"])
     tab.page.wait_for_selector(".notices", timeout=WAIT)
     assert "two.urdf:6 · links.arm" in tab.page.inner_text(".notices")
-    assert "not there" in tab.page.inner_text(".sheet .doubt")
+    assert "not there" in tab.page.inner_text(".sheet .notice")
     assert tab.page.locator("details[data-path='links.0']").get_attribute("aria-invalid") is None
     tab.fresh(lambda: folder.set_input_files(home))
-    assert tab.page.locator(".sheet .doubt").count() == 0
+    assert tab.page.locator(".sheet .notice").count() == 0
 
 
 def test_another_robot_with_its_own_form(tab):
@@ -218,11 +218,11 @@ def test_another_robot_with_its_own_form(tab):
 
 
 LONG = """async () => {
-  const told = await (await fetch("api/robots/filipovic2010")).json();
-  Object.assign(told.sheet.integration, { duration: 20000, output_step: 1, relative_tolerance: 1e-12 });
-  told.sheet.drives[0].signal.duration = 20000;
+  const info = await (await fetch("api/robots/filipovic2010")).json();
+  Object.assign(info.sheet.integration, { duration: 20000, output_step: 1, relative_tolerance: 1e-12 });
+  info.sheet.drives[0].signal.duration = 20000;
   const headers = { "Content-Type": "application/json" };
-  const body = JSON.stringify({ sheet: told.sheet, overwrite: true });
+  const body = JSON.stringify({ sheet: info.sheet, overwrite: true });
   await fetch("api/studies/long.yaml", { method: "PUT", headers, body });
 }"""
 
@@ -269,8 +269,8 @@ def test_a_study_is_kept_and_opened_again(tab):
     tab.info("Saved", WAIT)
 
 
-def test_names_that_are_none_and_what_is_typed_beside_a_slider(tab):
-    """A path is told to be no name; the word that is gone is no longer told; a unit may be typed, a word is refused."""
+def test_names_that_are_none_and_what_is_typed_next_to_a_slider(tab):
+    """A path that is no name is marked, and no longer once it is gone; a unit may be typed, a word is refused."""
     name, save = tab.page.get_by_label("Name of the study"), tab.page.get_by_role("button", name="Save", exact=True)
     name.fill("../x")
     save.click()
@@ -326,7 +326,7 @@ def studio_of_its_own(folder: Path, *more: str) -> subprocess.Popen[str]:
 
 
 def test_a_studio_that_goes_away_and_comes_back(browser, tmp_path):
-    """The page says that nothing answers, and goes on by itself; one that was started anew has another address."""
+    """The page says that nothing answers, and continues by itself; one that was started again has another address."""
     if os.name == "nt":
         pytest.skip("stops and continues a process by signals")
     with studio_of_its_own(tmp_path) as running:
@@ -346,11 +346,11 @@ def test_a_studio_that_goes_away_and_comes_back(browser, tmp_path):
         assert not gone.is_visible()
         assert tab.wrong == []
         running.terminate()
-    with studio_of_its_own(tmp_path, "--port", port) as anew:
-        assert anew.stdout is not None
-        anew.stdout.readline()
+    with studio_of_its_own(tmp_path, "--port", port) as again:
+        assert again.stdout is not None
+        again.stdout.readline()
         tab.page.locator(".gone", has_text="open the address that it printed").wait_for(timeout=WAIT)
-        anew.terminate()
+        again.terminate()
     tab.page.close()
 
 

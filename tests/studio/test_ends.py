@@ -94,7 +94,7 @@ def begin(studio: Running, sheet, product: str = "curves") -> str:
 @pytest.mark.parametrize("numbers", [(signal.SIGHUP,), (signal.SIGTERM,), (signal.SIGINT, signal.SIGINT)],
                          ids=["terminal closed", "SIGTERM", "Ctrl-C twice"])  # fmt: skip
 def test_nothing_is_left(tmp_path, long_sheet, numbers):
-    """While a run goes on, and a page waits for it."""
+    """While a run is in progress, and a page waits for it."""
     with running(tmp_path) as studio, ThreadPoolExecutor(1) as tab:
         sent(studio, FILES)
         job = begin(studio, long_sheet)
@@ -130,7 +130,7 @@ def test_folders_of_those_who_live_stay(tmp_path):
     assert list(tmp_path.iterdir()) == [other]
 
 
-def test_what_is_still_read_at_the_end_is_not_written_anew(tmp_path):
+def test_what_is_still_read_at_the_end_is_not_written_again(tmp_path):
     with own_folder(tmp_path) as place:
         room = Shelf(place).room()
     with pytest.raises(FileNotFoundError):

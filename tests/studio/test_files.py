@@ -50,7 +50,7 @@ def test_a_refused_file_leaves_the_picture_as_true_as_it_was(tab: Tab) -> None:
 
 
 def test_a_report_that_is_asked_for_twice_is_made_once(tab: Tab) -> None:
-    """Its button waits for it; one that was ended all the same is told in a sentence, not by an empty box."""
+    """Its button waits for it; one that was ended all the same is reported in a sentence, not by an empty box."""
     tab.info("New curves")
     begun: list[str] = []
     tab.page.on("request", lambda one: begun.append(one.post_data) if one.method == "POST" else None)
@@ -62,7 +62,7 @@ def test_a_report_that_is_asked_for_twice_is_made_once(tab: Tab) -> None:
     assert sum('"product":"report"' in one for one in begun) == 1
     assert report.is_enabled()
     assert report.evaluate("(it) => it === document.activeElement")
-    ended = '{"job": "x", "state": "cancelled", "stage": "", "share": 0, "told": {}, "errors": []}'
+    ended = '{"job": "x", "state": "cancelled", "stage": "", "share": 0, "info": {}, "errors": []}'
     tab.page.route("**/api/jobs", lambda one: one.fulfill(body=ended, content_type="application/json"))
     report.click()
     tab.info("The report was ended")
@@ -145,7 +145,7 @@ SETTLED = "new Promise((done) => requestAnimationFrame(() => requestAnimationFra
 
 
 def test_a_dark_studio_has_light_curves_on_paper(tab: Tab) -> None:
-    """As a light one prints them, without the data sheet beside them; dark again afterwards."""
+    """As a light one prints them, without the data sheet next to them; dark again afterwards."""
     tab.info("New curves")
     printed = []
     for scheme in ("light", "dark"):

@@ -140,7 +140,7 @@ def test_what_would_never_be_read_is_refused_at_once(studio, sheet):
 
 
 def test_two_that_save_under_one_name(studio, sheet):
-    """One of them is the first, the others are told; what is there is whole."""
+    """One of them is the first, the others are reported; what is there is whole."""
     with ThreadPoolExecutor(8) as several:
         body = {"sheet": sheet}
         answers = [*several.map(lambda _: studio.client.put("/api/studies/race.yaml", json=body).status_code, range(8))]

@@ -62,7 +62,7 @@ def sent(studio: Any, files: dict[str, bytes | str], code: int = 200) -> Any:
 
 
 def simulated(studio: Any, info: Any, product: str = "curves", code: int = 200) -> Any:
-    """What is told of a job with the looks of an answer, and its bytes."""
+    """What is reported of a job with the looks of an answer, and its bytes."""
     order = {"product": product, "sheet": info["sheet"], "looks": info["looks"], "client": "looks"}
     job = studio.post("/api/jobs", json=order, code=code)["job"]
     ended = studio.ended(job)
@@ -77,7 +77,7 @@ def meshes(content: bytes) -> list[Any]:
 
 
 def kept(studio: Any, info: Any, path: Path) -> tuple[Any, list[Kept]]:
-    """What is told of a run, and the surfaces that its result keeps."""
+    """What is reported of a run, and the surfaces that its result keeps."""
     result, content = simulated(studio, info, "data")
     path.write_bytes(content)
     return result, kept_meshes(Result.load(path).data)
@@ -86,7 +86,7 @@ def kept(studio: Any, info: Any, path: Path) -> tuple[Any, list[Kept]]:
 LAYOUTS = {
     "side by side": ("two.urdf", "arm.stl", "arm.stl"),
     "chosen together": ("two.urdf", "meshes/visual/arm.stl", "arm.stl"),
-    "beside its folder": ("two.urdf", "../meshes/arm.stl", "arm.stl"),
+    "next to its folder": ("two.urdf", "../meshes/arm.stl", "arm.stl"),
     "of a package": ("two.urdf", "package://two_description/meshes/arm.stl", "arm.stl"),
     "other case": ("two.urdf", "meshes/Arm.STL", "arm.stl"),
     "a folder": ("mine/urdf/two.urdf", "../meshes/arm.stl", "mine/meshes/arm.stl"),
@@ -119,7 +119,7 @@ def test_scene_and_exported_report_show_them(studio):
 
 
 def test_a_missing_mesh_is_a_warning_at_its_link(studio):
-    """The run is made; what is missing is told with file, line, link and mend, and nothing of this machine."""
+    """The run is made; what is missing is reported with file, line, link and hint, and nothing of this machine."""
     info = sent(
         studio, {"two.urdf": URDF.format(mesh="meshes/arm.stl"), "two.yaml": ELASTICITY.format(urdf="two.urdf")}
     )

@@ -27,13 +27,13 @@ const { layout, jobs } = JSON.parse(readFileSync("jobs.json", "utf8"));
 const engine = await Engine.open(readFileSync("module.wasm"), layout);
 const filled = (value) => value?.$f8 ? Float64Array.from(value.$f8) : value && typeof value === "object"
   ? Object.fromEntries(Object.entries(value).map(([key, item]) => [key, filled(item)])) : value;
-const told = (job) => [job.sample, job.parameters, job.inputs];
+const info = (job) => [job.sample, job.parameters, job.inputs];
 const results = [];
 for (const job of jobs.map(filled)) {
   try {
     if (job.run) results.push(await integrate(engine, job.run));
-    else if (job.directions) results.push(engine.slopes(...told(job), job.directions, job.count));
-    else results.push(engine.sample(...told(job), job.count));
+    else if (job.directions) results.push(engine.slopes(...info(job), job.directions, job.count));
+    else results.push(engine.sample(...info(job), job.count));
   } catch (error) {
     results.push({ error: `${error.name}: ${error.message}` });
   }
@@ -57,7 +57,7 @@ def built_model(folder: Path) -> Path:
 
 
 def plain(value: Any) -> Any:
-    """Plain data in which arrays are told as such."""
+    """Plain data in which arrays are reported as such."""
     if isinstance(value, np.ndarray):
         return {"$f8": value.ravel().tolist()}
     if isinstance(value, dict):

@@ -90,8 +90,8 @@ def test_the_example_runs_from_disk(made: Exported, seed: Any, folder: Path, chr
         window.on("console", lambda message: said.append(message.text))
         window.on("pageerror", lambda error: said.append(str(error)))
         window.goto(page.as_uri())
-        window.wait_for_function("document.getElementById('told').textContent !== ''", timeout=30_000)
-        info, title = window.inner_text("#told"), window.inner_text("h1")
+        window.wait_for_function("document.getElementById('info').textContent !== ''", timeout=30_000)
+        info, title = window.inner_text("#info"), window.inner_text("h1")
         browser.close()
     assert said == []
     assert title == "<script>"
@@ -118,11 +118,11 @@ def test_the_types_are_those_of_the_program(folder: Path) -> None:
         pytest.skip("needs TypeScript to compare the types: npm ci in web/")
     declared, program = ROOT / "src/tmodes/live/model.d.ts", ROOT / "web/src/live/model"
     (folder / "types.ts").write_text(
-        f'import type * as told from "{declared.with_suffix("").with_suffix("")}";\n'
+        f'import type * as info from "{declared.with_suffix("").with_suffix("")}";\n'
         f'import type * as real from "{program}";\n'
-        "export const same = (model: real.Model, watch: told.Watch, changes: told.Changes) => {\n"
-        "  const shown: Pick<told.Model, keyof told.Model> = model;\n"
-        "  const result: Promise<told.RunResult> = model.run('real', changes, watch);\n"
+        "export const same = (model: real.Model, watch: info.Watch, changes: info.Changes) => {\n"
+        "  const shown: Pick<info.Model, keyof info.Model> = model;\n"
+        "  const result: Promise<info.RunResult> = model.run('real', changes, watch);\n"
         "  return [shown, result];\n};\n"
     )
     options = ["--noEmit", "--strict", "--target", "ES2022", "--module", "ESNext", "--moduleResolution", "bundler"]

@@ -16,7 +16,7 @@ import { mountScene } from "./scene/scene";
 
 export interface PageView {
   readonly clock: Clock;
-  /** Beside the robot, under the numbers: room for sliders. */
+  /** Next to the robot, under the numbers: room for sliders. */
   readonly side: HTMLElement;
   readonly scene: SceneView;
   /** Draw another run of the first run's robot everywhere, the page's own as ghost; null: the page's own alone. */

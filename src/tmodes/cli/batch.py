@@ -32,7 +32,7 @@ if TYPE_CHECKING:
 __all__ = ["batch"]
 
 MOST_LANES = 1_000_000
-MOST_TOLD = 5
+MOST_REPORTED = 5
 """Cases that did not finish, reported one by one."""
 
 
@@ -55,7 +55,7 @@ def batch(
     duration: Duration = None,
     threads: Annotated[int | None, typer.Option(min=1, help="Threads; else one for each core.")] = None,
     out: Annotated[
-        Path | None, typer.Option(help="An empty folder for all samples; else only figures are told.")
+        Path | None, typer.Option(help="An empty folder for all samples; without it only the table is shown.")
     ] = None,
     root: Roots = None,
     trust_paths: TrustPaths = False,
@@ -160,11 +160,11 @@ def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
     else:
         _print(name, found, info)
     lost = [lane for lane, status in enumerate(found.status) if status != "finished"]
-    for lane in lost[:MOST_TOLD]:
+    for lane in lost[:MOST_REPORTED]:
         values = ", ".join(f"{path} = {values[lane]:.6g}" for path, values in found.values.items())
         notice(f"lane {lane} ({values}) {found.status[lane]}: {found.message[lane]}")
-    if len(lost) > MOST_TOLD:
-        notice(f"and {len(lost) - MOST_TOLD} more lanes that did not finish")
+    if len(lost) > MOST_REPORTED:
+        notice(f"and {len(lost) - MOST_REPORTED} more lanes that did not finish")
 
 
 def _each(found: BatchRun, parted: Spread) -> list[dict[str, Any]]:

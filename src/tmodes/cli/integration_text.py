@@ -28,7 +28,7 @@ def integration_lines(result: Any, summary: dict[str, Any]) -> Iterator[str]:
     if summary["error"] is None:
         yield "error   not estimated"
     elif "sum" in summary["error"]["how"]:
-        yield "error   at most about the sum of the local errors, mostly far less; --check-error tells it sharply"
+        yield "error   at most about the sum of the local errors, mostly far less; --check-error gives a sharp one"
     else:
         yield f"error   by a {summary['error']['how']}"
 

@@ -98,7 +98,7 @@ def main() -> None:
         _say("(TMODES_DEBUG=1 shows where)")
         code = FAULT
     if code == INTERRUPTED:
-        _say("tmodes: interrupted" + ("" if "batch" in sys.argv[1:2] else "; the same command goes on"))
+        _say("tmodes: interrupted" + ("" if "batch" in sys.argv[1:2] else "; run the same command again to continue"))
     _leave(code)
 
 

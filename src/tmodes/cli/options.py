@@ -102,7 +102,7 @@ Stop = Annotated[
     typer.Option(
         "--stop",
         metavar="CONDITION",
-        help="integration.stop: end the run where this sets in, located exactly; may be given often: "
+        help="integration.stop: end the run where this triggers, located exactly; may be given often: "
         '--stop "tip.z < 0"  --stop "abs(elbow.velocity) > 90 deg/s". A wrong name lists the right ones.',
     ),
 ]

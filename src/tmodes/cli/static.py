@@ -37,7 +37,7 @@ def static(
     ] = None,
     force: Annotated[str | None, typer.Option(metavar="X,Y,Z", help="Dead force on the point [N].")] = None,
     moment: Annotated[str | None, typer.Option(metavar="X,Y,Z", help="Dead moment on the point [N*m].")] = None,
-    point: Annotated[str, typer.Option(help="The point that is loaded and told of.")] = "tip",
+    point: Annotated[str, typer.Option(help="The point that is loaded and reported.")] = "tip",
     hold: Annotated[
         list[str] | None,
         typer.Option(metavar="COORDINATE=VALUE", help="Hold a motor or joint there [rad, m, or 45deg]."),

@@ -87,7 +87,7 @@ class Integration(DataSheet):
     )
     stop: tuple[str, ...] = Field(
         default=(), strict=False, max_length=MOST,
-        description="stop conditions, such as `[tip.z < 0 m]`: the run ends where the first of them sets in",
+        description="stop conditions, such as `[tip.z < 0 m]`: the run ends where the first of them triggers",
     )  # fmt: skip
     energy_stop: bool = Field(default=False, description="true: end the run where that residual is first exceeded")
     max_steps: int = positive(

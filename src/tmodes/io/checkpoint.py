@@ -118,7 +118,7 @@ class CheckpointWriter:
         self.close()
 
     def _cannot_write(self, error: OSError) -> Exception:
-        hint = "free some space or mend the permissions; the records before are whole"
+        hint = "free some space or fix the permissions; the records before are whole"
         return file_error(self.path, f"“{error.strerror}” when writing", "a file that can be written", hint)
 
 

@@ -63,7 +63,7 @@ def _faults(data: Mapping[str, Any]) -> list[tuple[str, str, str, str]]:
         hint = "write one row for each joint, starting with `- `"
         return [*faults, ("rows", shown(rows), "a list of rows", hint)]
     faults += [
-        (key, f"{key} beside `rows`", "rows alone", f"move what it says into the rows, and remove `{key}`")
+        (key, f"{key} next to `rows`", "rows alone", f"move what it says into the rows, and remove `{key}`")
         for key in ("joints", "links")
         if key in data
     ]

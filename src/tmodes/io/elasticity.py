@@ -189,7 +189,7 @@ class _Overlay:
     def _known(self, which: str, group: dict[str, Any], known: tuple[str, ...]) -> None:
         for key in group:
             if key in OF_URDF and known is OF_JOINT:
-                self._wrong(f"{which}.{key}", "a key that the URDF tells", f"one of {', '.join(known)}", "remove it")
+                self._wrong(f"{which}.{key}", "a key that the URDF gives", f"one of {', '.join(known)}", "remove it")
             elif key not in known:
                 self._unknown(f"{which}.{key}", str(key), known, f"one of {', '.join(known)}")
 

@@ -41,7 +41,7 @@ def line_of(which: str, beam: dict[str, Any], carried: Sequence[dict[str, Any]])
     start, end = (_point(f"{which}.{key}", beam.pop(key, None)) for key in ENDS)
     start = np.zeros(3) if start is None else start
     if end is not None and "length" in beam:
-        raise InputError(f"{which}.length", "a length beside `to`", "one of the two", "remove `length` or `to`")
+        raise InputError(f"{which}.length", "both `length` and `to`", "one of the two", "remove `length` or `to`")
     if end is None:
         end = _only_joint(which, carried)
     line = end - start
@@ -83,7 +83,7 @@ def give_mass(which: str, beam: dict[str, Any], body: dict[str, Any] | None, kee
     sections = list(_sections(beam))
     weighed = [section for section in sections if _has_mass(section)]
     if weighed and body and keep is None:
-        got = f"a section that has a mass, beside {body['mass']:g} kg of the URDF"
+        got = f"a section that has a mass, next to {body['mass']:g} kg of the URDF"
         hint = "write `keep_inertial: rigid` to add both, or `keep_inertial: replaced` to count the section's alone"
         raise InputError(f"{which}.keep_inertial", got, "one of the two masses, or that both count", hint)
     if weighed or not sections:

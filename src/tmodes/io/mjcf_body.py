@@ -112,7 +112,7 @@ class _Reader:
 
     def _spring(self, joint: int, name: str, stiffness: float, armature: float) -> dict[str, Any]:
         if joint in self.driven or armature:
-            got = "a spring beside an actuator" if joint in self.driven else "a spring beside an armature"
+            got = "a spring next to an actuator" if joint in self.driven else "a spring next to an armature"
             hint = "remove one of them, or write the arm as a sheet with an elastic gear"
             raise self._fault(name, got, "a passive spring, or none", hint)
         rest = float(self.model.qpos_spring[self.model.jnt_qposadr[joint]])

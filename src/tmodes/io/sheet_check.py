@@ -15,7 +15,7 @@ from tmodes.io.filipovic2010.importer import robot_data
 from tmodes.io.forms import F2010, ROBOT, Form, form_of, own_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_paths import entered, set_arm_paths, steps_of
-from tmodes.io.sheet_problems import MOST_TOLD, SHEET, Complaint, arm_problems
+from tmodes.io.sheet_problems import MOST_REPORTED, SHEET, Problem, arm_problems
 from tmodes.io.sheet_units import at
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
@@ -46,7 +46,7 @@ def sheet_from_data(data: Any, positions: Mapping[str, int] | None = None, sourc
         raise _located(wrong, data, positions, source)
     plain = copy.deepcopy(data)
     found: dict[tuple[Step, ...], InputError] = {}
-    if len(found := dict(islice(_read_numbers(plain), MOST_TOLD))) < MOST_TOLD:
+    if len(found := dict(islice(_read_numbers(plain), MOST_REPORTED))) < MOST_REPORTED:
         found |= {steps: one for steps, one in _checked(form, plain, data) if steps not in found}
     if found:
         raise _located(list(found.items()), data, positions, source)
@@ -56,7 +56,7 @@ def sheet_from_data(data: Any, positions: Mapping[str, int] | None = None, sourc
     return robot
 
 
-def _checked(form: Form, plain: Any, data: Any) -> Iterator[Complaint]:
+def _checked(form: Form, plain: Any, data: Any) -> Iterator[Problem]:
     """What the form's type refuses, and factors that name no number."""
     if form is F2010:
         yield from _unknown_factors(plain)
@@ -101,11 +101,11 @@ def real_arm(arm: Robot) -> Robot:
     return sheet_from_data(with_reach(sheet_data(arm), {**data, "real": {}}))
 
 
-def _unknown_factors(data: Any) -> Iterator[Complaint]:
+def _unknown_factors(data: Any) -> Iterator[Problem]:
     """Entries of ``real`` that name no number, before the sheet becomes a robot."""
     real = data.get("real") if isinstance(data, dict) else None
     others = {key: value for key, value in copy.deepcopy(data).items() if key != "real"} if real else {}
-    for path in islice(real, MOST_TOLD) if isinstance(real, dict) else ():
+    for path in islice(real, MOST_REPORTED) if isinstance(real, dict) else ():
         try:
             _factored(others, str(path))
         except InputError as error:
@@ -152,7 +152,7 @@ def _scaled(value: Any, factor: float) -> Any:
     return known if math.isinf(known) and factor else known * factor if factor else 0.0
 
 
-def _wrong_real(arm: Robot) -> Iterator[Complaint]:
+def _wrong_real(arm: Robot) -> Iterator[Problem]:
     try:
         real_arm(arm)
     except InputErrors as errors:
@@ -183,7 +183,7 @@ def _refuse_huge(data: Any, source: str) -> None:
         waiting.extend((item, depth + 1) for item in inner)
 
 
-def _other_format(data: Any, form: Form) -> Iterator[Complaint]:
+def _other_format(data: Any, form: Form) -> Iterator[Problem]:
     """A sheet of another version is not read any further: its keys may mean something else."""
     if not isinstance(data, Mapping):
         yield (), InputError("", shown(data), "keys and values, such as `kind: arm`", "see a published arm")
@@ -196,7 +196,7 @@ def _other_format(data: Any, form: Form) -> Iterator[Complaint]:
             yield ("format",), InputError("", got, f"at most {form.version}", "update tmodes")
 
 
-def _read_numbers(data: Any) -> Iterator[Complaint]:
+def _read_numbers(data: Any) -> Iterator[Problem]:
     """Put plain numbers in place of text with units, where numbers belong; tell those that are none."""
     for container, key, steps, place in quantities(data):
         try:
@@ -221,7 +221,7 @@ def _as_typed(error: InputError, steps: tuple[Step, ...], data: Any) -> InputErr
     return error
 
 
-def _located(info: list[Complaint], data: Any, positions: Mapping[str, int], source: str) -> InputErrors:
+def _located(info: list[Problem], data: Any, positions: Mapping[str, int], source: str) -> InputErrors:
     """The errors in the order of the file, each with its place, and with names in its path."""
     lines = {id(error): nearest_line(".".join(map(str, steps)), positions) for steps, error in info}
     for steps, error in info:

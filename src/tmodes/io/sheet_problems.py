@@ -17,24 +17,24 @@ from tmodes.io.sheet_words import choices, is_group, kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 
-__all__ = ["Complaint", "arm_problems"]
+__all__ = ["Problem", "arm_problems"]
 
 SHEET = "the data sheet"
 
-MOST_TOLD = 500
+MOST_REPORTED = 500
 """Number of wrong places for which similar words are sought: no more."""
 
 _REMOVE = "remove it"
 """Hint for a key that is unknown wherever it stands."""
 
-Complaint = tuple[tuple[Step, ...], InputError]
+Problem = tuple[tuple[Step, ...], InputError]
 """The path of a wrong value by keys and numbers, and what is to be said of it."""
 
 
-def arm_problems(error: ValidationError, data: Any) -> list[Complaint]:
+def arm_problems(error: ValidationError, data: Any) -> list[Problem]:
     """One problem for each wrong place of the plain data that was refused, of very many the first."""
     info: dict[tuple[Step, ...], InputError] = {}
-    for detail in islice(error.errors(include_url=False), MOST_TOLD):
+    for detail in islice(error.errors(include_url=False), MOST_REPORTED):
         for steps, problem in _problems(detail, data):
             info.setdefault(steps, problem)
     if homeless := [(str(steps[-1]), one) for steps, one in info.items() if one.hint == _REMOVE]:
@@ -55,7 +55,7 @@ def _words(data: Any) -> dict[str, str]:
     return found
 
 
-def _problems(detail: ErrorDetails, data: Any) -> Iterator[Complaint]:
+def _problems(detail: ErrorDetails, data: Any) -> Iterator[Problem]:
     steps = _steps(detail["loc"], data)
     match detail["type"]:
         case "extra_forbidden" | "invalid_key":
@@ -135,7 +135,7 @@ def _missing(steps: tuple[Step, ...], data: Any) -> InputError:
     return InputError("", "nothing", expected, f"add the line {lines}{inside}" if lines else "add it")
 
 
-def _kind(steps: tuple[Step, ...], data: Any) -> Complaint:
+def _kind(steps: tuple[Step, ...], data: Any) -> Problem:
     """A group that does not say, or says wrongly, of which of several kinds it is."""
     place, value = place_of(steps, data), at(data, *steps)
     members = place.members if place else []

@@ -90,7 +90,7 @@ def _inertia(inertial: Element, mass: float, which: str) -> dict[str, float]:
         return {}
     if mass == 0.0:
         hint = "give the mass, or remove <inertial> from a link that is only a frame"
-        got, expected = "0 beside moments of inertia", "a mass greater than 0 [kg]"
+        got, expected = "0 with moments of inertia", "a mass greater than 0 [kg]"
         raise fault(inertial.first("mass") or inertial, f"{which}: mass", got, expected, hint)
     if broken := _broken_rule(values):
         raise _unphysical(element, which, *broken)

@@ -15,7 +15,7 @@ from tmodes.io.xml_file import Element
 
 __all__ = ["massless"]
 
-MEND = "give it a mass and an inertia, make the joint fixed, or remove both"
+HINT = "give it a mass and an inertia, make the joint fixed, or remove both"
 
 
 def massless(
@@ -42,7 +42,7 @@ def massless(
 
 def _weightless(joint: UrdfJoint, element: Element) -> InputError:
     got = f"no mass on the moving joint {shown(joint.name)}, neither its own nor of what it carries"
-    return fault(element, f"link {joint.child}: mass", got, "a mass greater than 0 [kg]", MEND)
+    return fault(element, f"link {joint.child}: mass", got, "a mass greater than 0 [kg]", HINT)
 
 
 def _carried(tree: Tree, own: Mapping[str, float]) -> tuple[dict[str, float], dict[str, float]]:

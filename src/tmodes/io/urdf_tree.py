@@ -89,7 +89,7 @@ def _depth_first(root: str, joints: list[UrdfJoint]) -> Iterator[UrdfJoint]:
 
 def _cycle(joints: list[UrdfJoint]) -> InputError:
     """Every link has one parent, and these are not reached from the root: at least one cycle is among them."""
-    got = f"a cycle beside the root, among {_names([joint.child for joint in joints])}"
+    got = f"a cycle apart from the root, among {_names([joint.child for joint in joints])}"
     hint = "remove the joint that closes the cycle, and carry one of the links from the root's side"
     return fault(joints[0].element, "the tree of links", got, "links that all hang on the root", hint)
 

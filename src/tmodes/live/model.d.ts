@@ -25,13 +25,13 @@ export interface RunResult {
 export interface Changes {
   /** By name where the robot's numbers have names (`model.parameters()`), else all of them. */
   parameters?: Record<string, number> | ArrayLike<number>;
-  /** The first state; it is not looked for anew where numbers change. */
+  /** The first state; it is not searched again where numbers change. */
   state?: ArrayLike<number>;
   settings?: Partial<RunSettings>;
   outputStep?: number; // s
 }
 
-/** How a run is watched: `progress` hears the share of the time that is done, `cancelled` tells whether to give up. */
+/** How a run is watched: `progress` hears the share of the time that is done, `cancelled` says whether to give up. */
 export interface Watch {
   progress?: (share: number) => void;
   cancelled?: () => boolean;
@@ -56,11 +56,11 @@ export class Model {
   observed(run?: string): Record<string, number>;
 }
 
-/** What goes wrong on purpose; the message tells which, what was got, what is expected. */
+/** What goes wrong on purpose; the message says which, what was got, what is expected. */
 export class EngineError extends Error {}
 
 /** A run that was given up. */
 export class Cancelled extends EngineError {}
 
-/** The robot; `wasm`: the module's bytes, or where they are, if not beside this file. */
+/** The robot; `wasm`: the module's bytes, or where they are, if not next to this file. */
 export function open(wasm?: BufferSource | URL | string): Promise<Model>;

@@ -25,8 +25,8 @@ from tmodes.simulation.start import run_setup
 
 __all__ = ["Exported", "exported"]
 
-_BESIDE = Path(__file__).parent
-_PROGRAM = _BESIDE.parent / "report" / "web" / "model.js"
+_HERE = Path(__file__).parent
+_PROGRAM = _HERE.parent / "report" / "web" / "model.js"
 
 _STATIONS = (0.0, 0.25, 0.5, 0.75, 1.0)
 
@@ -55,7 +55,7 @@ def exported(sheet: Robot, name: str, program: Path = _PROGRAM) -> Exported:
         f'export const open = (wasm = new URL("{name}.wasm", import.meta.url)) => Model.open(wasm, description);\n'
     )
     return Exported({
-        "wasm": module.wasm, "js": (code + opening).encode(), "d.ts": (_BESIDE / "model.d.ts").read_bytes(),
+        "wasm": module.wasm, "js": (code + opening).encode(), "d.ts": (_HERE / "model.d.ts").read_bytes(),
         "html": _page(sheet.name, name, code + opening, module.wasm).encode(),
     }, description)  # fmt: skip
 
@@ -96,5 +96,5 @@ def _page(title: str, name: str, code: str, wasm: bytes) -> str:
     """The example: all in one file, so that it opens from disk, where a page may fetch nothing."""
     info = {"TITLE": html.escape(title), "FILE": html.escape(name), "CODE": code.replace("</", "<\\/"),
             "WASM": base64.b64encode(wasm).decode()}  # fmt: skip
-    page = (_BESIDE / "example.html").read_text(encoding="utf-8")
+    page = (_HERE / "example.html").read_text(encoding="utf-8")
     return re.sub(f"%({'|'.join(info)})%", lambda found: info[found[1]], page)

@@ -50,7 +50,7 @@ def number_at(path: str, known: Any, *, zero: bool = False) -> float:
     value: Any = known[0] if same else known
     wrong = isinstance(value, bool) or not isinstance(value, (int, float)) or not np.isfinite(value)
     if wrong or (value == 0 and not zero):
-        expected = "the path of a finite number other than 0: its change is told relative to it"
+        expected = "the path of a finite number other than 0: its change is given relative to it"
         raise InputError(path, repr(known), expected, "name another quantity, or give this one a value")
     return float(value)
 

@@ -41,7 +41,7 @@ def tracking_error(quantity: str, reference: ArrayLike | Callable[[Array], Array
         if wanted.shape not in (is_.shape, is_.shape[1:]):
             expected = f"{is_.shape}, one at each sample, or {is_.shape[1:]}, one for all"
             raise InputError(
-                "reference", f"an array of shape {wanted.shape}", expected, "reshape it, or sample it anew"
+                "reference", f"an array of shape {wanted.shape}", expected, "reshape it, or sample it again"
             )
         if not np.isfinite(wanted).all():
             raise InputError("reference", "not-a-number or an infinite value", "finite numbers", "look for gaps in it")

@@ -22,7 +22,7 @@ _OBSERVED = ("q", "v", "a", "drives", "gear", "contact", "base", "powers")
 _MOVED = ("q", "v", "base")
 """What the motion of points follows from."""
 
-_POINT, _TOLD = 24, {"": slice(9, 12), "_velocity": slice(15, 18)}
+_POINT, _PARTS = 24, {"": slice(9, 12), "_velocity": slice(15, 18)}
 """Numbers that are reported of a point, and where they have its position and its velocity."""
 
 _FROM = ("state", "row", "parameters")
@@ -34,7 +34,7 @@ class RunOutputs:
     def __init__(self, here: Lowered, instants: Blocks, names: tuple[str, ...]) -> None:
         loop = here.model.loop
         points = ["tip", *(f"points.{point.name}" for point in loop.parts.points)]  # the first point is the tip
-        places = {f"{name}{kind}": (max(k - 1, 0), kind) for k, name in enumerate(points) for kind in _TOLD}
+        places = {f"{name}{kind}": (max(k - 1, 0), kind) for k, name in enumerate(points) for kind in _PARTS}
         _refuse_unknown(names, (*_OBSERVED, *places))
         self.parameters, self._instants = here.parameters.vector, instants
         self._places = {name: places[name] for name in names if name in places}
@@ -82,14 +82,14 @@ class RunOutputs:
     def _parted(self, info: Blocks) -> Blocks:
         """Positions and velocities from what is reported of all points."""
         points = info["points"].reshape(len(info["points"]), -1, _POINT)
-        return {name: points[:, k, _TOLD[kind]] for name, (k, kind) in self._places.items()}
+        return {name: points[:, k, _PARTS[kind]] for name, (k, kind) in self._places.items()}
 
     def _joined(self, weights: Blocks) -> Blocks:
         """Weights of positions and velocities as those of all that is reported of points."""
         count, size = len(self._instants["time"]), sum(slot.size for slot in self._points_of())
         points = np.zeros((count, size // _POINT, _POINT))
         for name, (k, kind) in self._places.items():
-            points[:, k, _TOLD[kind]] += weights.get(name, 0.0)
+            points[:, k, _PARTS[kind]] += weights.get(name, 0.0)
         return {"points": points.reshape(count, size)}
 
     def _points_of(self) -> Sequence[Slot]:

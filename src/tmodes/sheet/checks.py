@@ -20,7 +20,7 @@ __all__ = ["MOST_COORDINATES", "arm_issues", "coordinate_count"]
 MOST_COORDINATES = 2_000
 """Largest number of coordinates of an arm."""
 
-MOST_TOLD = 8
+MOST_REPORTED = 8
 
 SINGULAR = 1e-9
 """Smallest over largest singular value of couplings at which they are singular but for round-off [-]."""
@@ -40,7 +40,7 @@ def _unknown(path: str, name: str, known: Iterable[str], hint: str = "check the 
     known = list(known)
     if name not in known:
         close = get_close_matches(name, known, n=1)
-        info = ", ".join(known[:MOST_TOLD]) + ("..." if len(known) > MOST_TOLD else "")
+        info = ", ".join(known[:MOST_REPORTED]) + ("..." if len(known) > MOST_REPORTED else "")
         hint = f"did you mean `{close[0]}`?" if close else hint
         yield Issue(path, f"the unknown name `{name}`", f"one of {info}" if known else "no name", hint)
 

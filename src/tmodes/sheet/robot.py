@@ -69,7 +69,7 @@ class Robot(DataSheet):
         json_schema_extra={"unit": "SI", "symbol": "p", "smallest": 0.0, "plausible": None},
     )
     links: tuple[LinkSheet, ...] = Field(
-        default=(), strict=False, max_length=MOST_JOINTS, description="links; one that is not told has no mass"
+        default=(), strict=False, max_length=MOST_JOINTS, description="links; one that is not listed has no mass"
     )
     tip: TipSheet | None = Field(default=None, description="the point called tip; none: the end of the last link")
     points: tuple[PointSheet, ...] = Field(

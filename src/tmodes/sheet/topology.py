@@ -13,7 +13,7 @@ __all__ = ["BASE", "last_link", "parents", "rooted_order", "tree_issues"]
 BASE = "base"
 """Name of the link that stands still: the ground."""
 
-MOST_TOLD = 8
+MOST_REPORTED = 8
 """Names listed in one message."""
 
 
@@ -120,5 +120,5 @@ def _loose_links(joints: Sequence[JointSheet], links: Sequence[str]) -> Iterator
 
 
 def _list(names: Sequence[str], between: str = ", ") -> str:
-    more = f"{between}... ({len(names)} in all)" if len(names) > MOST_TOLD else ""
-    return between.join(names[:MOST_TOLD]) + more
+    more = f"{between}... ({len(names)} in all)" if len(names) > MOST_REPORTED else ""
+    return between.join(names[:MOST_REPORTED]) + more

@@ -33,7 +33,7 @@ def with_error(run: Trajectory, settings: Integration, again: Callable[[Integrat
     other = again(settings.finer() if settings.check_error else settings.coarser())
     seconds = run.seconds + other.seconds
     if other.status == "interrupted":
-        message = "interrupted after its end, before its error was told"
+        message = "interrupted after its end, before its error was estimated"
         return replace(run, status="interrupted", message=message, seconds=seconds)
     if other.status != "finished":
         return replace(run, seconds=seconds)

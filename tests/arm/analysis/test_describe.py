@@ -1,4 +1,4 @@
-"""What is told of an arm: masses, exact frequencies of bare beams, sag, stiffness, doubts."""
+"""What is reported of an arm: masses, exact frequencies of bare beams, sag, stiffness, notices."""
 
 from __future__ import annotations
 

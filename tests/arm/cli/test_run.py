@@ -108,7 +108,7 @@ def test_a_run_that_diverges(files):
 
 @pytest.mark.skipif(os.name == "nt", reason="Ctrl-C is sent as on POSIX")
 def test_interrupted_and_continued(files):
-    """Ctrl-C keeps what was done, and the same command goes on; the result is that of one run."""
+    """Ctrl-C keeps what was done, and the same command continues; the result is that of one run."""
     options = [
         "run",
         files / "pendulum.yaml",

@@ -72,7 +72,7 @@ CASES = {
     "zero mass of a moving end": (
         FORE_MASS,
         '<mass value="0"/>',
-        "bad.urdf:13: link fore: mass: got 0 beside moments of inertia",
+        "bad.urdf:13: link fore: mass: got 0 with moments of inertia",
     ),
     "no mass and no inertia": (
         FORE_MASS + "\n      " + FORE_INERTIA,
@@ -139,10 +139,10 @@ CASES = {
         "bad.urdf:31: link fore: got two parents, 'upper' by joint elbow and 'ground' by second",
     ),
     "cycle of all": ("</robot>", joint("back", "fore", "ground"), "the tree of links: got a cycle"),
-    "cycle beside the root": (
+    "cycle apart from the root": (
         "</robot>",
         '<link name="a"/><link name="b"/>' + joint("ab", "a", "b").removesuffix("</robot>") + joint("ba", "b", "a"),
-        "a cycle beside the root, among 'b', 'a'",
+        "a cycle apart from the root, among 'b', 'a'",
     ),
     "self-loop": ('<child link="fore"/>', '<child link="upper"/>', "joint elbow: got 'upper' on itself"),
     "zero axis": (

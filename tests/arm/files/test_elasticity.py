@@ -226,7 +226,7 @@ REFUSED = {
     ),
     "length and to": (
         UPPER.format(f"{BEAM}, {GIVEN}, length: 1, to: [1, 0, 0]", ""),
-        "got a length beside `to`",
+        "got both `length` and `to`",
         "remove",
     ),
     "length as text": (

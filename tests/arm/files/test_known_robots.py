@@ -20,7 +20,7 @@ SHARE = Path(sysconfig.get_path("purelib")) / "cmeel.prefix/share"
 ROBOTS = SHARE / "example-robot-data/robots"
 REASONS = {
     "inertia": r"link .*: inertia: got principal moments .*(triangle inequality|none is negative)",
-    "no mass": r"link .*: mass: got (no mass on the moving joint|0 on a moving link|0 beside moments)",
+    "no mass": r"link .*: mass: got (no mass on the moving joint|0 on a moving link|0 with moments)",
     "no joint": r"the robot: got no joint",
     "no link": r"the robot: got no link",
     "free flyer": r"joint .*: type: got a floating joint",

@@ -17,7 +17,7 @@ ROBOT = """<robot name="r">{0}
 
 @pytest.fixture
 def home(tmp_path: Path) -> Path:
-    """A package with a robot's folder and meshes, and a secret beside it."""
+    """A package with a robot's folder and meshes, and a secret next to it."""
     for name in ("arm_pkg/urdf/local.stl", "arm_pkg/meshes/a.stl", "roots/other/b.stl", "secret/c.stl"):
         (tmp_path / name).parent.mkdir(parents=True, exist_ok=True)
         (tmp_path / name).write_text("solid")

@@ -113,8 +113,8 @@ def test_a_passive_spring_is_an_elastic_gear_with_a_locked_motor(tmp_path: Path)
     [
         (SPRING.format('type="ball"', ""), "joint 'j': got a ball joint"),
         (SPRING.format('type="free"', ""), "joint 'j': got a free joint (a free-flying base)"),
-        (SPRING.format('stiffness="4" armature="0.1"', ""), "a spring beside an armature"),
-        (SPRING.format('stiffness="4"', '<actuator><motor joint="j"/></actuator>'), "a spring beside an actuator"),
+        (SPRING.format('stiffness="4" armature="0.1"', ""), "a spring next to an armature"),
+        (SPRING.format('stiffness="4"', '<actuator><motor joint="j"/></actuator>'), "a spring next to an actuator"),
         (SPRING.format("", '<equality><joint joint1="j"/></equality>'), "a model with equality constraints"),
         (SPRING.format("", '<tendon><fixed><joint joint="j" coef="1"/></fixed></tendon>'), "a model with tendons"),
         (SPRING.format('axiss="1"', ""), "a model that MuJoCo refuses"),

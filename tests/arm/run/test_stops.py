@@ -280,7 +280,7 @@ def test_contact_is_made_and_broken_where_it_is(method: str) -> None:
 
 
 @pytest.mark.parametrize("method", ["dormand_prince", "dop853", "rk4"])
-def test_beside_a_controller_in_python(method: str) -> None:
+def test_next_to_a_controller_in_python(method: str) -> None:
     """The mass is pushed up by half its weight: z = 1 - g t^2/4 passes a height at a known time, its last sample."""
     sheet = mass(integration={"method": method})
     half = simulate_motion(sheet, controller=lambda time, q, v: [G], stop=["tip.z < 0.75 m"])

@@ -38,7 +38,7 @@ def test_cantilever_against_closed_forms():
 
 @pytest.mark.parametrize("name", SHEETS)
 def test_what_is_shown_is_in_balance(name):
-    """Springs and inertia of the links answer exactly the forces that are told: loads, contact and weight."""
+    """Springs and inertia of the links answer exactly the forces that are given: loads, contact and weight."""
     run = run_of(name)[1]
     forces = run.model.inverse_dynamics(run.q, run.v, run.a, wrenches=run_wrenches(run), base=run.base)
     size = np.abs(run.effort).max(initial=1.0)

@@ -28,7 +28,7 @@ def of_tube(**moduli) -> dict:
     return beam(section=TUBE, material={**STEEL, **moduli})
 
 
-DOUBTS = [
+NOTICES = [
     (lambda d: d["joints"][0].update(origin={"rpy": [0, 0, 90]}), "joints.shoulder.origin.rpy.2 = 90 rad", "deg"),
     (lambda d: d["links"][1]["bodies"][0].update(rpy=[-180, 0, 0]), "rpy.0 = -180 rad", "deg"),
     (lambda d: d.update(drives=drive(end=90.0)), "drives.0 (`elbow`).signal goes to 90 rad, 14.3 turns", "deg"),
@@ -65,7 +65,7 @@ DOUBTS = [
 ]
 
 
-@pytest.mark.parametrize(("change", "which", "why"), DOUBTS)
+@pytest.mark.parametrize(("change", "which", "why"), NOTICES)
 def test_notice(change, which: str, why: str) -> None:
     info = "\n".join(implausible_arm(arm_of(changed(change))))
     assert which in info

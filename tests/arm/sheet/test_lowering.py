@@ -199,7 +199,7 @@ FREE_ENDS = [
 
 @pytest.mark.parametrize(("link", "more"), FREE_ENDS)
 def test_the_automatic_basis_can_carry_a_moment_at_the_tip(link, more) -> None:
-    """Whatever the sheet tells of the end: its stiffness against moments may be asked."""
+    """Whatever the sheet says of the end: its stiffness against moments may be asked."""
     (node,) = arm_of({**one_link({"beam": beam(), **link}), **more}).chain().nodes
     assert isinstance(node.link, Beam)
     assert node.link.basis == "legendre"

@@ -92,7 +92,7 @@ def test_forces_and_moments_in_space():
 
 
 def test_euler_column_loses_its_stability_where_it_buckles():
-    """Straight all the way: told unstable, with the factor pi^2/4 EI/L^2 over the load."""
+    """Straight all the way: reported unstable, with the factor pi^2/4 EI/L^2 over the load."""
     rest = equilibrium(clamped(bend_z=6), [Load("tip", (-5.0, 0, 0))])
     assert rest.lost_stability_at == pytest.approx(np.pi**2 / 4 / 5, rel=1e-8)
     assert np.abs(rest.q).max() == 0.0

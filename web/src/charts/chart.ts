@@ -172,7 +172,7 @@ export function mountChart(set: ChartSet, clock: Clock, zoom: Zoom): ChartView {
     legend.tell((entry) => (at === null ? null : calmed(valueAt(entry, at))));
   }
 
-  /** What is rounding beside the largest value is zero. */
+  /** What is rounding next to the largest value is zero. */
   function calmed(value: number | null): number | null {
     return value !== null && Math.abs(value) < ROUNDING * largest && !log ? 0 : value;
   }

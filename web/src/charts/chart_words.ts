@@ -13,7 +13,7 @@ export function summary(chart: Chart, unit: string, shown: Entry[]): string {
   return `${chart.title}: ${parts.join("; ") || "no curve is shown"}.`;
 }
 
-/** Of the runs beside each other the one that is thinned most. */
+/** Of the runs side by side the one that is thinned most. */
 export function thinnest(set: ChartSet): Chart {
   return set.runs
     .map((one) => one.chart)

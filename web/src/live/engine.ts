@@ -167,7 +167,7 @@ export class Engine {
     } catch {
       throw new EngineError(
         `memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. ` +
-          "Mend: ask for fewer samples",
+          "Hint: ask for fewer samples",
       );
     }
   }

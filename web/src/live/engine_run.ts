@@ -42,7 +42,7 @@ export interface RunResult {
 const FIXED_STEP = ["rk4", "midpoint"];
 const FIRST_PIECE = 500;
 
-/** A run that goes on as far as it is asked to: the pieces in which it is done change no bit of it. */
+/** A run that continues as far as it is asked to: the pieces in which it is done change no bit of it. */
 export class EngineRun {
   private readonly method: string;
   private readonly memory: Float64Array;

@@ -55,7 +55,7 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
  */
 function unsettled(times: Float64Array, moveEnd: number | null): Facts[string] | null {
   const unseen = (why: string): Facts[string] => ({ value: null, note: `not seen: ${why}` });
-  if (moveEnd === null) return null; // cut, or ending with the run: the native run tells them apart
+  if (moveEnd === null) return null; // cut, or ending with the run: the native run distinguishes them
   const end = times[times.length - 1];
   if (moveEnd > end * (1 + 1e-9)) {
     const when = `the run ends at ${figures(end, 6)} s, the move at ${figures(moveEnd, 6)} s`;

@@ -1,4 +1,4 @@
-// A robot's compiled equations for anybody's page: what `tmodes export --wasm` ships beside the module itself.
+// A robot's compiled equations for anybody's page: what `tmodes export --wasm` ships next to the module itself.
 // Its declarations for others are src/tmodes/live/model.d.ts: a test compares them with what is exported here.
 
 import { Engine, type Layout, type Samples } from "./engine";

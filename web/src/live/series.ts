@@ -28,21 +28,6 @@ export function rowsOf(values: Float64Array, width: number, which: ArrayLike<num
   return found;
 }
 
-/** Rows side by side [n, sum of widths]. */
-export function beside(count: number, ...parts: Float64Array[]): Float64Array {
-  const widths = parts.map((part) => part.length / count);
-  const width = widths.reduce((sum, one) => sum + one, 0);
-  const found = new Float64Array(count * width);
-  let start = 0;
-  parts.forEach((part, p) => {
-    for (let k = 0; k < count; k += 1) {
-      for (let j = 0; j < widths[p]; j += 1) found[k * width + start + j] = part[k * widths[p] + j];
-    }
-    start += widths[p];
-  });
-  return found;
-}
-
 /** a - b. */
 export function difference(a: Float64Array, b: Float64Array): Float64Array {
   return a.map((value, k) => value - b[k]);

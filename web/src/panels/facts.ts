@@ -1,4 +1,4 @@
-// The numbers that matter; those of the live model stand beside the page's own, with the difference.
+// The numbers that matter; those of the live model stand next to the page's own, with the difference.
 
 import type { Fact, Page } from "../contract";
 import type { LiveRun } from "../contract_parts";
@@ -66,7 +66,7 @@ function change(fact: Fact, value: number | null): string {
   return `${share > 0 ? "+" : "−"}${size},`;
 }
 
-/** A table of all runs beside each other. */
+/** A table of all runs side by side. */
 function compared(page: Page, known: Info[]): HTMLElement {
   const all = new Map<string, Fact>();
   for (const fact of page.runs.flatMap((run) => run.facts)) if (!all.has(fact.id)) all.set(fact.id, fact);

@@ -12,7 +12,7 @@ const LARGEST = 0.12; // of the robot's size
 
 export interface ModesView {
   /**
-   * Modes of the live model's run, those of the page beside them; null: the page's own alone. Those that are shown stay
+   * Modes of the live model's run, those of the page next to them; null: the page's own alone. Those that are shown stay
    * until a run reports its own.
    */
   show(live: LiveRun | null): void;
@@ -102,7 +102,7 @@ export function mountModes(element: HTMLElement, page: Page, scene: SceneView, c
       const place = placeOf(shown);
       modes = typeof found === "object" ? found.modes : own;
       say(found === undefined ? "" : words(found));
-      // the mode that swings goes on as it is now
+      // the mode that swings continues as it is now
       const now = shown && (of(modes, shown.case)[place] ?? null);
       if (shown && now !== shown) swing(now);
       else fill(choice.value);

@@ -47,7 +47,7 @@ export function makeSlider(slider: Slider, changed: () => void): SliderRow {
     changed();
   }
 
-  /** The button that was pressed is of no more use then: the keyboard goes on at the slider. */
+  /** The button that was pressed is of no more use then: the keyboard continues at the slider. */
   function undo(): void {
     give(slider.value);
     range.focus();

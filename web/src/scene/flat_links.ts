@@ -17,7 +17,7 @@ interface Part {
 
 export class FlatRobot {
   private readonly sections: SectionSizes[];
-  /** What holds a link beside its parent: where the parent is nearest. */
+  /** What holds a link next to its parent: where the parent is nearest. */
   private readonly rods: { link: number; place: number }[] = [];
   private readonly axes = new Float32Array(9);
   private readonly pair = new Float32Array(6);

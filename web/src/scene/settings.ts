@@ -11,7 +11,7 @@ export interface Settings {
   force: boolean;
   surface: boolean;
   floor: boolean;
-  /** Several robots beside each other instead of one in the other. */
+  /** Several robots side by side instead of one in the other. */
   apart: boolean;
   quality: "auto" | "low" | "high" | "lines";
 }

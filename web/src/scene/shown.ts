@@ -17,7 +17,7 @@ export class ShownRun {
   motion: Motion;
   /** Whether its surface is shown where surfaces are: another run may show the same. */
   showsSurface = true;
-  /** How far it stands beside where it is, along y [m]. */
+  /** How far it is shown from where it is, along y [m]. */
   aside = 0;
   protected before: Motion | null = null;
 
@@ -44,7 +44,7 @@ export class ShownRun {
     return this.before !== null;
   }
 
-  /** Other arrays, which the page's own then stand beside as a ghost; null: the page's own. */
+  /** Other arrays, which the page's own then stand next to as a ghost; null: the page's own. */
   replace(arrays: Arrays | null): void {
     const { scene } = this.run;
     const next = new Motion(arrays ?? scene);

@@ -1,11 +1,11 @@
-// Whether the studio's server is still there: a page that stays open says so, and goes on when it is back.
+// Whether the studio's server is still there: a page that stays open says so, and continues when it is back.
 
 const EVERY = 3000;
 const PATIENCE = 8000;
 const STOPPED =
   "The studio does not answer: it was stopped, or this machine slept. " +
   "What is shown stays here; start it again with: tmodes studio.";
-const ANEW =
+const AGAIN =
   "The studio was restarted: open the address that it printed. What is shown here stays.";
 
 export interface Listener {
@@ -31,7 +31,7 @@ export function watch(listener: Listener): void {
 async function state(): Promise<string | null> {
   try {
     const answer = await fetch("api/alive", { credentials: "same-origin", signal: AbortSignal.timeout(PATIENCE) });
-    return answer.ok ? null : answer.status === 401 ? ANEW : STOPPED;
+    return answer.ok ? null : answer.status === 401 ? AGAIN : STOPPED;
   } catch {
     return STOPPED;
   }

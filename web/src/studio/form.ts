@@ -56,7 +56,7 @@ export class Form {
     }
   }
 
-  /** Mark the fields that are wrong, and those in doubt. */
+  /** Mark the fields that are wrong, and the uncertain ones. */
   mark(errors: Wrong[], notices?: Wrong[]): void {
     this.marks.show(errors, notices);
   }

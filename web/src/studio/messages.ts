@@ -14,7 +14,7 @@ export interface Messages {
   /** Whether the server is away, in words. */
   away(text: string | null): void;
   wrong(errors: Wrong[], go: (error: Wrong) => void): void;
-  /** What was wrong with a file is mended; what is wrong at fields stays. */
+  /** What was wrong with a file is fixed; what is wrong at fields stays. */
   right(): void;
   /** The button that ends a run: it is there while one takes long. */
   cancel(button: HTMLElement): void;

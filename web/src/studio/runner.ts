@@ -40,7 +40,7 @@ export class Runner {
       );
   }
 
-  /** End the run that goes on, and wish for nothing. */
+  /** End the run in progress, and wish for nothing. */
   async cancel(): Promise<void> {
     this.wanted = null;
     this.end();

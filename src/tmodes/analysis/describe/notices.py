@@ -64,7 +64,7 @@ def _thick(chain: Chain) -> Iterator[str]:
 
 
 def rest_notices(arm: Robot, rest: Equilibrium) -> list[str]:
-    """What is doubtful of an arm at rest: unstable, bent beyond its models, past a joint's limits."""
+    """What is uncertain about a robot at rest: unstable, bent beyond its models, past a joint's limits."""
     return [*_stability(rest), *_ranges(rest), *_limits(arm, rest)]
 
 

@@ -138,7 +138,9 @@ def _at_rest(name: str, sheet: Robot, move: Move) -> _Start:
     undeformed = _posed(model, move.at(0.0)[None])
     q, held = held_shape(model, undeformed)
     if not held[0]:
-        raise SimulationError(f"{name} has no rest under its own weight; mend: a stiffer arm, or another first pose")
+        raise SimulationError(
+            f"{name} has no rest under its own weight; hint: use a stiffer arm, or another first pose"
+        )
     tips = model.points(np.stack([undeformed[0], q[0]])).position[:, 0]
     frequencies, highest = _vibrations(model, q[0])
     return _Start(name, model, Model(chain), q[0], float(np.linalg.norm(tips[1] - tips[0])), frequencies, highest)

@@ -110,8 +110,8 @@ def followed(model: Model, move: Move, start: Array, allowed: float) -> tuple[Ar
             size = min(step, float(end) - time)
             state, error = stepper.extrapolated(time, here, rate, size)
             if steps > _MOST_STEPS or not np.isfinite(state).all():
-                raise SimulationError(f"the test move cannot be followed beyond t = {time:.4g} s; mend: a slower move, "
-                                      "or more points of the links")  # fmt: skip
+                raise SimulationError(f"the test move cannot be followed beyond t = {time:.4g} s; use a slower "
+                                      "move, or more points of the links")  # fmt: skip
             worst = max(error / allowed, 1e-10)
             if worst <= 1:
                 time, (here, rate) = float(end) if size == end - time else time + size, state

@@ -18,9 +18,9 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 
-__all__ = ["CONTACT_TOLD", "Touch"]
+__all__ = ["CONTACT_OUTPUTS", "Touch"]
 
-CONTACT_TOLD = 6
+CONTACT_OUTPUTS = 6
 """What is known of a contact: force by the point on the surface (3), its normal part, penetration and its rate."""
 
 _LEAST = 1e-30
@@ -227,7 +227,7 @@ class Touch:
         return met, velocity, met.curving + v.dot(met.direction, v.add(v.vec(motion), v.vec(p, SURFACE + 1)))
 
     def info(self) -> Kernel:
-        """(pose of the point, its acceleration less gravity, numbers) -> (CONTACT_TOLD numbers, power taken [W])."""
+        """(pose of the point, its acceleration less gravity, numbers) -> (CONTACT_OUTPUTS numbers, power taken [W])."""
 
         def build(pose: Any, motion: Any, p: Any) -> list[list[Any]]:
             met, velocity, change = self._change(pose, motion, p)
@@ -238,7 +238,7 @@ class Touch:
                 force = v.add(force, self._rub(p, normal + inertial, met, velocity))
             return [[*force, normal + inertial, met.depth, met.rate], [v.dot(force, velocity)]]
 
-        return Kernel(f"touch told {self.key}", (POSE, FORCE, self.size), (CONTACT_TOLD, 1), build)
+        return Kernel(f"touch {self.key}", (POSE, FORCE, self.size), (CONTACT_OUTPUTS, 1), build)
 
 
 def _point(pose: Any, axes: Any, rate: Any, offset: Any) -> tuple[v.Vector, v.Vector, v.Vector, v.Vector]:

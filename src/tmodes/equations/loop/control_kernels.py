@@ -16,12 +16,12 @@ from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.kinds.controllers.registry import Controller, Measured
 from tmodes.kinds.kernel.kernel import Kernel
 
-__all__ = ["TOLD", "WINDING", "Servo", "View", "Winding", "needed_kernel"]
+__all__ = ["OUTPUTS", "WINDING", "Servo", "View", "Winding", "needed_kernel"]
 
 WINDING = 4
 """Numbers of a winding: R, CE, CM, L (1, 0, 1, 0 without one)."""
 
-TOLD = 4
+OUTPUTS = 4
 """What is known of a drive: effort [N*m], voltage [V], current [A], wanted value."""
 
 
@@ -108,7 +108,7 @@ class Servo:
 
         inputs = (WINDING + own, SIGNAL, 1, 1, 1, 1, *more)
         seen = f", {view}" if view else ""
-        return Kernel(f"{self.key}{seen}", inputs, (1, 2, 1, TOLD, *([self.states] if self.states else [])), build)
+        return Kernel(f"{self.key}{seen}", inputs, (1, 2, 1, OUTPUTS, *([self.states] if self.states else [])), build)
 
     def _driven(
         self, p: Any, of: tuple[Any, Any, Any], signal: Any, thd: Any, electric: tuple[Any, Any]
@@ -173,4 +173,4 @@ def needed_kernel(winding: Winding) -> Kernel:
         volts = p[0] * amperes + p[1] * signal[1] if winding is not Winding.NONE else 0.0
         return [[effort], [effort, volts, amperes, signal[0]]]
 
-    return Kernel(f"needed {winding}", (WINDING, 1, SIGNAL, 1), (1, TOLD), build)
+    return Kernel(f"needed {winding}", (WINDING, 1, SIGNAL, 1), (1, OUTPUTS), build)

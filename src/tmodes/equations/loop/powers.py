@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.equations.loop.contact_kernels import CONTACT_TOLD
+from tmodes.equations.loop.contact_kernels import CONTACT_OUTPUTS
 from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.load_kernels import power_kernel
@@ -125,7 +125,7 @@ class Powers:
             self.powers["loads"] += self._call(power_kernel(), wrench, pose, rate)
         touch = self.plan.touch
         if not (touch and self.loop.touch):
-            return self.instant.pack(*(self.none[1],) * CONTACT_TOLD)
+            return self.instant.pack(*(self.none[1],) * CONTACT_OUTPUTS)
         pose, _, motion = self.solution.point(touch.point)
         info, power = self._call(touch.touch.info(), pose, motion, self.loop.touch)
         solved = self.solution.first.contact

@@ -164,7 +164,7 @@ def _across(axis: Array, place: Array, other: Array) -> Placement:
     sine, cosine, height = float(np.linalg.norm(normal)), float(axis @ other), float(place @ axis)
     if sine > _OBLIQUE:
         height += cosine * (cosine * height - float(place @ other)) / sine**2
-    beside = place - (place @ axis) * axis
-    near = float(np.linalg.norm(beside)) <= _ROUNDING * (1 + float(np.linalg.norm(place)))
-    across = normal if sine > _ROUNDING else np.zeros(3) if near else beside
+    offset = place - (place @ axis) * axis
+    near = float(np.linalg.norm(offset)) <= _ROUNDING * (1 + float(np.linalg.norm(place)))
+    across = normal if sine > _ROUNDING else np.zeros(3) if near else offset
     return _standing(axis, across, height)

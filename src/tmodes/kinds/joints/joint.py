@@ -119,7 +119,7 @@ class JointSheet(DataSheet):
 
     def _place_issues(self) -> Iterator[Issue]:
         if self.dh is not None and self.origin is not None:
-            yield Issue("origin", "an origin beside `dh`", "one of the two", "remove `origin` or `dh`")
+            yield Issue("origin", "an origin next to `dh`", "one of the two", "remove `origin` or `dh`")
         if self.parent == self.child:
             got = f"`{self.child}`, the link that it carries"
             yield Issue("parent", got, "another link", "name the link that holds the joint")

@@ -127,13 +127,13 @@ class BeamData(BendingSheet):
 
     def _section_issues(self) -> Iterator[Issue]:
         if (self.section is None) == (not self.pieces):
-            got = "nothing" if self.section is None else "a section beside `pieces`"
+            got = "nothing" if self.section is None else "a section next to `pieces`"
             yield Issue("section", got, "one of `section` and `pieces`", "write the section, or a list of pieces")
         if self.taper is not None and self.section is None:
             yield Issue("taper", "a taper without `section`", "a section at the root", "add `section`")
         if isinstance(self.section, GivenSection) and self.material is not None:
             hint = "remove `material`, or draw the section"
-            yield Issue("material", "a material beside given stiffnesses", "one of the two", hint)
+            yield Issue("material", "a material next to given stiffnesses", "one of the two", hint)
         yield from self._material_issues("section", self.section, None)
         for index, piece in enumerate(self.pieces):
             yield from self._material_issues(f"pieces.{index}.section", piece.section, piece.material)
@@ -150,7 +150,7 @@ class BeamData(BendingSheet):
                 yield Issue(f"{prefix}material", error.got, error.expected, error.hint)
         if isinstance(section, GivenSection) and own is not None:
             hint = "remove `material`, or draw the section"
-            yield Issue(f"{prefix}material", "a material beside given stiffnesses", "one of the two", hint)
+            yield Issue(f"{prefix}material", "a material next to given stiffnesses", "one of the two", hint)
         elif section is not None and not isinstance(section, GivenSection) and material is None:
             hint = "add `material: steel`, or its young, shear and density"
             yield Issue("material", "nothing", f"the material of `{path}`", hint)

@@ -120,11 +120,11 @@ def _gauss(beam: BeamNumbers, start: float, end: float, count: int) -> tuple[Arr
         return start + (end - start) * (1 + x) / 2, weights * (end - start) / 2 * mass[0] * beam.length
     measure = w * mass
     before, now = np.zeros_like(s), np.full_like(s, 1 / np.sqrt(measure.sum()))
-    diagonal, beside = np.zeros(count), np.zeros(count)
+    diagonal, off_diagonal = np.zeros(count), np.zeros(count)
     for k in range(count):
         diagonal[k] = np.sum(measure * s * now**2)
-        following = (s - diagonal[k]) * now - (beside[k - 1] if k else 0.0) * before
-        beside[k] = np.sqrt(np.sum(measure * following**2))
-        before, now = now, following / beside[k]
-    nodes, vectors = np.linalg.eigh(np.diag(diagonal) + np.diag(beside[:-1], 1) + np.diag(beside[:-1], -1))
+        following = (s - diagonal[k]) * now - (off_diagonal[k - 1] if k else 0.0) * before
+        off_diagonal[k] = np.sqrt(np.sum(measure * following**2))
+        before, now = now, following / off_diagonal[k]
+    nodes, vectors = np.linalg.eigh(np.diag(diagonal) + np.diag(off_diagonal[:-1], 1) + np.diag(off_diagonal[:-1], -1))
     return nodes, measure.sum() * vectors[0] ** 2 * beam.length

@@ -57,7 +57,7 @@ class Origin(DataSheet):
             return
         length = self._quaternion_length
         if self.rpy is not None:
-            yield Issue("quaternion", "a quaternion beside `rpy`", "one of the two", "remove `quaternion` or `rpy`")
+            yield Issue("quaternion", "a quaternion next to `rpy`", "one of the two", "remove `quaternion` or `rpy`")
         if length == 0.0:
             hint = "write [0, 0, 0, 1] for no rotation"
             yield Issue("quaternion", "a quaternion of zeros, which is no rotation", "x, y, z, w of length 1", hint)

@@ -1,4 +1,4 @@
-/* tmodes, built from f501866426d39bfb; BSD-3-Clause */
+/* tmodes, built from d2bf1e171d193d7e; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -113,7 +113,7 @@ var Engine = class _Engine {
       this.memory.grow(Math.ceil(missing / PAGE));
     } catch {
       throw new EngineError(
-        `memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. Mend: ask for fewer samples`
+        `memory: got no room for ${(end / 1e6).toFixed(0)} MB; expected a browser that has it. Hint: ask for fewer samples`
       );
     }
   }

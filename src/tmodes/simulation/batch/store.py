@@ -25,7 +25,7 @@ Array = NDArray[np.float64]
 BATCH_FORMAT = 1
 """Version of the files of a batch."""
 
-_STATES, _TIMES, _TIPS, _TOLD = "states.npy", "times.npy", "tips.npy", "batch.json"
+_STATES, _TIMES, _TIPS, _SUMMARY = "states.npy", "times.npy", "tips.npy", "batch.json"
 
 
 @contextmanager
@@ -77,7 +77,7 @@ def check_room(shape: tuple[int, int, int], folder: Path | None) -> None:
 
 
 def _refuse_batch(folder: Path) -> None:
-    if (there := folder / _TOLD).exists():
+    if (there := folder / _SUMMARY).exists():
         raise file_error(there, "a batch that is there", "a new folder", "choose another folder")
 
 
@@ -98,7 +98,7 @@ def write_batch(batch: BatchRun, folder: Path) -> None:
         "values": {path: values.tolist() for path, values in batch.values.items()},
         "tips": batch.tips is not None,
     }
-    with atomic_write(folder / _TOLD) as path:
+    with atomic_write(folder / _SUMMARY) as path:
         path.write_text(json.dumps(info, allow_nan=False), encoding="utf-8")
 
 
@@ -110,11 +110,11 @@ def load_batch(folder: str | os.PathLike[str]) -> BatchRun:
     place = Path(folder)
     hint = "give the folder of a batch that came to its end"
     try:
-        info = json.loads((place / _TOLD).read_text(encoding="utf-8"))
+        info = json.loads((place / _SUMMARY).read_text(encoding="utf-8"))
         states = np.load(place / _STATES, mmap_mode="r", allow_pickle=False)
         times = np.load(place / _TIMES, allow_pickle=False)
         if info["format"] != BATCH_FORMAT:
-            raise file_error(place / _TOLD, f"format {info['format']!r}", f"format {BATCH_FORMAT}", "update tmodes")
+            raise file_error(place / _SUMMARY, f"format {info['format']!r}", f"format {BATCH_FORMAT}", "update tmodes")
         tips = np.load(place / _TIPS, mmap_mode="r", allow_pickle=False) if info["tips"] else None
         batch = _batch(info, times, states, tips)
     except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
@@ -127,14 +127,14 @@ def _batch(info: dict[str, Any], times: Array, states: Array, tips: Array | None
     shape = tuple(info["shape"])
     lanes, samples = shape[:2]
     if states.shape != shape or states.dtype != np.float64 or times.shape != (samples,):
-        raise ValueError(f"samples of shape {states.shape} at {times.shape} times, where {shape} are told")
+        raise ValueError(f"samples of shape {states.shape} at {times.shape} times, where {shape} are stated")
     if tips is not None and tips.shape != (lanes, samples, 3):
-        raise ValueError(f"tips of shape {tips.shape}, where {(lanes, samples, 3)} are told")
+        raise ValueError(f"tips of shape {tips.shape}, where {(lanes, samples, 3)} are stated")
     statistics = {name: np.array(info["statistics"][name], dtype=np.int64) for name in COUNTS}
     values = {str(path): np.array(given, dtype=float) for path, given in info["values"].items()}
     counts = np.array(info["samples"], dtype=np.int64)
     columns = [info["status"], info["message"], counts, *statistics.values(), *values.values()]
     if any(len(column) != lanes for column in columns):
-        raise ValueError(f"columns of {[len(column) for column in columns]} lanes, where {lanes} are told")
+        raise ValueError(f"columns of {[len(column) for column in columns]} lanes, where {lanes} are stated")
     names, status, message = (tuple(map(str, info[name])) for name in ("coordinates", "status", "message"))
     return BatchRun(names, times, states, counts, status, message, statistics, values, tips)

@@ -92,7 +92,7 @@ def _lanes(counts: dict[str, int]) -> int:
     lanes = max(counts.values())
     for name, count in counts.items():
         if count not in (1, lanes) or not count:
-            got = f"{count}, beside " + ", ".join(f"{other} {n}" for n, other in counts.items() if n != name)
+            got = f"{count}, next to " + ", ".join(f"{other} {n}" for n, other in counts.items() if n != name)
             raise InputError(f"simulate_batch: {name}", got, f"1 or {lanes}", "give one for all, or one for each lane")
     return lanes
 

@@ -173,7 +173,7 @@ def _common_width(lanes: Sequence[Lane | str]) -> int:
     info = [(lane.model.coordinates, len(lane.start)) for _, lane in (first, last)]
     if info[0] != info[1]:
         got = f"{info[0][1]} numbers in the state of lane {first[0]}, {info[1][1]} in that of lane {last[0]}"
-        hint = "vary what keeps the coordinates: no rigid beside elastic elements"
+        hint = "vary what keeps the coordinates: no rigid elements next to elastic ones"
         raise InputError("vary", got, "the same coordinates in all lanes", hint)
     return len(first[1].start)
 
