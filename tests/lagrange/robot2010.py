@@ -42,7 +42,9 @@ def symbols(robot: Robot) -> dict[str, float]:
     """The paper's symbols of a robot that was read of its sheet: its numbers as known; of its pair's other one, too."""
     joint, link, touch = robot.joints[0], robot.links[0], robot.contact or robot.contact_off
     motor, body, gear, beam = joint.motor, link.bodies[0], joint.gear, link.beam
-    assert motor and gear and beam and isinstance(touch, DynamicEnvironment)
+    assert motor
+    assert gear
+    assert isinstance(touch, DynamicEnvironment)
     found: dict[str, Any] = {
         "g": float(np.linalg.norm(robot.gravity)), "R": motor.resistance, "CE": motor.back_emf_constant,
         "CM": motor.torque_constant, "I": motor.inertia, "Bm": motor.friction.viscous, "Cxi": gear.stiffness[0],

@@ -103,13 +103,9 @@ class Result:
 
         Of a file of an earlier version None too: then the summary looks at its samples alone.
         """
-        return (
-            live.settling
-            if (live := self._live)
-            else record.from_json(self.data, "settling")
-            if "settling" in self.data.attrs
-            else None
-        )
+        if live := self._live:
+            return live.settling
+        return record.from_json(self.data, "settling") if "settling" in self.data.attrs else None
 
     @property
     def warnings(self) -> tuple[str, ...]:

@@ -32,14 +32,8 @@ _MODES = 2
 def basis() -> Any:
     """Constant map A (5, 5): [q, delta, gamma, vt, e] = A [joint, th11q, th12d, th11m, th12e]; the inverse of (5)."""
     return np.array(
-        [
-            [1, 1, 0, 0, 0],
-            [0, 0.5, 1, 0, 0],
-            [1, 0, 0, 0, 0],
-            [0, 0, 0, 1, 0],
-            [0, 0, 0, 0.5, 1],
-        ]
-    )
+        [[1, 1, 0, 0, 0], [0, 0.5, 1, 0, 0], [1, 0, 0, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0.5, 1]],
+    )  # fmt: skip
 
 
 def _deformations(x: Any) -> tuple[Any, Any, Any, Any]:
@@ -238,21 +232,10 @@ def _system(name: str, title: str, *, printed: bool) -> System:
         return _bent(_deformations(v), _levers(q, p, printed=printed), (p.b1, p.b2, p.b1, p.b2))
 
     return System(
-        name=name,
-        title=title,
-        coordinates=dict.fromkeys(COORDINATES, "rad"),
-        parameters=dict.fromkeys(_NUMBERS, 0.0),
-        kinetic=kinetic,
-        gravity=_gravity,
-        elastic=elastic,
-        dissipation=dissipation,
-        points=_points,
-        numbers=_numbers,
-        own=OWN,
-        directions=basis(),
-        contact_map=_planar_map if printed else None,
-        matches=_matches,
-    )
+        name=name, title=title, coordinates=dict.fromkeys(COORDINATES, "rad"), parameters=dict.fromkeys(_NUMBERS, 0.0),
+        kinetic=kinetic, gravity=_gravity, elastic=elastic, dissipation=dissipation, points=_points, numbers=_numbers,
+        own=OWN, directions=basis(), contact_map=_planar_map if printed else None, matches=_matches,
+    )  # fmt: skip
 
 
 CONSISTENT = _system("consistent", "Filipovic & Djuric 2010, with the whole velocity in space", printed=False)
