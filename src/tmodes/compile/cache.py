@@ -77,7 +77,7 @@ def save(key: str, binary: bytes) -> None:
     if entry is None:
         return
     try:
-        with atomic_write(entry) as temporary:
+        with atomic_write(entry, durable=False) as temporary:  # a damaged entry is found by its digest, and made again
             temporary.write_bytes(_seal(key, binary) + binary)
         _bound(entry.parent, _START + len(binary))
     except (OSError, ResultFileError):

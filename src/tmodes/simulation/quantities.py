@@ -49,7 +49,7 @@ def refuse_wrong_stops(arm: Robot) -> None:
 
 
 def arm_quantities(regime: RunSetup) -> dict[str, Quantity]:
-    """The quantities by name: coordinates, drives, named points, contact and energies."""
+    """The quantities by name: coordinates, drives, states of controllers, named points, contact and energies."""
     seen = _Seen(regime)
     return {**_coordinates(regime), **_drives(regime, seen), **_points(seen), **_others(regime, seen)}
 
@@ -124,6 +124,9 @@ def _drives(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
                 unit, lambda at, k=k, column=column: seen.observed(at)["drives"][:, k, column]
             )
         found[f"{drive.joint}.gear_torque"] = Quantity(effort, lambda at, k=k: seen.observed(at)["gear"][:, k])
+    plan = regime.planned.plan
+    for k, (name, unit) in enumerate(zip(plan.control_names, plan.control_units, strict=True)):
+        found[name] = Quantity(unit, lambda at, k=k: seen.observed(at)["controls"][:, k])
     return found
 
 
