@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.compile.replay.replay_methods import replay_methods
+from tmodes.compile.replay.tables import replay_methods
 from tmodes.integrate.registry import integrators
 
 PAGE = (Path(__file__).resolve().parents[2] / "docs" / "derivatives.md").read_text(encoding="utf-8")

@@ -10,7 +10,7 @@ from pathlib import Path
 import pytest
 
 from tmodes.compile import cache
-from tmodes.compile.cache_folder import entries, trim
+from tmodes.compile.cache import entries, trim
 
 from .scale import often
 

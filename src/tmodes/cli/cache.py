@@ -30,7 +30,7 @@ def cache(
     lost by clearing it but that time. The environment variable TMODES_CACHE names another folder; empty: nothing is
     kept. A damaged entry is made again, and a folder that others can write is not used.
     """
-    from tmodes.compile.cache_folder import judged
+    from tmodes.compile.cache import judged
 
     place, refusal = judged()
     if action is Action.CLEAR:
@@ -41,7 +41,7 @@ def cache(
 
 def _clear(place: Path | None, refusal: str, *, as_json: bool) -> None:
     from tmodes.cli.output import print_json
-    from tmodes.compile.cache_folder import clear
+    from tmodes.compile.cache import clear
     from tmodes.errors import ResultFileError
 
     if place is None or refusal:
@@ -56,8 +56,7 @@ def _clear(place: Path | None, refusal: str, *, as_json: bool) -> None:
 
 def _show(place: Path | None, refusal: str, *, as_json: bool) -> None:
     from tmodes.cli.output import print_json
-    from tmodes.compile.cache import MAX_BYTES
-    from tmodes.compile.cache_folder import entries
+    from tmodes.compile.cache import MAX_BYTES, entries
 
     found = [] if place is None or refusal else list(entries(place))
     size = sum(entry.size for entry in found)

@@ -1,4 +1,4 @@
-"""Compiled code on disk, so that a second run of the same robot compiles nothing.
+"""Compiled code on disk, in a folder that is kept small, so that a second run of the same robot compiles nothing.
 
 An entry is an object file that we wrote, behind a line with the digest of its key and of its bytes; one that does not
 fit is made again, never trusted. The key names versions, processor and its features, and the digest of our own source.
@@ -9,19 +9,23 @@ from __future__ import annotations
 
 import hashlib
 import os
+import re
+import sys
+from collections.abc import Iterator
+from contextlib import suppress
 from functools import cache
 from pathlib import Path
+from typing import NamedTuple
 
-from tmodes.compile.cache_folder import folder, trim
 from tmodes.errors import ResultFileError
-from tmodes.io.atomic import atomic_write
+from tmodes.io.atomic import atomic_write, remove_orphans
 
-__all__ = ["MAX_BYTES", "folder", "load", "save", "source_digest"]
+__all__ = ["MAX_BYTES", "Entry", "clear", "entries", "folder", "judged", "load", "save", "source_digest", "trim"]
 
 MAX_BYTES = 256 * 2**20
 """Size of the cache above which the entries not used for the longest time go."""
 
-_SOURCES = ("chain", "compile", "equations", "kinds", "paper", "sheet")
+_SOURCES = ("chain", "compile", "equations", "kinds", "sheet")
 
 _HEAD = b"tmodes compiled code, layout 1\n"
 """First line of an entry; entries of another layout are made again."""
@@ -73,7 +77,7 @@ def save(key: str, binary: bytes) -> None:
     if entry is None:
         return
     try:
-        with atomic_write(entry) as temporary:
+        with atomic_write(entry, durable=False) as temporary:  # a damaged entry is found by its digest, and made again
             temporary.write_bytes(_seal(key, binary) + binary)
         _bound(entry.parent, _START + len(binary))
     except (OSError, ResultFileError):
@@ -93,3 +97,89 @@ def _bound(place: Path, size: int) -> None:
     if _written[place] * _SHARE >= MAX_BYTES:
         trim(place, MAX_BYTES)
         _written[place] = 0
+
+
+_NAME = re.compile(r"[0-9a-f]{64}\.o")
+"""Names of our entries; whatever else is in the folder is not ours, and never touched."""
+
+_KEPT = 7 / 8
+"""Share of the limit that trimming leaves, so that the next entry does not trim again."""
+
+
+class Entry(NamedTuple):
+    """One entry: when it was used last [s since 1970], its size [bytes], its file."""
+
+    used: float
+    size: int
+    file: Path
+
+
+def folder() -> Path | None:
+    """The cache's folder, or None where there is none that is safe; ``TMODES_CACHE`` names another (empty: none)."""
+    place, refusal = judged()
+    return None if refusal else place
+
+
+def judged() -> tuple[Path | None, str]:
+    """The folder, made where it is missing, and why it is not used, or nothing where it is."""
+    named = os.environ.get("TMODES_CACHE")
+    if named is not None and not named.strip():
+        return None, "the environment variable TMODES_CACHE is empty: nothing is kept"
+    try:
+        place = Path(named) if named else _user_cache() / "tmodes"
+        if not place.is_dir():
+            place.mkdir(mode=0o700, parents=True, exist_ok=True)
+        status = place.stat()
+    except (OSError, RuntimeError, ValueError) as error:  # RuntimeError: a user without a home
+        return None, f"it cannot be made: {error}"
+    if not hasattr(os, "getuid"):
+        return place, ""
+    if status.st_uid != os.getuid():
+        return place, "it belongs to another user, whose code is not run"
+    if status.st_mode & 0o022:
+        return place, f"others may write into it; private is: chmod go-w {place}"
+    return place, ""
+
+
+def _user_cache() -> Path:
+    if sys.platform == "win32":
+        return Path(os.environ.get("LOCALAPPDATA", Path.home() / "AppData/Local"))
+    if sys.platform == "darwin":
+        return Path.home() / "Library/Caches"
+    return Path(os.environ.get("XDG_CACHE_HOME") or Path.home() / ".cache")
+
+
+def entries(place: Path) -> Iterator[Entry]:
+    """All entries of a folder; one that goes meanwhile is passed over, for others use the folder too."""
+    with os.scandir(place) as found:
+        for one in found:
+            if _NAME.fullmatch(one.name):
+                with suppress(OSError):
+                    status = one.stat()
+                    yield Entry(status.st_mtime, status.st_size, Path(one.path))
+
+
+def trim(place: Path, limit: int) -> int:
+    """Remove the entries not used for the longest time where all take more than ``limit`` bytes; returns what is left.
+
+    What killed writers left behind goes too.
+    """
+    remove_orphans(place)
+    found = sorted(entries(place))
+    total = sum(entry.size for entry in found)
+    aim = total if total <= limit else _KEPT * limit
+    for entry in found:
+        if total <= aim:
+            break
+        entry.file.unlink(missing_ok=True)
+        total -= entry.size
+    return total
+
+
+def clear(place: Path) -> tuple[int, int]:
+    """Remove all entries; returns how many, and their size [bytes]."""
+    remove_orphans(place)
+    removed = list(entries(place))
+    for entry in removed:
+        entry.file.unlink(missing_ok=True)
+    return len(removed), sum(entry.size for entry in removed)

@@ -7,10 +7,9 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.loops.runge_kutta import SamplePlaces
 from tmodes.compile.loops.time_loop import Status
 from tmodes.compile.replay.record_loop import Steps, record_steps
-from tmodes.compile.replay.replay_methods import replay_methods, table_of
+from tmodes.compile.replay.tables import SamplePlaces, replay_methods, table_of
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration, refuse_stops

@@ -15,7 +15,7 @@ from tmodes.compile.ir.derivative_kernels import LANES
 from tmodes.compile.ir.elimination import aligned
 from tmodes.compile.loops.tape_loop import Table, operations
 from tmodes.compile.replay.replay_frame import ARRAYS, COUNTS
-from tmodes.compile.replay.replay_methods import loops_of, table_of
+from tmodes.compile.replay.tables import loops_of, table_of
 from tmodes.integrate.registry import integrator
 from tmodes.model.derivatives import differentiated
 from tmodes.simulation.recording import Recording

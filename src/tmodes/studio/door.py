@@ -8,7 +8,7 @@ from collections.abc import Iterator
 from contextlib import ExitStack, contextmanager
 from pathlib import Path
 
-from tmodes.compile.cache_folder import folder
+from tmodes.compile.cache import folder
 from tmodes.studio.own_folder import own_folder
 
 __all__ = ["door"]

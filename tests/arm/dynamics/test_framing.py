@@ -11,7 +11,7 @@ from scipy.spatial.transform import Rotation
 
 from arm.random_chains import random_body, random_placement
 from tmodes.chain.chain import Body, Chain, Joint, Motor, Node, Placement, Point, RigidLink
-from tmodes.compile.ir.kernel_function import kernel_function
+from tmodes.compile.ir.ordering import kernel_function
 from tmodes.equations.recursion.framing import STRAIGHT, Framing, ScrewWay
 from tmodes.equations.recursion.screw_rates import rates_kernel
 from tmodes.kinds.drives.registry import drive_kind

@@ -16,8 +16,7 @@ from tmodes.bench.rigid import RigidChain
 from tmodes.chain.chain import Chain, Gear, Motor
 from tmodes.compile.ir import kernels
 from tmodes.compile.ir.c_text import c_text
-from tmodes.compile.ir.kernel_function import kernel_function
-from tmodes.compile.ir.ordering import in_good_order, kernel_program
+from tmodes.compile.ir.ordering import in_good_order, kernel_function, kernel_program
 from tmodes.compile.ir.program import READ, Instruction, block_program
 from tmodes.compile.ir.tracing import traced
 from tmodes.compile.ir.unroll import Unrolled

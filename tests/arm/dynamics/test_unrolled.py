@@ -11,7 +11,7 @@ import pytest
 from arm.random_chains import random_chain
 from arm.run.sheets import arm, pendulum, torque
 from tmodes.compile.ir import calls, kernels, unroll
-from tmodes.compile.ir.kernel_function import kernel_function
+from tmodes.compile.ir.ordering import kernel_function
 from tmodes.compile.ir.program import block_program
 from tmodes.model.model import Model
 from tmodes.simulation.loop import LoopModel

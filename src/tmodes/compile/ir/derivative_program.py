@@ -14,7 +14,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.compile.ir.kernel_function import kernel_function
+from tmodes.compile.ir.ordering import kernel_function
 from tmodes.compile.ir.program import BlockProgram, block_program
 
 __all__ = ["Written", "adjoint_program", "reached", "tangent_program", "turned"]

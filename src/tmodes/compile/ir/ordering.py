@@ -10,11 +10,13 @@ import heapq
 from collections.abc import Iterable, Sequence
 from typing import Any
 
-from tmodes.compile.ir.kernel_function import kernel_function
+import casadi as ca
+
 from tmodes.compile.ir.program import READ, BlockProgram, Instruction, block_program, needed
 from tmodes.compile.ir.tracing import traced
+from tmodes.kinds.kernel.kernel import Kernel
 
-__all__ = ["in_good_order", "kernel_program"]
+__all__ = ["in_good_order", "kernel_function", "kernel_program"]
 
 _LONGEST = 1000
 """Values of a program up to which its order is looked for."""
@@ -101,3 +103,13 @@ class _Scheduler:
         for arg in self.args[index]:
             last += self.unread[arg] == 1
         return -last, -self.after[index], index
+
+
+def kernel_function(kernel: Kernel) -> ca.Function:
+    """The kernel as a CasADi function; common subexpressions are found."""
+    symbols = [ca.SX.sym(f"i{k}", size) for k, size in enumerate(kernel.inputs)]
+    results = [ca.vertcat(*map(ca.SX, entries)) for entries in kernel.build(*symbols)]
+    for size, result in zip(kernel.outputs, results, strict=True):
+        assert result.numel() == size, f"{kernel.key}: {result.numel()} numbers, expected {size}"  # noqa: S101
+    dense = [ca.densify(result) for result in results]
+    return ca.Function("kernel", symbols, dense, {"cse": True})

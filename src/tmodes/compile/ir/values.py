@@ -7,9 +7,8 @@ from typing import Any
 
 from tmodes.compile.ir.arithmetic import Arithmetic
 from tmodes.compile.ir.program import READ, Instruction
-from tmodes.compile.ir.turning import early_angles, order_of_evaluation
 
-__all__ = ["write_values"]
+__all__ = ["early_angles", "order_of_evaluation", "write_values"]
 
 
 def write_values(
@@ -62,3 +61,27 @@ class _Writer:
         if angle not in self.turned:
             self.turned[angle] = self.arithmetic.turn(self.b, self.needed(angle))
         return self.turned[angle]
+
+
+_TURNS = ("sin", "cos")
+
+
+def early_angles(values: Sequence[Instruction]) -> list[int]:
+    """Indices of the values of which sine or cosine is taken and that follow from no sine or cosine themselves."""
+    late: list[bool] = []
+    angles: dict[int, None] = {}
+    for value in values:
+        late.append(value.opcode in _TURNS or any(late[arg] for arg in value.args))
+        if value.opcode in _TURNS and not late[value.args[0]]:
+            angles[value.args[0]] = None
+    return list(angles)
+
+
+def order_of_evaluation(values: Sequence[Instruction], angles: Sequence[int]) -> tuple[list[int], list[int]]:
+    """What the angles need, in order, and all the rest, in order."""
+    needed = set(angles)
+    for index in reversed(range(len(values))):
+        if index in needed:
+            needed.update(values[index].args)
+    rest = [index for index in range(len(values)) if index not in needed]
+    return sorted(needed), rest

@@ -1,6 +1,6 @@
 """Dormand and Prince's method of order 8(5,3) with dense output of order 7, adaptive, as a native loop.
 
-Method, error estimate and step control as in the code DOP853 of E. Hairer and G. Wanner (see ``dop853_table``). The
+Method, error estimate and step control as in the code of E. Hairer and G. Wanner (:mod:`tmodes.integrate.dop853`). The
 three stages that only the dense output needs are taken where a sample lies in the step.
 """
 
@@ -11,11 +11,10 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, counted, load, number, store
 from tmodes.compile.ir.lower import Lowered
-from tmodes.compile.loops.explicit_step import ExplicitMethod
-from tmodes.compile.loops.step_control import StepControl, mean_square
+from tmodes.compile.loops.step_control import ExplicitMethod, StepControl, mean_square
 from tmodes.compile.loops.stiffness import StiffnessTest
 from tmodes.compile.loops.time_loop import TimeLoop
-from tmodes.integrate.dop853_table import DENSE, ERROR_3, ERROR_5, STAGES, A, C
+from tmodes.integrate.dop853 import DENSE, ERROR_3, ERROR_5, STAGES, A, C
 
 __all__ = ["write_dop853_loop"]
 

@@ -8,9 +8,7 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import counted, load, number, store
 from tmodes.compile.ir.lower import Lowered
-from tmodes.compile.loops.explicit_step import ExplicitMethod
-from tmodes.compile.loops.fixed_step import next_step, take_step
-from tmodes.compile.loops.step_control import StepControl, mean_square
+from tmodes.compile.loops.step_control import ExplicitMethod, StepControl, mean_square, next_step, take_step
 from tmodes.compile.loops.stiffness import StiffnessTest
 from tmodes.compile.loops.time_loop import Status, TimeLoop
 from tmodes.integrate.method import Tableau

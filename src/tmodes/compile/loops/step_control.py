@@ -1,4 +1,4 @@
-"""What adaptive explicit steps share: their first slope and length, the error's norm, and the length of the next step.
+"""What steps share: fixed ones their lengths, adaptive explicit ones their first slope, error norm and next length.
 
 Step control (PI): E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, section II.4, as in
 their codes DOPRI5 and DOP853.
@@ -6,14 +6,21 @@ their codes DOPRI5 and DOP853.
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
+
+from llvmlite import ir
 
 from tmodes.compile.ir.emit import F64, counted, declare, load, number, store
-from tmodes.compile.loops.time_loop import TimeLoop
+from tmodes.compile.loops.gate import Gate
+from tmodes.compile.loops.stiffness import StiffnessTest
+from tmodes.compile.loops.time_loop import Status, TimeLoop
 from tmodes.compile.native import POWER
 
-__all__ = ["StepControl", "add_local_errors", "first_stage", "mean_square", "power"]
+__all__ = [
+    "ExplicitMethod", "StepControl", "add_local_errors", "mean_square", "next_step", "power", "take_step",
+]  # fmt: skip
 
 
 @dataclass(frozen=True)
@@ -120,3 +127,87 @@ def power(loop: TimeLoop, base: Any, exponent: Any) -> Any:
     exponent = number(exponent) if isinstance(exponent, float) else exponent
     function = module.globals.get(POWER) or declare(module, POWER, F64, [("x", F64), ("y", F64)])
     return loop.builder.call(function, [base, exponent])
+
+
+class AdaptiveStep(NamedTuple):
+    """A step of length h from ``time`` to ``time_after``; ``wanted``: its length if no knot had cut it (``last``)."""
+
+    time: Any
+    wanted: Any
+    h: Any
+    last: Any
+    time_after: Any
+
+
+@dataclass(frozen=True)
+class ExplicitMethod:
+    """How steps are controlled and tested; ``end``: the slope at a step's end, the first stage of the next."""
+
+    control: StepControl
+    stiffness: StiffnessTest | None
+    end: str
+
+    def begin(self, loop: TimeLoop, offset: int | None) -> tuple[Gate, AdaptiveStep]:
+        """The first stage of a step, which ends on a knot where one comes; ``offset``: where the gate's numbers are."""
+        gate = Gate(loop, offset)
+        gate.begin("y", "probe")
+        first_stage(loop)
+        time, wanted = loop.get("t"), loop.get("h")
+        h, last, time_after = loop.step_until(loop.knot(1))
+        return gate, AdaptiveStep(time, wanted, h, last, time_after)
+
+    def end_with(
+        self, loop: TimeLoop, gate: Gate, step: AdaptiveStep, errors: tuple[Any, Any], write: Callable[[], None]
+    ) -> None:
+        """Judge, write and take the step to ``new``, or try it again shorter.
+
+        ``errors``: that of the step over its tolerance, and what the array ``local`` is multiplied with to be its local
+        error; ``write`` writes the samples.
+        """
+        error, share = errors
+        self.control.judge(loop, step.h, error)
+        loop.stop_if(loop.builder.not_(loop.within_bounds("new")), Status.DIVERGED)
+        gate.meet(step.h)
+        add_local_errors(loop, "local", share)
+        write()
+        self.control.accept(loop, (step.wanted, step.h, step.last, step.time_after), error, self.end)
+        if self.stiffness:
+            self.stiffness.write(loop, step.h)
+        loop.builder.branch(loop.again)
+
+
+class FixedStep(NamedTuple):
+    """A step of length h from ``time`` to ``time_after``; ``count`` of its segment with it, ``last``: it ends it."""
+
+    h: Any
+    time: Any
+    time_after: Any
+    count: Any
+    last: Any
+
+
+def next_step(loop: TimeLoop) -> FixedStep:
+    """The step that comes; its length is put into the cell ``h``."""
+    b = loop.builder
+    start, end = loop.knot(0), loop.knot(1)
+    length = b.fsub(end, start)
+    ratio = b.fdiv(length, loop.option("step"))
+    steps = loop.intrinsic("maxnum", loop.intrinsic("ceil", b.fmul(ratio, number(1 - 1e-12))), number(1.0))
+    h = b.fdiv(length, steps)
+    time, count = loop.get("t"), b.fadd(loop.get("index"), number(1.0))
+    last = b.fcmp_ordered(">=", count, steps)
+    time_after = b.select(last, end, b.fadd(start, b.fmul(count, h)))
+    loop.put("h", h)
+    return FixedStep(h, time, time_after, count, last)
+
+
+def take_step(loop: TimeLoop, step: FixedStep) -> None:
+    """The state ``new`` is where the next step starts; back to the begin of the loop."""
+    b = loop.builder
+    loop.copy("y", "new")
+    loop.put("t", step.time_after)
+    loop.count_step(step.h, ir.Constant(ir.IntType(1), 0))
+    loop.add("done", 1.0)
+    loop.put("index", b.select(step.last, number(0.0), step.count))
+    loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(step.last, F64)))
+    b.branch(loop.again)
