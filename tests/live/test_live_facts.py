@@ -16,11 +16,11 @@ from tmodes.sheet import Robot
 
 from .node import live_in_node
 
-MASS, STIFFNESS, DURATION = "links.link.bodies.payload.mass", "joints.joint.gear.stiffness.0", "drives.0.signal.duration"
+MASS, STIFFNESS = "links.link.bodies.payload.mass", "joints.joint.gear.stiffness.0"
+DURATION = "drives.0.signal.duration"
 CUT = 2.6
 """Duration of a move [s] that the end of the run cuts."""
 SETTINGS = ({}, {DURATION: 1.5, MASS: 0.61}, {STIFFNESS: 3000.0, MASS: 0.2}, {DURATION: CUT})
-
 
 
 @pytest.fixture(scope="module")
@@ -60,4 +60,3 @@ def test_every_headline_number_and_its_note_are_those_of_the_native_report(live:
             assert info(own) == info(fact), fact["id"]
         assert np.isfinite(live_run["facts"]["frequency.first"]["value"])
     assert settled == len(SETTINGS) - 1
-

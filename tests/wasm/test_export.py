@@ -38,7 +38,6 @@ console.log(JSON.stringify({
 """
 
 
-
 @pytest.fixture(scope="module")
 def folder(tmp_path_factory: pytest.TempPathFactory) -> Path:
     return tmp_path_factory.mktemp("export")

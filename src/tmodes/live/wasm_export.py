@@ -75,7 +75,8 @@ def _described(robot: Robot) -> tuple[LiveModule, dict[str, Any]]:
             runs[name] = _run(moved.planned.schedule, moved.start, which.integration)
     base = functions.passes["chain"].at_rest(gravity=0.0)
     info = _settings(pair.real.integration, regime.spectrum.highest)
-    return live_module(functions, [info["method"]], slopes=False), info | {"runs": runs, "base": base.tolist()} | _named(pair, [*runs])
+    info |= {"runs": runs, "base": base.tolist()} | _named(pair, [*runs])
+    return live_module(functions, [info["method"]], slopes=False), info
 
 
 def _settings(given: Integration, highest: float) -> dict[str, Any]:
@@ -98,9 +99,9 @@ def _named(pair: RobotPair, runs: Sequence[str]) -> dict[str, Any]:
         ends = {block: (one["start"], one["start"] + math.prod(one["shape"])) for block, one in places.items()}
         entering |= form.acting(*ends["parameters"])
         last = ends["chain"][1]
-        for block in ends:
+        for block, place in ends.items():
             if block.startswith(("knots", "coefficients")):
-                moving |= form.acting(*ends[block])
+                moving |= form.acting(*place)
         known = {block: places[block] for block, (_, end) in ends.items() if end <= last}
         forms[name] = form.first(last).info() | {"places": known}
     kept = [slider for slider in live.sliders if slider.knob in entering - moving]
