@@ -1,4 +1,4 @@
-"""The page of a system that is stated by its energies: its own lines, also live, and without the script that made it."""
+"""The page of a system that is stated by its energies: its own lines, also live, and without its script."""
 
 from __future__ import annotations
 

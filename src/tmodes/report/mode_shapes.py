@@ -35,7 +35,7 @@ _STEP = 1e-5
 
 
 def modes_of(result: Result) -> list[dict[str, Any]]:
-    """The lowest modes of the real robot about its rest, of each state of its motors; none where it has no rest or is not known.
+    """The lowest modes of the real robot about its rest, of each state of its motors; none where there is no rest.
 
     Frequencies [Hz] and damping are those of ``result.frequencies``; motions without vibration are left out.
     Displacements (L, S, 3) are complex, the largest of size 1.

@@ -38,8 +38,8 @@ _QUANTITIES = (
 def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
     """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.thin.scene_frames`.
 
-    Lengths in m, times in s; arrays are NumPy's or those of :mod:`tmodes.report.pack`. Of a robot that cannot be rebuilt
-    only the lines that the result holds.
+    Lengths in m, times in s; arrays are NumPy's or those of :mod:`tmodes.report.pack`. Of a robot that cannot be
+    rebuilt only the lines that the result holds.
     """
     frames = _frames(result) if frames is None else frames
     known, data = actual(result), result.data
