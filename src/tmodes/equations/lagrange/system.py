@@ -32,9 +32,10 @@ from tmodes.chain.chain import Chain
 from tmodes.equations.lagrange.as_sheet import system_robot
 from tmodes.equations.lagrange.terms import Energies, EquationTerms, equation_terms
 from tmodes.errors import InputError
+from tmodes.kinds.registry import Registry
 from tmodes.sheet.robot import RECURSION, Robot
 
-__all__ = ["GRAVITY", "Expressions", "Members", "System", "known_systems"]
+__all__ = ["GRAVITY", "SYSTEMS", "Expressions", "Members", "System"]
 
 Array = NDArray[np.float64]
 
@@ -89,9 +90,6 @@ class Expressions:
 
 
 Law = Callable[..., Any]
-
-_KNOWN: dict[str, System] = {}
-"""Systems by name, in this process."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -151,7 +149,7 @@ class System:
         of a data sheet: drives, loads, contact, initial, integration, parameters, real, gravity, ... Raises
         :class:`tmodes.errors.InputErrors` for a wrong entry.
         """
-        _KNOWN[self.name] = self
+        SYSTEMS.register(self)
         return system_robot(self, self.expressions.points, joints or {}, **sheet)
 
     @property
@@ -245,6 +243,6 @@ def _point(name: str, value: Any) -> tuple[Any, Any]:
     return position, None if rotation is None else ca.SX(rotation)
 
 
-def known_systems() -> Mapping[str, System]:
-    """Systems that a robot was made of, or that were registered, by name."""
-    return _KNOWN
+_HINT = "call `robot()` of the system first, as its script does"
+SYSTEMS: Registry[System] = Registry("equations", System, reserved=(RECURSION,), hint=_HINT, replaces=True)
+"""Systems that a robot was made of in this process, and the published ones, by name."""
