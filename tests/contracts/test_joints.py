@@ -191,7 +191,7 @@ def test_registry_refuses_a_taken_name_and_another_contract() -> None:
         JOINTS.register(Other)
     with pytest.raises(InputError, match="JointKind"):
         JOINTS.register(int)  # pyright: ignore[reportArgumentType]
-    with pytest.raises(KeyError, match="did you mean `screw`"):
+    with pytest.raises(KeyError, match="Did you mean `screw`"):
         joint_kind("scrw")
 
 

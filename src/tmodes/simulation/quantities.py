@@ -8,7 +8,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.lagrange.layout import ENERGIES
 from tmodes.model.model import Model, PointMotion
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
@@ -23,6 +22,7 @@ Array = NDArray[np.float64]
 
 _AXES = ("x", "y", "z")
 _DRIVEN = ("effort", "voltage", "current")
+_ENERGIES = ("kinetic", "gravity", "elastic_gear", "elastic_link")
 
 
 def arm_stops(regime: RunSetup, more: tuple[str, ...] = ()) -> Stops:
@@ -147,7 +147,7 @@ def _points(seen: _Seen) -> dict[str, Quantity]:
 
 
 def _others(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
-    found = {f"energy.{name}": Quantity("J", lambda at, name=name: seen.energies(at)[name]) for name in ENERGIES}
+    found = {f"energy.{name}": Quantity("J", lambda at, name=name: seen.energies(at)[name]) for name in _ENERGIES}
     found["energy.total"] = Quantity("J", lambda at: np.sum([*seen.energies(at).values()], axis=0))
     if regime.planned.plan.touch:
         found["contact.force"] = Quantity("N", lambda at: seen.observed(at)["contact"][:, 3])

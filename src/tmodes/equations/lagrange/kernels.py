@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.lagrange.system import System
+from tmodes.equations.lagrange.system import ORIGIN, System
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel.kernel import Kernel
 
@@ -129,6 +129,15 @@ class SystemKernels:
 
         return self._of_state(f"pose {name}", of, (), (POSE, 3))
 
+    def segment(self, start: str, end: str) -> Kernel:
+        """(z, z', parameters) -> (axes of the world (9), positions of two points): a line between them."""
+
+        def of(e: Any) -> list[list[Any]]:
+            ends = [self._point(e, None if name == ORIGIN else name)[0] for name in (start, end)]
+            return [[*entries(ca.SX.eye(3)), *entries(ca.vertcat(*ends))]]
+
+        return self._of_state(f"segment {start} {end}", of, (), (15,))
+
     def acceleration(self, name: str | None) -> Kernel:
         """(z, z', parameters, base's acceleration less gravity, z'') -> [linear; angular] of a point, less gravity."""
 
@@ -157,6 +166,12 @@ class SystemKernels:
         """(z, z', parameters) -> generalized forces (own, 6), row by row, of unit forces and moments on a point.
 
         ``mapped``: by the system's own map, where it has one.
+
+        Eq. (44) [corrected]: the tip's Jacobian; the print exchanges lm and le and lacks the derivatives of x and y by
+        vt and e. {test_slip_44_jacobian}
+        Slip (44): lm and le exchanged, derivatives of x, y by vt and e missing {test_slip_44_jacobian}
+        Slip (34)-(38): a force at the tip reaches each row by its own column of Je, where the print writes the planes'
+        rows {test_every_row_needs_its_column_of_the_jacobian}
         """
 
         def of(e: Any) -> list[list[Any]]:

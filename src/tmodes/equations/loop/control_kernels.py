@@ -1,6 +1,6 @@
 """Kernels of what moves a joint: controller, motor winding, and the effort that a given motion needs.
 
-DC motor, Eq. (39) of Filipovic & Djuric 2010: u = R i + CE th', torque CM i. With an inductance L the current is a
+DC motor: u = R i + CE th', torque CM i. With an inductance L the current is a
 state: L i' = u - R i - CE th'.
 """
 
@@ -156,7 +156,10 @@ class Servo:
     def _driven(
         self, p: Any, of: tuple[Any, Any, Any], signal: Any, thd: Any, electric: tuple[Any, Any]
     ) -> list[list[Any]]:
-        """From the command and its slopes to the effort and what is known of the drive."""
+        """From the command and its slopes to the effort and what is known of the drive.
+
+        Eq. (39) [stated]: u = R i + CE theta', so i = (u - CE theta')/R. {test_motor_row_is_in_newton_metres}
+        """
         (command, stiff, damp), (current, step) = of, electric
         resistance, back, torque, inductance = (p[i] for i in range(WINDING))
         if not self.driven:
