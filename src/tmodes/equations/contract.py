@@ -101,12 +101,21 @@ class Mechanics(Protocol):
         ...
 
     @property
+    def on_links(self) -> bool:
+        """Whether the chain's links are the robot's own, so that the recursion gives the places along them."""
+        ...
+
+    @property
     def zeros(self) -> tuple[Slot, ...]:
         """Parameters that are zero whatever the robot's numbers."""
         ...
 
     def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
         """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
+        ...
+
+    def drawn(self, blocks: Blocks) -> dict[str, Slot]:
+        """What is drawn besides the links, by name: each axes (9), start and end (3 each), in world axes."""
         ...
 
     def way(self, blocks: Blocks, *, posed: bool) -> Any:

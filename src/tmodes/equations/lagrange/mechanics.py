@@ -25,6 +25,11 @@ class LagrangeMechanics:
         self.parts, self.chained = parts, ChainedSystem(system, parts)
 
     @property
+    def on_links(self) -> bool:
+        """Whether the system is another statement of the chain's links, from which its numbers come."""
+        return self.chained.system.numbers is not None
+
+    @property
     def zeros(self) -> tuple[Slot, ...]:
         """Parameters that are zero whatever the robot's numbers."""
         return self.chained.zeros
@@ -32,6 +37,12 @@ class LagrangeMechanics:
     def schedule(self, name: str, *, loaded: bool = False) -> Schedule:
         """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
         return elastic_schedule(self.chained) if name == "elastic" else _SCHEDULES[name](self.chained, loaded=loaded)
+
+    def drawn(self, blocks: Blocks) -> dict[str, Slot]:
+        """The system's own lines, between its points."""
+        way, kernels = LagrangeWay(self.chained, blocks), self.chained.kernels
+        pairs = self.chained.system.segments
+        return {f"{a}-{b}": way.call(kernels.segment(a, b), *way.state)[0] for a, b in pairs}
 
     def way(self, blocks: Blocks, *, posed: bool) -> LagrangeWay:
         """Where the points are, found when asked."""

@@ -16,6 +16,7 @@ class RecursiveMechanics:
     """Schedules of the recursion with the numbers of one chain."""
 
     base_moves = True
+    on_links = True
 
     def __init__(self, parts: Parts) -> None:
         self.parts = parts
@@ -30,6 +31,11 @@ class RecursiveMechanics:
         if name == "elastic":
             return elastic_forces(self.parts)
         return {"forward": forward_dynamics, "inertia": inertia_forces}[name](self.parts, loaded=loaded)
+
+    def drawn(self, blocks: Blocks) -> dict[str, Slot]:
+        """Nothing but the links themselves."""
+        del blocks
+        return {}
 
     def way(self, blocks: Blocks, *, posed: bool) -> Passes:
         """The outward pass in a schedule; ``posed``: poses are needed."""
