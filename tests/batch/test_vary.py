@@ -135,5 +135,5 @@ def test_too_large_is_refused_before_the_lanes_are_prepared(robot):
 
 def test_a_stop_that_batches_do_not_watch_is_refused(robot):
     """Rather than left out without a word."""
-    with pytest.raises(InputError, match=r"integration.energy_stop: got true, expected false: .*tmodes run"):
+    with pytest.raises(InputError, match=r"integration.energy_stop must be false: .*, got true.*tmodes run"):
         tmodes.simulate_batch(robot.with_({"integration.energy_stop": True}), {"payload.mass": [0.5]})

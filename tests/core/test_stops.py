@@ -83,7 +83,7 @@ def test_what_is_refused(robot, stop, error, info):
 
 def test_a_sheet_with_a_wrong_condition_is_refused(robot):
     """With the place in the sheet, whatever the number of wrong values."""
-    with pytest.raises(InputErrors, match=r"integration.stop.1: got 'tip.z'") as errors:
+    with pytest.raises(InputErrors, match=r"integration.stop.1 must be a name, > or <, and a number, such as `joint2.position > 1.2` or `abs(elbow.velocity) > 90 deg/s`, got 'tip.z'") as errors:
         robot.with_({"integration.stop": ["tip.z < 0", "tip.z", "a = 1"]})
     assert len(errors.value.errors) == 2
 

@@ -110,7 +110,7 @@ def _ranges(option: str, texts: list[str]) -> list[tuple[Any, ...]]:
     ranges = [_range(option, text) for text in texts]
     paths = [path for path, *_ in ranges]
     if twice := [path for path in paths if paths.count(path) > 1]:
-        raise InputError(option, f"{twice[0]} twice", "each path once", "give one range for it")
+        raise InputError(option, f"{twice[0]} twice", "given once for each path", "give one range for it")
     return ranges
 
 

@@ -218,4 +218,4 @@ def refuse_stops(settings: Integration, what: str) -> None:
     for name, value in asked.items():
         if value:
             hint = f"leave `{name}` out, or run by itself: tmodes run"
-            raise InputError(f"integration.{name}", repr(value), f"nothing: {what} to the end of integration", hint)
+            raise InputError(f"integration.{name}", repr(value), f"left out: {what} to the end of integration", hint)

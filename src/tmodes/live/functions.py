@@ -23,6 +23,7 @@ from tmodes.live.module import Functions, LiveModule
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
 from tmodes.sheet import RobotPair
+from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.plan import Follow, Planned, planned
 
 __all__ = ["ModelFunctions", "live_module", "needed_for", "stationed"]
@@ -150,13 +151,13 @@ def _info(arm: ModelFunctions) -> Mapping[str, Any]:
 def stationed(chain: Chain, stations: Sequence[float]) -> Chain:
     """The same chain with a named point at each station of each link that bends, and at the root of others.
 
-    A rigid link and the paper's mode have one point; that of a mode is its tip.
+    Only places are asked of it, which the recursion knows of every link, whatever the robot's own equations.
     """
     points = []
     for index, node in enumerate(chain.nodes):
         places = stations if node.link.has_stations else (1.0,)
         points += [Point(f"{index}.{s}", index, s) for s in places]
-    return replace(chain, points=tuple(points))
+    return replace(chain, points=tuple(points), equations=RECURSION)
 
 
 def needed_for(schedule: Schedule, outputs: Sequence[str]) -> Schedule:

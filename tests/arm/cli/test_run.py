@@ -9,7 +9,7 @@ import signal
 
 import pytest
 
-from arm.cli.command import tmodes
+from command import tmodes
 from arm.see.runs import SHEETS
 from disturbed import running
 from tmodes.io.sheet_write import arm_to_yaml
