@@ -10,8 +10,8 @@ import numpy as np
 import pytest
 
 from tmodes.errors import InputError
-from tmodes.paper.mechanism import Parameters
 from tmodes.simulation.batch.simulate import prepare_loops
+from tmodes.simulation.loop import LoopNumbers
 from tmodes.simulation.trajectory import integrate
 
 
@@ -33,7 +33,7 @@ BAD = {
 @pytest.mark.parametrize("case", list(BAD))
 @pytest.mark.parametrize("method", ["dormand_prince", "rk4"])
 def test_a_bad_lane_spoils_no_other(seed, case, method):
-    settings = seed.settings.model_copy(update={"method": seed.settings.method.__class__(method), "max_steps": 20_000})
+    settings = seed.settings.model_copy(update={"method": method, "max_steps": 20_000})
     seed = replace(seed, settings=settings)
     good, bad = seed.run(), spoilt(seed, 5, *BAD[case]).run()
     others = [lane for lane in range(9) if lane != 5]
@@ -50,7 +50,7 @@ def test_a_bad_lane_spoils_no_other(seed, case, method):
 def test_what_a_lane_says_is_what_the_run_by_itself_says(seed, case):
     many = spoilt(seed, 2, *BAD[case])
     batch = many.run()
-    numbers = Parameters(seed.parameters.names, many.many[2])
+    numbers = LoopNumbers(many.many[2])
     single = integrate(seed.model, numbers, seed.schedule, seed.start, seed.settings)
     assert (batch.status[2], batch.message[2]) == (single.status, single.message)
     assert "in coordinate" in batch.message[2]

@@ -84,6 +84,8 @@ def examples(lqr):
         "pid": {"type": "pid", "position_gain": 80.0, "integral_gain": 50.0, "velocity_gain": 9.0, "limit": 15.0},
         "state_feedback": {"type": "state_feedback", "position_gains": {"hub.motor": 80.0, "beam.bend_z1": 2.0},
                            "velocity_gains": {"hub.motor": 9.0, "hub": 1.0}},
+        "sampled_pid": {"type": "sampled_pid", "position_gain": 80.0, "integral_gain": 50.0, "velocity_gain": 9.0,
+                        "sample_time": 0.004},
         "lqr": lqr,
     }  # fmt: skip
 
@@ -100,10 +102,14 @@ def test_member(name, lqr):
     row = setup.planned.schedule.rows_at([0.3])[0]
     q, v, x = (state[part] for part in (model.layout.q, model.layout.v, model.layout.controls))
     seen = Measured(0.3, 0.0, 0.0, q[0], v[0], 0.0, [*q], [*v], model.coordinates, [], [[0.3, 0.0, 0.0]], ("hub",))
-    wanted = float(law.command(law.numbers(), seen, [*x]))
+    if law.period is None:
+        wanted = float(law.command(law.numbers(), seen, [*x]))
+        rates = law.rates(law.numbers(), seen, [*x])
+    else:  # 0.3 s is a sample of it
+        wanted, rates = float(law.command(law.numbers(), seen, [*x[1:]])), [0.0] * len(x)
     assert model.observe([0.3], state, row)["drives"][0, 0, 0] == pytest.approx(wanted, rel=1e-12)
-    rate = model.rate([0.3], state, row)[0]
-    assert rate[model.layout.controls] == pytest.approx(law.rates(law.numbers(), seen, [*x]), rel=1e-12)
+    assert model.rate([0.3], state, row)[0][model.layout.controls] == pytest.approx(rates, rel=1e-12)
+    assert len(model.plan.control_names) == len(model.plan.control_units) == len(x)
     run = simulate_motion(sheet)
     assert np.abs(run.energy_balance).max() < 1e-6 * run.energy_moved
     assert run.q[-1, 0] == pytest.approx(0.3, abs=0.15)

@@ -17,7 +17,7 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.model.model import Model
-from tmodes.paper.mechanism import Parameters
+from tmodes.simulation.loop import LoopNumbers
 from tmodes.simulation.trajectory import integrate
 
 from .scale import memory, often
@@ -45,7 +45,7 @@ def test_many_steps_in_one_process() -> None:
     """The memory of a run does not grow with its steps, and its end is that of the method, by powers of one step."""
     steps, step = often(2_000_000, 100_000_000), 0.01
     still = Schedule(np.array([0.0, 1.0]), np.zeros((1, 1)))
-    numbers, oscillator = Parameters(("stiffness",), np.ones(1)), Oscillator()
+    numbers, oscillator = LoopNumbers(np.ones(1)), Oscillator()
 
     def run(count: int) -> Any:
         settings = Integration(

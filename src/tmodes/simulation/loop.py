@@ -110,7 +110,8 @@ class LoopModel:
     def observe(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> dict[str, Array]:
         """What is shown of n instants.
 
-        ``q``, ``v``, ``a`` (n, nq); ``drives`` (n, drives, 4): effort [N*m], voltage [V], current [A], wanted; ``gear``
+        ``q``, ``v``, ``a`` (n, nq); ``drives`` (n, drives, 4): effort [N*m], voltage [V], current [A], wanted;
+        ``controls`` (n, states) of controllers, after the samples at that time; ``gear``
         (n, drives) [N*m]; ``contact`` (n, 6): force by the point (3), its normal part [N], penetration [m], its rate;
         ``base`` (n, 24); ``powers`` (n, works) [W].
         """

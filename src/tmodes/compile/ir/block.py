@@ -137,7 +137,8 @@ class ScheduleRate:
 
     ``step_offset``: where in the held memory the length of an implicit step is put; ``gate_offset``: where two numbers
     stand that are both positive while a force acts that starts and ends; None where there is none. ``call_from``: as
-    ``call`` with one more pointer after the state, to the coordinates and rates that springs start from.
+    ``call`` with one more pointer after the state, to the coordinates and rates that springs start from. ``sampled``:
+    the state after the samples at a knot, as a function of the same kind; None where nothing is sampled.
     """
 
     prepare: Any
@@ -148,6 +149,7 @@ class ScheduleRate:
     step_offset: int | None
     gate_offset: int | None = None
     call_from: Any = None
+    sampled: ScheduleRate | None = None
 
 
 def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> ScheduleRate:
@@ -170,7 +172,8 @@ def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) ->
     row, step = schedule.inputs["row"].size, schedule.inputs.get("step")
     offset = schedule.offset(step) if step else None
     gate = schedule.offset(schedule.gate) if schedule.gate else None
-    return ScheduleRate(prepare, call, schedule.workspace, schedule.output_size, row, offset, gate, call_from)
+    sampled = write_rate(module, schedule.sampled, arithmetic, f"{name}.sampled") if schedule.sampled else None
+    return ScheduleRate(prepare, call, schedule.workspace, schedule.output_size, row, offset, gate, call_from, sampled)
 
 
 def _write_call(module: Any, schedule: Any, main: Any, name: str, taken: tuple[str, ...]) -> Any:

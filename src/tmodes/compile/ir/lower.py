@@ -23,6 +23,7 @@ class Lowered:
     call: Any
     held_size: int
     gate_offset: int | None = None
+    sampled: None = None
 
     @property
     def size(self) -> int:

@@ -64,8 +64,11 @@ def schedule_lane_loops(name: str, schedule: Any, guarded: int) -> _LaneLoops:
         module = ir.Module(name)
         return _lane_loop(module, write_lanes_rate(module, schedule, "rate"), guarded, method)
 
+    def kernels() -> dict[str, Library]:
+        each = [one for one in (schedule, schedule.sampled) if one]
+        return {symbol: found for one in each for symbol, found in called(one, Wide.name).items()}
+
     def made(method: str) -> Library:
-        kernels = partial(called, schedule, Wide.name)
         return library(_named(name, method), schedule.key, partial(write, method), _functions(method), 3, kernels)
 
     return _LaneLoops(made)

@@ -62,6 +62,8 @@ class LanesLoop:
         self.builder.call(rate.prepare, [self.argument["p"], self.array["held"]])
         for slot, label in enumerate(LANE_CELLS):
             self.put(label, self.lanes.load(self.builder, self.argument["memory"], slot))
+        if rate.sampled is not None:
+            self.builder.call(rate.sampled.prepare, [self.argument["p"], self.array["sampling"]])
         self.builder.store(number(0.0), self.done)
         self.enter_segments()
         self.again, self.leave = self.block("again"), self.block("leave")
@@ -69,6 +71,20 @@ class LanesLoop:
         self._write_leave()
         self.builder.position_at_end(self.again)
         self._end_runs()
+        self._sample()
+
+    def _sample(self) -> None:
+        """At the start of each segment of a lane, once: its state after the samples there."""
+        b, sampled = self.builder, self.rate.sampled
+        if sampled is None:
+            return
+        after = b.fadd(self.get("segment"), self.constant(1.0))
+        new = b.and_(self.running(), b.fcmp_ordered(">", after, self.get("sampled")))
+        with b.if_then(self.any(new), likely=False):
+            arrays = (self.array[label] for label in ("y", "row", "sampling", "after"))
+            b.call(sampled.call, [self.get("t"), *arrays])
+            self.copy_where(new, "y", "after")
+            self.put("sampled", after, new)
 
     def _vector(self, label: str) -> Any:
         return self.builder.alloca(self.lanes.kind, name=label)
@@ -77,6 +93,8 @@ class LanesLoop:
         """The arrays inside ``work``; an exported function ``NAME.work`` says how many numbers they need."""
         sizes = {"held": self.rate.held_size, "row": self.rate.row, "shown": self.size}
         sizes |= dict.fromkeys(scratch_arrays, self.size)
+        if self.rate.sampled is not None:
+            sizes |= {"sampling": self.rate.sampled.held_size, "after": self.size}
         self.array, start = {"y": self.argument["y"], "k1": self.argument["k1"]}, 0
         for label, size in sizes.items():
             self.array[label] = at(self.builder, self.argument["work"], start * WIDTH)

@@ -52,7 +52,8 @@ def write_lanes_rate(module: Any, schedule: Any, name: str) -> ScheduleRate:
     b.ret_void()
     gate = offset(schedule.gate) if schedule.gate else None
     row_size = schedule.inputs["row"].size
-    return ScheduleRate(prepare, call, size, schedule.output_size, row_size, None, gate)
+    sampled = write_lanes_rate(module, schedule.sampled, f"{name}.sampled") if schedule.sampled else None
+    return ScheduleRate(prepare, call, size, schedule.output_size, row_size, None, gate, sampled=sampled)
 
 
 def _copy(b: Any, lanes: Wide, source: Any, target: Any, size: int) -> None:

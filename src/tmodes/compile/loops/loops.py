@@ -110,7 +110,8 @@ def _schedule_loop(name: str, schedule: Any, guarded: int, method: str, **more: 
 
     def imports() -> dict[str, Library]:
         slopes = kernels_of(schedule, "derivative") if integrator(method).asks == JACOBIAN else {}
-        return called(schedule, loop_arithmetic(method)) | slopes
+        sampling = called(schedule.sampled, "double") if schedule.sampled else {}
+        return called(schedule, loop_arithmetic(method)) | slopes | sampling
 
     write = partial(schedule_loop_module, schedule, guarded, method, method, **more)
     return library(f"{name} {integrator(method).key}", schedule.key, write, {method: len(ARGUMENTS)}, 1, imports)

@@ -7,8 +7,8 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.ir.arithmetic import Lanes
-from tmodes.compile.ir.block import ScheduleRate, call_prepare, write_main
+from tmodes.compile.ir.arithmetic import Double, Lanes
+from tmodes.compile.ir.block import ScheduleRate, call_prepare, write_main, write_rate
 from tmodes.compile.ir.calls import I32, table_of
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
 from tmodes.compile.ir.unroll import pays
@@ -60,7 +60,9 @@ class _Writer:
         end = self.size * width
         gate = end if s.gate else None
         call, sizes = self._call(rows, end), (end + 2, s.output_size, s.inputs["row"].size)
-        return RowsRate(prepare, call, *sizes, info["step"], gate, None, rows, info["state"], info["start"])
+        double = Double(self.module)
+        sampled = write_rate(self.module, s.sampled, double, f"{self.name}.sampled") if s.sampled else None
+        return RowsRate(prepare, call, *sizes, info["step"], gate, None, sampled, rows, info["state"], info["start"])
 
     def _offset(self, slot: Any) -> int:
         return self.place(slot) * self.lanes.stride

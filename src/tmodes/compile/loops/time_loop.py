@@ -22,9 +22,9 @@ __all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "Status", "TimeLoop"]
 
 CELLS = (
     "t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status",
-    "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes",
+    "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes", "sampled",
 )  # fmt: skip
-"""Memory of a loop between calls, one double each."""
+"""Memory of a loop between calls, one double each; ``sampled``: segments whose samples of controllers are taken."""
 
 OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "watch", "most_events", "event_time", "looks")
 """Settings of a loop.
@@ -77,6 +77,7 @@ class TimeLoop:
         self.array |= {"y": self.argument["y"], "k1": self.argument["k1"], "errors": self.argument["errors"]}
         self.held = scratch(self.builder, lowered.held_size, "held")
         self.builder.call(lowered.prepare, [self.argument["p"], self.held])
+        self._sampling = self._prepared()
         for slot, label in enumerate(CELLS):
             self.put(label, load(self.builder, self.argument["memory"], slot))
         self.put("done", number(0.0))
@@ -87,6 +88,27 @@ class TimeLoop:
         self.builder.position_at_end(self.again)
         self.stop_if(self.finished(), Status.FINISHED)
         self.stop_if(self.builder.fcmp_ordered(">=", self.get("done"), self.option("chunk")), Status.RUNNING)
+        self._sample()
+
+    def _prepared(self) -> Any:
+        """The memory of what sampled controllers compute; None without one."""
+        if (sampled := self.lowered.sampled) is None:
+            return None
+        held = scratch(self.builder, sampled.held_size, "sampling")
+        self.array["after"] = scratch(self.builder, self.size, "after")
+        self.builder.call(sampled.prepare, [self.argument["p"], held])
+        return held
+
+    def _sample(self) -> None:
+        """At the start of each segment, once: the state after the samples there."""
+        b, sampled = self.builder, self.lowered.sampled
+        if sampled is None:
+            return
+        after = b.fadd(self.get("segment"), number(1.0))
+        with b.if_then(b.fcmp_ordered(">", after, self.get("sampled")), likely=False):
+            b.call(sampled.call, [self.get("t"), self.array["y"], self.row(), self._sampling, self.array["after"]])
+            self.copy("y", "after")
+            self.put("sampled", after)
 
     def local(self, name: str) -> Any:
         """A double on the stack of the function."""
