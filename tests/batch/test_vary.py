@@ -100,8 +100,8 @@ def test_the_folder_holds_what_was_varied(robot, tmp_path):
 
 
 WRONG = {
-    "lane 1.*payload.mass": {"payload.mass": [0.4, -1.0]},
-    "lane 0.*payload.mass": {"payload.mass": [np.nan]},
+    "case 1.*payload.mass": {"payload.mass": [0.4, -1.0]},
+    "case 0.*payload.mass": {"payload.mass": [np.nan]},
     "Did you mean `payload.mass`": {"payload.mas": [0.4]},
     "one integration for all": {"integration.duration": [0.1, 0.2]},
     "same length": {"payload.mass": [0.4, 0.5], "gravity": [9.81]},

@@ -24,7 +24,7 @@ def test_sweep_into_a_folder(tmp_path):
     vary = ["--vary", "payload.mass=0.4:0.6:3", "--vary", "gear.damping=0:4:3"]
     info = tmodes_batch(*vary, "--out", out).stdout
     assert "9 of 9 runs finished" in info
-    assert "The tip parts farthest" in info
+    assert "Largest tip difference" in info
     batch = load_batch(out)
     assert batch.size == 9
     assert batch.values["payload.mass"].tolist() == np.repeat([0.4, 0.5, 0.6], 3).tolist()
@@ -46,11 +46,13 @@ def test_draws_are_the_same_for_the_same_seed():
 
 
 def test_lanes_that_fail_are_reported_and_the_exit_code_says_so():
-    done = tmodes_batch("--vary", "payload.mass=0.5:1e5:2", code=3)
+    """A gear that is too stiff for the fixed step."""
+    vary = ["--vary", "gear.stiffness=4700:4.7e9:2", "--integrator", "rk4", "--set", "integration.step=1e-3"]
+    done = tmodes_batch(*vary, code=3)
     assert "1 of 2 runs finished" in done.stdout
-    assert "lane 1 (payload.mass = 100000) failed" in done.stderr
-    data = json.loads(tmodes_batch("--vary", "payload.mass=0.5:1e5:2", "--json", code=3).stdout)
-    assert [each["status"] for each in data["each"]] == ["finished", "failed"]
+    assert "case 1 (gear.stiffness = 4.7e+09) diverged" in done.stderr
+    data = json.loads(tmodes_batch(*vary, "--json", code=3).stdout)
+    assert [each["status"] for each in data["each"]] == ["finished", "diverged"]
     assert data["each"][1]["tip_difference_m"] is None
 
 
@@ -61,10 +63,10 @@ WRONG = {
     "must be PATH=LOW:HIGH, got": ["--draw", "payload.mass=1:nan"],
     "whole COUNT": ["--vary", "payload.mass=1:2:2.5"],
     "at most 1000000": ["--vary", "payload.mass=1:2:1001", "--vary", "gravity=9:10:1001"],
-    "lane 0: payload.mass must be a number not less than 0 [kg], got -1.0": ["--vary", "payload.mass=-1:2:2"],
+    "case 0: payload.mass must be a number not less than 0 [kg], got -1.0": ["--vary", "payload.mass=-1:2:2"],
     "Did you mean": ["--draw", "payload.mas=1:2"],
     "payload.mass twice": ["--vary", "payload.mass=1:2:2", "--vary", "payload.mass=3:4:2"],
-    "lane 2: payload.mass must be a number not less than 0 [kg], got -1.0": ["--vary", "payload.mass=1:-1:3"],
+    "case 2: payload.mass must be a number not less than 0 [kg], got -1.0": ["--vary", "payload.mass=1:-1:3"],
     "one integration": ["--vary", "integration.duration=1:2:3"],
 }
 

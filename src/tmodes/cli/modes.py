@@ -96,7 +96,9 @@ def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:
     if contact and sheet.contact_off:
         sheet = sheet.with_({"contact": True})
     if contact and sheet.contact is None:
-        raise InputError("--contact", "a robot that touches nothing", "given for a robot with a contact", "leave --contact out")
+        raise InputError(
+            "--contact", "a robot that touches nothing", "given for a robot with a contact", "leave --contact out"
+        )
     return sheet
 
 

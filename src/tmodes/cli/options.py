@@ -143,13 +143,18 @@ def chosen_sheet(
 
 def _refuse_without_reading(sheet: Robot, reading: Reading) -> None:
     if not sheet.imported:
-        expected, hint = "left out: only sheets of the 2010 robot have a reading", "remove it; `equations` chooses those of another robot"
+        expected, hint = (
+            "left out: only sheets of the 2010 robot have a reading",
+            "remove it; `equations` chooses those of another robot",
+        )
         raise InputError("--reading", reading.value, expected, hint)
 
 
 def _refuse_without_contact(sheet: Robot, contact: bool) -> None:
     if contact and not (sheet.contact or sheet.contact_off):
-        raise InputError("--contact", "a robot that touches nothing", "given for a robot with a contact", "add it to the sheet")
+        raise InputError(
+            "--contact", "a robot that touches nothing", "given for a robot with a contact", "add it to the sheet"
+        )
 
 
 def integration_changes(

@@ -43,7 +43,13 @@ def tree_of(robot: Element, links: dict[str, Element], joints: list[UrdfJoint]) 
     roots = [name for name in links if name not in carried]
     if not roots:
         hint = "remove the joint that closes the cycle"
-        raise fault(robot, "the tree of links", f"a cycle: each of {_names(links)} is carried", "a tree with one root link", hint)
+        raise fault(
+            robot,
+            "the tree of links",
+            f"a cycle: each of {_names(links)} is carried",
+            "a tree with one root link",
+            hint,
+        )
     if len(roots) > 1:
         got = f"links that hang together with no joint: {_names(roots)}"
         hint = f"add the joints that carry them, or remove all of them but {shown(roots[0])}"

@@ -185,4 +185,9 @@ def _needed(element: Element, name: str) -> str:
 def _refuse_others(element: Element, known: set[str]) -> None:
     if others := sorted(element.attributes.keys() - known):
         got = f"the attribute {shown(others[0])}"
-        raise xacro_fault(element, got, f"an element with no attribute but {', '.join(sorted(known))}", "write it without, or expand it with ROS")
+        raise xacro_fault(
+            element,
+            got,
+            f"an element with no attribute but {', '.join(sorted(known))}",
+            "write it without, or expand it with ROS",
+        )

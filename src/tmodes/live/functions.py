@@ -158,13 +158,13 @@ def _info(arm: ModelFunctions) -> Mapping[str, Any]:
 def stationed(chain: Chain, stations: Sequence[float]) -> Chain:
     """The same chain with a named point at each station of each link that bends, and at the root of others.
 
-    Only places are asked of it, which the recursion knows of every link, whatever the robot's own equations.
+    A rigid link and the paper's mode have one point; that of a mode is its tip.
     """
     points = []
     for index, node in enumerate(chain.nodes):
         places = stations if node.link.has_stations else (1.0,)
         points += [Point(f"{index}.{s}", index, s) for s in places]
-    return replace(chain, points=tuple(points), equations=RECURSION)
+    return replace(chain, points=tuple(points))
 
 
 def needed_for(schedule: Schedule, outputs: Sequence[str]) -> Schedule:

@@ -26,6 +26,11 @@ def register(figure: F) -> F:
     if name in FIGURES:
         raise InputError("figure name", repr(name), "a name that no figure has", "choose another name")
     if not (getattr(figure, "title", "") and getattr(figure, "caption", "")):
-        raise InputError(f"figure {name}", "a class without title or caption", "a class with both", "set the class's `title` and `caption`")
+        raise InputError(
+            f"figure {name}",
+            "a class without title or caption",
+            "a class with both",
+            "set the class's `title` and `caption`",
+        )
     FIGURES[name] = figure
     return figure

@@ -52,7 +52,12 @@ def _points(arm: Any) -> Iterator[Issue]:
     for index, point in enumerate(arm.points):
         yield from _point(arm, f"points.{index}", point)
         if point.name in names:
-            yield Issue(f"points.{index}.name", f"the name `{point.name}` again", "a name that no other point has", "rename the point")
+            yield Issue(
+                f"points.{index}.name",
+                f"the name `{point.name}` again",
+                "a name that no other point has",
+                "rename the point",
+            )
         names.append(point.name)
     for index, load in enumerate(arm.loads):
         yield from _unknown(f"loads.{index}.point", load.point, names, "add it under `points`")

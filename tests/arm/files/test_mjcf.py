@@ -160,5 +160,5 @@ def test_refused_before_mujoco_opens_it(inside: str, tmp_path: Path) -> None:
 
 def test_without_mujoco_it_is_said_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "mujoco", None)
-    with pytest.raises(InputError, match="an MJCF without MuJoCo"):
+    with pytest.raises(InputError, match="got no MuJoCo; install it with"):
         read_arm_data(written(tmp_path))

@@ -49,8 +49,14 @@ def test_no_document_type(content: bytes) -> None:
             b'<robot>\n<link name="a">\n',
             "bad.urdf:3: the file must be well-formed XML, got broken XML (no element found inside <link> of line 2)",
         ),
-        (b'<robot>\n<link name="a', "bad.urdf:2: the file must be well-formed XML, got broken XML (unclosed token inside <robot> of line 1)"),
-        (b"<robot>\n</link>", "bad.urdf:2: the file must be well-formed XML, got broken XML (mismatched tag inside <robot> of line 1)"),
+        (
+            b'<robot>\n<link name="a',
+            "bad.urdf:2: the file must be well-formed XML, got broken XML (unclosed token inside <robot> of line 1)",
+        ),
+        (
+            b"<robot>\n</link>",
+            "bad.urdf:2: the file must be well-formed XML, got broken XML (mismatched tag inside <robot> of line 1)",
+        ),
         (b"<robot/><robot/>", "junk after document element"),
         (b'<robot name="a" name="b"/>', "duplicate attribute"),
         (b"<robot>&unknown;</robot>", "undefined entity"),

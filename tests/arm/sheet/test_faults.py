@@ -61,7 +61,11 @@ VALUES = [
     (lambda d: d["joints"][0].update(type=1), "joints.shoulder.type", ""),
     (lambda d: d["joints"][0].update(name=5), "joints.0.name", ""),
     (lambda d: d["joints"][0].update(name="a\x1b[2J"), "control characters", ""),
-    (lambda d: d["joints"][0].update(gear=4700), "joints.shoulder.gear must be a group with the keys stiffness, torque_limits, damping, backlash, got 4700", ""),
+    (
+        lambda d: d["joints"][0].update(gear=4700),
+        "joints.shoulder.gear must be a group with the keys stiffness, torque_limits, damping, backlash, got 4700",
+        "",
+    ),
     (lambda d: d.update(joints={"shoulder": {}}), "joints must be a list of 0 to 500 items, got a group of 1 keys", ""),
     (lambda d: d.update(name=""), "name must be", "text of 1 to 100 characters"),
     (lambda d: d["links"][0]["beam"].update(section="tube"), "links.upper.beam.section", ""),
@@ -138,7 +142,9 @@ def test_units_of_drives_follow_the_command() -> None:
     assert found.signal.value == pytest.approx(math.pi / 4)
     assert arm_of(drive("torque", "30 N*cm")).drives[0].signal.value == pytest.approx(0.3)
     assert "in rad" in problem(drive("prescribed", "3 V"))
-    assert "drives.0.command must be a motor with a resistance, got voltage without an electric motor" in problem(drive("voltage", "3 V"))
+    assert "drives.0.command must be a motor with a resistance, got voltage without an electric motor" in problem(
+        drive("voltage", "3 V")
+    )
 
 
 DRIVES = [
@@ -152,7 +158,11 @@ DRIVES = [
     ({"joint": "shoulder"}, "effort on a joint behind an elastic gear"),
     ({"signal": {"type": "ramp"}}, "drives.0.signal.type must be one of constant, expression, noise"),
     ({"signal": {"value": 1}}, "drives.0.signal.type is missing"),
-    ({"signal": 5}, "drives.0.signal must be a group of the kind constant, expression, noise, quintic, sine, step, table, sum, trapezoid, got 5"),
+    (
+        {"signal": 5},
+        "drives.0.signal must be a group of the kind constant, expression, noise, "
+        "quintic, sine, step, table, sum, trapezoid, got 5",
+    ),
 ]
 
 
