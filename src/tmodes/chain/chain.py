@@ -114,7 +114,7 @@ class Joint:
     """A joint: ``axis`` (3,), a unit vector in the joint frame; ``friction`` acts on the joint's own rates.
 
     ``drive``, ``motor``, ``gear`` and ``friction`` are those of each of its coordinates; ``drives``: where the kinds of
-    drive differ between them. ``parameters``: further numbers of its kind.
+    drive differ between them. ``parameters``: further numbers of its kind; ``drive_parameters``: of its kind of drive.
     """
 
     name: str
@@ -130,6 +130,7 @@ class Joint:
     lower: float = -np.inf
     upper: float = np.inf
     parameters: tuple[float, ...] = ()
+    drive_parameters: tuple[float, ...] = ()
     drives: tuple[DriveKind, ...] = ()
 
     @property
