@@ -14,7 +14,7 @@ def _has_words(figure: Figure) -> None:
         raise InputError("figure name", repr(figure.name), "an identifier such as 'joint_power'", "set another `name`")
     if not (figure.title and figure.caption):
         hint = "set the class's `title` and `caption`"
-        raise InputError(f"figure {figure.name}", "no title or caption", "both", hint)
+        raise InputError(f"figure {figure.name}", "a class without title or caption", "a class with both", hint)
 
 
 FIGURES: Registry[Figure] = Registry("figure", Figure, check=_has_words)

@@ -58,7 +58,7 @@ class LinkSheet(DataSheet):
             hint = "remove `at` and give the center in the link's frame"
             refuse(
                 [
-                    Issue(f"bodies.{index}.at", f"{body.at:g}", "no station: the link has no beam", hint)
+                    Issue(f"bodies.{index}.at", f"{body.at:g}", "left out: the link has no beam", hint)
                     for index, body in enumerate(self.bodies)
                     if body.at is not None
                 ]
@@ -141,7 +141,7 @@ class DriveSheet(DataSheet):
         for name in ("controller", "noise"):
             if not self.command.is_controlled and getattr(self, name) is not None:
                 got = f"a {name} with the command `{self.command}`"
-                refuse([Issue(name, got, f"no {name}", "remove it, or take the command `position`")])
+                refuse([Issue(name, got, "left out", "remove it, or take the command `position`")])
         return self
 
 

@@ -125,7 +125,7 @@ class JointSheet(DataSheet):
         if not self.kind.has_axis or self.dh is not None:
             if self.axis is not None:
                 why = "a joint with `dh`, which moves along its z" if self.kind.has_axis else f"a {self.type} joint"
-                yield Issue("axis", f"an axis of {why}", "no axis", "remove the line `axis: ...`")
+                yield Issue("axis", f"an axis of {why}", "left out", "remove the line `axis: ...`")
         elif self.axis is None:
             yield Issue("axis", "nothing", f"the axis of a {self.type} joint", "add the line `axis: [0, 0, 1]`")
         elif (length := math.hypot(*self.axis)) < SHORTEST_AXIS:
@@ -145,7 +145,7 @@ class JointSheet(DataSheet):
             for name in ("motor", "gear", "friction", "limits"):
                 if getattr(self, name) is not None:
                     hint = f"remove `{name}`, or make the joint revolute or prismatic"
-                    yield Issue(name, f"a {name} on a {self.type} joint", "nothing: it does not move", hint)
+                    yield Issue(name, f"a {name} on a {self.type} joint", "left out: the joint does not move", hint)
         elif active and self.is_elastic and self.motor is None:
             hint = "add `motor`, write `state: locked`, or remove the gear"
             yield Issue("motor", "nothing", "a motor, because the joint has an elastic gear", hint)
@@ -156,7 +156,7 @@ class JointSheet(DataSheet):
         for name in ("motor", "gear", "locked_at") if self.state is JointState.FREE else ():
             if getattr(self, name):
                 hint = f"remove `{name}`, or take another `state`"
-                yield Issue(name, f"`{name}` of a free joint", "none: nothing drives or holds it", hint)
+                yield Issue(name, f"`{name}` of a free joint", "left out: nothing drives or holds the joint", hint)
 
     def _named_drive_issues(self) -> Iterator[Issue]:
         if self.drive is None:
