@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from io_cases import SHEET, number_paths, value_of
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.assignment import parse_assignment
+from tmodes.io.scalars import parse_assignment
 from tmodes.io.sheet_check import sheet_from_data as robot_from_data
 from tmodes.io.sheet_paths import set_arm_paths as set_paths
 from tmodes.io.yaml_file import parse_yaml

@@ -137,8 +137,7 @@ def _count(path: str, count: float) -> int:
 
 
 def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | None) -> tuple[BatchRun, Spread]:
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.progress import Stages
+    from tmodes.cli.progress import Stages, heard
     from tmodes.simulation.vary.simulate import prepared, prepared_alone, run_prepared
     from tmodes.simulation.vary.study import spread
 

@@ -10,7 +10,7 @@ import typer
 if TYPE_CHECKING:
     from tmodes.bench.measure import Plan
 
-__all__ = ["bench"]
+__all__ = ["bench", "print_tables"]
 
 
 def bench(
@@ -38,10 +38,8 @@ def bench(
     For example:  tmodes bench --quick      tmodes bench --sizes 6,36 --peers gcc,mujoco --json figures.json
     """
     from tmodes.bench.measure import measured
-    from tmodes.cli.bench_tables import print_tables
-    from tmodes.cli.interrupt import heard
     from tmodes.cli.output import print_json
-    from tmodes.cli.progress import Stages
+    from tmodes.cli.progress import Stages, heard
 
     plan = _plan(sizes, rounds, peers, patience, quick=quick)
     with heard() as wish, Stages(wish) as tell:
@@ -94,3 +92,22 @@ def _write(target: Path, info: dict[str, Any]) -> None:
 
     with atomic_write(target) as temporary:
         temporary.write_text(json.dumps(info, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+IDLE = 0.5
+"""Programs on average that may run next to it."""
+
+
+def print_tables(info: dict[str, Any]) -> None:
+    """Machine, tables, and who was left out."""
+    from tmodes.bench.tables import left_out, tables
+    from tmodes.cli.output import notice, print_table
+
+    machine = info["machine"]
+    print(f"{machine['processor']}, {machine['cores']} cores, Python {machine['python']}, {machine['date']}\n")
+    for table in tables(info):
+        print_table(*table)
+    if machine["load"] and machine["load"][0] > IDLE:
+        notice(f"the machine was not idle ({machine['load'][0]:.1f} programs ran): times on several cores say little")
+    for line in left_out(info):
+        notice(f"left out: {line}")

@@ -22,7 +22,7 @@ def check(
     """Check a data sheet: report all wrong values together, then what looks implausible (a wrong unit, say)."""
     from tmodes.cli.output import print_json
     from tmodes.errors import InputError, InputErrors
-    from tmodes.io.notices import notices_about
+    from tmodes.io.sheet_plausible import notices_about
 
     try:
         sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)

@@ -19,9 +19,8 @@ def describe(
 ) -> None:
     """Masses, lengths, stiffnesses, frequencies of each link by itself, sag under weight, what gives way at the tip."""
     from tmodes.analysis.describe.describe import describe as described
-    from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice, print_json
-    from tmodes.cli.progress import Stages
+    from tmodes.cli.progress import Stages, heard
 
     arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     with heard() as wish, Stages(wish) as tell:

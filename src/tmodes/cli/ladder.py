@@ -39,9 +39,8 @@ def ladder(
     All rungs make the same move, which the motors follow exactly: that of the sheet's drives, else a short one.
     """
     from tmodes.analysis.hierarchy.hierarchy import ladder as climbed
-    from tmodes.cli.interrupt import heard
     from tmodes.cli.output import print_json
-    from tmodes.cli.progress import Stages
+    from tmodes.cli.progress import Stages, heard
 
     arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     with heard() as wish, Stages(wish) as tell:

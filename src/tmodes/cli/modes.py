@@ -55,9 +55,8 @@ def modes(
     with more functions.
     """
     from tmodes.analysis.modes.of_sheet import vibrations
-    from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice, print_json
-    from tmodes.cli.progress import Stages
+    from tmodes.cli.progress import Stages, heard
 
     arm = _asked(chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths), contact, angle)
     pair = arm.pair()

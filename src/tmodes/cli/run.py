@@ -99,11 +99,10 @@ def _folder(path: Path, sheet: Robot, overwrite: bool, looks: _Looks, *, live: b
 
 
 def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
-    from tmodes.cli.interrupt import heard
     from tmodes.cli.output import notice
-    from tmodes.cli.progress import Stages
+    from tmodes.cli.progress import Stages, heard
     from tmodes.errors import SimulationError
-    from tmodes.io.notices import notices_about
+    from tmodes.io.sheet_plausible import notices_about
 
     with heard() as wish, folder, Stages(wish) as progress:
         if folder.continues:

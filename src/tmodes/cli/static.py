@@ -53,8 +53,7 @@ def static(
     """
     from tmodes.analysis.statics.loads import Load, point_index
     from tmodes.analysis.statics.rest import arm_rest
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.progress import Stages
+    from tmodes.cli.progress import Stages, heard
     from tmodes.cli.static_options import held_of, load_of, three_of
     from tmodes.model.model import Model
 

@@ -34,8 +34,8 @@ def view(
     The page is one file that needs no network and can be sent to others. Robots move at the same time, their charts lie
     over each other, their numbers are next to each other.
     """
+    from tmodes.cli.options import stored_result
     from tmodes.cli.output import print_json
-    from tmodes.cli.results import stored_result
     from tmodes.report.data import live_page, page_data, robot_name
     from tmodes.report.viewer import viewer_document
 
