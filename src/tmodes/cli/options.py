@@ -8,7 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.errors import InputError
+from tmodes.io.atomic import file_error
 from tmodes.io.filipovic2010.format import Reading
+from tmodes.robots.load import load, sheet_names
 
 if TYPE_CHECKING:
     from tmodes.result import Result
@@ -53,7 +55,11 @@ Settings = Annotated[
     ),
 ]
 ReadingOption = Annotated[
-    Reading | None, typer.Option(help="Which reading of the paper's equations; else the data sheet's.")
+    Reading | None,
+    typer.Option(
+        help="Of a sheet of the 2010 robot: which reading of its equations; else the sheet's. Of any robot, "
+        "--set equations=NAME takes `recursion` or a system that is registered."
+    ),
 ]
 Contact = Annotated[
     bool | None,
@@ -128,7 +134,6 @@ def chosen_sheet(
 ) -> Robot:
     """The robot that a command line names, with its changes; raises an InputError for any wrong part."""
     from tmodes.io.scalars import parse_assignment
-    from tmodes.robots.load import load
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
     sheet = load(robot, info, roots=roots or (), trust_paths=trust_paths)
@@ -182,16 +187,12 @@ def result_file(path: Path) -> Path:
 
     Raises :class:`tmodes.errors.ResultFileError` for a folder without one, and where nothing is.
     """
-    from tmodes.io.atomic import file_error
-
     hint = "name a result.nc, or the folder that `tmodes run --out` was given"
     if path.is_dir():
         if not (path / "result.nc").is_file():
             raise file_error(path, "a folder without result.nc", "the folder of a run", hint)
         return path / "result.nc"
     if not path.exists():
-        from tmodes.robots.load import sheet_names
-
         if str(path) in sheet_names():
             hint = f"run it first: tmodes run {path} --out FOLDER, and name that folder"
             raise file_error(path, "the name of a robot", "a result file, or the folder of a run", hint)

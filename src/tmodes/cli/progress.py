@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from types import FrameType, TracebackType
 from typing import Any, Self
 
-__all__ = ["Stages", "Wish", "heard"]
+__all__ = ["Stages", "Wish", "heard", "working"]
 
 
 class Wish:
@@ -95,3 +95,10 @@ class Stages:
         if stage not in self._tasks:
             self._tasks[stage] = self._bar.add_task(stage, total=1.0)
         self._bar.update(self._tasks[stage], completed=share)
+
+
+@contextmanager
+def working() -> Iterator[Stages]:
+    """Within the block Ctrl-C is a wish, and what is called with a stage and its share shows the progress."""
+    with heard() as wish, Stages(wish) as tell:
+        yield tell

@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson
+from tmodes.cli.options import AsJson, plain, result_file, stored_result
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.summary_text import info_summary, integration_lines
 
 if TYPE_CHECKING:
     from tmodes.cli.series import Series
@@ -37,8 +39,6 @@ def show(
 
     Of what is known along a link (deflection, moment) the value of the largest size at each instant is shown.
     """
-    from tmodes.cli.options import result_file, stored_result
-    from tmodes.cli.output import print_json
     from tmodes.cli.series import first_series, series_of_result
 
     stored = stored_result(result)
@@ -70,9 +70,6 @@ def _extremes(one: Series) -> dict[str, float]:
 
 
 def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
-    from tmodes.cli.options import plain
-    from tmodes.cli.output import notice, print_table
-    from tmodes.cli.summary_text import info_summary, integration_lines
 
     summary = info_summary(stored)
     print(f"end     {plain(stored.message)}")
@@ -90,7 +87,6 @@ def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
 
 
 def _row(one: Series) -> list[str]:
-    from tmodes.cli.options import plain
     from tmodes.cli.series import ASCII, sparkline, steps_for
     from tmodes.plot.units import readable
 
@@ -102,8 +98,6 @@ def _row(one: Series) -> list[str]:
 
 def _modes(frequencies: dict[str, list[dict[str, Any]]]) -> Iterator[list[str]]:
     """The lowest modes of each case: the damped frequency where it rings, else the natural one."""
-    from tmodes.cli.options import plain
-
     for case, modes in frequencies.items():
         for mode in modes[:MOST_MODES]:
             frequency = mode["damped_frequency_Hz"]
