@@ -21,6 +21,9 @@ __all__ = ["arm_notices", "implausible_arm"]
 SLENDERNESS = (5.0, 1000.0)
 """Range of the length of a beam over the height of its section [-]: thicker ones shear, thinner ones are threads."""
 
+SAG = 1.0
+"""Largest usual angle [rad] by which a beam sags under the weight of the bodies on its link."""
+
 CLAMPED_FREE = 1.8751040687119611
 """First root of cos x cosh x = -1: a clamped bare beam has 2 pi f = (x/L)^2 sqrt(EI/w)."""
 
@@ -31,7 +34,11 @@ def implausible_arm(arm: Robot) -> list[str]:
     found = (
         sentence
         for name, beam in beams
-        for sentence in (*_beam(name, beam), *(f"links.{name}.beam{notice}" for notice in beam.notices()))
+        for sentence in (
+            *_beam(name, beam),
+            *_sag(arm, name, beam),
+            *(f"links.{name}.beam{notice}" for notice in beam.notices()),
+        )
     )
     return [*_ranges(arm), *found, *implausible_motion(arm)]
 
@@ -63,6 +70,17 @@ def _beam(name: str, beam: BendingSheet) -> Iterator[str]:
     if not beam.section_pieces():
         return
     yield from [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)][:1]
+
+
+def _sag(arm: Robot, name: str, beam: BendingSheet) -> Iterator[str]:
+    """A piece of the beam, clamped, under the weight of the bodies on the link: its chord turns by F L^2/3EI."""
+    mass, start, sag = sum(body.mass for body in arm.link(name).bodies), 0.0, 0.0
+    for piece in beam.section_pieces():
+        length, start = (piece.end - start) * beam.line_length, piece.end
+        sag = max(sag, mass * math.hypot(*arm.gravity) * length**2 / (3 * min(piece.start.bend_y, piece.start.bend_z)))
+    if sag > SAG:
+        likely = "masses in g (factor 0.001), lengths in mm (factor 0.001), or E in MPa or GPa (factor 1e+06 or 1e+09)"
+        yield f"links.{name}.beam sags by {sag:.3g} rad under the weight of {mass:.3g} kg; were {likely} meant?"
 
 
 def _slenderness(name: str, beam: BendingSheet) -> Iterator[str]:

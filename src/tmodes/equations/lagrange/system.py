@@ -22,6 +22,7 @@ import keyword
 from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import casadi as ca
@@ -34,12 +35,15 @@ from tmodes.equations.lagrange.terms import Energies, EquationTerms, equation_te
 from tmodes.errors import InputError
 from tmodes.sheet.robot import RECURSION, Robot
 
-__all__ = ["GRAVITY", "Expressions", "Members", "System", "known_systems"]
+__all__ = ["GRAVITY", "ORIGIN", "Expressions", "Members", "System", "known_systems"]
 
 Array = NDArray[np.float64]
 
 GRAVITY = "g"
 """Parameter that every system has unless it defines its own: magnitude of the robot's gravity [m/s^2]."""
+
+ORIGIN = "origin"
+"""Where the world's axes are, as ``lines`` name it."""
 
 UNITS = ("rad", "m")
 
@@ -104,7 +108,7 @@ class System:
     power lost. ``forces(q, v, p)``: further generalized forces by coordinate name, on the right side. ``points(q, p)``:
     name -> position [m], or (position, rotation matrix); the first is the tip. ``inputs``: coordinates that a drive of
     the robot may act on; None: all of them. ``lines``: polylines to draw, each a sequence of names of points or
-    ``origin``.
+    ``origin``; None: one through all points, the tip last, from the origin where there is only one.
 
     ``numbers(chain)`` gives parameters that follow from a robot's own joints and links instead. ``directions`` (n, n):
     constant map from the robot's coordinates to those of the energies, where these are others, named ``own``.
@@ -121,7 +125,7 @@ class System:
     forces: Law | None = None
     points: Law | None = None
     inputs: tuple[str, ...] | None = None
-    lines: tuple[tuple[str, ...], ...] = ()
+    lines: Sequence[Sequence[str]] | None = None
     title: str = ""
     numbers: Callable[[Chain], Mapping[str, float]] | None = None
     own: tuple[str, ...] = ()
@@ -202,6 +206,20 @@ class System:
         }
         mapped = self.contact_map(at, numbers) if self.contact_map else None
         return Expressions(q, v, p, energies, terms, pushed, points, mapped)
+
+    @cached_property
+    def segments(self) -> tuple[tuple[str, str], ...]:
+        """Straight lines to draw, by the names of the points at their ends.
+
+        Raises :class:`tmodes.errors.InputError` for a name in ``lines`` that no point has.
+        """
+        known = [*self.expressions.points]
+        whole = [ORIGIN, *known] if len(known) == 1 else known[::-1]
+        lines = [whole] if self.lines is None else self.lines
+        for name in (name for line in lines for name in line if name not in (ORIGIN, *known)):
+            expected = f"one of {', '.join([ORIGIN, *known])}"
+            raise InputError(f"{self.name}: lines", f"`{name}`", expected, "name points of the system")
+        return tuple(dict.fromkeys(pair for line in lines for pair in pairwise(line)))
 
     @cached_property
     def key(self) -> str:
