@@ -15,7 +15,6 @@ from tmodes.simulation.batch.store import load_batch
 from tmodes.simulation.loop import LoopNumbers
 from tmodes.simulation.trajectory import integrate
 
-
 ROBOTS = pytest.mark.parametrize("lot", ["filipovic2010", "pendulum"], indirect=True)
 
 

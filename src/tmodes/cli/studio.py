@@ -38,7 +38,7 @@ def studio(
     for package in ("fastapi", "uvicorn"):
         if find_spec(package) is None:
             got, hint = f"no package {package}", "install it: pip install 'tmodes[studio]'"
-            raise InputError("tmodes studio", got, "the extra `studio`", hint)
+            raise InputError("tmodes studio", got, "run with the extra `studio`", hint)
     from tmodes.studio.folder import WorkingFolder
     from tmodes.studio.serve import serve
 

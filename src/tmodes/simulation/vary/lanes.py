@@ -67,9 +67,9 @@ class Columns:
                 place = names.index(name) + 1
         first, last = lanes[0].further, lanes[-1].further
         if first != last:
-            got = f"{last} numbers in the state of lane {index} next to its coordinates, {first} in others"
+            got = f"{last} numbers in the state of case {index} next to its coordinates, {first} in others"
             hint = "vary what keeps them: no inductance of zero next to others"
-            raise InputError("vary", got, "the same currents and controllers in all lanes", hint)
+            raise InputError("vary", got, "the same currents and controllers in all cases", hint)
         return cls(tuple(names), first)
 
     @property
@@ -109,7 +109,7 @@ def changed_sheet(sheet: Robot, changes: Mapping[str, Any], lane: int) -> Robot:
 
 
 def _placed(error: InputError, lane: int) -> InputError:
-    return InputError(error.which, error.got, error.expected, error.hint, f"lane {lane} {error.where}".rstrip())
+    return InputError(error.which, error.got, error.expected, error.hint, f"case {lane} {error.where}".rstrip())
 
 
 def lane_of(real: Robot) -> Lane:

@@ -46,8 +46,10 @@ def simulate_batch(
     ``tips``: also where the tip was. ``threads``: None for one on each core. ``out``: a folder for the samples, where
     they are too many for memory. ``progress`` is given the stage and its share.
 
-    Lanes may have other coordinates, such as a rigid gear next to elastic ones: the batch has all of any lane, and a
-    motor that a lane has not apart moves as its joint, a link's coordinate is zero. A lane that cannot start (``failed``) or cannot go on keeps what it had and disturbs no other: look at ``status``
+    Lanes may differ in their coordinates, as with a rigid gear next to elastic ones: the batch has those of all lanes,
+    a motor without one of its own moves as its joint, and of a link they are zero.
+
+    A lane that cannot start (``failed``) or cannot go on keeps what it had and disturbs no other: look at ``status``
     and ``message``. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers,
     reporting their lane; :class:`tmodes.errors.SimulationError` where none can start.
     """
@@ -125,7 +127,7 @@ def _prepared(
             check_room((len(changes), len(times), columns.width), folder)
         progress("preparing", (index + 1) / len(changes))
     if columns is None:
-        raise SimulationError(f"no lane can start; lane 0: {lanes[0]}")
+        raise SimulationError(f"no case can start; case 0: {lanes[0]}")
     return Prepared(lanes, columns, values, times, folder)
 
 
