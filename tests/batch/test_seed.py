@@ -65,7 +65,7 @@ import sys
 import llvmlite.binding as llvm
 asked = llvm.get_host_cpu_features
 llvm.get_host_cpu_features = lambda: {"avx512f": False}
-from tmodes.compile.lanes.wide import Wide
+from tmodes.compile.ir.arithmetic import Wide
 llvm.get_host_cpu_features = asked
 assert Wide.stride == 4
 import numpy as np

@@ -10,7 +10,7 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.ir.arithmetic import Arithmetic
+from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.calls import write_calls
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, store, whole
 from tmodes.compile.ir.ordering import kernel_program
@@ -34,12 +34,12 @@ def _symbol(info: str) -> str:
     return f"kernel_{hashlib.sha256(info.encode()).hexdigest()[:32]}"
 
 
-def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:
+def write_kernel(module: Any, kernel: Any, arithmetic: Double) -> None:
     """The exported function of a kernel: pointers to the input blocks, then to the output blocks, never overlapping."""
     write_program(module, kernel_symbol(kernel, arithmetic.name), kernel_program(kernel), arithmetic)
 
 
-def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Arithmetic) -> None:
+def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Double) -> None:
     """The same of a kernel's program."""
     labels = [f"i{k}" for k in range(program.inputs)] + [f"o{k}" for k in range(program.outputs)]
     function = declare(module, name, VOID, [(label, POINTER) for label in labels])
@@ -56,7 +56,7 @@ def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Ari
 
 
 def write_main(
-    module: Any, schedule: Any, arithmetic: Arithmetic, name: str, offset: Callable[[Any], int] | None = None
+    module: Any, schedule: Any, arithmetic: Double, name: str, offset: Callable[[Any], int] | None = None
 ) -> Any:
     """The private function ``name(workspace)`` of a schedule: all its calls, to kernels of other libraries, or none.
 
@@ -74,13 +74,13 @@ def write_main(
     return main
 
 
-def _write_unrolled(module: Any, code: Unrolled, arithmetic: Arithmetic, name: str) -> Any:
+def _write_unrolled(module: Any, code: Unrolled, arithmetic: Double, name: str) -> Any:
     parts = (f"{name}.prepare", code.prepare, code.prepared), (name, code.main, code.results)
     return [_write_program(module, *part, arithmetic) for part in parts][-1]
 
 
 def _write_program(
-    module: Any, name: str, program: Sequence[Instruction], results: Sequence[tuple[int, int]], arithmetic: Arithmetic
+    module: Any, name: str, program: Sequence[Instruction], results: Sequence[tuple[int, int]], arithmetic: Double
 ) -> Any:
     """The private function ``name(workspace)`` of one program on a workspace."""
     function = declare(module, name, VOID, [("workspace", POINTER)], private=True)
@@ -101,7 +101,7 @@ def call_prepare(b: Any, main: Any, workspace: Any) -> None:
         b.call(prepare, [workspace])
 
 
-def write_samples(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> None:
+def write_samples(module: Any, schedule: Any, arithmetic: Double, name: str) -> None:
     """The exported ``name(n, each, parameters, workspace, in, out)``: the schedule at n samples, row by row.
 
     A row holds the inputs, or the outputs, one after the other; ``each`` not zero: every sample has parameters of its
@@ -150,7 +150,7 @@ class ScheduleRate:
     call_from: Any = None
 
 
-def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> ScheduleRate:
+def write_rate(module: Any, schedule: Any, arithmetic: Double, name: str) -> ScheduleRate:
     """Functions ``prepare(parameters, held)`` and ``call(time, state, row, held, out)`` for the time loops.
 
     The schedule has the inputs ``time`` (1), ``state``, ``row`` and, where its steps may be implicit, ``step`` (1) and

@@ -201,8 +201,5 @@ class _Writer:
         if isinstance(value, ir.Constant):
             return self.wide.constant(value.constant)
         if id(value) not in self.spread_values:
-            empty = ir.Constant(self.wide.kind, ir.Undefined)
-            first = self.b.insert_element(empty, value, ir.Constant(ir.IntType(32), 0))
-            mask = ir.Constant(ir.VectorType(ir.IntType(32), LANES), [0] * LANES)
-            self.spread_values[id(value)] = self.b.shuffle_vector(first, empty, mask)
+            self.spread_values[id(value)] = self.wide.spread(self.b, value)
         return self.spread_values[id(value)]

@@ -128,8 +128,7 @@ def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
 
 def arithmetic_of(name: str) -> Any:
     """The kind of numbers of a name: ``double``, ``lanes`` or ``derivative``."""
-    from tmodes.compile.ir.arithmetic import Derivative, Double, Lanes
-    from tmodes.compile.lanes.wide import Wide
+    from tmodes.compile.ir.arithmetic import Derivative, Double, Lanes, Wide
 
     return {kind.name: kind for kind in (Double, Lanes, Wide, Derivative)}[name]
 

@@ -7,7 +7,7 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.ir.arithmetic import Arithmetic, Double
+from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.emit import POINTER, VOID, declare
 from tmodes.compile.ir.program import Instruction, Program
 
@@ -56,7 +56,7 @@ def _function(module: Any, name: str, arguments: list[tuple[str, Any]]) -> Any:
 class _Writer:
     """Writes values on demand, each once, in program order."""
 
-    def __init__(self, arithmetic: Arithmetic, program: Program, arguments: dict[int, Any], function: Any) -> None:
+    def __init__(self, arithmetic: Double, program: Program, arguments: dict[int, Any], function: Any) -> None:
         self.arithmetic, self.program, self.arguments = arithmetic, program, arguments
         self.builder = ir.IRBuilder(function.append_basic_block("entry"))
         self.known: dict[int, Any] = {}

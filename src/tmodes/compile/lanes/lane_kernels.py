@@ -40,9 +40,9 @@ def time_lane_loops(name: str, key: str, make: Callable[[], Any], guarded: int) 
     def write(method: str) -> Any:
         from llvmlite import ir
 
+        from tmodes.compile.ir.arithmetic import Wide
         from tmodes.compile.ir.lower import lower
         from tmodes.compile.ir.program import straight_line
-        from tmodes.compile.lanes.wide import Wide
 
         module = ir.Module(name)
         return _lane_loop(module, lower(module, straight_line(make(), invariant=3), Wide(module)), guarded, method)
@@ -54,7 +54,7 @@ def time_lane_loops(name: str, key: str, make: Callable[[], Any], guarded: int) 
 
 def schedule_lane_loops(name: str, schedule: Any, guarded: int) -> _LaneLoops:
     """As :func:`time_lane_loops`, of a schedule of kernels (:func:`tmodes.compile.loops.loops.schedule_loops`)."""
-    from tmodes.compile.lanes.wide import Wide
+    from tmodes.compile.ir.arithmetic import Wide
 
     def write(method: str) -> Any:
         from llvmlite import ir
@@ -76,13 +76,11 @@ def _named(name: str, method: str) -> str:
 
 
 def _lane_loop(module: Any, rate: Any, guarded: int, method: str) -> Any:
-    from tmodes.compile.lanes.lanes_adaptive import write_lanes_adaptive
-    from tmodes.compile.lanes.lanes_fixed import write_lanes_fixed
+    from tmodes.compile.lanes.lanes_explicit import write_lanes_loop
 
     tableau = integrators()[method].tableau
     assert tableau is not None  # noqa: S101
-    write = write_lanes_fixed if tableau.error is None else write_lanes_adaptive
-    write(module, method, rate, guarded, tableau)
+    write_lanes_loop(module, method, rate, guarded, tableau)
     return module
 
 

@@ -6,11 +6,11 @@ from typing import Any
 
 from llvmlite import ir
 
+from tmodes.compile.ir.arithmetic import Wide
 from tmodes.compile.ir.block import ScheduleRate, call_prepare, write_main
 from tmodes.compile.ir.emit import POINTER, VOID, at, counted, declare, whole
 from tmodes.compile.ir.unroll import pays
 from tmodes.compile.lanes.lanes_memory import Layout
-from tmodes.compile.lanes.wide import Wide
 
 __all__ = ["write_lanes_rate"]
 

@@ -121,10 +121,10 @@ class ImplicitStep:
     def evaluate(self, time: Any, h: Any, into: str) -> None:
         """Rates at ``ahead`` of springs that start from ``start``, with h D + h^2 K added to the masses."""
         loop, b = self.loop, self.b
-        store(b, h, loop.held, self.rate.step_offset)
+        store(b, h, loop.array["held"], self.rate.step_offset)
         states = [loop.array["ahead"], loop.array["start"]]
-        b.call(self.rate.call_from, [time, *states, loop.row(), loop.held, loop.array[into]])
-        store(b, number(0.0), loop.held, self.rate.step_offset)
+        b.call(self.rate.call_from, [time, *states, loop.row(), loop.array["held"], loop.array[into]])
+        store(b, number(0.0), loop.array["held"], self.rate.step_offset)
         loop.add("evaluations", 1.0)
 
     def advance(self, h: Any, state: str, slope: str) -> None:

@@ -110,7 +110,7 @@ class _Writer:
         found = b.alloca(F64, size=whole(self.schedule.output_size * lanes.stride))
         for label in ("state", "start"):
             self._spread(b, state, held, inputs[label])
-        b.call(rows, [self.splat(b, time), lanes.constant(0.0), row, held, found])
+        b.call(rows, [lanes.spread(b, time), lanes.constant(0.0), row, held, found])
         with counted(b, self.schedule.output_size) as i:
             store(b, load(b, found, b.mul(i, whole(lanes.stride))), out, i)
         for k in range(2 if self.schedule.gate else 0):
@@ -118,17 +118,10 @@ class _Writer:
         b.ret_void()
         return call
 
-    def splat(self, b: Any, value: Any) -> Any:
-        """The same number in all lanes."""
-        vector = self.lanes.constant(0.0)
-        for lane in range(self.lanes.stride):
-            vector = b.insert_element(vector, value, whole(lane))
-        return vector
-
     def _spread(self, b: Any, source: Any, held: Any, slot: Any) -> None:
         target = at(b, held, self._offset(slot))
         with counted(b, slot.size, "spread") as k:
-            vector = self.splat(b, load(b, source, k))
+            vector = self.lanes.spread(b, load(b, source, k))
             self.lanes.store(b, vector, self._vector(b, target, k), 0)
 
     def _vector(self, b: Any, base: Any, index: Any) -> Any:

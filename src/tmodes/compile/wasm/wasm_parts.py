@@ -12,7 +12,7 @@ from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.ir.arithmetic import Arithmetic
+from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.block import kernel_symbol, write_program
 from tmodes.compile.ir.emit import POINTER, VOID, declare, scratch
 from tmodes.compile.ir.kernels import arithmetic_of, sample_module, schedule_module
@@ -103,7 +103,7 @@ def kernel_in_pieces(kernel: Any, arithmetic: str, piece: int) -> Any:
 class _Pieces:
     """Cuts a program at equal distances; what is merely read is read again in each piece that needs it."""
 
-    def __init__(self, module: Any, name: str, program: BlockProgram, arithmetic: Arithmetic, piece: int) -> None:
+    def __init__(self, module: Any, name: str, program: BlockProgram, arithmetic: Double, piece: int) -> None:
         self.module, self.name, self.program, self.arithmetic = module, name, program, arithmetic
         values = program.values
         self.cuts = [*range(0, len(values), piece), len(values)]
