@@ -8,19 +8,29 @@ from typing import Any
 import numpy as np
 import pytest
 
+import tmodes
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive, Parameters
-from tmodes.paper.model import PaperModel
-from tmodes.robots import load_robot
+from tmodes.sheet import Robot
+from tmodes.simulation.batch.simulate import simulate_lanes
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.start import run_setup
+
+VARIED = (
+    "payload.mass",
+    "gear.stiffness",
+    "motor.resistance",
+    "link.modes.1.bending_stiffness",
+    "controller.position_gain",
+)
 
 
 @dataclass
 class Seed:
     """A robot, and nine of its kind with numbers a little off."""
 
-    model: PaperModel
-    parameters: Parameters
+    robot: Robot
+    model: LoopModel
     schedule: Schedule
     start: np.ndarray
     settings: Integration
@@ -28,20 +38,22 @@ class Seed:
 
     def run(self, lanes: Any = slice(None), **how: Any) -> Any:
         """A batch of some of the nine."""
-        return self.model.simulate_batch(self.many[lanes], self.schedule, self.start, self.settings, **how)
+        return simulate_lanes(self.model, self.many[lanes], self.schedule, self.start, self.settings, **how)
 
-    def place(self, name: str) -> int:
-        """Where a number stands."""
-        return self.parameters.names.index(name)
+    def place(self, name: str) -> np.ndarray:
+        """Where the numbers stand that follow from one of the sheet."""
+        factors = [run_setup(self.robot.with_({"real": {name: factor}}).pair().real).model for factor in (1.0, 1.1)]
+        one, other = (model.numbers for model in factors)
+        return np.flatnonzero(one != other)
 
 
 @pytest.fixture(scope="session")
 def seed() -> Seed:
     """The paper's robot over its first 20 ms."""
-    robot = load_robot("filipovic2010")
-    mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model = PaperModel(mechanism)
+    robot = tmodes.load("filipovic2010")
+    setup, rng = run_setup(robot), np.random.default_rng(1)
     settings = robot.integration.model_copy(update={"duration": 0.02, "output_step": 5e-4})
-    many = parameters.vector * (1 + 0.05 * np.random.default_rng(1).normal(size=(9, len(parameters))))
-    start = model.rest(robot.reference.start, parameters)
-    return Seed(model, parameters, robot.reference.schedule(), start, settings, many)
+    factors = 1 + 0.05 * rng.normal(size=(9, len(VARIED)))
+    robots = [robot.with_({"real": dict(zip(VARIED, row.tolist(), strict=True))}).pair().real for row in factors]
+    many = np.array([run_setup(one).model.numbers for one in robots])
+    return Seed(robot, setup.model, setup.planned.schedule, setup.start, settings, many)

@@ -15,6 +15,7 @@ import pytest
 
 from tmodes.errors import InputError, ResultFileError
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.batch.store import load_batch, room_for
 
 
@@ -65,17 +66,15 @@ def test_a_progress_that_fails_leaves_nothing(seed, tmp_path):
 
 KILLED = """
 import os, signal, sys
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel as Model
-from tmodes.robots import load_robot
-robot = load_robot("filipovic2010")
-mechanism, parameters = robot.split(Drive.CONTROLLED)
-model = Model(mechanism)
-settings = robot.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
+import tmodes
+from tmodes.simulation.batch.simulate import simulate_lanes
+from tmodes.simulation.start import run_setup
+setup = run_setup(tmodes.load("filipovic2010"))
+settings = setup.arm.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
 def kill(share):
     os.kill(os.getpid(), signal.SIGKILL)
-start = model.rest(robot.reference.start, parameters)
-model.simulate_batch(parameters.vector, robot.reference.schedule(), start, settings, out=sys.argv[1], progress=kill)
+model, numbers = setup.model, setup.model.numbers
+simulate_lanes(model, numbers, setup.planned.schedule, setup.start, settings, out=sys.argv[1], progress=kill)
 """
 
 
@@ -116,30 +115,32 @@ def test_too_large_is_refused_with_numbers(seed, tmp_path):
     settings = seed.settings.model_copy(update={"duration": 1e6, "output_step": 1.0})
     given = (np.tile(seed.many, (3000, 1)), seed.schedule, seed.start, settings)
     with pytest.raises(InputError, match=r"27000 lanes of 1000001 samples of 17 numbers, 3.67e\+03 GB.*1.8 GB.*out="):
-        seed.model.simulate_batch(*given)
+        simulate_lanes(seed.model, *given)
     with pytest.raises(ResultFileError, match="at least 3,672,"):
-        seed.model.simulate_batch(*given, out=tmp_path / "new")
+        simulate_lanes(seed.model, *given, out=tmp_path / "new")
     assert not (tmp_path / "new").exists()
 
 
 def wrong_calls(seed):
     given = {"parameters": seed.many, "schedules": seed.schedule, "states": seed.start, "settings": seed.settings}
     linear = Schedule(np.array([0.0, 1.0]), np.zeros((1, 2)))
+    numbers, states = seed.many.shape[1], len(seed.start)
     return {
-        "9": given | {"states": np.zeros((4, 17))},
-        "26 numbers": given | {"parameters": seed.many[:, :20]},
-        "17 numbers": given | {"states": np.zeros(16)},
-        "4 numbers": given | {"schedules": linear},
-        "size": given | {"parameters": np.zeros((2, 2, 26))},
-        "1 to 1024": given | {"threads": 0},
-        "1 or": given | {"schedules": [seed.schedule] * 3},
+        "lanes": ("9", given | {"states": np.zeros((4, states))}),
+        "parameters": (f"{numbers} numbers", given | {"parameters": seed.many[:, :-1]}),
+        "states": (f"{states} numbers", given | {"states": np.zeros(states - 1)}),
+        "rows": ("4 numbers", given | {"schedules": linear}),
+        "shape": ("size", given | {"parameters": np.zeros((2, 2, numbers))}),
+        "threads": ("1 to 1024", given | {"threads": 0}),
+        "schedules": ("1 or", given | {"schedules": [seed.schedule] * 3}),
     }
 
 
-@pytest.mark.parametrize("info", ["9", "26 numbers", "17 numbers", "4 numbers", "size", "1 to 1024", "1 or"])
-def test_wrong_calls_are_refused(seed, info):
+@pytest.mark.parametrize("wrong", ["lanes", "parameters", "states", "rows", "shape", "threads", "schedules"])
+def test_wrong_calls_are_refused(seed, wrong):
+    info, call = wrong_calls(seed)[wrong]
     with pytest.raises(InputError, match=info):
-        seed.model.simulate_batch(**wrong_calls(seed)[info])
+        simulate_lanes(seed.model, **call)
 
 
 def test_a_disk_that_fills_up_meanwhile_is_reported_before_anything_runs(seed, tmp_path, monkeypatch):

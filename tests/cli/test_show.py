@@ -42,7 +42,7 @@ def info(*arguments: object, code: int = 0, **more) -> subprocess.CompletedProce
 def test_folder_and_file_tell_the_same(robot_run):
     shown = info(robot_run).stdout
     assert shown.replace("\\", "/") == info(robot_run / "result.nc").stdout.replace("\\", "/")
-    for word in ("finished", "largest tip deviation", "mm", "locked", "damping ratio", "voltage [V]", "█"):
+    for word in ("finished", "largest tip deviation", "mm", "locked", "damping ratio", "effort [N*m]", "█"):
         assert word in shown
     assert "\x1b" not in shown
 

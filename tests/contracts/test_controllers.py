@@ -14,6 +14,7 @@ from tmodes.kinds.controllers.registry import Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
 from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
@@ -84,6 +85,8 @@ def examples(lqr):
         "pid": {"type": "pid", "position_gain": 80.0, "integral_gain": 50.0, "velocity_gain": 9.0, "limit": 15.0},
         "state_feedback": {"type": "state_feedback", "position_gains": {"hub.motor": 80.0, "beam.bend_z1": 2.0},
                            "velocity_gains": {"hub.motor": 9.0, "hub": 1.0}},
+        "sampled_pid": {"type": "sampled_pid", "position_gain": 80.0, "integral_gain": 50.0, "velocity_gain": 9.0,
+                        "sample_time": 0.004},
         "lqr": lqr,
     }  # fmt: skip
 
@@ -100,19 +103,23 @@ def test_member(name, lqr):
     row = setup.planned.schedule.rows_at([0.3])[0]
     q, v, x = (state[part] for part in (model.layout.q, model.layout.v, model.layout.controls))
     seen = Measured(0.3, 0.0, 0.0, q[0], v[0], 0.0, [*q], [*v], model.coordinates, [], [[0.3, 0.0, 0.0]], ("hub",))
-    wanted = float(law.command(law.numbers(), seen, [*x]))
+    if law.period is None:
+        wanted = float(law.command(law.numbers(), seen, [*x]))
+        rates = law.rates(law.numbers(), seen, [*x])
+    else:  # 0.3 s is a sample of it
+        wanted, rates = float(law.command(law.numbers(), seen, [*x[1:]])), [0.0] * len(x)
     assert model.observe([0.3], state, row)["drives"][0, 0, 0] == pytest.approx(wanted, rel=1e-12)
-    rate = model.rate([0.3], state, row)[0]
-    assert rate[model.layout.controls] == pytest.approx(law.rates(law.numbers(), seen, [*x]), rel=1e-12)
+    assert model.rate([0.3], state, row)[0][model.layout.controls] == pytest.approx(rates, rel=1e-12)
+    assert len(model.plan.control_names) == len(model.plan.control_units) == len(x)
     run = simulate_motion(sheet)
     assert np.abs(run.energy_balance).max() < 1e-6 * run.energy_moved
     assert run.q[-1, 0] == pytest.approx(0.3, abs=0.15)
     for method in ("extrapolation", "rosenbrock"):
         other = simulate_motion(sheet.with_({"integration.method": method}))
         assert np.abs(other.q - run.q).max() < 1e-6, method
-    numbers = np.array([model.numbers.vector, model.numbers.vector * 1.001])
+    numbers = np.array([model.numbers, model.numbers * 1.001])
     settings = sheet.integration.model_copy(update={"method": "dormand_prince"})
-    batch = model.simulate_batch(numbers, setup.planned.schedule, setup.start, settings)
+    batch = simulate_lanes(model, numbers, setup.planned.schedule, setup.start, settings)
     single = integrate(model, model.numbers, setup.planned.schedule, setup.start, settings)
     # A limit that is met a rounding earlier or later lets the step control take other steps.
     assert np.abs(batch.states[0] - single.states).max() < 1e-9 * np.abs(single.states).max()

@@ -1,14 +1,14 @@
-"""The shipped robot, and a run of it without the rest of a result."""
+"""The shipped robot."""
 
 from __future__ import annotations
 
 import pytest
 
-from tmodes.paper.sheet import PaperRobot
-from tmodes.robots import load_robot
+import tmodes
+from tmodes.sheet import Robot
 
 
 @pytest.fixture(scope="session")
-def robot() -> PaperRobot:
+def robot() -> Robot:
     """The paper's robot as shipped."""
-    return load_robot("filipovic2010")
+    return tmodes.load("filipovic2010")

@@ -7,30 +7,23 @@ import pytest
 from scipy.integrate import DOP853, solve_ivp
 
 from tmodes.integrate.dop853 import DENSE, ERROR_3, ERROR_5, STAGES, A, C
-from tmodes.integrate.settings import Integration
-from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.model import PaperModel
-from tmodes.simulation.trajectory import integrate
+from tmodes.simulation.plan import Follow
 
-STILL = Schedule(np.array([0.0, 10.0]), np.zeros((1, 3)))
+from .test_integrators import LOSSLESS, STILL, integrated, prepared
+from .test_integrators import plucked as away
 
 
 @pytest.fixture(scope="module")
 def plucked(robot):
     """The arm with its motor held and no losses, away from rest: nothing fast, nothing that jumps."""
-    free = {"motor.friction": 0.0, "gear.damping": 0.0, "link.modes.0.damping_time": 0.0}
-    mechanism, parameters = robot.with_(free).split(Drive.PRESCRIBED, contact=False)
-    model = PaperModel(mechanism)
-    state = model.rest(0.0, parameters)
-    state[:5] += [0.010, 0.03, 0.008, 0.004, -0.03]
+    setup = prepared(robot.with_(LOSSLESS | STILL), Follow.WANTED)
+    state = away(setup)
 
     def run(tolerance, method="dop853", output_step=0.5):
-        settings = Integration(
-            method=method, duration=0.5, output_step=output_step, relative_tolerance=tolerance,
+        return integrated(
+            setup, state, method=method, duration=0.5, output_step=output_step, relative_tolerance=tolerance,
             absolute_tolerance=tolerance * 1e-2,
         )  # fmt: skip
-        return integrate(model, parameters, STILL, state, settings)
 
     return run
 
@@ -76,18 +69,16 @@ def test_order_between_the_steps(plucked):
 
 def test_agrees_with_scipy_at_its_tightest(robot):
     """SciPy's DOP853 on the same right-hand side, from knot to knot, and its dense output."""
-    mechanism, parameters = robot.split(Drive.CONTROLLED, contact=False)
-    model, schedule = PaperModel(mechanism), robot.reference.schedule()
-    state = model.rest(0.0, parameters)
-    settings = Integration(
-        method="dop853", duration=0.6, output_step=1e-2, relative_tolerance=1e-12, absolute_tolerance=1e-15
+    setup = prepared(robot)
+    schedule, state = setup.planned.schedule, setup.start
+    ours = integrated(
+        setup, method="dop853", duration=0.6, output_step=1e-2, relative_tolerance=1e-12, absolute_tolerance=1e-15
     )
-    ours = integrate(model, parameters, schedule, state, settings)
     for start, end in ((0.0, 0.4), (0.4, 0.6)):
-        row = schedule.rows_at([start])[0]
+        row = schedule.rows_at(np.array([start]))[0]
         inside = (ours.times > start) & (ours.times <= end)
         done = solve_ivp(
-            lambda t, y, row=row: model.rate([t], y, row, parameters)[0], (start, end), state, "DOP853",
+            lambda t, y, row=row: setup.model.rate([t], y, row)[0], (start, end), state, "DOP853",
             ours.times[inside], rtol=1e-12, atol=1e-15,
         )  # fmt: skip
         state = done.y[:, -1]
@@ -100,12 +91,8 @@ def test_samples_are_as_good_as_the_steps_where_stability_holds_the_step(robot):
     Without that the rates between steps are off by 1e5 tolerances here (SciPy's are too).
     """
     runs = {}
+    setup = prepared(robot)
     for method, tolerance in (("dop853", 1e-8), ("dormand_prince", 1e-12)):
         change = {"method": method, "relative_tolerance": tolerance, "absolute_tolerance": tolerance * 1e-3}
-        sheet = robot.with_({f"integration.{name}": value for name, value in change.items()})
-        mechanism, parameters = sheet.split(Drive.CONTROLLED, contact=False)
-        model = PaperModel(mechanism)
-        settings = sheet.integration.model_copy(update={"duration": 0.6})
-        start = model.rest(0.0, parameters)
-        runs[method] = integrate(model, parameters, sheet.reference.schedule(), start, settings).states[:, :12]
+        runs[method] = integrated(setup, duration=0.6, **change).states[:, :12]
     assert np.abs(runs["dop853"] - runs["dormand_prince"]).max() < 3e-7

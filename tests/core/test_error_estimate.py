@@ -6,8 +6,7 @@ import numpy as np
 import pytest
 
 import tmodes
-from tmodes.paper.mechanism import Drive
-from tmodes.paper.regime import run_paper
+from tmodes.simulation.start import run_setup, run_trajectory
 
 TIGHT = {"relative_tolerance": 1e-13, "absolute_tolerance": 1e-16}
 
@@ -17,7 +16,7 @@ def with_settings(robot, **changes):
 
 
 def trajectory(robot, **changes):
-    return run_paper(with_settings(robot, **changes), Drive.CONTROLLED).trajectory
+    return run_trajectory(run_setup(with_settings(robot, **changes)))
 
 
 def sizes(run, exact):
@@ -53,7 +52,7 @@ def test_local_errors_bound_a_stable_motion(robot, exact, method, tolerance):
         {"method": "rk4", "step": 1e-4, "check_error": True},
     ],
 )
-def test_second_runs_tell_the_error_itself(robot, exact, changes):
+def test_second_runs_give_the_error_itself(robot, exact, changes):
     """By tolerances ten times smaller, or steps twice as long or half: right within a factor of three."""
     run = trajectory(robot, **changes)
     true, info, signed = sizes(run, exact)
@@ -71,8 +70,8 @@ def test_no_estimate_from_a_run_that_is_lost(robot):
 
 def test_estimate_interrupted(robot):
     """Ctrl-C in the second run: the run counts as interrupted, so that the same command continues."""
-    from tmodes.simulation.error_estimate import with_error
-    from tmodes.simulation.trajectory import Trajectory
+    from tmodes.simulation.parts import Trajectory
+    from tmodes.simulation.trajectory import with_error
 
     done = Trajectory(np.zeros(1), np.zeros((1, 2)), "finished", "reached the end")
     cut = Trajectory(np.zeros(1), np.zeros((1, 2)), "interrupted", "interrupted")

@@ -7,35 +7,48 @@ import pytest
 from scipy.integrate import RK45, solve_ivp
 
 from tmodes.integrate.dormand_prince import B_ERROR, DENSE, A, C
-from tmodes.kinds.signals.schedule import Schedule
-from tmodes.paper.mechanism import Drive, Reading
-from tmodes.paper.model import PaperModel
-from tmodes.simulation.trajectory import integrate, sample_times
+from tmodes.simulation.parts import sample_times
+from tmodes.simulation.plan import Follow
+from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.trajectory import integrate
 
 LOSSLESS = {
     "motor.friction": 0.0, "gear.damping": 0.0, "link.modes.0.damping_time": 0.0, "link.modes.1.damping_time": 0.0,
 }  # fmt: skip
-STILL = Schedule(np.array([0.0, 10.0]), np.zeros((1, 3)))
+STILL = {"reference.end": 0.0, "reference.duration": 200.0}
+"""A motor that stands, where it follows its reference."""
 
 
 def setting(robot, **changes):
-    if "method" in changes:
-        changes["method"] = changes["method"]
     return robot.integration.model_copy(update=changes)
 
 
-def plucked(model, parameters):
-    """A state of the locked arm well away from rest."""
-    state = model.rest(0.0, parameters)
-    state[:5] += [0.010, 0.03, 0.008, 0.004, -0.03]
+def prepared(robot, follow=Follow.SHEET, *, reading="consistent", contact=False) -> RunSetup:
+    return run_setup(robot.with_({"reading": reading, "contact": contact}), follow)
+
+
+def plucked(setup):
+    """The state of the locked arm well away from rest: joint, then bending angles."""
+    state = setup.start.copy()
+    state[setup.model.layout.q] += [0.0, 0.008, 0.002, 0.029, 0.004, -0.032]
     return state
 
 
-def run(robot, drive=Drive.CONTROLLED, schedule=None, state=None, reading=None, contact=False, **changes):
-    mechanism, parameters = robot.split(drive, reading=reading, contact=contact)
-    model = PaperModel(mechanism)
-    state = model.rest(0.0, parameters) if state is None else state(model, parameters)
-    return integrate(model, parameters, schedule or robot.reference.schedule(), state, setting(robot, **changes))
+def integrated(setup, state=None, **changes):
+    settings = setting(setup.arm, **changes)
+    state = setup.start if state is None else state
+    return integrate(setup.model, setup.model.numbers, setup.planned.schedule, state, settings)
+
+
+def run(robot, *, contact=False, reading="consistent", **changes):
+    return integrated(prepared(robot, reading=reading, contact=contact), **changes)
+
+
+def energies(setup, done):
+    """All energy of a robot at the samples of its run [J]."""
+    layout = setup.model.layout
+    found = setup.mechanics.energies(done.states[:, layout.q], done.states[:, layout.v])
+    return np.sum([*found.values()], axis=0)
 
 
 def slope(steps, errors):
@@ -72,12 +85,11 @@ def test_dormand_prince_tableau():
     assert np.allclose(np.array(DENSE), RK45.P, atol=1e-15)
 
 
-@pytest.mark.parametrize("reading", list(Reading))
+@pytest.mark.parametrize("reading", ["printed", "consistent"])
 @pytest.mark.parametrize(("method", "order"), [("rk4", 4), ("dormand_prince", 4), ("dop853", 5)])
 def test_energy_without_losses(robot, reading, method, order):
     """Locked motor, no loss: energy drifts only by the integrator, and the drift falls at least at its order."""
-    quiet = robot.with_(LOSSLESS)
-    mechanism, parameters = quiet.split(Drive.PRESCRIBED, reading=reading, contact=False)
+    setup = prepared(robot.with_(LOSSLESS | STILL), Follow.WANTED, reading=reading)
     drifts, counts = [], []
     for level in (1, 2, 4):
         change: dict = {
@@ -85,10 +97,8 @@ def test_energy_without_losses(robot, reading, method, order):
             "relative_tolerance": 1e-5 / level**5,
             "absolute_tolerance": 1e-9 / level**5,
         }
-        one = run(quiet, Drive.PRESCRIBED, STILL, plucked, reading, method=method, duration=1.0, **change)
-        energy = PaperModel(mechanism).evaluate(
-            one.states[:, :6], one.states[:, 6:12], np.zeros(len(one.times)), parameters
-        )["energy"]
+        one = integrated(setup, plucked(setup), method=method, duration=1.0, **change)
+        energy = energies(setup, one)
         drifts.append(np.abs(energy - energy[0]).max() / abs(energy[0]))
         counts.append(one.statistics["steps"])
     assert slope(counts, drifts) < -order + 0.3
@@ -107,14 +117,13 @@ def test_chunks_change_no_bit(robot, monkeypatch, method):
 @pytest.mark.parametrize("method", ["rk4", "dormand_prince", "dop853"])
 def test_agrees_with_scipy(robot, method):
     """The same right-hand side through SciPy's DOP853, restarted at the jumps, at tight tolerance."""
-    mechanism, parameters = robot.split(Drive.CONTROLLED)
-    model, schedule = PaperModel(mechanism), robot.reference.schedule()
-    state = model.rest(0.0, parameters)
+    setup = prepared(robot, contact=True)
+    schedule, state = setup.planned.schedule, setup.start
     for start, end in zip(schedule.knots[:-1], schedule.knots[1:], strict=True):
-        row = schedule.rows_at([start])[0]
+        row = schedule.rows_at(np.array([start]))[0]
 
         def rate(t, y, row=row):
-            return model.rate([t], y, row, parameters)[0]
+            return setup.model.rate([t], y, row)[0]
 
         state = solve_ivp(rate, (start, end), state, method="DOP853", rtol=1e-10, atol=1e-13).y[:, -1]
     ours = run(robot, contact=True, method=method, step=2 / 75000)
@@ -165,29 +174,25 @@ def test_limits_stop_a_run(robot):
 
 def test_interruption_keeps_what_was_done(robot):
     """Ctrl-C ends a run with its samples so far."""
-    mechanism, parameters = robot.split(Drive.CONTROLLED, contact=False)
-    model = PaperModel(mechanism)
+    setup = prepared(robot)
 
     def press(share):
         if share > 0.2:
             raise KeyboardInterrupt
 
-    one = integrate(
-        model, parameters, robot.reference.schedule(), model.rest(0.0, parameters), robot.integration, press
-    )
+    numbers, settings = setup.model.numbers, robot.integration
+    one = integrate(setup.model, numbers, setup.planned.schedule, setup.start, settings, press)
     assert one.status == "interrupted"
     assert 400 < len(one.times) < 2001
     assert np.array_equal(one.states, run(robot).states[: len(one.times)])
 
 
-def test_a_killed_run_goes_on_with_the_same_bytes(robot, tmp_path):
+def test_a_killed_run_continues_with_the_same_bytes(robot, tmp_path):
     """A journal of a run that died, at any piece, gives the bytes of a run that did not."""
     from tmodes.io.journal import RunJournal
 
     whole = run(robot, duration=1.0)
-    mechanism, parameters = robot.split(Drive.CONTROLLED, contact=False)
-    model, schedule = PaperModel(mechanism), robot.reference.schedule()
-    start, settings, one = model.rest(0.0, parameters), setting(robot, duration=1.0), None
+    setup, settings, one = prepared(robot), setting(robot, duration=1.0), None
     for _ in range(40):
         journal = RunJournal(tmp_path / "log", "this run", seconds=0.0)
         pieces = iter(range(2))
@@ -197,7 +202,9 @@ def test_a_killed_run_goes_on_with_the_same_bytes(robot, tmp_path):
                 raise MemoryError
 
         try:
-            one = integrate(model, parameters, schedule, start, settings, die, journal)
+            one = integrate(
+                setup.model, setup.model.numbers, setup.planned.schedule, setup.start, settings, die, journal
+            )
         except MemoryError:
             continue
         finally:

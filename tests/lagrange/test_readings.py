@@ -1,63 +1,16 @@
-"""Both readings of the 2010 paper as systems of energies: the sample states of another program, and each other."""
+"""Both readings of the 2010 paper as systems of energies: whole loops, implicit steps, linearisation."""
 
 from __future__ import annotations
-
-from typing import Any
 
 import numpy as np
 import pytest
 
-from lagrange.robot2010 import STATES, TO_PAPER, TO_ROBOT, P, chain, plan
+from lagrange.robot2010 import chain, close, plan
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.model.model import Model
 from tmodes.simulation.loop import LoopModel
 
 READINGS = ("printed", "consistent")
-
-
-def close(found: Any, expected: Any, digits: float = 1e-9) -> None:
-    """Equal to ``digits`` of the largest entry."""
-    expected = np.asarray(expected)
-    assert np.abs(np.asarray(found) - expected).max() <= digits * max(np.abs(expected).max(), 1e-12)
-
-
-def states(reading: str, case: str) -> list[Any]:
-    return STATES["readings"][reading][case]
-
-
-@pytest.mark.parametrize("case", ["free", "contact"])
-@pytest.mark.parametrize("reading", READINGS)
-def test_terms_are_those_of_the_sample_states(reading: str, case: str) -> None:
-    model = Model(chain(reading))
-    for state in states(reading, case):
-        phid = np.array(state["phid"])
-        z, v = TO_ROBOT @ np.array(state["phi"]), TO_ROBOT @ phid
-        close(TO_ROBOT.T @ model.mass_matrix(z) @ TO_ROBOT, state["H"])
-        close(TO_ROBOT.T @ model.bias(z, v), state["h"])
-        # The motor's friction is a force of its drive here, a part of the input Q there.
-        friction = np.eye(6)[5] * P["Bm"] * phid[5]
-        close(TO_ROBOT.T @ model.elastic_forces(z, v), np.add(state["f_el"], state["f_di"]) + friction)
-        close(model.pose(z)[0][0], state["tip"])
-        close(model.jacobian(z)[0][:3] @ TO_ROBOT, state["J"])
-        energies = model.energies(z, v)
-        close(energies["kinetic"], state["kinetic"])
-        close(energies["gravity"], state["potential_gravity"])
-        close(energies["elastic_gear"] + energies["elastic_link"], state["potential_elastic"])
-        close(model.power_lost(z, v), 2 * state["rayleigh"] + P["Bm"] * phid[5] ** 2)
-
-
-@pytest.mark.parametrize("case", ["free", "contact"])
-@pytest.mark.parametrize("reading", READINGS)
-def test_accelerations_and_force_are_those_of_the_sample_states(reading: str, case: str) -> None:
-    model = LoopModel(plan(reading, contact=case == "contact"))
-    for state in states(reading, case):
-        z, v = (TO_ROBOT @ np.array(state[name]) for name in ("phi", "phid"))
-        instant = np.zeros(1), np.concatenate([z, v, np.zeros(7)]), np.array([0.0, state["u"]])
-        close(TO_PAPER @ model.rate(*instant)[0][6:12], state["phidd"])
-        seen = model.observe(*instant)
-        close(TO_PAPER @ seen["a"][0], state["phidd"])
-        if case == "contact":
-            close(seen["contact"][0, :3], state["F_tip_on_environment"])
 
 
 @pytest.mark.parametrize("contact", [False, True])

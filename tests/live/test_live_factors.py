@@ -76,4 +76,4 @@ def test_the_studio_offers_them_all_the_same() -> None:
 
     arm = pushed()
     info = info_sliders(arm, json.loads(json.dumps(sheet_data(arm))))
-    assert any("real over known" in one["label"] for one in info)
+    assert any("actual / nominal" in one["label"] for one in info)

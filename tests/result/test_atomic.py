@@ -127,7 +127,7 @@ import os, random, signal, sys, time
 from pathlib import Path
 from result.synthetic import synthetic_result
 from tmodes.io import resultfile
-from tmodes.result.record import PaperResult
+from tmodes.result import Result
 path, random = Path(sys.argv[1]), random.Random(5)
 results = [synthetic_result(samples=1000 + 50 * k) for k in (0, 1)]
 for result in results:
@@ -149,7 +149,7 @@ for _ in range(20):
     os.kill(child, signal.SIGKILL)
     os.waitpid(child, 0)
     os.close(reader), os.close(writer)
-    back = PaperResult.load(path)
+    back = Result.load(path)
     which = results[back.data.sizes["time"] != 1000]
     assert back.data.identical(which.data), back
     orphans = len(list(path.parent.glob(".tmodes-*.tmp")))

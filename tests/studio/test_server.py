@@ -10,7 +10,6 @@ import numpy as np
 import pytest
 
 import tmodes
-from tmodes.result.record import PaperResult
 from tmodes.robots.load import sheet_names
 
 
@@ -70,7 +69,7 @@ def test_a_run_is_the_run_of_the_command_line(studio, sheet, tmp_path):
     (tmp_path / "other.nc").write_bytes(content)
     here = tmodes.run(tmodes.load("filipovic2010").with_({"payload.mass": 0.7}))
     assert content == here.save(tmp_path / "here.nc").read_bytes()
-    assert np.array_equal(PaperResult.load(tmp_path / "other.nc").data["tip"], here.data["tip"])
+    assert np.array_equal(tmodes.Result.load(tmp_path / "other.nc").data["tip"], here.data["tip"])
 
 
 def test_a_run_that_cannot_start_says_why(studio, sheet):

@@ -19,7 +19,7 @@ from tmodes.compile.ir import kernels
 from tmodes.compile.ir.arithmetic import Wide
 from tmodes.equations.recursion.forward import forward_dynamics
 from tmodes.model.model import Model
-from tmodes.simulation.batch.memory import private
+from tmodes.simulation.batch.side_by_side import private
 
 __all__ = ["LANES", "SAMPLES", "Ours", "cores"]
 

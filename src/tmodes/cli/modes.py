@@ -25,6 +25,7 @@ _UNITS = {
     "growth_time_s": "s, in which an unstable mode grows by the factor e",
     "frequency_error": "1, over the frequency with two more functions a direction, less 1; null: not known",
     "angle_rad": "rad",
+    "poles": "1/s, real and imaginary part, of all eigenvalues under control",
     "missing_share": "1, of the energy of bending, in shapes that the link's functions do not have",
 }
 
@@ -68,7 +69,8 @@ def modes(
         states = {kind: one.states for kind, one in found.items()}
         links, warnings = ({kind: one[k] for kind, one in found.items()} for k in (1, 2))
         head = {"robot": arm.name, "equations": arm.equations, "contact": contact, "units": _UNITS}
-        print_json({**head, **states, "links": links, "warnings": warnings})
+        poles = {kind: one.poles for kind, one in found.items()}
+        print_json({**head, **states, "poles": poles, "links": links, "warnings": warnings})
         return
     for kind, one in found.items():
         whose = "" if len(found) == 1 else ", actual robot" if kind == "real" else ", nominal robot"

@@ -25,7 +25,7 @@ __all__ = ["MAX_BYTES", "Entry", "clear", "entries", "folder", "judged", "load",
 MAX_BYTES = 256 * 2**20
 """Size of the cache above which the entries not used for the longest time go."""
 
-_SOURCES = ("chain", "compile", "equations", "kinds", "paper", "sheet")
+_SOURCES = ("chain", "compile", "equations", "kinds", "sheet")
 
 _HEAD = b"tmodes compiled code, layout 1\n"
 """First line of an entry; entries of another layout are made again."""
@@ -77,7 +77,7 @@ def save(key: str, binary: bytes) -> None:
     if entry is None:
         return
     try:
-        with atomic_write(entry) as temporary:
+        with atomic_write(entry, durable=False) as temporary:  # a damaged entry is found by its digest, and made again
             temporary.write_bytes(_seal(key, binary) + binary)
         _bound(entry.parent, _START + len(binary))
     except (OSError, ResultFileError):

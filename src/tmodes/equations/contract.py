@@ -101,6 +101,11 @@ class Mechanics(Protocol):
         ...
 
     @property
+    def on_links(self) -> bool:
+        """Whether the chain's links are the robot's own, so that the recursion gives the places along them."""
+        ...
+
+    @property
     def zeros(self) -> tuple[Slot, ...]:
         """Parameters that are zero whatever the robot's numbers."""
         ...

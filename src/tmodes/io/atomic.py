@@ -30,11 +30,12 @@ def file_error(which: object, got: str, expected: str, hint: str) -> ResultFileE
 
 
 @contextmanager
-def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Iterator[Path]:
+def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True, durable: bool = True) -> Iterator[Path]:
     """Give a temporary path next to ``path``; what is written there becomes ``path`` when the block ends well.
 
-    The content is on the disk before the name changes. When the block fails, or the process dies, the old file is
-    untouched. A symbolic link is followed: the file it names is replaced, not the link.
+    The content is on the disk before the name changes; not where it is not to be ``durable``, because what is read back
+    is checked and can be made again. When the block fails, or the process dies, the old file is untouched. A symbolic
+    link is followed: the file it names is replaced, not the link.
 
     Raises :class:`ResultFileError` when it cannot be written, or exists (even since just now) and ``overwrite`` is
     False.
@@ -43,14 +44,16 @@ def atomic_write(path: str | os.PathLike[str], *, overwrite: bool = True) -> Ite
     try:
         with _temporary(target.parent) as temporary:
             yield temporary
-            _flush(temporary, os.O_RDWR)
+            if durable:
+                _flush(temporary, os.O_RDWR)
             (Path.replace if overwrite else _claim)(temporary, target)
     except FileExistsError as error:
         raise file_error(path, "a file that exists", "a new name", "choose another name, or overwrite=True") from error
     except OSError as error:
         raise _cannot_write(path, error) from error
-    with suppress(OSError):  # Windows and some file systems know no such call for a folder
-        _flush(target.parent, os.O_RDONLY)
+    if durable:
+        with suppress(OSError):  # Windows and some file systems know no such call for a folder
+            _flush(target.parent, os.O_RDONLY)
 
 
 def real_path(path: str | os.PathLike[str]) -> Path:

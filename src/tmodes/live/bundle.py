@@ -36,19 +36,19 @@ def why_not_live(result: Result) -> str:
         return f"the run did not reach its end: {result.message}"
     if "mean_step_s" not in result.statistics["real"]:
         return "its controller is a Python function"
-    settings = result.arm.integration
+    settings = result.robot.integration
     if settings.stop or settings.energy_stop or settings.stop_at_limits:
         return "it ends by a condition, which is detected natively"
     if json.loads(result.data.attrs["robot_real"])["real"]:
         return "its actual robot has factors of its own"
-    return why_not_mechanics(result.arm)
+    return why_not_mechanics(result.robot)
 
 
 def live_bundle(result: Result) -> dict[str, Any] | None:
     """The bundle of a run, for :func:`tmodes.report.pack.pack`; None where :func:`why_not_live` gives a reason."""
     if why_not_live(result):
         return None
-    pair, method = result.arm.pair(), result.statistics["real"]["method"]  # of several, the last one
+    pair, method = result.robot.pair(), result.statistics["real"]["method"]  # of several, the last one
     settings = pair.real.integration
     places = load_places(settings.line_points)
     stations = tuple(places[evenly(len(places), _MOST_STATIONS)].tolist())

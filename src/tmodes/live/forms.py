@@ -86,17 +86,26 @@ class Form:
     def at(self, values: Mapping[int, float]) -> Array:
         """The vector at values of some variables."""
         found = self.base.copy()
+        here = [values.get(k, one.start) for k, one in enumerate(self.ranges)]
         for entry, powers in self.products.items():
             for k, p in powers:
-                start = self.ranges[k].start
-                found[entry] *= (values.get(k, start) / start) ** p
+                found[entry] *= (here[k] / self.ranges[k].start) ** p
         for entry, terms in self.sums.items():
             for coefficient, powers in terms:
-                found[entry] += coefficient * float(np.prod([self._share(k, p, values) for k, p in powers]))
+                found[entry] += coefficient * float(np.prod([_share(self.ranges[k], p, here[k]) for k, p in powers]))
         return found
 
-    def _share(self, k: int, p: int, values: Mapping[int, float]) -> float:
-        return _share(self.ranges[k], p, values.get(k, self.ranges[k].start))
+    def acting(self, start: int, stop: int) -> set[int]:
+        """Variables, by their index, that change one of these numbers."""
+        each = [powers for entry, powers in self.products.items() if start <= entry < stop]
+        each += [powers for entry, terms in self.sums.items() if start <= entry < stop for _, powers in terms]
+        return {k for powers in each for k, _ in powers}
+
+    def first(self, count: int) -> Form:
+        """The form of so many numbers alone."""
+        products = {entry: powers for entry, powers in self.products.items() if entry < count}
+        sums = {entry: terms for entry, terms in self.sums.items() if entry < count}
+        return Form(self.base[:count], self.ranges, products, sums)
 
     def info(self) -> dict[str, Any]:
         """As plain data with arrays: what ``web/src/live/map.ts`` evaluates."""
@@ -231,19 +240,11 @@ class _Fit:
             return alone
         if len(powers) > _MOST_TOGETHER:
             raise Unfit({max(k for k, _ in powers): _ENTANGLED})
-        mixed = [
-            (self._change(entry, group), group)
-            for count in range(2, len(powers) + 1)
-            for group in combinations(powers, count)
-        ]
+        groups = [group for count in range(2, len(powers) + 1) for group in combinations(powers, count)]
+        mixed = [(self._change(entry, group), group) for group in groups]
         return [*alone, *((change, group) for change, group in mixed if abs(change) > _SAME * size)]
 
     def _change(self, entry: int, group: Powers) -> float:
         names = [k for k, _ in group]
-        return float(
-            sum(
-                (-1) ** (len(names) - count) * self.far(frozenset(part))[entry]
-                for count in range(len(names) + 1)
-                for part in combinations(names, count)
-            )
-        )
+        parts = [part for count in range(len(names) + 1) for part in combinations(names, count)]
+        return float(sum((-1) ** (len(names) - len(part)) * self.far(frozenset(part))[entry] for part in parts))

@@ -23,6 +23,7 @@ from tmodes.live.module import Functions, LiveModule
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
 from tmodes.sheet import RobotPair
+from tmodes.sheet.robot import RECURSION
 from tmodes.simulation.plan import Follow, Planned, planned
 
 __all__ = ["ModelFunctions", "live_module", "needed_for", "stationed"]
@@ -58,10 +59,17 @@ class ModelFunctions:
 
     @cached_property
     def passes(self) -> dict[str, ArmPasses]:
-        """The passes over the real ``chain``, and over the one with a point at each station (``pose``)."""
+        """The passes over the real ``chain``, and over the one with a point at each station (``pose``).
+
+        Of a robot that is stated by its energies alone, ``pose`` has the points of the statement.
+        """
         chain = self.pair.real.model_copy(update={"drives": ()}).chain()
         passes = {"chain": Model(chain).passes}
-        return passes if self.places else passes | {"pose": ArmPasses(mechanics(stationed(chain, self.stations)))}
+        if self.places:
+            return passes
+        if passes["chain"].mechanics.on_links:
+            chain = replace(stationed(chain, self.stations), equations=RECURSION)
+        return passes | {"pose": ArmPasses(mechanics(chain))}
 
     @cached_property
     def lines(self) -> Lines | None:

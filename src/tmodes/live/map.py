@@ -127,10 +127,7 @@ def _offered(pair: RobotPair, knobs: Sequence[Knob]) -> tuple[list[Slider], dict
 
 def _idle(sliders: Sequence[Slider], used: list[int], forms: Mapping[str, Form]) -> list[Slider]:
     """Sliders that change no number of any run."""
-    acting: dict[str, set[int]] = {}
-    for name, form in forms.items():
-        powers = [*form.products.values(), *(part for terms in form.sums.values() for _, part in terms)]
-        acting[name] = {k for part in powers for k, _ in part}
+    acting = {name: form.acting(0, len(form.base)) for name, form in forms.items()}
     real = set().union(*(own for name, own in acting.items() if name != "reference"))
     every = real | acting.get("reference", set())
     return [slider for slider in sliders if used.index(slider.knob) not in (real if slider.real else every)]

@@ -16,14 +16,14 @@ export interface RunResult {
   message: string;
   times: Float64Array; // [n] s
   states: Float64Array; // [n, size], row by row
-  /** Sums of the sizes of the local errors [n, size]; zeros of methods that do not tell them. */
+  /** Sums of the sizes of the local errors [n, size]; zeros of methods that do not estimate them. */
   errors: Float64Array;
   statistics: Record<string, number | string | null>;
 }
 
 /** What a run is to have other than described. */
 export interface Changes {
-  /** By name where the robot's numbers have names (`model.parameters()`), else all of them. */
+  /** Numbers of the data sheet by name (`model.parameters()`), or all numbers of the equations. */
   parameters?: Record<string, number> | ArrayLike<number>;
   /** The first state; it is not searched again where numbers change. */
   state?: ArrayLike<number>;
@@ -46,8 +46,8 @@ export class Model {
   readonly coordinates: string[];
   /** Names of the runs. */
   readonly runs: string[];
-  /** The numbers of a run by their names; empty where they have none. */
-  parameters(run?: string): Record<string, number>;
+  /** Numbers of the data sheet that may be changed, by their paths; `real:` is actual over nominal. */
+  parameters(): Record<string, number>;
   /** Run from the described state; a long run lets the page go on meanwhile. Raises Cancelled, EngineError. */
   run(run?: string, changes?: Changes, watch?: Watch): Promise<RunResult>;
   /** What is observed of a run at its samples, by name: [n, numbers], row by row. */

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.modes.modes import MOST_WHOLE, MotorState, moving_coordinates
-from tmodes.analysis.modes.of_sheet import servos_of
+from tmodes.analysis.modes.modes import MotorState, moving_coordinates
+from tmodes.analysis.modes.of_sheet import local_servos
+from tmodes.analysis.modes.shapes import MOST_WHOLE
 from tmodes.analysis.quasistatic import gross_motion, sprung
 from tmodes.analysis.statics.compliance import spring_rows
 from tmodes.analysis.statics.equilibrium import Equilibrium
@@ -38,7 +39,7 @@ def vibration_numbers(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Arr
     stiffness, damping, preload = (sheet and sheet.spring()) or (0.0, 0.0, 0.0)
     touch = [sheet.moving_mass, damping, stiffness, preload] if sheet and sheet.spring() else []
     return {
-        "servos": np.array([*servos_of(arm, model).values()], dtype=float).reshape(-1, 2),
+        "servos": np.array([*local_servos(arm, model).values()], dtype=float).reshape(-1, 2),
         "loads": np.array([load.wrench for load in plan.loads], dtype=float).reshape(-1, 6),
         "touch": np.array(touch, dtype=float),
     }
@@ -72,7 +73,7 @@ def _modes(arm: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
         return None, str(error)
     if rest.model.coordinates != model.coordinates:
         return None, "its modes have other coordinates than its run"
-    servos = servos_of(arm, rest.model)
+    servos = local_servos(arm, rest.model)
     names = list(model.coordinates)
     gears, links = spring_rows(rest.model)
     springs = [{"element": name, "rows": [angle], "gear": True} for name, angle in gears.items()]

@@ -5,8 +5,9 @@ from __future__ import annotations
 import base64
 import html
 import json
+import math
 import re
-from collections.abc import Mapping
+from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
 from pathlib import Path
 from typing import Any
@@ -18,8 +19,9 @@ from tmodes.integrate.settings import Integration
 from tmodes.io.atomic import file_error
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.live.functions import ModelFunctions, live_module
+from tmodes.live.map import live_map
 from tmodes.live.module import LiveModule
-from tmodes.sheet import Robot
+from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import run_setup
 
@@ -60,8 +62,9 @@ def exported(sheet: Robot, name: str, program: Path = _PROGRAM) -> Exported:
     }, description)  # fmt: skip
 
 
-def _described(arm: Robot) -> tuple[LiveModule, dict[str, Any]]:
-    pair, functions = arm.pair(), ModelFunctions(arm.pair(), _STATIONS)
+def _described(robot: Robot) -> tuple[LiveModule, dict[str, Any]]:
+    pair = robot.pair()
+    functions = ModelFunctions(pair, _STATIONS)
     follows = {"reference": (pair.nominal, Follow.WANTED), "real": (pair.real, Follow.SHEET)}
     runs = {}
     regime = run_setup(pair.real)
@@ -69,9 +72,11 @@ def _described(arm: Robot) -> tuple[LiveModule, dict[str, Any]]:
         if name in functions.loops:
             which, follow = follows[name]
             moved = run_setup(which, follow)
-            runs[name] = _run(moved.model.numbers.vector, moved.planned.schedule, moved.start, which.integration)
+            runs[name] = _run(moved.planned.schedule, moved.start, which.integration)
+    base = functions.passes["chain"].at_rest(gravity=0.0)
     info = _settings(pair.real.integration, regime.spectrum.highest)
-    return live_module(functions, [info["method"]], slopes=False), info | {"runs": runs}
+    info |= {"runs": runs, "base": base.tolist()} | _named(pair, [*runs])
+    return live_module(functions, [info["method"]], slopes=False), info
 
 
 def _settings(given: Integration, highest: float) -> dict[str, Any]:
@@ -85,10 +90,39 @@ def _settings(given: Integration, highest: float) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _run(parameters: Any, schedule: Schedule, state: Any, settings: Integration) -> dict[str, list[float]]:
+def _named(pair: RobotPair, runs: Sequence[str]) -> dict[str, Any]:
+    """Numbers of the sheet that enter the parameters of the runs and no signal of them, and how they do."""
+    live, forms = live_map(pair), {}
+    entering, moving = set[int](), set[int]()
+    for name in runs:
+        form, places = live.forms[name], live.places[name]
+        ends = {block: (one["start"], one["start"] + math.prod(one["shape"])) for block, one in places.items()}
+        entering |= form.acting(*ends["parameters"])
+        last = ends["chain"][1]
+        for block, place in ends.items():
+            if block.startswith(("knots", "coefficients")):
+                moving |= form.acting(*place)
+        known = {block: places[block] for block, (_, end) in ends.items() if end <= last}
+        forms[name] = form.first(last).info() | {"places": known}
+    kept = [slider for slider in live.sliders if slider.knob in entering - moving]
+    sliders = [{"knob": slider.knob, "real": slider.real} for slider in kept]
+    info = live.info() | {"sliders": sliders, "runs": forms}
+    return {"named": {slider.path: slider.value for slider in kept}, "map": _plain(info)}
+
+
+def _plain(value: Any) -> Any:
+    """Arrays as ``Numbers`` of ``web/src/pack.ts``, for JSON."""
+    if isinstance(value, np.ndarray):
+        return {"data": value.ravel().tolist(), "shape": list(value.shape)}
+    if isinstance(value, dict):
+        return {key: _plain(one) for key, one in value.items()}
+    return [_plain(one) for one in value] if isinstance(value, list) else value
+
+
+def _run(schedule: Schedule, state: Any, settings: Integration) -> dict[str, list[float]]:
     signals = schedule.until(settings.duration)
     rows = np.column_stack([signals.knots[:-1], signals.coefficients])
-    arrays = {"parameters": parameters, "knots": signals.knots, "rows": rows, "state": state}
+    arrays = {"knots": signals.knots, "rows": rows, "state": state}
     return {name: np.asarray(values, dtype=float).ravel().tolist() for name, values in arrays.items()}
 
 

@@ -6,6 +6,7 @@ those that a result can fill, ``left_out`` the reasons of the others; ``register
 
 from tmodes.plot.contract import Figure
 from tmodes.plot.figures.contact_force import ContactForce
+from tmodes.plot.figures.controller_states import ControllerStates
 from tmodes.plot.figures.deformations import Deformations
 from tmodes.plot.figures.elastic_line import ElasticLine
 from tmodes.plot.figures.energies import Energies
@@ -28,6 +29,7 @@ __all__ = [
     "Figure",
     "all_figures",
     "contact_force",
+    "controller_states",
     "deformations",
     "drawings",
     "elastic_line",
@@ -61,5 +63,6 @@ link_deflection = register(LinkDeflection())
 spectrum = register(Spectrum())
 link_loads = register(LinkLoads())
 joint_efforts = register(JointEfforts())
+controller_states = register(ControllerStates())
 contact_force = register(ContactForce())
 energies = register(Energies())

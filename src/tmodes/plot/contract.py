@@ -13,7 +13,7 @@ if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
     from tmodes.plot.panels import AxesLike
-    from tmodes.result.record import RunRecord
+    from tmodes.result.result import Result
 
 __all__ = ["Figure"]
 
@@ -45,7 +45,7 @@ class Figure(ABC):
         reasons = (reason for name, reason in self.needs.items() if name not in data and name not in data.dims)
         return next(reasons, "")
 
-    def __call__(self, result: RunRecord, ax: AxesLike = None, **options: Any) -> list[Axes]:
+    def __call__(self, result: Result, ax: AxesLike = None, **options: Any) -> list[Axes]:
         """The axes of the figure; ``options`` are those of its :meth:`draw`.
 
         Raises :class:`tmodes.errors.InputError` where :meth:`missing` gives a reason.

@@ -18,7 +18,7 @@ from tmodes.plot.save import FORMATS, Drawing
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-    from tmodes.result.record import RunRecord
+    from tmodes.result.result import Result
 
 __all__ = ["all_figures", "drawings", "left_out", "save_figures"]
 
@@ -30,24 +30,24 @@ def _say_nothing(done: int, total: int, name: str) -> None:
     del done, total, name
 
 
-def all_figures(result: RunRecord) -> dict[str, Callable[..., list[Axes]]]:
+def all_figures(result: Result) -> dict[str, Callable[..., list[Axes]]]:
     """The figures that this result can fill: name -> callable that draws it, ``all_figures(result)["spectrum"]()``."""
     return {name: partial(figure, result) for name, figure in FIGURES.items() if not figure.missing(result.data)}
 
 
-def left_out(result: RunRecord) -> dict[str, str]:
+def left_out(result: Result) -> dict[str, str]:
     """The figures that this result cannot fill: name -> why."""
     reasons = {name: figure.missing(result.data) for name, figure in FIGURES.items()}
     return {name: reason for name, reason in reasons.items() if reason}
 
 
-def drawings(result: RunRecord) -> dict[str, Drawing]:
+def drawings(result: Result) -> dict[str, Drawing]:
     """The figures of :func:`all_figures` as drawings that keep their bytes: pass them to several writers."""
     return {name: Drawing(draw) for name, draw in all_figures(result).items()}
 
 
 def save_figures(
-    result: RunRecord,
+    result: Result,
     folder: Path | str,
     formats: Sequence[str] = ("svg", "png"),
     progress: Callable[[int, int, str], None] | None = None,

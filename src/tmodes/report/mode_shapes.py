@@ -47,6 +47,7 @@ def modes_of(result: Result) -> list[dict[str, Any]]:
 
 
 def _modes(result: Result) -> list[dict[str, Any]]:
+    from tmodes.analysis.modes.closed_loop import feedback_of
     from tmodes.analysis.modes.modes import arm_modes
     from tmodes.analysis.modes.of_sheet import servos_of
     from tmodes.analysis.statics.rest import arm_rest
@@ -55,9 +56,10 @@ def _modes(result: Result) -> list[dict[str, Any]]:
     rest = arm_rest(arm, contact=arm.contact is not None)
     drawn = drawn_links(result.data)
     names = [*drawn, *carriers(result.data, rest.model.chain, drawn)]
-    servos, stations, found = servos_of(arm, rest.model), np.linspace(0, 1, _STATIONS), []
+    servos, feedback = servos_of(arm, rest.model), feedback_of(arm, rest)
+    stations, found = np.linspace(0, 1, _STATIONS), []
     for state in _CASES[0 if servos else 1 :]:
-        modes = [(mode, mode.motion) for mode in arm_modes(rest, state, servos) if mode.motion is not None]
+        modes = [(mode, mode.motion) for mode in arm_modes(rest, state, servos, feedback) if mode.motion is not None]
         found += list(_info(str(state), modes, rest.q, lambda q: lines_at(rest.model, names, q, stations)[0]))
     return found
 

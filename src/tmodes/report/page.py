@@ -34,7 +34,7 @@ def page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -
 
     ``live``: whether it holds the robot's equations, to be simulated again in the page.
     """
-    arm = result.arm
+    arm = result.robot
     return document(
         title_of(result, arm.name),
         policy(),

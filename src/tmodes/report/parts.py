@@ -13,7 +13,7 @@ from tmodes.report.picture import picture
 if TYPE_CHECKING:
     from tmodes.plot import Figure
     from tmodes.plot.save import Drawing
-    from tmodes.result.record import RunRecord
+    from tmodes.result.result import Result
 
 __all__ = ["SECTIONS", "document", "figures_section", "rows_of", "section", "status", "title_of", "warnings"]
 
@@ -43,7 +43,7 @@ def document(title: str, policy: str, sections: Mapping[str, str], *content: str
     return f"<!doctype html>\n{tag('html', head, body, lang='en')}\n"
 
 
-def title_of(result: RunRecord, name: str) -> str:
+def title_of(result: Result, name: str) -> str:
     """The title of a run's page; a run that did not finish says so."""
     return name if result.success else f"{result.status.upper()}: {name}"
 
@@ -60,7 +60,7 @@ def _navigation(sections: Mapping[str, str]) -> Markup:
     return tag("nav", tag("ul", *links), aria_label="Sections")
 
 
-def status(result: RunRecord) -> Markup:
+def status(result: Result) -> Markup:
     """How the run ended; a run that did not finish says so where no one can miss it."""
     message = result.message
     if result.success:
@@ -74,7 +74,7 @@ def status(result: RunRecord) -> Markup:
     return tag("div", heading, tag("p", message), tag("p", end), class_="status bad", role="alert")
 
 
-def warnings(result: RunRecord) -> Markup | None:
+def warnings(result: Result) -> Markup | None:
     """What the run has to say about itself; None where that is nothing."""
     if not result.warnings:
         return None

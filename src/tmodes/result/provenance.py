@@ -39,8 +39,7 @@ def move_end(planned: Planned) -> float | None:
     Signals are looked at beyond the end of the run, so that a move that ends there is known to end; noise on what a
     controller receives is no move.
     """
-    noise = {drive.noise for drive in planned.plan.drives}
-    own = [k for k in range(len(planned.each)) if k not in noise]
+    own = [k for k in range(len(planned.each)) if k not in planned.plan.aside]
     if not own:
         return 0.0
     until = float(planned.signals.knots[-1])

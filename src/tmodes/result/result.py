@@ -9,15 +9,16 @@ Dimensions: ``time``, ``coordinate``, ``deformation_kind`` (``joint.gear`` and t
 
 from __future__ import annotations
 
-import json
 import os
 from functools import cached_property
-from typing import TYPE_CHECKING, Any, ClassVar, Self
+from pathlib import Path
+from typing import TYPE_CHECKING, Any, Self
 
 from tmodes import upward
+from tmodes.io.atomic import file_error
+from tmodes.result import record
 from tmodes.result.assemble import Assembly, frequencies_of_sheet
 from tmodes.result.earlier import assembly_2010
-from tmodes.result.record import PaperResult, RunRecord, kind_of
 from tmodes.result.summary import summarise_result
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
@@ -28,19 +29,15 @@ if TYPE_CHECKING:
 __all__ = ["Result", "assemble_result", "load_result"]
 
 
-_EARLIER = "robot"
-"""The kind of the records of the 2010 robot that earlier versions wrote."""
-
-
-class Result(RunRecord):
+class Result:
     """What a run gave: ``result.data["tip"].sel(axis="z")``, ``result.data["q"].sel(coordinate="elbow")``.
 
     What is computed from the trajectories (elastic lines, frequencies, settling, warnings, errors) is computed when it
     is first asked for, and once. A result that was read from a file has it all already.
-    """
 
-    kind: ClassVar[str] = "arm"
-    series: ClassVar[tuple[str, ...]] = (*RunRecord.series, "a", "position")
+    ``timing``: seconds of computing for each simulated second, by the name of each run that was made just now. It is no
+    part of the record and never stored: the same run gives the same bytes, on a slow machine too.
+    """
 
     def __init__(
         self,
@@ -48,7 +45,9 @@ class Result(RunRecord):
         timing: dict[str, float] | None = None,
         assembly: Assembly | None = None,
     ) -> None:
-        super().__init__(data, timing)
+        if data is not None:
+            self.__dict__["data"] = data
+        self.timing = timing or {}
         self._assembly = assembly
 
     @cached_property
@@ -65,22 +64,22 @@ class Result(RunRecord):
     @property
     def status(self) -> str:
         """How the run ended: one of :data:`tmodes.result.record.STATUSES`."""
-        return live.ending[0] if (live := self._live) else self._attribute("status")
+        return live.ending[0] if (live := self._live) else record.text_of(self.data, "status")
+
+    @property
+    def success(self) -> bool:
+        """True when the run reached its end, or a stop condition that it was asked for."""
+        return self.status in record.STATUSES[:2]
 
     @property
     def message(self) -> str:
         """How the run ended, in a sentence."""
-        return live.ending[1] if (live := self._live) else self._attribute("message")
+        return live.ending[1] if (live := self._live) else record.text_of(self.data, "message")
 
     @property
     def robot(self) -> Robot:
         """The robot that ran, as it is known; from a file, rebuilt from its data sheet and checked again."""
         return live.known if (live := self._live) else self._sheet("robot")
-
-    @property
-    def arm(self) -> Robot:
-        """The same as ``robot``."""
-        return self.robot
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
@@ -91,7 +90,7 @@ class Result(RunRecord):
         if live := self._live:
             return live.frequencies
         if "frequencies" in self.data.attrs:
-            return self._json("frequencies")
+            return record.from_json(self.data, "frequencies")
         return self._frequencies_again
 
     @cached_property
@@ -104,17 +103,24 @@ class Result(RunRecord):
 
         Of a file of an earlier version None too: then the summary looks at its samples alone.
         """
-        return live.settling if (live := self._live) else json.loads(self.data.attrs.get("settling", "null"))
+        if live := self._live:
+            return live.settling
+        return record.from_json(self.data, "settling") if "settling" in self.data.attrs else None
 
     @property
     def warnings(self) -> tuple[str, ...]:
         """What the run has to say about itself, as sentences."""
-        return tuple(live.warnings) if (live := self._live) else super().warnings
+        return tuple(live.warnings if (live := self._live) else record.from_json(self.data, "warnings"))
+
+    @property
+    def statistics(self) -> dict[str, Any]:
+        """What the integration took: steps, rejected steps, evaluations, dt times the highest frequency."""
+        return record.from_json(self.data, "statistics")
 
     @property
     def move_end(self) -> float | None:
         """When the last signal stops changing [s]; None where one never does."""
-        return live.move_end if (live := self._live) else self._json("move_end")
+        return live.move_end if (live := self._live) else record.from_json(self.data, "move_end")
 
     def summary(self, band: float = 0.05) -> dict[str, Any]:
         """The numbers a reader asks first; see :func:`tmodes.result.summary.summarise_result`.
@@ -123,13 +129,42 @@ class Result(RunRecord):
         """
         return summarise_result(self.data, band)
 
+    def save(self, path: str | os.PathLike[str], *, overwrite: bool = False) -> Path:
+        """Store the result as one sealed NetCDF-4 file; the same result gives the same bytes.
+
+        Whatever happens meanwhile, the path holds the old file or the new one, whole.
+        Raises :class:`tmodes.errors.ResultFileError` when the file exists, cannot be written, or a number is not
+        finite.
+        """
+        from tmodes.io.resultfile import write_sealed
+
+        path = Path(path)
+        if os.path.lexists(path) and not overwrite:
+            raise file_error(path, "a file that exists", "a new name", "choose another name, or overwrite=True")
+        record.refuse_not_finite(self.data)
+        write_sealed(self.data, path, overwrite=overwrite)
+        return path
+
+    @classmethod
+    def load(cls, path: str | os.PathLike[str]) -> Self:
+        """Read a result back, whole and checked.
+
+        Raises :class:`tmodes.errors.ResultFileError` when the file is damaged, foreign, or of another version.
+        """
+        return cls.of(record.read_record(path), path)
+
     @classmethod
     def of(cls, data: Dataset, path: object) -> Self:
         """The result that a dataset holds; ``path`` names it in errors, which are those of :meth:`load`."""
-        if kind_of(data) == _EARLIER:
-            PaperResult.of(data, path)  # refuses what is no whole record
-            return cls(assembly=assembly_2010(data))
-        return super().of(data, path)
+        record.refuse_incomplete(data, path)
+        return cls(assembly=assembly_2010(data)) if record.is_earlier(data) else cls(data)
+
+    def show(self, height: int = 760) -> Any:
+        """The viewer of this run for a notebook: the robot in 3D, linked charts, numbers; ``height`` in pixels."""
+        return upward("Result.show")(self, height=height)
+
+    def _repr_html_(self) -> str:
+        return self.data._repr_html_()
 
     def figures(self) -> dict[str, Any]:
         """The figures that this result can fill: name -> function that draws it, ``figures()["tip_tracking"]()``."""
@@ -143,7 +178,7 @@ class Result(RunRecord):
     def _sheet(self, name: str) -> Robot:
         from tmodes.io.sheet_check import sheet_from_data
 
-        return sheet_from_data(self._json(name))
+        return sheet_from_data(record.from_json(self.data, name))
 
 
 def load_result(path: str | os.PathLike[str]) -> Result:

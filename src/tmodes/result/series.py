@@ -30,6 +30,7 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
         "coordinate": list(run.coordinates),
         "deformation_kind": list(elastic_names(run.model)),
         "drive": list(run.drives),
+        "controller_state": list(run.planned.plan.control_names),
         "point": [point.name for point in run.model.parts.points],
         "axis": list(AXES),
         "plane": ["y", "z"],
@@ -43,6 +44,7 @@ def coordinates_of(run: RunData, count: int, names: dict[str, list[str]], statio
         "s": ("s", stations, info),
         **_parents(run, names.get("link", [])),
         "coordinate_unit": ("coordinate", coordinate_units(run), {"long_name": "unit of each coordinate"}),
+        **_control_units(run),
         **{
             name: (name, values, {"long_name": name.replace("_", " ")}) for name, values in labels.items() if values
         },
@@ -53,6 +55,12 @@ def _parents(run: RunData, links: list[str]) -> dict[str, Any]:
     """The link on which each drawn link stands, the nearest that is drawn; "base" for those on the base."""
     found = [line_before(run.chain, name, links) or "base" for name in links]
     return {"link_parent": ("link", found, {"long_name": "link on which each link stands"})} if links else {}
+
+
+def _control_units(run: RunData) -> dict[str, Any]:
+    units = run.planned.plan.control_units
+    info = {"long_name": "unit of each state of a controller"}
+    return {"controller_state_unit": ("controller_state", list(units), info)} if units else {}
 
 
 def coordinate_units(run: RunData) -> list[str]:
@@ -97,6 +105,9 @@ def _drives(run: RunData, count: int) -> Variables:
         "effort": (dims, run.effort[part], "N m, N along prismatic joints", "effort of the motor after the reducer"),
         "gear_torque": (dims, run.gear_torque[part], "N m, N along prismatic joints", "gear torque on the joint"),
     }
+    found["controller_states"] = (
+        ("time", "controller_state"), run.controls[part], "by controller_state_unit", "own states of the controllers",
+    )  # fmt: skip
     if electric:
         found |= {
             "voltage": (dims, run.voltage[part], "V", "motor voltage"),

@@ -10,10 +10,12 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.summary import info_settling
 from tmodes.integrate.registry import integrator
+from tmodes.kinds.signals.registry import merge
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.motion_run import RunData, tip_positions
+from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import RunSetup
-from tmodes.simulation.trajectory import Trajectory, integrate
+from tmodes.simulation.trajectory import integrate
 
 __all__ = ["BAND", "settling"]
 
@@ -98,14 +100,16 @@ def at_rest_from(setup: RunSetup, time: float, state: Array, duration: float) ->
     plan, layout = setup.planned, setup.model.layout
     values = plan.signals.at(time)
     values[[drive.noise for drive in plan.plan.drives if drive.noise >= 0]] = 0.0
-    still = np.zeros((1, len(values), plan.signals.degree + 1))
-    still[0, :, 0] = values
-    knots = np.array([0.0, duration])
-    signals = replace(plan.signals, knots=knots, coefficients=still)
+    knots, clocks = np.array([0.0, duration]), {drive.clock for drive in plan.plan.drives}
+    still = np.zeros((len(values), 1, plan.signals.degree + 1))
+    still[:, 0, 0] = values
+    each = [plan.each[k].schedule(duration) if k in clocks else Schedule(knots, still[k]) for k in range(len(values))]
+    signals = merge(each) if each else plan.signals
     kept = state.copy()
     for driver in setup.model.loop.drivers:
         if driver.plan.servo is None:
             kept[layout.q][driver.coordinate] = values[driver.plan.signal]
             kept[layout.v][driver.coordinate] = 0.0
-    planned = replace(plan, schedule=Schedule(knots, still.reshape(1, -1)), signals=signals)
+    rows = signals.coefficients.reshape(len(signals.coefficients), -1)
+    planned = replace(plan, schedule=Schedule(signals.knots, rows), signals=signals)
     return replace(setup, planned=planned, start=kept), kept

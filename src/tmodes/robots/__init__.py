@@ -2,18 +2,13 @@
 
 from __future__ import annotations
 
-import os
 from collections.abc import Collection, Mapping, Sequence
 from importlib import resources
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError
 
-if TYPE_CHECKING:
-    from tmodes.paper.sheet import PaperRobot
-
-__all__ = ["kept_lines", "load_robot", "names", "text", "unknown"]
+__all__ = ["kept_lines", "names", "text", "unknown"]
 
 
 def names() -> list[str]:
@@ -27,26 +22,6 @@ def text(name: str) -> str:
     if name not in names():
         raise unknown(name, names())
     return (resources.files(__name__) / f"{name}.yaml").read_text(encoding="utf-8")
-
-
-def load_robot(name_or_path: str | os.PathLike[str], changes: Mapping[str, Any] | None = None) -> PaperRobot:
-    """A checked robot from the name of a published one, or from a file (a name wins; write ``./name`` for a file).
-
-    ``changes`` are values by dotted path, as in :meth:`tmodes.paper.sheet.PaperRobot.with_`. Raises
-    :class:`tmodes.errors.InputError` when there is no such robot or the file is no YAML, and
-    :class:`tmodes.errors.InputErrors` with all wrong values and their lines.
-    """
-    from tmodes.io.words import shown_path
-    from tmodes.io.yaml_file import parse_yaml, read_yaml
-    from tmodes.paper.sheet import PaperRobot
-
-    if name_or_path in names():
-        data, _ = parse_yaml(text(str(name_or_path)), f"{name_or_path}.yaml")
-    elif os.path.lexists(name_or_path):
-        data, _ = read_yaml(name_or_path)
-    else:
-        raise unknown(shown_path(name_or_path), names())
-    return PaperRobot.from_data(data).with_(changes or {})
 
 
 def kept_lines(positions: Mapping[str, int], changes: Collection[str]) -> dict[str, int]:

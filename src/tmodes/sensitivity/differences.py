@@ -48,7 +48,7 @@ def number_at(path: str, known: Any, *, zero: bool = False) -> float:
     """
     several = _moments(known) if isinstance(known, dict) else known
     same = isinstance(several, list) and len(set(map(str, several))) == 1
-    value: Any = several[0] if same else known
+    value: Any = several[0] if same and several else known
     wrong = isinstance(value, bool) or not isinstance(value, (int, float)) or not np.isfinite(value)
     if wrong or (value == 0 and not zero):
         expected = "the path of a finite number other than 0: its change is given relative to it"

@@ -10,7 +10,7 @@ from numpy.typing import NDArray
 
 from tmodes.analysis.stability import chosen_settings
 from tmodes.equations.loop.closed_loop import ClosedLoop
-from tmodes.errors import SimulationError
+from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.method import EULER
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
@@ -22,7 +22,6 @@ from tmodes.simulation.plan import Planned, planned
 from tmodes.simulation.recording import MOST_BYTES, record
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.trajectory import Numbers
 
 __all__ = ["Lowered", "lowered", "replanned", "rows_of", "structure"]
 
@@ -39,7 +38,7 @@ class Lowered:
 
     model: LoopModel
     rates: Any
-    parameters: Numbers
+    parameters: Array
     schedule: Schedule
     start: Array
     settings: Integration
@@ -49,9 +48,13 @@ class Lowered:
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
         """The run, with its steps.
 
-        Raises :class:`tmodes.errors.SimulationError` where the force of a contact jumped on the way: how the time of
-        the jump moves with the numbers is part of the derivative, and not seen.
+        Raises :class:`tmodes.errors.InputError` for a sampled controller, whose samples are not differentiated, and
+        :class:`tmodes.errors.SimulationError` where the force of a contact jumped on the way: how the time of the jump
+        moves with the numbers is part of the derivative, and not seen.
         """
+        if self.model.plan.is_sampled:
+            hint = "take a controller in continuous time, or vary the numbers in a batch"
+            raise InputError("drives", "a sampled controller", "controllers in continuous time for derivatives", hint)
         done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
         if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(
@@ -59,7 +62,7 @@ class Lowered:
                 "whose force jumps there; expected a force without jumps. End the run before, or set "
                 "contact.damping and contact.preload to 0"
             )
-        return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))
+        return Replay(self.rates, self.parameters, done, len(self.model.coordinates))
 
 
 def lowered(sheet: Robot) -> Lowered:

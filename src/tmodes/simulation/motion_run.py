@@ -14,9 +14,9 @@ from tmodes.equations.loop.plan import BROUGHT_IN, WORKS
 from tmodes.model.evaluator import Rows
 from tmodes.model.model import Model, PointMotion
 from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.parts import ErrorEstimate, Trajectory
 from tmodes.simulation.plan import Planned
 from tmodes.simulation.start import RunSetup
-from tmodes.simulation.trajectory import ErrorEstimate, Trajectory
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
@@ -35,8 +35,9 @@ class RunData:
     ``planned``: what moves it, and its signals. ``times`` (n,); ``q``, ``v``, ``a`` (n, nq) in the order of
     ``coordinates``. Of the drives, in the order of ``drives`` (their joints): ``effort`` (n, drives), of the motor
     after the reducer, or of the joint without a motor; ``voltage`` and ``current``, 0 where there is no electric side;
-    ``wanted``, the value of the drive's signal; ``gear_torque``, 0 where no gear is elastic. ``points``: motion of the
-    named points. ``contact_force`` (n, 3), by the point on the surface; ``contact_normal`` (n,) its part into the
+    ``wanted``, the value of the drive's signal; ``gear_torque``, 0 where no gear is elastic. ``controls`` (n, states):
+    own states of the controllers, after the samples at each time. ``points``: motion of the named points.
+    ``contact_force`` (n, 3), by the point on the surface; ``contact_normal`` (n,) its part into the
     surface; ``penetration`` (n,) [m]; ``contact_fold`` (n,), see :func:`tmodes.analysis.validity.jam_warnings`; None
     without contact. ``base`` (n, 24): acceleration less gravity (6) and rate
     (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind: works of
@@ -60,6 +61,7 @@ class RunData:
     current: Array
     wanted: Array
     gear_torque: Array
+    controls: Array
     points: PointMotion
     contact_force: Array | None
     contact_normal: Array | None
@@ -122,7 +124,7 @@ def gathered(setup: RunSetup, trajectory: Trajectory, rows: Array | None = None)
         arm=setup.arm, planned=plan, chain=plan.chain, model=model,
         drives=tuple(drive.joint for drive in plan.plan.drives), times=times, q=q, v=v, a=a,
         effort=drives[:, :, 0], voltage=drives[:, :, 1], current=drives[:, :, 2], wanted=drives[:, :, 3],
-        gear_torque=seen["gear"], points=model.points(q, v, a, base=moving),
+        gear_torque=seen["gear"], controls=seen["controls"], points=model.points(q, v, a, base=moving),
         contact_force=None if contact is None else contact[:, :3],
         contact_normal=None if contact is None else contact[:, 3],
         penetration=None if contact is None else contact[:, 4],

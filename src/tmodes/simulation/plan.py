@@ -9,14 +9,14 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.chain.chain import Axis, Chain, Motor
+from tmodes.chain.chain import Axis, Chain
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, Winding
-from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan
+from tmodes.equations.loop.plan import DrivePlan, LoadPlan, LoopPlan, TouchPlan, winding_of
 from tmodes.errors import InputError
 from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
-from tmodes.kinds.signals.registry import MergedSchedule, constant_signal, merge
+from tmodes.kinds.signals.registry import Clock, MergedSchedule, constant_signal, merge
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet.parts import Command, DriveSheet, InitialState, LoadFrame
 
@@ -116,7 +116,7 @@ def initial_value(arm: Robot, joint: str) -> float:
 def _drive(
     arm: Robot, axis: Axis, index: int, sheet: DriveSheet | None, signals: _Signals, follow: Follow
 ) -> DrivePlan:
-    winding, numbers = _winding(axis.joint.motor)
+    winding, numbers = winding_of(axis.joint.motor)
     if sheet is None or follow is Follow.HELD:
         held = constant_signal(initial_value(arm, axis.name))
         return DrivePlan(axis.name, signals.add(held, "initial"), None, winding, numbers)
@@ -128,20 +128,16 @@ def _drive(
     noise = signals.add(sheet.disturbance, f"drives.{index}.noise") if sheet.disturbance else -1
     driven = winding is not Winding.NONE and (command.is_controlled or command is Command.VOLTAGE)
     servo = Servo(sheet.controller, driven=driven, winding=winding, noisy=noise >= 0)
-    return DrivePlan(axis.name, signal, servo, winding, servo.numbers(numbers), noise)
+    clock = -1
+    if sheet.controller and sheet.controller.period is not None:
+        own = Clock(sheet.controller.period, arm.integration.output_step)
+        clock = signals.add(own, f"drives.{index}.controller")
+    return DrivePlan(axis.name, signal, servo, winding, servo.numbers(numbers), noise, clock)
 
 
 def _kind(axis: Axis, plan: DrivePlan) -> DriveKind:
     """An elastic gear keeps its motor's coordinate, moved as given or by a servo; a rigid one has none."""
     return drive_kind("prescribed") if plan.servo is None and not axis.drive.has_motor else axis.drive
-
-
-def _winding(motor: Motor | None) -> tuple[Winding, tuple[float, ...]]:
-    """Electric side of a motor, and R, CE, CM, L."""
-    if motor is None or motor.resistance is None:
-        return Winding.NONE, (1.0, 0.0, 1.0, 0.0)
-    kind = Winding.INDUCTANCE if motor.inductance else Winding.RESISTANCE
-    return kind, (motor.resistance, motor.back_emf, motor.torque_constant, motor.inductance)
 
 
 def _loads(arm: Robot, names: list[str], signals: _Signals) -> Iterator[LoadPlan]:

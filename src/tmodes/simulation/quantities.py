@@ -8,7 +8,6 @@ from functools import partial
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.lagrange.layout import ENERGIES
 from tmodes.model.model import Model, PointMotion
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
@@ -23,6 +22,7 @@ Array = NDArray[np.float64]
 
 _AXES = ("x", "y", "z")
 _DRIVEN = ("effort", "voltage", "current")
+_ENERGIES = ("kinetic", "gravity", "elastic_gear", "elastic_link")
 
 
 def arm_stops(regime: RunSetup, more: tuple[str, ...] = ()) -> Stops:
@@ -49,7 +49,7 @@ def refuse_wrong_stops(arm: Robot) -> None:
 
 
 def arm_quantities(regime: RunSetup) -> dict[str, Quantity]:
-    """The quantities by name: coordinates, drives, named points, contact and energies."""
+    """The quantities by name: coordinates, drives, states of controllers, named points, contact and energies."""
     seen = _Seen(regime)
     return {**_coordinates(regime), **_drives(regime, seen), **_points(seen), **_others(regime, seen)}
 
@@ -124,6 +124,9 @@ def _drives(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
                 unit, lambda at, k=k, column=column: seen.observed(at)["drives"][:, k, column]
             )
         found[f"{drive.joint}.gear_torque"] = Quantity(effort, lambda at, k=k: seen.observed(at)["gear"][:, k])
+    plan = regime.planned.plan
+    for k, (name, unit) in enumerate(zip(plan.control_names, plan.control_units, strict=True)):
+        found[name] = Quantity(unit, lambda at, k=k: seen.observed(at)["controls"][:, k])
     return found
 
 
@@ -144,7 +147,7 @@ def _points(seen: _Seen) -> dict[str, Quantity]:
 
 
 def _others(regime: RunSetup, seen: _Seen) -> dict[str, Quantity]:
-    found = {f"energy.{name}": Quantity("J", lambda at, name=name: seen.energies(at)[name]) for name in ENERGIES}
+    found = {f"energy.{name}": Quantity("J", lambda at, name=name: seen.energies(at)[name]) for name in _ENERGIES}
     found["energy.total"] = Quantity("J", lambda at: np.sum([*seen.energies(at).values()], axis=0))
     if regime.planned.plan.touch:
         found["contact.force"] = Quantity("N", lambda at: seen.observed(at)["contact"][:, 3])

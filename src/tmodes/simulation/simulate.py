@@ -19,11 +19,11 @@ from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
 from tmodes.simulation.callback import Controller, driven_by, run_with_controller
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
+from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.quantities import arm_stops
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
-from tmodes.simulation.stops import Instants, Stops
-from tmodes.simulation.trajectory import STOPPED, Journal, Trajectory
+from tmodes.simulation.stops import STOPPED, Instants, Stops
 from tmodes.simulation.warnings import jumps, run_warnings, start_warnings
 
 __all__ = ["simulate_motion"]
@@ -120,9 +120,10 @@ def _prepared(pair: RobotPair, real: RunSetup) -> _Setups:
 
 
 def _growing(setups: _Setups) -> list[str]:
-    """What grows at the start of both robots."""
-    found = growth_warnings(setups.nominal.spectrum, "nominal robot", _CAUSES) if setups.nominal else []
-    return [*found, *growth_warnings(setups.real.spectrum, "actual robot", _CAUSES)]
+    """What grows at the start of both robots; of sampled controllers the spectrum has the held command alone."""
+    named = (("nominal robot", setups.nominal), ("actual robot", setups.real))
+    known = [(name, setup) for name, setup in named if setup and not setup.planned.plan.is_sampled]
+    return [warning for name, setup in known for warning in growth_warnings(setup.spectrum, name, _CAUSES)]
 
 
 def _run(

@@ -11,7 +11,8 @@ from scipy.optimize import brentq
 
 from arm.statics.beams import clamped
 from arm.statics.test_elements import ROD, geared, on_joint
-from tmodes.analysis.modes.modes import MotorState, Servo, _undamped, arm_modes
+from tmodes.analysis.modes.modes import MotorState, Servo, arm_modes
+from tmodes.analysis.modes.shapes import undamped_shapes
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
 from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, Motor, Node, Segment
 from tmodes.errors import SimulationError
@@ -191,6 +192,6 @@ def test_free_motors_on_gears_whatever_rounding_says(stiffness: float):
     pair = np.array([[1.0, -1.0], [-1.0, 1.0]])
     turned = np.linalg.qr(np.random.default_rng(1).normal(size=(6, 6)))[0]
     mass, springs = np.diag([0.1, 1.0] * 3), np.asarray(np.kron(np.eye(3), stiffness * pair), dtype=np.float64)
-    squares = _undamped(turned.T @ mass @ turned, turned.T @ springs @ turned)[0]
+    squares = undamped_shapes(turned.T @ mass @ turned, turned.T @ springs @ turned)[0]
     assert squares[:3] == pytest.approx(0.0, abs=1e-9 * stiffness)
     assert squares[3:] == pytest.approx(stiffness * 11.0, rel=1e-9)

@@ -99,7 +99,7 @@ def test_saved_and_loaded(tmp_path):
     back = Result.load(tmp_path / "a.nc")
     assert back.data.identical(result.data)
     assert isinstance(load_result(tmp_path / "a.nc"), Result)
-    assert back.arm == run_of("swinging")[0]
+    assert back.robot == run_of("swinging")[0]
     result.save(tmp_path / "b.nc")
     assert (tmp_path / "a.nc").read_bytes() == (tmp_path / "b.nc").read_bytes()
     content = bytearray((tmp_path / "a.nc").read_bytes())
@@ -120,7 +120,7 @@ def test_an_arm_without_drives_is_saved_and_loaded(tmp_path):
     assert Result.load(tmp_path / "a.nc").data.identical(result.data)
     back = load_result(tmp_path / "a.nc")
     assert isinstance(back, Result)
-    assert back.arm == arm
+    assert back.robot == arm
     assert back.summary()["joints"] == {}
 
 

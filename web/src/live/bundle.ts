@@ -59,6 +59,8 @@ export interface RunInfo {
   info: number[];
   exact: [number, number][];
   signals: number;
+  /** Those of the signals that move the robot; noise is none. */
+  moving: number[];
 }
 
 /** All of it; `links` are the lines of the scene. */

@@ -13,8 +13,8 @@ export interface Layout {
   limits: { bound: number; most_events: number; event_time: number };
   simd: boolean;
   coordinates: string[];
-  /** Names of the 2010 robot's numbers. */
-  parameters?: string[];
+  /** Joints of the drives. */
+  drives: string[];
   loops: Record<string, LoopLayout>;
   samples: Record<string, SampleLayout>;
 }

@@ -54,14 +54,11 @@ export function trackingFacts(times: Float64Array, series: SeriesOf, moveEnd: nu
  * it then gives no number of its own, and the original run's stays, marked as such.
  */
 function unsettled(times: Float64Array, moveEnd: number | null): Facts[string] | null {
-  const unseen = (why: string): Facts[string] => ({ value: null, note: `not seen: ${why}` });
-  if (moveEnd === null) return null; // cut, or ending with the run: the native run distinguishes them
   const end = times[times.length - 1];
-  if (moveEnd > end * (1 + 1e-9)) {
-    const when = `the run ends at ${figures(end, 6)} s, the move at ${figures(moveEnd, 6)} s`;
-    return unseen(`${when}: simulate longer to see it settle`);
-  }
-  return null;
+  if (moveEnd === null) return { value: null, note: "not seen: what moves the arm changes up to the end of the run" };
+  if (moveEnd <= end * (1 + 1e-9)) return null;
+  const when = `the run ends at ${figures(end, 6)} s, the move at ${figures(moveEnd, 6)} s`;
+  return { value: null, note: `not seen: ${when}: simulate longer to see it settle` };
 }
 
 /** Of a run that broke off: it has not settled, and what was largest was so until then. */

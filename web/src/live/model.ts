@@ -3,7 +3,10 @@
 
 import { Engine, type Layout, type Samples } from "./engine";
 import { EngineError, known } from "./engine_error";
+import type { MapInfo } from "./bundle";
 import { integrate, sampleTimes, type RunResult, type RunSettings, type Watch } from "./engine_run";
+import { numbersOf, type Blocks } from "./map";
+import { columns, range } from "./series";
 
 export { Engine } from "./engine";
 export { EngineError } from "./engine_error";
@@ -11,7 +14,6 @@ export { Cancelled, EngineRun, integrate, sampleTimes } from "./engine_run";
 
 /** One motion of the robot: `reference`, as it is known and planned, or `real`, under control. */
 export interface DescribedRun {
-  parameters: number[];
   knots: number[];
   rows: number[];
   state: number[];
@@ -25,11 +27,16 @@ export interface Description {
   outputStep: number;
   settings: RunSettings;
   runs: Record<string, DescribedRun>;
+  /** Numbers of the data sheet by their paths, and how the parameters of the runs follow from them. */
+  named: Record<string, number>;
+  map: MapInfo;
+  /** The row of a base at rest. */
+  base: number[];
 }
 
 /** What a run is to have other than described. */
 export interface Changes {
-  /** By name where the robot's numbers have names (`model.parameters`), else all of them. */
+  /** Numbers of the data sheet by name (`model.parameters`), or all numbers of the equations. */
   parameters?: Record<string, number> | ArrayLike<number>;
   /** The first state; it is not looked for again where numbers change. */
   state?: ArrayLike<number>;
@@ -60,10 +67,9 @@ export class Model {
     return Object.keys(this.description.runs);
   }
 
-  /** The numbers of a run by their names; empty where they have none. */
-  parameters(run = "real"): Record<string, number> {
-    const values = known(this.description.runs, run, "run").parameters;
-    return Object.fromEntries((this.description.layout.parameters ?? []).map((name, k) => [name, values[k]]));
+  /** Numbers of the data sheet that may be changed, by their paths; `real:` is actual over nominal. */
+  parameters(): Record<string, number> {
+    return { ...this.description.named };
   }
 
   /** Run from the described state; a long run lets the page go on meanwhile. */
@@ -78,7 +84,7 @@ export class Model {
     }
     const { knots, rows } = until(info, settings.duration);
     return integrate(this.engine, {
-      loop: `${run}.${this.description.method}`, parameters: this.numbers(info, changes), knots, rows,
+      loop: `${run}.${this.description.method}`, parameters: this.numbers(run, changes), knots, rows,
       state: Float64Array.from(changes.state ?? info.state),
       times: sampleTimes(settings.duration, changes.outputStep ?? this.description.outputStep), settings,
     }, watch);
@@ -94,27 +100,34 @@ export class Model {
       row: rowsAt(info, result.times),
       step: new Float64Array(1),
     };
-    return this.engine.sample(`${run}.observe`, this.numbers(info, changes), inputs, count);
+    const found = this.engine.sample(`${run}.observe`, this.numbers(run, changes), inputs, count);
+    const { q, v, a } = found;
+    const base = Float64Array.from(this.description.base);
+    const { points } = this.engine.sample("inertia", this.blocks(run, changes).chain, { q, v, a, base }, count);
+    return { ...found, tip: columns(points, points.length / count, range(9, 9 + 3)) };
   }
 
   /** Names of what is observed, with how many numbers each has. */
   observed(run = "real"): Record<string, number> {
-    return known(this.description.layout.samples, `${run}.observe`, "function").outputs;
+    return { ...known(this.description.layout.samples, `${run}.observe`, "function").outputs, tip: 3 };
   }
 
-  private numbers(info: DescribedRun, { parameters = {} }: Changes): Float64Array {
-    if ("length" in parameters) return Float64Array.from(parameters as ArrayLike<number>);
-    const values = Float64Array.from(info.parameters);
-    const names = this.description.layout.parameters ?? [];
-    for (const [name, value] of Object.entries(parameters)) {
-      const index = names.indexOf(name);
-      if (index < 0)
-        throw new EngineError(
-          `parameter: got ${name}; expected one of ${names.join(", ") || "all numbers, for they have no names"}`,
-        );
-      values[index] = value;
-    }
-    return values;
+  private numbers(run: string, changes: Changes): Float64Array {
+    const { parameters = {} } = changes;
+    return "length" in parameters
+      ? Float64Array.from(parameters as ArrayLike<number>)
+      : this.blocks(run, changes).parameters;
+  }
+
+  private blocks(run: string, { parameters = {} }: Changes): Blocks {
+    const { named, map } = this.description;
+    const given = "length" in parameters ? {} : (parameters as Record<string, number>);
+    const unknown = Object.keys(given).find((name) => !(name in named));
+    if (unknown !== undefined)
+      throw new EngineError(
+        `parameter: got ${unknown}; expected one of ${Object.keys(named).join(", ") || "none: this robot has no names"}`,
+      );
+    return numbersOf(map, Object.values({ ...named, ...given }), run);
   }
 }
 

@@ -15,6 +15,8 @@ export interface Regime {
   name: Name;
   info: RunInfo;
   blocks: Blocks;
+  /** Its signals one by one, as far as they are known, and together up to the end of the run. */
+  each: signals.Schedule[];
   schedule: signals.Schedule;
   run: RunResult;
 }
@@ -25,10 +27,8 @@ export async function moved(
 ): Promise<Regime> {
   const { settings } = bundle;
   const info = bundle.runs[name]!;
-  const each = range(0, info.signals).map((k) =>
-    signals.until(signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]), settings.duration),
-  );
-  const schedule = signals.merged(each);
+  const each = range(0, info.signals).map((k) => signals.schedule(blocks[`knots.${k}`], blocks[`coefficients.${k}`]));
+  const schedule = signals.merged(each.map((one) => signals.until(one, settings.duration)));
   if (!each.length) schedule.knots[1] = settings.duration;
   const run = await integrate(
     engine,
@@ -43,5 +43,5 @@ export async function moved(
     },
     watch,
   );
-  return { name, info, blocks, schedule, run };
+  return { name, info, blocks, each, schedule, run };
 }

@@ -14,7 +14,6 @@ import type { Watch } from "./engine_run";
 import { brokenOff, type Facts } from "./facts";
 import type { Kept } from "./kept";
 import { numbersOf } from "./map";
-import { range } from "./series";
 import { setpointsOf, spanOf } from "./span";
 import * as signals from "./signals";
 
@@ -43,7 +42,7 @@ export async function runOf(
   const times = real.run.times.subarray(0, count);
   const series = { ...seriesOf(bundle, real, own, count), ...(planned ? compared(bundle, own, planned, count) : {}) };
   const frames = framesOf(bundle, count);
-  const end = moveEnd(real.schedule);
+  const end = signals.moveEnd(real.info.moving.map((k) => real.each[k]));
   const failed = regimes.find((regime) => regime.run.status !== "finished");
   const loads = loadsOf(engine, bundle, real.blocks, series, times, real.schedule, frames);
   const facts: Facts = {
@@ -63,29 +62,4 @@ export async function runOf(
     span: spanOf(times, end, setpointsOf(bundle, series)),
     facts: failed ? brokenOff(facts) : facts,
   };
-}
-
-
-/** When the last signal stops changing [s]; null where one never does. */
-function moveEnd(all: signals.Schedule): number | null {
-  const pieces = all.knots.length - 1;
-  const width = all.degree + 1;
-  for (let piece = pieces - 1; piece >= 0; piece -= 1) {
-    for (let signal = 0; signal < all.signals; signal += 1) {
-      const own = all.coefficients.subarray(
-        (piece * all.signals + signal) * width,
-        (piece * all.signals + signal + 1) * width,
-      );
-      const length = all.knots[piece + 1] - all.knots[piece];
-      const size = Math.max(
-        ...range(0, pieces).map((k) => Math.abs(all.coefficients[(k * all.signals + signal) * width])),
-        1e-12,
-      );
-      const changes = own.some((value, power) => power > 0 && Math.abs(value) * length ** power > 1e-9 * size);
-      if (changes) return piece === pieces - 1 ? null : all.knots[piece + 1];
-      const before = piece && signals.valueAt(all, signal, all.knots[piece] - 1e-9 * length);
-      if (piece && Math.abs(own[0] - before) > 1e-6 * size) return all.knots[piece];
-    }
-  }
-  return 0;
 }

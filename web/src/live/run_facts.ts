@@ -2,7 +2,7 @@
 
 import type { Bundle } from "./bundle";
 import { energyFacts, figures, meanOverTime, trackingFacts, type Facts } from "./facts";
-import { columns, worst, type SeriesOf } from "./series";
+import { columns, range, worst, type SeriesOf } from "./series";
 
 /** `end`: when the move ends [s]; null where it never does. */
 export function factsOf(bundle: Bundle, times: Float64Array, series: SeriesOf, end: number | null): Facts {
@@ -12,13 +12,17 @@ export function factsOf(bundle: Bundle, times: Float64Array, series: SeriesOf, e
   const gears = turning.length ? turning : every; // as the page's own fact: radians and meters are not compared
   if (gears.length) {
     const angles = columns(series.deformation.data, bundle.deformations.length, gears);
-    const k = worst(angles);
-    const name = bundle.deformations[gears[k % gears.length]].replace(/\.gear$/, "");
     const others = gears.length < every.length ? " (of the gears that turn)" : "";
-    facts["gear.max"] = {
-      value: Math.abs(angles[k]),
-      note: `${name}, at ${figures(times[Math.floor(k / gears.length)])} s${others}`,
-    };
+    const { value, note } = largest(times, angles, gears.map((k) => bundle.deformations[k].replace(/\.gear$/, "")));
+    facts["gear.max"] = { value, note: `${note}${others}` };
+  }
+  const { drives } = bundle.layout;
+  const all = range(0, drives.length);
+  const turned = all.filter((k) => bundle.turning.includes(drives[k]));
+  for (const [name, kept] of [["gear_torque", turned.length ? turned : all], ["voltage", all]] as const) {
+    if (!series[name]) continue;
+    const found = largest(times, columns(series[name].data, drives.length, kept), kept.map((k) => drives[k]));
+    if (found.value) facts[`${name}.max`] = found;
   }
   const force = series.contact_force_normal?.data;
   if (force) {
@@ -29,4 +33,11 @@ export function factsOf(bundle: Bundle, times: Float64Array, series: SeriesOf, e
     };
   }
   return facts;
+}
+
+/** The largest size of some columns, of which one and when. */
+function largest(times: Float64Array, values: Float64Array, names: string[]): Facts[string] {
+  const k = worst(values);
+  const note = `${names[k % names.length]}, at ${figures(times[Math.floor(k / names.length)])} s`;
+  return { value: Math.abs(values[k]), note };
 }

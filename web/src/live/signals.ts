@@ -114,3 +114,32 @@ function shifted(one: Schedule, knots: Float64Array, piece: number, into: Float6
     }
   }
 }
+
+const STILL = 1e-9; // change within a piece, over the largest value, that is rounding
+const JUMP = 1e-6; // change between two pieces, likewise
+
+/**
+ * When the last of some signals stops changing [s]; null where one changes up to the end of what is known of it. Each is
+ * given uncut: a move that ends with the run, or after it, is then known to end. As tmodes/result/provenance.py.
+ */
+export function moveEnd(each: Schedule[]): number | null {
+  const ends = each.map(lastChange);
+  return ends.includes(null) ? null : Math.max(0, ...(ends as number[]));
+}
+
+function lastChange(one: Schedule): number | null {
+  const { knots, coefficients, degree } = one;
+  const pieces = knots.length - 1;
+  const width = degree + 1;
+  const value = (k: number) => coefficients[k * width];
+  const size = Array.from({ length: pieces }, (_, k) => Math.abs(value(k))).reduce((a, b) => Math.max(a, b), 1e-12);
+  for (let k = pieces - 1; k >= 0; k -= 1) {
+    const length = knots[k + 1] - knots[k];
+    for (let power = 1; power < width; power += 1) {
+      if (Math.abs(coefficients[k * width + power]) * length ** power <= STILL * size) continue;
+      return k === pieces - 1 ? null : knots[k + 1];
+    }
+    if (k && Math.abs(value(k) - valueIn(one, k - 1, 0, knots[k])) > JUMP * size) return knots[k];
+  }
+  return 0;
+}

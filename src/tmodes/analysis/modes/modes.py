@@ -4,36 +4,35 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass, replace
-from typing import Any, NamedTuple
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.spectrum import GROWING, RINGS, MotorState, damped_motions
+from tmodes.analysis.modes.closed_loop import Feedback, closed_loop_motions
+from tmodes.analysis.modes.shapes import NOTHING, partners, undamped_shapes
+from tmodes.analysis.spectrum import GROWING, RINGS, MotorState
 from tmodes.analysis.statics.compliance import Spring, springs_of
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.held import driven
-from tmodes.analysis.statics.stability import mass_root
 from tmodes.chain.chain import Chain, Friction
 from tmodes.model.model import Model
 
-__all__ = ["ArmMode", "MotorState", "Servo", "arm_modes", "moving_coordinates", "without_dry_friction"]
+__all__ = [
+    "ArmMode",
+    "MotorState",
+    "Servo",
+    "arm_modes",
+    "closed_loop_poles",
+    "moving_coordinates",
+    "without_dry_friction",
+]
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
 
 ROUNDING = 1e-13
 """Real over absolute value of an eigenvalue below which its motion is undamped."""
-
-NOTHING = 1e-13
-"""Share of the largest squared frequency, per coordinate, below which a motion is the whole arm's, free to drift."""
-
-
-MOST_WHOLE = 120
-"""Coordinates up to which all modes are reported."""
-
-LOWEST = 60
-"""Modes that are reported of an arm with more: the lowest, their damping by their own motions."""
 
 
 class Servo(NamedTuple):
@@ -68,31 +67,33 @@ class ArmMode:
 
 
 def arm_modes(
-    rest: Equilibrium, motors: MotorState = MotorState.LOCKED, servos: Mapping[str, Servo] | None = None
+    rest: Equilibrium,
+    motors: MotorState = MotorState.LOCKED,
+    servos: Mapping[str, Servo] | None = None,
+    feedback: Feedback | None = None,
 ) -> list[ArmMode]:
     """Modes by rising frequency about an arm at rest.
 
     ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on
-    the springs and dampers ``servos`` of their controllers, those without one stand still. Prescribed joints always
+    the springs and dampers ``servos`` of their controllers, or under the ``feedback`` of
+    :func:`tmodes.analysis.modes.closed_loop.feedback_of`; those without one stand still. Prescribed joints always
     stand still. Dry friction, which has no slope at rest, is left out. Of an arm of more than 120 coordinates the
     lowest 60 modes. Raises :class:`SimulationError` for a mass
     matrix that is not positive definite.
     """
     chosen = servos or {} if motors is MotorState.CONTROLLED else {}
     moving = moving_coordinates(rest, motors, chosen)
-    springs = springs_of(rest.model, rest.q) if len(moving) else {}
-    mass, damping, stiffness = (matrix.copy() for matrix in _matrices(rest))
-    for name, servo in chosen.items():
-        k = rest.model.coordinates.index(name)
-        springs[f"{name.removesuffix('.motor')}.controller"] = _single(rest.model.nq, k, servo.stiffness)
-        stiffness[k, k] += servo.stiffness
-        damping[k, k] += servo.damping
     if not len(moving):
         return []
-    block = np.ix_(moving, moving)
-    mass, damping, stiffness = mass[block], damping[block], stiffness[block]
-    squares, shapes = _undamped(mass, stiffness)
-    eigenvalues, motions = _eigenvalues(mass, damping, stiffness, shapes)
+    springs = springs_of(rest.model, rest.q)
+    loop = feedback if chosen and feedback else _springs(rest, chosen)
+    for name in chosen:
+        k = rest.model.coordinates.index(name)
+        held = max(0.0, float(loop.springs[k, k]))
+        springs[f"{name.removesuffix('.motor')}.controller"] = _single(rest.model.nq, k, held)
+    mass, damping, stiffness, loop = _moving_system(rest, moving, loop)
+    squares, shapes = undamped_shapes(mass, stiffness + loop.springs)
+    eigenvalues, motions = _eigenvalues(mass, damping, stiffness, shapes, loop)
     whole = np.zeros((rest.model.nq, len(squares)), dtype=shapes.dtype)
     moved = np.zeros(whole.shape, dtype=complex)
     whole[moving], moved[moving] = shapes, motions
@@ -106,20 +107,48 @@ def arm_modes(
     return [_controlled(mode, eigenvalues[k]) for k, mode in enumerate(modes)] if chosen else modes
 
 
+def closed_loop_poles(rest: Equilibrium, servos: Mapping[str, Servo], feedback: Feedback | None = None) -> Complex:
+    """All eigenvalues [1/s] under control, by rising absolute value; those of currents and controllers among them."""
+    moving = moving_coordinates(rest, MotorState.CONTROLLED, servos)
+    if not len(moving):
+        return np.zeros(0, dtype=complex)
+    values, _ = closed_loop_motions(*_moving_system(rest, moving, feedback or _springs(rest, servos)))
+    return values[np.lexsort((values.imag, np.abs(values).round(9)))]
+
+
+def _moving_system(rest: Equilibrium, moving: NDArray[np.intp], loop: Feedback) -> tuple[Array, Array, Array, Feedback]:
+    """M, D, K and the feedback of the coordinates that move."""
+    block = np.ix_(moving, moving)
+    mass, damping, stiffness = (matrix[block] for matrix in _matrices(rest))
+    return mass, damping, stiffness, loop.on(np.eye(rest.model.nq)[:, moving])
+
+
+def _springs(rest: Equilibrium, servos: Mapping[str, Servo]) -> Feedback:
+    """Controllers that are springs and dampers."""
+    n = rest.model.nq
+    stiffness, damping = np.zeros((n, n)), np.zeros((n, n))
+    for name, servo in servos.items():
+        k = rest.model.coordinates.index(name)
+        stiffness[k, k], damping[k, k] = servo
+    return Feedback(stiffness, damping, np.zeros((n, 0)), np.zeros((0, 2 * n)))
+
+
 def _single(size: int, k: int, value: float) -> Spring:
     row = np.zeros((1, size))
     row[0, k] = 1.0
     return Spring(row, value * row)
 
 
-def _eigenvalues(mass: Array, damping: Array, stiffness: Array, shapes: Array) -> tuple[Complex, Complex]:
+def _eigenvalues(
+    mass: Array, damping: Array, stiffness: Array, shapes: Array, loop: Feedback
+) -> tuple[Complex, Complex]:
     """Of each mode [1/s], and its damped motion; where only some were found, by the motions that they span."""
     spanned = shapes
     if len(shapes) > shapes.shape[1]:
         mass, damping, stiffness = (shapes.T @ matrix @ shapes for matrix in (mass, damping, stiffness))
-        shapes = np.eye(len(mass))
-    values, damped = damped_motions(mass, damping, stiffness)
-    chosen = _partners(mass, shapes, values, damped)
+        loop, shapes = loop.on(shapes), np.eye(len(mass))
+    values, damped = closed_loop_motions(mass, damping, stiffness, loop)
+    chosen = partners(mass, shapes, values, damped)
     motions = damped[:, chosen]
     return values[chosen], motions if spanned is shapes else spanned @ motions
 
@@ -159,52 +188,6 @@ def without_dry_friction(chain: Chain) -> Chain | None:
     dry = [friction.coulomb or friction.static_extra for node in chain.nodes for friction in (
         node.joint.friction, *((node.joint.motor.friction,) if node.joint.motor else ()))]  # fmt: skip
     return replace(chain, nodes=tuple(nodes)) if any(dry) else None
-
-
-def _undamped(mass: Array, stiffness: Array) -> tuple[Array, Array]:
-    """Squared circular frequencies, rising, and shapes with unit modal mass.
-
-    From 1/w^2 where K is positive definite: the low frequencies then keep all their digits.
-    """
-    from scipy.linalg import eigh
-
-    mass_root(mass)  # refuses one that is not positive definite, before anything is divided by it
-    size = len(mass)
-    if np.abs(stiffness - stiffness.T).max() > 1e-9 * np.abs(stiffness).max():
-        values, vectors = np.linalg.eig(np.linalg.solve(mass, stiffness))
-        squares = np.real(values)
-        order = np.argsort(squares)
-        shapes = np.real(vectors[:, order])
-        return squares[order], shapes / np.sqrt(np.einsum("ik,ij,jk->k", shapes, mass, shapes))
-    stiffness = (stiffness + stiffness.T) / 2
-    some = size > MOST_WHOLE
-    lowest: dict[str, Any] = {"subset_by_index": [0, LOWEST - 1]} if some else {}
-    highest: dict[str, Any] = {"subset_by_index": [size - LOWEST, size - 1]} if some else {}
-    try:
-        inverse, shapes = eigh(mass, stiffness, **highest)
-    except np.linalg.LinAlgError:
-        return eigh(stiffness, mass, **lowest)
-    if inverse.min() <= 0:  # K was singular, and by rounding passed for positive definite
-        return eigh(stiffness, mass, **lowest)
-    values = 1 / inverse[::-1]
-    if values[0] <= NOTHING * size * values[-1]:
-        return eigh(stiffness, mass, **lowest)
-    return values, shapes[:, ::-1] * np.sqrt(values)
-
-
-def _partners(mass: Array, shapes: Array, values: Complex, damped: Complex) -> NDArray[np.intp]:
-    """For each undamped mode the index of the damped motion most like it, each taken once, ringing ones first."""
-    from scipy.optimize import linear_sum_assignment
-
-    root = np.linalg.cholesky(mass).T
-    ours, theirs = (x / np.linalg.norm(x, axis=0) for x in (root @ shapes, root @ damped))
-    rings = values.imag > RINGS * np.abs(values)
-    still = np.abs(values.imag) <= RINGS * np.abs(values)
-    slow = np.argsort(np.argsort(-values.real)) / (10.0 * len(values))
-    worth = np.abs(ours.T @ theirs) ** 2 + 10.0 * rings - slow
-    worth[:, ~(rings | still)] = -100.0
-    _, chosen = linear_sum_assignment(-worth)
-    return chosen
 
 
 def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float) -> ArmMode:

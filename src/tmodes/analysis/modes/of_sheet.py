@@ -6,8 +6,9 @@ from dataclasses import asdict
 from typing import Any, NamedTuple
 
 from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
+from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.converged import CONVERGED, MOST_CHECKED, finer, frequency_errors
-from tmodes.analysis.modes.modes import ArmMode, MotorState, Servo, arm_modes
+from tmodes.analysis.modes.modes import ArmMode, MotorState, Servo, arm_modes, closed_loop_poles
 from tmodes.analysis.statics.equilibrium import Equilibrium
 from tmodes.analysis.statics.path import Progress
 from tmodes.analysis.statics.rest import arm_rest
@@ -15,18 +16,30 @@ from tmodes.chain.chain import Motor
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
-__all__ = ["Vibrations", "frequencies_about", "servos_of", "sheet_frequencies", "sheet_modes", "vibrations"]
+__all__ = [
+    "Vibrations",
+    "frequencies_about",
+    "local_servos",
+    "servos_of",
+    "sheet_frequencies",
+    "sheet_modes",
+    "vibrations",
+]
 
 _FREQUENCY = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "element", "share", "stable")
 """What is kept of a mode where its shape does not matter."""
 
 
 class Vibrations(NamedTuple):
-    """``states``: modes for each state of the motors; ``links``: whether the model of each holds; ``warnings``."""
+    """``states``: modes for each state of the motors; ``links``: whether the model of each holds; ``warnings``.
+
+    ``poles``: all eigenvalues under control [1/s], real and imaginary part, those of the controllers among them.
+    """
 
     states: dict[str, list[dict[str, Any]]]
     links: list[dict[str, Any]]
     warnings: list[str]
+    poles: list[tuple[float, float]]
 
 
 def sheet_modes(
@@ -68,21 +81,34 @@ def vibrations(arm: Robot, *, contact: bool = False, progress: Progress = lambda
     info = {state: [_plain(mode, rest) for mode in modes] for state, modes in states.items()}
     fine_arm = finer(arm) if rest.model.nq <= MOST_CHECKED else None
     fine = arm_rest(fine_arm, contact=contact, progress=progress) if fine_arm else None
-    others = _states(arm, fine, progress) if fine else {}
+    others = _states(_without_full_feedback(arm), fine, progress) if fine else {}
     for state, modes in states.items():
-        errors = frequency_errors(rest, modes, fine, others[state]) if fine else [None] * len(modes)
+        errors = frequency_errors(rest, modes, fine, others[state]) if fine and state in others else [None] * len(modes)
         for row, error in zip(info[state], errors, strict=True):
             row |= {"frequency_error": error, "converged": None if error is None else abs(error) <= CONVERGED}
-    return Vibrations(info, link_states(rest), _notices(arm, rest, info))
+    return Vibrations(info, link_states(rest), _notices(arm, rest, info), _poles(arm, rest))
+
+
+def _without_full_feedback(arm: Robot) -> Robot:
+    """Without controllers that see the whole state: one may be made for just the coordinates that the robot has."""
+    if any(drive.controller and drive.controller.sees_all for drive in arm.drives):
+        return arm.model_copy(update={"drives": ()})
+    return arm
+
+
+def _poles(arm: Robot, rest: Equilibrium) -> list[tuple[float, float]]:
+    servos = servos_of(arm, rest.model)
+    found = closed_loop_poles(rest, servos, feedback_of(arm, rest)) if servos else ()
+    return [(float(value.real), float(value.imag)) for value in found]
 
 
 def _states(arm: Robot, rest: Equilibrium, progress: Progress) -> dict[str, list[ArmMode]]:
-    servos = servos_of(arm, rest.model)
+    servos, feedback = servos_of(arm, rest.model), feedback_of(arm, rest)
     states = [MotorState.LOCKED, MotorState.FREE, *([MotorState.CONTROLLED] if servos else [])]
     found = {}
     for k, state in enumerate(states):
         progress("modes", k / len(states))
-        found[str(state)] = arm_modes(rest, state, servos)
+        found[str(state)] = arm_modes(rest, state, servos, feedback)
     return found
 
 
@@ -111,6 +137,13 @@ def servos_of(arm: Robot, model: Model) -> dict[str, Servo]:
             gains = drive.controller.local_gains()
             found[names[0]] = _servo(motors.get(drive.joint), *gains)
     return found
+
+
+def local_servos(arm: Robot, model: Model) -> dict[str, Servo]:
+    """The same where controllers are no more than that; empty where any is."""
+    motors = [axis.joint.motor for axis in model.chain.axes]
+    local = all(drive.controller.is_local for drive in arm.drives if drive.controller)
+    return servos_of(arm, model) if local and not any(motor.inductance for motor in motors if motor) else {}
 
 
 def _servo(motor: Motor | None, position_gain: float, velocity_gain: float) -> Servo:

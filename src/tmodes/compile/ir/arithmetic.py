@@ -42,6 +42,8 @@ class Double:
     suffix = "f64"
     unrolls = True
     """Whether small schedules become one program."""
+    packs = False
+    """Whether blocks of a workspace share their room (:class:`tmodes.compile.ir.layout.Layout`)."""
 
     def __init__(self, module: Any) -> None:
         self.module = module
@@ -60,6 +62,14 @@ class Double:
     def constant(self, value: float) -> Any:
         """A number known beforehand."""
         return number(value)
+
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:  # noqa: ARG002
+        """A number from the doubles that it is made of; from one alone: that, whatever else may be in a number."""
+        return doubles[0]
+
+    def parts(self, b: Any, value: Any) -> list[Any]:  # noqa: ARG002
+        """The doubles of a number."""
+        return [value]
 
     def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
         """Sine and cosine."""
@@ -120,10 +130,24 @@ class Lanes(Double):
     name = "lanes"
     kind: Any = ir.VectorType(F64, 4)
     suffix = "v4f64"
+    packs = True
 
     def constant(self, value: float) -> Any:
         """A number known beforehand."""
         return ir.Constant(self.kind, [value] * self.stride)
+
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:
+        """A vector from the numbers of its lanes; from one alone: that in all lanes."""
+        if len(doubles) == 1:
+            return self.spread(b, doubles[0])
+        vector = self.constant(0.0)
+        for lane, value in enumerate(doubles):
+            vector = b.insert_element(vector, value, whole(lane))
+        return vector
+
+    def parts(self, b: Any, value: Any) -> list[Any]:
+        """The doubles of a number."""
+        return [b.extract_element(value, whole(lane)) for lane in range(self.stride)]
 
     def spread(self, b: Any, value: Any) -> Any:
         """A double in all lanes."""
@@ -192,6 +216,14 @@ class Derivative(Double):
         """Keep a number in a block."""
         self._plain.store(b, value.value, base, 2 * index)
         self._plain.store(b, number(0.0) if value.slope is None else value.slope, base, 2 * index + 1)
+
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:  # noqa: ARG002
+        """A value and its derivative; a value alone does not change."""
+        return _Pair(doubles[0], doubles[1] if len(doubles) > 1 else None)
+
+    def parts(self, b: Any, value: Any) -> list[Any]:  # noqa: ARG002
+        """The doubles of a number."""
+        return [*value]
 
     def constant(self, value: float) -> Any:
         """A number known beforehand."""

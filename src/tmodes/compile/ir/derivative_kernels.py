@@ -134,7 +134,8 @@ class _Writer:
 
     def __init__(self, module: Any, function: Any, writing: _Writing) -> None:
         self.b: Any = ir.IRBuilder(function.append_basic_block("entry"))
-        self.plain, self.wide = Double(module), _Wide(module) if writing.lanes > 1 else Double(module)
+        self.plain: Double = Double(module)
+        self.wide: Any = _Wide(module) if writing.lanes > 1 else Double(module)
         self.blocks, self.angles, self.keeps = writing.blocks, writing.angles, writing.keeps
         self.kinds = [self.wide if block.sloped else self.plain for block in self.blocks]
         self.spread_values: dict[int, Any] = {}

@@ -9,11 +9,9 @@ import math
 from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
-from tmodes.compile.ir.lower import Lowered
 from tmodes.compile.lanes import lanes_gate
-from tmodes.compile.lanes.lanes_loop import LanesLoop
+from tmodes.compile.lanes.lanes_loop import LanesLoop, due_samples, write_sample
 from tmodes.compile.lanes.lanes_power import exponential, logarithm
-from tmodes.compile.lanes.lanes_samples import due_samples, write_sample
 from tmodes.compile.loops.explicit_loop import adaptive_control, error_of, hermite, interpolation, slopes, stages
 from tmodes.compile.loops.step_control import StepControl, first_length, next_step
 from tmodes.compile.loops.time_loop import AdaptiveStep, Status
@@ -22,7 +20,7 @@ from tmodes.integrate.method import Tableau
 __all__ = ["write_lanes_loop"]
 
 
-def write_lanes_loop(module: Any, name: str, rate: Lowered | ScheduleRate, guarded: int, tableau: Tableau) -> None:
+def write_lanes_loop(module: Any, name: str, rate: ScheduleRate, guarded: int, tableau: Tableau) -> None:
     """Write the loop of a method: adaptive where it has an embedded error, else with the option ``step``."""
     loop = LanesLoop(module, name, rate, (*slopes(tableau)[1:], "probe", "new"), guarded)
     (_write_fixed if tableau.error is None else _write_adaptive)(loop, tableau)
@@ -80,14 +78,14 @@ def _size(loop: LanesLoop, error: Any) -> Any:
     """Logarithm of the error to base 2, between those of 1e-10 and of what is as good as infinite or no number."""
     b, huge = loop.builder, loop.constant(1e300)
     error = b.select(b.fcmp_ordered("<", error, huge), error, huge)
-    return logarithm(b, loop.numbers, loop.intrinsic("maxnum", error, loop.constant(1e-10)))
+    return logarithm(b, loop.lanes, loop.intrinsic("maxnum", error, loop.constant(1e-10)))
 
 
 def _reject(loop: LanesLoop, control: StepControl, rejected: Any, h: Any, size: Any) -> None:
     """Shorter steps; where the error is not a number, the shortest. ``size``: logarithm of the error."""
     b = loop.builder
     power = b.fsub(loop.constant(math.log2(control.safety)), b.fmul(loop.constant(control.exponent), size))
-    factor = loop.intrinsic("maxnum", exponential(b, loop.numbers, power), loop.constant(control.smallest))
+    factor = loop.intrinsic("maxnum", exponential(b, loop.lanes, power), loop.constant(control.smallest))
     loop.put("h", b.fmul(h, factor), rejected)
     loop.count("rejected", rejected)
 
@@ -97,7 +95,7 @@ def _accept(loop: LanesLoop, control: StepControl, end: str, accepted: Any, step
     b = loop.builder
     before = b.fmul(loop.constant(control.beta), loop.get("old_error"))
     wish = b.fadd(loop.constant(math.log2(control.safety)), before)
-    factor = exponential(b, loop.numbers, b.fsub(wish, b.fmul(loop.constant(control.exponent), size)))
+    factor = exponential(b, loop.lanes, b.fsub(wish, b.fmul(loop.constant(control.exponent), size)))
     factor = loop.intrinsic("maxnum", factor, loop.constant(control.smallest))
     grown = b.fmul(step.h, loop.intrinsic("minnum", factor, loop.constant(control.largest)))
     # A step cut short by a knot says little about the next: keep the longer wish.

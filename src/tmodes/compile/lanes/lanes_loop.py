@@ -6,7 +6,8 @@ no bit of a run depends on its neighbours.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 from llvmlite import ir
@@ -14,11 +15,10 @@ from llvmlite import ir
 from tmodes.compile.ir.arithmetic import Wide
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, store, whole
-from tmodes.compile.ir.lower import Lowered
 from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.time_loop import CELLS, Status
 
-__all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_OPTIONS", "WIDTH", "LanesLoop"]
+__all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_OPTIONS", "WIDTH", "LanesLoop", "due_samples", "write_sample"]
 
 WIDTH = Wide.stride
 """Runs side by side."""
@@ -46,12 +46,11 @@ _INTEGERS = ("knot_stride", "row_stride", "samples")
 class LanesLoop(Frame):
     """A vector for each cell, arrays in ``work``, and the blocks ``again`` and ``leave``."""
 
-    def __init__(
-        self, module: Any, name: str, rate: Lowered | ScheduleRate, scratch_arrays: Sequence[str], guarded: int
-    ) -> None:
+    def __init__(self, module: Any, name: str, rate: ScheduleRate, scratch_arrays: Sequence[str], guarded: int) -> None:
         """``guarded``: how many of the first components of the state are watched for divergence."""
         kinds = [(label, I64 if label in _INTEGERS else POINTER) for label in LANE_ARGUMENTS]
-        super().__init__(name, rate, Wide(module), kinds, guarded)
+        self.lanes = Wide(module)
+        super().__init__(name, rate, self.lanes, kinds, guarded)
         b = self.builder
         self.cell = {label: self.local(label) for label in (*LANE_CELLS, "start", "end", "total")}
         self.done = b.alloca(F64, name="done")
@@ -59,6 +58,8 @@ class LanesLoop(Frame):
         b.call(rate.prepare, [self.argument["p"], self.array["held"]])
         for slot, label in enumerate(LANE_CELLS):
             self.put(label, self.numbers.load(b, self.argument["memory"], slot))
+        if rate.sampled is not None:
+            b.call(rate.sampled.prepare, [self.argument["p"], self.array["sampling"]])
         b.store(number(0.0), self.done)
         self.enter_segments()
         self.again, self.leave = self.block("again"), self.block("leave")
@@ -69,11 +70,26 @@ class LanesLoop(Frame):
         b.ret_void()
         b.position_at_end(self.again)
         self._end_runs()
+        self._sample()
+
+    def _sample(self) -> None:
+        """At the start of each segment of a lane, once: its state after the samples there."""
+        b, sampled = self.builder, self.rate.sampled
+        if sampled is None:
+            return
+        after = b.fadd(self.get("segment"), self.constant(1.0))
+        new = b.and_(self.running(), b.fcmp_ordered(">", after, self.get("sampled")))
+        with b.if_then(self.any(new), likely=False):
+            self.call(sampled, self.get("t"), "y", "after", "sampling")
+            self.copy_where(new, "y", "after")
+            self.put("sampled", after, new)
 
     def _lay_out(self, scratch_arrays: Sequence[str]) -> None:
         """The arrays inside ``work``; an exported function ``NAME.work`` says how many numbers they need."""
         sizes = {"held": self.rate.held_size, "row": self.rate.row, "shown": self.size}
         sizes |= dict.fromkeys(scratch_arrays, self.size)
+        if self.rate.sampled is not None:
+            sizes |= {"sampling": self.rate.sampled.held_size, "after": self.size}
         start = 0
         for label, size in sizes.items():
             self.array[label] = at(self.builder, self.argument["work"], start * WIDTH)
@@ -108,7 +124,7 @@ class LanesLoop(Frame):
 
     def option(self, label: str) -> Any:
         """Value of an option in all lanes."""
-        return self.numbers.spread(self.builder, self._single_option(label))
+        return self.lanes.spread(self.builder, self._single_option(label))
 
     def any(self, condition: Any) -> Any:
         """Whether a condition holds in any lane."""
@@ -128,6 +144,10 @@ class LanesLoop(Frame):
     def end_where(self, condition: Any, status: Status) -> None:
         """Give running lanes a status where the condition holds."""
         self.put("status", self.constant(float(status)), self.builder.and_(self.running(), condition))
+
+    def row(self) -> Any:
+        """The rows of the present segments, side by side."""
+        return self.array["row"]
 
     def segment(self) -> tuple[Any, Any]:
         """Times at which the present segment of each lane's input starts and ends."""
@@ -168,10 +188,55 @@ class LanesLoop(Frame):
 
     def evaluate(self, time: Any, state: str, into: str) -> None:
         """Right-hand side at a state array, into an array; every lane is computed, whether it runs or not."""
-        arrays = (self.array[label] for label in (state, "row", "held", into))
-        self.builder.call(self.rate.call, [time, *arrays])
+        self.call(self.rate, time, state, into)
 
     def copy_where(self, condition: Any, into: str, source: str) -> None:
         """``into = source`` in the lanes where the condition holds."""
         with counted(self.builder, self.size) as i:
             self.store(self.builder.select(condition, self.load(source, i), self.load(into, i)), into, i)
+
+
+@contextmanager
+def due_samples(loop: LanesLoop, who: Any, until: Any) -> Iterator[tuple[Any, Any]]:
+    """As long as samples of the lanes ``who`` are due: yields in which lanes, and their times."""
+    b: Any = loop.builder
+    check, write, done = loop.block("sample_check"), loop.block("sample_write"), loop.block("sample_done")
+    b.branch(check)
+    b.position_at_end(check)
+    left, time = _next_samples(loop)
+    due = b.and_(b.and_(who, left), b.fcmp_ordered("<=", time, until))
+    b.cbranch(loop.any(due), write, done)
+    b.position_at_end(write)
+    yield due, time
+    loop.count("sample", due)
+    b.branch(check)
+    b.position_at_end(done)
+
+
+def _next_samples(loop: LanesLoop) -> tuple[Any, Any]:
+    """In which lanes a sample is left, and its time; the last time where none is."""
+    b: Any = loop.builder
+    time = left = None
+    for lane in range(WIDTH):
+        index = b.fptosi(b.extract_element(loop.get("sample"), whole(lane)), I64)
+        some = b.icmp_signed("<", index, loop.argument["samples"])
+        value = load(b, loop.argument["times"], b.select(some, index, whole(0)))
+        time = b.insert_element(loop.constant(0.0) if time is None else time, value, whole(lane))
+        none = ir.Constant(ir.VectorType(ir.IntType(1), WIDTH), [0] * WIDTH)
+        left = b.insert_element(none if left is None else left, some, whole(lane))
+    return left, time
+
+
+def write_sample(loop: LanesLoop, due: Any, value_of: Any) -> None:
+    """Write ``value_of(i)`` of all components into the next sample of the lanes ``due``."""
+    b: Any = loop.builder
+    with counted(b, loop.size) as i:
+        loop.store(value_of(i), "shown", i)
+    for lane in range(WIDTH):
+        with b.if_then(b.extract_element(due, whole(lane))):
+            index = b.fptosi(b.extract_element(loop.get("sample"), whole(lane)), I64)
+            place = b.fptosi(load(b, loop.argument["places"], lane), I64)
+            index = b.add(index, b.mul(loop.argument["samples"], place))
+            target = at(b, loop.argument["out"], b.mul(index, whole(loop.size)))
+            with counted(b, loop.size) as i:
+                store(b, load(b, loop.array["shown"], b.add(b.mul(i, whole(WIDTH)), whole(lane))), target, i)

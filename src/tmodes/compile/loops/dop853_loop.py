@@ -10,7 +10,6 @@ from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, counted, number, store
-from tmodes.compile.ir.lower import Lowered
 from tmodes.compile.loops.step_control import ExplicitMethod, StepControl
 from tmodes.compile.loops.stiffness import StiffnessTest
 from tmodes.compile.loops.time_loop import TimeLoop
@@ -31,7 +30,7 @@ _STIFFNESS = StiffnessTest(slopes=(_END, _K[STAGES - 1]), states=("new", "probe"
 _METHOD = ExplicitMethod(_CONTROL, _STIFFNESS, _END)
 
 
-def write_dop853_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
+def write_dop853_loop(module: Any, name: str, lowered: ScheduleRate, guarded: int) -> None:
     """Write the loop: steps end exactly on the knots, where the first stage is evaluated again."""
     loop = TimeLoop(module, name, lowered, (*_K[1:], "probe", "new", "local", "between"), guarded)
     gate, step = _METHOD.begin(loop)

@@ -6,7 +6,6 @@ from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import counted, number, store
-from tmodes.compile.ir.lower import Lowered
 from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.step_control import ExplicitMethod, StepControl, next_step, take_step
 from tmodes.compile.loops.stiffness import StiffnessTest
@@ -16,9 +15,7 @@ from tmodes.integrate.method import Tableau
 __all__ = ["adaptive_control", "error_of", "hermite", "interpolation", "slopes", "stages", "write_explicit_loop"]
 
 
-def write_explicit_loop(
-    module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int, tableau: Tableau
-) -> None:
+def write_explicit_loop(module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau) -> None:
     """Write the loop of a method: adaptive where it has an embedded error, else with the option ``step``."""
     (_write_fixed if tableau.error is None else _write_adaptive)(module, name, lowered, guarded, tableau)
 
@@ -96,7 +93,7 @@ def hermite(loop: Frame, s: Any, h: Any, end: str) -> dict[str, Any]:
     }
 
 
-def _write_adaptive(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int, tableau: Tableau) -> None:
+def _write_adaptive(module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau) -> None:
     """Steps end exactly on the knots, where the first stage is evaluated again."""
     names = slopes(tableau)
     loop = TimeLoop(module, name, lowered, (*names[1:], "probe", "new", "local"), guarded)
@@ -119,7 +116,7 @@ def _write_row(loop: TimeLoop, target: Any, weights: dict[str, Any]) -> None:
         store(loop.builder, loop.weighted(weights, i), target, i)
 
 
-def _write_fixed(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int, tableau: Tableau) -> None:
+def _write_fixed(module: Any, name: str, lowered: ScheduleRate, guarded: int, tableau: Tableau) -> None:
     """Samples between steps come from the cubic Hermite polynomial, whose error is of order 4."""
     names = slopes(tableau)
     loop = TimeLoop(module, name, lowered, (*names[1:], "probe", "new"), guarded)

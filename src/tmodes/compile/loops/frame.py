@@ -10,7 +10,6 @@ from llvmlite import ir
 from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import VOID, at, counted, declare, whole
-from tmodes.compile.ir.lower import Lowered
 
 __all__ = ["Frame"]
 
@@ -21,7 +20,7 @@ class Frame:
     def __init__(
         self,
         name: str,
-        rate: Lowered | ScheduleRate,
+        rate: ScheduleRate,
         numbers: Double,
         arguments: Sequence[tuple[str, Any]],
         guarded: int,
@@ -69,6 +68,11 @@ class Frame:
         index = i if stride == 1 else self.builder.mul(i, whole(stride))
         return self.builder.bitcast(at(self.builder, self.array[label], index), self.numbers.kind.as_pointer())
 
+    def call(self, rate: ScheduleRate, time: Any, state: str, into: str, held: str = "held") -> None:
+        """A function of time, state and row at a state array, into an array; ``held``: its memory."""
+        arrays = (self.array[state], self.row(), self.array[held], self.array[into])
+        self.builder.call(rate.call, [time, *arrays])
+
     def combine(self, into: str, weights: dict[str, Any], base: str = "y") -> None:
         """``into = base + sum weights[a] a`` for whole arrays."""
         b = self.builder
@@ -106,6 +110,14 @@ class Frame:
             ratio = b.fdiv(value_of(i), b.fadd(absolute, b.fmul(relative, largest)))
             b.store(b.fadd(self.get("total"), b.fmul(ratio, ratio)), total)
         return self.intrinsic("sqrt", b.fdiv(self.get("total"), self.constant(float(self.size))))
+
+    def evaluate(self, time: Any, state: str, into: str) -> None:
+        """Right-hand side at a state array, into an array."""
+        raise NotImplementedError
+
+    def row(self) -> Any:
+        """Address of the row of the present segment of the input."""
+        raise NotImplementedError
 
     def option(self, label: str) -> Any:
         """Value of an option."""

@@ -14,7 +14,6 @@ from typing import Any, NamedTuple
 from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, I64, POINTER, at, counted, load, number, scratch, store, whole
-from tmodes.compile.ir.lower import Lowered
 from tmodes.compile.loops.due_samples import due_samples, is_due
 from tmodes.compile.loops.frame import Frame
 
@@ -22,9 +21,9 @@ __all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "AdaptiveStep", "Status", "TimeLoop"
 
 CELLS = (
     "t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status",
-    "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes",
+    "smallest", "stiff", "calm", "stiff_time", "events", "burst", "burst_time", "passes", "sampled",
 )  # fmt: skip
-"""Memory of a loop between calls, one double each."""
+"""Memory of a loop between calls, one double each; ``sampled``: segments whose samples of controllers are taken."""
 
 OPTIONS = ("step", "rtol", "atol", "chunk", "bound", "watch", "most_events", "event_time", "looks")
 """Settings of a loop.
@@ -72,9 +71,7 @@ class AdaptiveStep(NamedTuple):
 class TimeLoop(Frame):
     """The loop of one run: mutable cells, scratch arrays, and the blocks ``again`` and ``leave``."""
 
-    def __init__(
-        self, module: Any, name: str, rate: Lowered | ScheduleRate, scratch_arrays: Sequence[str], guarded: int
-    ) -> None:
+    def __init__(self, module: Any, name: str, rate: ScheduleRate, scratch_arrays: Sequence[str], guarded: int) -> None:
         """``guarded``: how many of the first components of the state are watched for divergence."""
         kinds = [(label, I64 if label in ("segments", "samples") else POINTER) for label in ARGUMENTS]
         super().__init__(name, rate, Double(module), kinds, guarded)
@@ -84,6 +81,10 @@ class TimeLoop(Frame):
         self.array["errors"] = self.argument["errors"]
         self.array["held"] = scratch(b, rate.held_size, "held")
         b.call(rate.prepare, [self.argument["p"], self.array["held"]])
+        if rate.sampled is not None:
+            self.array["sampling"] = scratch(b, rate.sampled.held_size, "sampling")
+            self.array["after"] = scratch(b, self.size, "after")
+            b.call(rate.sampled.prepare, [self.argument["p"], self.array["sampling"]])
         for slot, label in enumerate(CELLS):
             self.put(label, load(b, self.argument["memory"], slot))
         self.put("done", number(0.0))
@@ -98,6 +99,18 @@ class TimeLoop(Frame):
         over = b.icmp_signed(">=", self.integer("segment"), self.argument["segments"])
         self.stop_if(over, Status.FINISHED)
         self.stop_if(b.fcmp_ordered(">=", self.get("done"), self.option("chunk")), Status.RUNNING)
+        self._sample()
+
+    def _sample(self) -> None:
+        """At the start of each segment, once: the state after the samples there."""
+        b, sampled = self.builder, self.rate.sampled
+        if sampled is None:
+            return
+        after = b.fadd(self.get("segment"), number(1.0))
+        with b.if_then(b.fcmp_ordered(">", after, self.get("sampled")), likely=False):
+            self.call(sampled, self.get("t"), "y", "after", "sampling")
+            self.copy("y", "after")
+            self.put("sampled", after)
 
     def step_until(self, end: Any) -> tuple[Any, Any, Any]:
         """Length of the next step, whether it ends on ``end``, and the time after it; fails where it is too short."""
@@ -182,8 +195,7 @@ class TimeLoop(Frame):
 
     def evaluate(self, time: Any, state: str, into: str) -> None:
         """Right-hand side at a state array, into an array."""
-        row = self.row()
-        self.builder.call(self.rate.call, [time, self.array[state], row, self.array["held"], self.array[into]])
+        self.call(self.rate, time, state, into)
         self.add("evaluations", 1.0)
 
     def copy(self, into: str, source: str) -> None:

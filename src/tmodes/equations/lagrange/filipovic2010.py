@@ -32,29 +32,35 @@ _MODES = 2
 def basis() -> Any:
     """Constant map A (5, 5): [q, delta, gamma, vt, e] = A [joint, th11q, th12d, th11m, th12e]; the inverse of (5)."""
     return np.array(
-        [
-            [1, 1, 0, 0, 0],
-            [0, 0.5, 1, 0, 0],
-            [1, 0, 0, 0, 0],
-            [0, 0, 0, 1, 0],
-            [0, 0, 0, 0.5, 1],
-        ]
-    )
+        [[1, 1, 0, 0, 0], [0, 0.5, 1, 0, 0], [1, 0, 0, 0, 0], [0, 0, 0, 1, 0], [0, 0, 0, 0.5, 1]],
+    )  # fmt: skip
 
 
 def _deformations(x: Any) -> tuple[Any, Any, Any, Any]:
-    """Bending angles th11q, th12d, th11m, th12e of coordinates; the same map takes rates to rates."""
+    """Bending angles th11q, th12d, th11m, th12e of coordinates; the same map takes rates to rates.
+
+    Eq. (5) [stated]: q = gamma + th11q, gamma = theta + xi, delta = omega_q + th12d, e = omega_m + th12e,
+    solved for the angles with omega = th/2 of (6) and (7); xi is the deflection of the gear. {test_deformation_angles}
+    """
     bent = x.q - x.gamma
     return bent, x.delta - bent / 2, x.vt, x.e - x.vt / 2
 
 
 def _lengths(q: Any, p: Any) -> tuple[Any, Any]:
-    """Lengths of the modes seen from above [m]: lm = l1 cos vt, le = l2 cos(vt + e)."""
+    """Lengths of the modes seen from above [m].
+
+    Eq. (8) [stated]: a mode's tip moves on a ball of radius l, without shortening; from above its length is
+    lm = l1 cos vt and le = l2 cos(vt + e). {test_tip_is_the_paper_formula}
+    """
     return p.l1 * ca.cos(q.vt), p.l2 * ca.cos(q.vt + q.e)
 
 
 def _tips(q: Any, p: Any) -> tuple[Any, Any]:
-    """Positions of the modes' tips [m]."""
+    """Positions of the modes' tips [m].
+
+    Eq. (42) [stated]: x = lm cos q + le cos(q + delta), y likewise, z = l1 sin vt + l2 sin(vt + e).
+    {test_tip_is_the_paper_formula}
+    """
     lm, le = _lengths(q, p)
     middle = ca.vertcat(lm * ca.cos(q.q), lm * ca.sin(q.q), p.l1 * ca.sin(q.vt))
     azimuth = q.q + q.delta
@@ -63,7 +69,11 @@ def _tips(q: Any, p: Any) -> tuple[Any, Any]:
 
 
 def _spatial(q: Any, v: Any, p: Any) -> Any:
-    """Translation of the point masses, ``consistent``: the whole velocity in space."""
+    """Translation of the point masses, ``consistent``: the whole velocity in space.
+
+    Eq. (14) [derived]: 1/2 mel1 v1.v1 + 1/2 (m + mel2) v2.v2 and the rotary terms; the print shows its first terms and
+    the coefficient H11 that follows from it. {test_printed_h11_entry}
+    """
     inner = _arm_velocity(p.l1, q.vt, v.q, v.vt)
     outer = _arm_velocity(p.l2, q.vt + q.e, v.q + v.delta, v.vt + v.e)
     along = inner[0] * outer[0] + inner[1] * outer[1]
@@ -101,17 +111,37 @@ def _rotary(v: Any, p: Any) -> Any:
 
 
 def _gravity(q: Any, p: Any) -> Any:
-    """Potential energy of the masses [J], zero at z = 0."""
+    """Potential energy of the masses [J], zero at z = 0.
+
+    Eq. (15) [stated]: Ep = g (mel1 l1 sin vt + (m + mel2)(l1 sin vt + l2 sin(vt + e))). {test_gravity_energy}
+    """
     return p.g * sum(mass * tip[2] for mass, tip in zip((p.m1, p.m2), _tips(q, p), strict=True))
 
 
 def _bent(values: tuple[Any, ...], levers: tuple[Any, ...], constants: tuple[Any, ...]) -> Any:
-    """1/2 sum C (lever value)^2: elastic energy, or Rayleigh's function of the rates."""
+    """1/2 sum C (lever value)^2: elastic energy, or Rayleigh's function of the rates.
+
+    Eq. (16) [stated]: Epels_11m = 1/2 Cs1 th11m^2 l1^2. {test_elastic_energy_terms}
+    Eq. (17) [stated]: Epels_12e = 1/2 Cs2 (e - vt/2)^2 l2^2. {test_elastic_energy_terms}
+    Eq. (18) [stated]: Epels_11q = 1/2 Cs1 (q - gamma)^2 (l1 cos vt)^2. {test_elastic_energy_terms}
+    Eq. (19) [stated]: Epels_12d = 1/2 Cs2 (delta - (q - gamma)/2)^2 (l2 cos(vt + e))^2. {test_elastic_energy_terms}
+    Eq. (20) [corrected]: Phi_11m = 1/2 Bs1 th11m'^2 l1^2; the print lost the dot. {test_rayleigh_terms}
+    Eq. (21) [corrected]: Phi_12e = 1/2 Bs2 (e' - vt'/2)^2 l2^2; the dots again. {test_rayleigh_terms}
+    Eq. (22) [corrected]: Phi_11q = 1/2 Bs1 (q' - gamma')^2 (l1 cos vt)^2; the dots again. {test_rayleigh_terms}
+    Eq. (23) [corrected]: Phi_12d = 1/2 Bs2 (delta' - (q' - gamma')/2)^2 (l2 cos(vt + e))^2. {test_rayleigh_terms}
+    Slip (20)-(23): the dots of the rates are lost in the print {test_rayleigh_terms}
+    """
     return sum(c * (lever * x) ** 2 / 2 for c, lever, x in zip(constants, levers, values, strict=True))
 
 
 def _levers(q: Any, p: Any, *, printed: bool) -> tuple[Any, ...]:
-    """Lengths that turn bending angles into deflections, in the order th11q, th12d, th11m, th12e."""
+    """Lengths that turn bending angles into deflections r, in the order th11q, th12d, th11m, th12e.
+
+    Eq. (9) [stated]: r11m = l1 th11m. {test_elastic_energy_terms}
+    Eq. (10) [stated]: r12e = l2 (e - vt/2). {test_elastic_energy_terms}
+    Eq. (11) [stated]: r11q = l1 cos vt (q - gamma). {test_elastic_energy_terms}
+    Eq. (12) [stated]: r12d = l2 cos(vt + e) (delta - (q - gamma)/2). {test_elastic_energy_terms}
+    """
     return (*((p.l1, p.l2) if printed else _lengths(q, p)), p.l1, p.l2)
 
 
@@ -127,7 +157,12 @@ def _points(q: Any, p: Any) -> dict[str, Any]:
 
 
 def _planar_map(q: Any, p: Any) -> Any:
-    """The paper's block Jacobian, transposed (5, 3): it counts F_x in both planes and takes or brings power."""
+    """The paper's block Jacobian, transposed (5, 3): it counts F_x in both planes and takes or brings power.
+
+    Eq. (40) [stated]: Je = [Jh 0; 0 Jv], each of its own plane; the vertical plane takes the component along the
+    tip's horizontal radius. {test_slip_planar_map_is_not_power}
+    Slip (40): F_x is counted in both planes {test_slip_planar_map_is_not_power}
+    """
     position = _tips(q, p)[1]
     horizontal = _planar_jacobian(*_lengths(q, p), q.q, q.delta)
     vertical = _planar_jacobian(p.l1, p.l2, q.vt, q.e)
@@ -145,6 +180,9 @@ def _planar_jacobian(a: Any, b: Any, angle: Any, bend: Any) -> Any:
 
 def _numbers(chain: Chain) -> Mapping[str, float]:
     """Lengths, masses, inertias, springs and dampers of the robot's link and of what it carries at its tip.
+
+    Eq. (28) [stated]: mel2, Jel2 at the full length of mode 2 enter here. {test_slip_13_mass}
+    Eq. (30) [stated]: mel1, Jel1 at the full length of mode 1 enter here. {test_slip_13_mass}
 
     Raises :class:`tmodes.errors.InputError` for a robot that is not one joint with one link of two modes.
     """
@@ -194,21 +232,10 @@ def _system(name: str, title: str, *, printed: bool) -> System:
         return _bent(_deformations(v), _levers(q, p, printed=printed), (p.b1, p.b2, p.b1, p.b2))
 
     return System(
-        name=name,
-        title=title,
-        coordinates=dict.fromkeys(COORDINATES, "rad"),
-        parameters=dict.fromkeys(_NUMBERS, 0.0),
-        kinetic=kinetic,
-        gravity=_gravity,
-        elastic=elastic,
-        dissipation=dissipation,
-        points=_points,
-        numbers=_numbers,
-        own=OWN,
-        directions=basis(),
-        contact_map=_planar_map if printed else None,
-        matches=_matches,
-    )
+        name=name, title=title, coordinates=dict.fromkeys(COORDINATES, "rad"), parameters=dict.fromkeys(_NUMBERS, 0.0),
+        kinetic=kinetic, gravity=_gravity, elastic=elastic, dissipation=dissipation, points=_points, numbers=_numbers,
+        own=OWN, directions=basis(), contact_map=_planar_map if printed else None, matches=_matches,
+    )  # fmt: skip
 
 
 CONSISTENT = _system("consistent", "Filipovic & Djuric 2010, with the whole velocity in space", printed=False)

@@ -157,6 +157,12 @@ class SystemKernels:
         """(z, z', parameters) -> generalized forces (own, 6), row by row, of unit forces and moments on a point.
 
         ``mapped``: by the system's own map, where it has one.
+
+        Eq. (44) [corrected]: the tip's Jacobian; the print exchanges lm and le and lacks the derivatives of x and y by
+        vt and e. {test_slip_44_jacobian}
+        Slip (44): lm and le exchanged, derivatives of x, y by vt and e missing {test_slip_44_jacobian}
+        Slip (34)-(38): a force at the tip reaches each row by its own column of Je, where the print writes the planes'
+        rows {test_every_row_needs_its_column_of_the_jacobian}
         """
 
         def of(e: Any) -> list[list[Any]]:

@@ -25,6 +25,11 @@ class LagrangeMechanics:
         self.parts, self.chained = parts, ChainedSystem(system, parts)
 
     @property
+    def on_links(self) -> bool:
+        """Whether the system is another statement of the chain's links, from which its numbers come."""
+        return self.chained.system.numbers is not None
+
+    @property
     def zeros(self) -> tuple[Slot, ...]:
         """Parameters that are zero whatever the robot's numbers."""
         return self.chained.zeros

@@ -57,7 +57,11 @@ def inertia_schedule(chained: ChainedSystem, *, loaded: bool = False) -> Schedul
 
 
 def elastic_schedule(chained: ChainedSystem) -> Schedule:
-    """(q, v) -> forces of springs, dampers and friction, energies and losses: of the drives, then of the system."""
+    """(q, v) -> forces of springs, dampers and friction, energies and losses: of the drives, then of the system.
+
+    Eq. (26) [stated]: Epel is the sum of (16)-(19) and (24). {test_elastic_energy_terms}
+    Eq. (27) [stated]: Phi_el is the sum of (20)-(23) and (25). {test_rayleigh_terms}
+    """
     way, kernels = LagrangeWay(chained, chained.blocks()), chained.kernels
     schedule, none, parts = way.schedule, way.none[1], chained.parts
     motors, joints, energies, losses = elastic_of_drives(way)

@@ -37,6 +37,8 @@ class Solver:
     """Accelerations of the bodies: ``joints`` of their coordinates are joints, those in ``held`` are prescribed.
 
     ``touched``: a point is in contact; its normal force is found together with the accelerations.
+
+    Eq. (40) [derived]: H phi'' + h + f_elastic + f_damping + J^T F = Q. {test_samples}
     """
 
     kernels: SystemKernels

@@ -47,7 +47,19 @@ class EquationTerms:
 
 
 def equation_terms(energy: Energies, q: Any, v: Any) -> EquationTerms:
-    """d/dt (dT/dq') - dT/dq + dV/dq + dPhi/dq', sorted by what causes it."""
+    """d/dt (dT/dq') - dT/dq + dV/dq + dPhi/dq', sorted by what causes it.
+
+    Of the 2010 robot these are its rows but for the gear's torque sigma, which is its drive's:
+
+    Eq. (34) [corrected]: the row of q; the print repeats Hel1,1 for Hel1,2 and Hel1,3. {test_rows_are_lagrange}
+    Eq. (35) [derived]: the row of delta. {test_rows_are_lagrange}
+    Eq. (36) [derived]: the row of gamma, with + 1/2 eps12 - eps11 + sigma. {test_rows_are_lagrange}
+    Eq. (37) [derived]: the row of vt, with eps11 - 1/2 eps12: the -1/2 follows from the energies. {test_half_coupling}
+    Eq. (38) [derived]: the row of e. {test_rows_are_lagrange}
+    Slip (34): Hel1,1 is repeated where Hel1,2 and Hel1,3 belong {test_slip_34_repeated_entry}
+    Slip (18)-(19): with lm, le varying, the energies have geometric terms in rows vt and e that the print
+    lacks {test_slip_18_geometric_terms}
+    """
     momentum = ca.gradient(energy.kinetic, v)
     stiffness, elastic = ca.hessian(energy.elastic, q)
     swing, damping = ca.hessian(energy.dissipation, v)

@@ -12,6 +12,7 @@ from tmodes.equations.loop.friction import contact_fold
 from tmodes.equations.loop.instant import Instant
 from tmodes.equations.loop.loop_parts import Driver, LoopParts
 from tmodes.equations.loop.powers import Powers
+from tmodes.equations.loop.serving import sampled_state
 from tmodes.kinds.kernel.schedule import Schedule
 
 __all__ = ["ClosedLoop", "Driver"]
@@ -47,19 +48,29 @@ class ClosedLoop(LoopParts):
         controls = [instant.controls[k] for k in sorted(instant.controls)]
         works = Powers(instant).works
         instant.schedule.often = True
+        instant.schedule.sampled = self.sampled
         instant.schedule.output("rate", instant.way.v, *instant.accelerations, *currents, *controls, *works)
         return instant.schedule
 
     @cached_property
+    def sampled(self) -> Schedule | None:
+        """(time, state, row, step) -> the state after the samples at the row's start; None without a sampled one."""
+        return sampled_state(self) if self.plan.is_sampled else None
+
+    @cached_property
     def observe(self) -> Schedule:
-        """(time, state, row, step) -> q, v, a, drives (4 each), gear, contact (6), fold, the base's row, powers."""
-        instant = Instant(self)
+        """(time, state, row, step) -> what is shown.
+
+        q, v, a, drives (4 each), own states of controllers, gear, contact (6), fold, the base's row, powers.
+        """
+        instant = Instant(self, after=self.plan.is_sampled)
         powers, drives = Powers(instant), range(len(self.drivers))
         shown = {
             "q": [instant.way.q],
             "v": [instant.way.v],
             "a": instant.accelerations,
             "drives": [powers.info[k] for k in drives],
+            "controls": [instant.own[k] for k in sorted(instant.own) if instant.own[k].size],
             "gear": [powers.gear[k] for k in drives],
             "contact": [powers.contact],
             "contact_fold": [contact_fold(instant.solution, instant.begin)],

@@ -1,6 +1,6 @@
 """Kernels of what moves a joint: controller, motor winding, and the effort that a given motion needs.
 
-DC motor, Eq. (39) of Filipovic & Djuric 2010: u = R i + CE th', torque CM i. With an inductance L the current is a
+DC motor: u = R i + CE th', torque CM i. With an inductance L the current is a
 state: L i' = u - R i - CE th'.
 """
 
@@ -13,7 +13,8 @@ from typing import Any
 import casadi as ca
 
 from tmodes.equations.loop.signals_kernels import SIGNAL
-from tmodes.kinds.controllers.registry import Controller, Measured
+from tmodes.kinds.controllers.registry import Controller, Measured, OwnState
+from tmodes.kinds.kernel.functions import if_else
 from tmodes.kinds.kernel.kernel import Kernel
 
 __all__ = ["OUTPUTS", "WINDING", "Servo", "View", "Winding", "needed_kernel"]
@@ -67,9 +68,27 @@ class Servo:
         return self.driven and self.winding is Winding.INDUCTANCE
 
     @property
+    def is_sampled(self) -> bool:
+        """Whether the controller holds its command between samples."""
+        return self.controller is not None and self.controller.period is not None
+
+    @property
+    def start(self) -> tuple[float, ...]:
+        """The controller's own states at time 0; the held command, which the first sample sets, before them."""
+        own = self.controller.initial() if self.controller else ()
+        return (0.0, *own) if self.is_sampled else own
+
+    @property
     def states(self) -> int:
-        """Number of the controller's own states."""
-        return len(self.controller.initial()) if self.controller else 0
+        """Number of the controller's own states, the held command among them."""
+        return len(self.start)
+
+    @property
+    def named_states(self) -> tuple[OwnState, ...]:
+        """Names and units of the states."""
+        own = self.controller.states if self.controller else ()
+        unit = "V" if self.driven else "N*m|N"
+        return (OwnState("command", unit), *own) if self.is_sampled else own
 
     @property
     def sees_all(self) -> bool:
@@ -100,7 +119,9 @@ class Servo:
             noise = blocks.pop(0) if self.noisy else [0.0] * SIGNAL
             x = blocks.pop(0) if self.states else []
             command, stiff, damp, rates = signal[0], 0.0, 0.0, []
-            if self.controller:
+            if self.is_sampled:
+                command, rates = x[0], [0.0] * self.states
+            elif self.controller:
                 wanted = [signal[k] + noise[k] for k in range(SIGNAL)] if self.noisy else signal
                 law = _Law(self.controller, [p[WINDING + k] for k in range(own)], [x[k] for k in range(self.states)])
                 command, stiff, damp, rates = law.at(wanted, th[0], thd[0], current[0], (view, blocks))
@@ -110,10 +131,35 @@ class Servo:
         seen = f", {view}" if view else ""
         return Kernel(f"{self.key}{seen}", inputs, (1, 2, 1, OUTPUTS, *([self.states] if self.states else [])), build)
 
+    def sample_kernel(self, view: View | None = None) -> Kernel:
+        """(numbers, signal, th, th', current, h, ..., clock) -> the held command and the own states.
+
+        They are new where the clock is 0, at a sample; inputs are those of :meth:`kernel`.
+        """
+        law, plain = self.controller, self.kernel(view)
+        assert law is not None  # noqa: S101
+
+        def build(p: Any, signal: Any, th: Any, thd: Any, current: Any, step: Any, *rest: Any) -> list[list[Any]]:
+            del step
+            *blocks, clock = rest
+            noise = blocks.pop(0) if self.noisy else [0.0] * SIGNAL
+            x = blocks.pop(0)
+            held = [x[k] for k in range(self.states)]
+            wanted = [signal[k] + noise[k] for k in range(SIGNAL)] if self.noisy else signal
+            numbers = [p[WINDING + k] for k in range(plain.inputs[0] - WINDING)]
+            measured = _measured(wanted, (th[0], thd[0]), current[0], (view, blocks))
+            new = [law.command(numbers, measured, held[1:]), *law.updates(numbers, measured, held[1:])]
+            return [[if_else(clock[0] <= 0, after, before) for after, before in zip(new, held, strict=True)]]
+
+        return Kernel(f"sampling {plain.key}", (*plain.inputs, SIGNAL), (self.states,), build)
+
     def _driven(
         self, p: Any, of: tuple[Any, Any, Any], signal: Any, thd: Any, electric: tuple[Any, Any]
     ) -> list[list[Any]]:
-        """From the command and its slopes to the effort and what is known of the drive."""
+        """From the command and its slopes to the effort and what is known of the drive.
+
+        Eq. (39) [stated]: u = R i + CE theta', so i = (u - CE theta')/R. {test_motor_row_is_in_newton_metres}
+        """
         (command, stiff, damp), (current, step) = of, electric
         resistance, back, torque, inductance = (p[i] for i in range(WINDING))
         if not self.driven:
@@ -140,22 +186,27 @@ class _Law:
     def at(self, wanted: Any, th: Any, thd: Any, current: Any, seen: tuple[View | None, list[Any]]) -> Any:
         """Command, its fall per th and th', and the rates of the own states."""
         own = ca.SX.sym("own", 2)
-        view, blocks = seen
-        here = {"wanted": wanted[0], "wanted_rate": wanted[1], "wanted_acceleration": wanted[2], "current": current}
-        if view:
-            q, v = ([block[k] for k in range(len(view.names))] for block in blocks[:2])
-            q[view.own], v[view.own] = own[0], own[1]
-            setpoints = [[blocks[3][SIGNAL * k + i] for i in range(SIGNAL)] for k in range(len(view.drives))]
-            setpoints[view.drives.index(view.names[view.own].removesuffix(".motor"))] = [wanted[k] for k in range(3)]
-            here |= {"q": q, "v": v, "names": view.names, "setpoints": setpoints, "drives": view.drives}
-            here["currents"] = [blocks[2][k] for k in range(view.currents)]
-        measured = Measured(position=own[0], velocity=own[1], **here)
+        measured = _measured(wanted, (own[0], own[1]), current, seen)
         command = ca.SX(self.controller.command(self.p, measured, self.x))
         rates = ca.SX(ca.vertcat(*self.controller.rates(self.p, measured, self.x)))
         slopes = -ca.jacobian(command, own)
         place = ca.vertcat(th, thd)
         command, slopes, rates = ca.substitute([command, slopes, rates], [own], [place])
         return command, slopes[0], slopes[1], [rates[k] for k in range(len(self.x))]
+
+
+def _measured(wanted: Any, own: tuple[Any, Any], current: Any, seen: tuple[View | None, list[Any]]) -> Measured:
+    """What a controller sees: the wanted value with two derivatives, its own position and rate, and its view."""
+    view, blocks = seen
+    here = {"wanted": wanted[0], "wanted_rate": wanted[1], "wanted_acceleration": wanted[2], "current": current}
+    if view:
+        q, v = ([block[k] for k in range(len(view.names))] for block in blocks[:2])
+        q[view.own], v[view.own] = own
+        setpoints = [[blocks[3][SIGNAL * k + i] for i in range(SIGNAL)] for k in range(len(view.drives))]
+        setpoints[view.drives.index(view.names[view.own].removesuffix(".motor"))] = [wanted[k] for k in range(3)]
+        here |= {"q": q, "v": v, "names": view.names, "setpoints": setpoints, "drives": view.drives}
+        here["currents"] = [blocks[2][k] for k in range(view.currents)]
+    return Measured(position=own[0], velocity=own[1], **here)
 
 
 def needed_kernel(winding: Winding) -> Kernel:

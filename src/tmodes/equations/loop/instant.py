@@ -7,51 +7,43 @@ from __future__ import annotations
 
 from collections.abc import Callable
 
-from tmodes.equations.loop.control_kernels import View
 from tmodes.equations.loop.friction import solved
 from tmodes.equations.loop.load_kernels import load_kernel
-from tmodes.equations.loop.loop_parts import Driver, LoopParts
-from tmodes.equations.loop.signals_kernels import base_kernel, replacing_kernel, signal_kernel
+from tmodes.equations.loop.loop_parts import LoopParts
+from tmodes.equations.loop.serving import Serving
+from tmodes.equations.loop.signals_kernels import base_kernel
 from tmodes.equations.mechanics import Dynamics, Way
-from tmodes.equations.recursion.coordinates import packing_kernel
 from tmodes.equations.recursion.passes import Blocks
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.schedule import Divisible, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["Instant"]
 
 
-class Instant:
+class Instant(Serving):
     """Blocks of one schedule by what they mean.
 
     ``way`` and ``solution`` have what the passes found; ``accelerations`` are blocks in the order of the coordinates.
     By the number of a drive: ``efforts`` of servos, ``info`` (4), and rates of the controller's own states
-    (``controls``); by the number of a current: its ``change``.
+    (``controls``), the states themselves (``own``); by the number of a current: its ``change``.
     ``dead``: wrenches on points but for the contact's.
     """
 
-    def __init__(self, loop: LoopParts, *, apart: bool = False, euler: bool = False) -> None:
+    def __init__(self, loop: LoopParts, *, apart: bool = False, euler: bool = False, after: bool = False) -> None:
         """``apart``: springs, dampers and servos start from an input of their own, ``start`` (coordinates, rates).
 
         ``euler``: the state has the rates of the start, so that a surface can be taken at the end of the step too.
+        ``after``: controllers are shown as they are after the samples with which the row begins.
         """
-        self.loop, self.plan, self.parts = loop, loop.plan, loop.parts
-        self.none = loop.parts.none
-        self.schedule = Schedule(loop.parts.numbers.size, zeros=loop.mechanics.zeros)
-        self.time = self.schedule.input("time", 1)
-        self.state = self.schedule.input("state", loop.layout.size)
-        self.row = self.schedule.input("row", loop.plan.row_size)
-        self.step = self.schedule.input("step", 1)
-        if not apart:  # always zero then: what it multiplies folds away
-            self.schedule.zeros = (*self.schedule.zeros, self.step)
-        self.signals = [self._signal(k) for k in range(loop.plan.signals)]
+        super().__init__(loop, implicit=apart)
+        self.after = after
         self.way = self._outwards()
         self.apart, self.euler, self.start = apart, euler, self._start(apart=apart)
         self.efforts: dict[int, Slot] = {}
         self.info: dict[int, Slot] = {}
         self.change: dict[int, Slot] = {}
         self.controls: dict[int, Slot] = {}
+        self.own: dict[int, Slot] = {}
         self.dead: dict[int, Slot] = {}
         self.mass_step = self.none[1]
         self._push()
@@ -59,45 +51,18 @@ class Instant:
         self.solution = solved(self, self.begin)
         self.recursion, self.accelerations = self.solution.first, self.solution.accelerations
 
-    def call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
-        """Call a kernel; its outputs are new blocks."""
-        return self.schedule.call(kernel, *blocks)
-
-    def pack(self, *blocks: Slot) -> Slot:
-        """Blocks that must stand side by side."""
-        if not blocks:
-            return self.none[1].part(0, 0)
-        return self.call(packing_kernel(tuple(block.size for block in blocks)), *blocks)[0]
-
-    def _signal(self, k: int) -> Slot:
-        count = self.plan.degree + 1
-        block = self.row.part(1 + k * count, count)
-        return self.call(signal_kernel(self.plan.degree), self.time, self.row.part(0, 1), block)[0]
-
     def _outwards(self) -> Way:
-        q, rates = self._moved(self.state)
+        q, rates = self.moved(self.state)
         base = self.loop.base
         if self.plan.base:
             base = self.call(base_kernel(), base, *(self.signals[k] for k in self.plan.base))[0]
         posed = bool(self.plan.loads or self.plan.touch)
         return self.loop.mechanics.way(Blocks(self.schedule, q, rates, base), posed=posed)
 
-    def _moved(self, state: Slot) -> tuple[Slot, Slot]:
-        """Coordinates and rates of a state; those that follow their signals exactly are where these are."""
-        n = self.parts.size
-        q, rates = state.part(0, n), state.part(n, n)
-        exact = [driver for driver in self.loop.drivers if driver.plan.servo is None]
-        if not exact:
-            return q, rates
-        places = tuple(driver.coordinate for driver in exact)
-        moved = [self.signals[driver.plan.signal] for driver in exact]
-        q, rates = self.call(replacing_kernel(n, places), q, rates, *moved)
-        return q, rates
-
     def _start(self, *, apart: bool) -> tuple[Divisible, Slot]:
         """Coordinates and rates that springs start from: an input of implicit steps, else those of the state."""
         if apart:
-            return self._moved(self.schedule.input("start", 2 * self.parts.size))
+            return self.moved(self.schedule.input("start", 2 * self.parts.size))
         return self.way.q, self.way.v
 
     def _push(self) -> None:
@@ -132,10 +97,12 @@ class Instant:
                 else:
                     given[plan.joint] = signal.part(2, 1)
                 continue
-            efforts[plan.joint], feedback[plan.joint], change, *found = self._serve(driver, *self.start)
+            own = self.sampled(driver, *self.start) if self.after else self.own_states(driver)
+            self.own[k] = own
+            efforts[plan.joint], feedback[plan.joint], change, *found = self.serve(driver, *self.start, own)
             self.efforts[k] = efforts[plan.joint]
             if self.apart:  # what is shown, what works and own states are of the effort where the state is
-                self.efforts[k], _, _, *found = self._serve(driver, self.way.q, self.way.v)
+                self.efforts[k], _, _, *found = self.serve(driver, self.way.q, self.way.v)
             self.info[k] = found[0]
             if len(found) > 1:
                 self.controls[k] = found[1]
@@ -152,26 +119,3 @@ class Instant:
             return begun
 
         return start
-
-    def _serve(self, driver: Driver, q: Divisible, rates: Slot) -> tuple[Slot, ...]:
-        """The outputs of the servo's kernel at coordinates and rates."""
-        place, signal, servo = driver.coordinate, self.signals[driver.plan.signal], driver.plan.servo
-        assert servo is not None  # noqa: S101
-        blocks = [driver.numbers, signal, q.part(place, 1), rates.part(place, 1), self._current(driver), self.step]
-        if servo.noisy:
-            blocks.append(self.signals[driver.plan.noise])
-        if servo.states:
-            blocks.append(self.state.part(self.loop.layout.controls.start + driver.controls, servo.states))
-        if not servo.sees_all:
-            return self.call(servo.kernel(), *blocks)
-        names = tuple(other.plan.joint for other in self.loop.drivers)
-        view = View(tuple(self.parts.names), names, len(self.plan.currents), place)
-        setpoints = self.pack(*(self.signals[other.plan.signal] for other in self.loop.drivers))
-        currents = self.state.part(self.loop.layout.currents.start, view.currents)
-        size = self.parts.size
-        return self.call(servo.kernel(view), *blocks, q.part(0, size), rates.part(0, size), currents, setpoints)
-
-    def _current(self, driver: Driver) -> Slot:
-        if driver.current < 0:
-            return self.none[1]
-        return self.state.part(self.loop.layout.currents.start + driver.current, 1)

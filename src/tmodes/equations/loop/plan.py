@@ -11,11 +11,11 @@ from typing import NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Chain
+from tmodes.chain.chain import Chain, Motor
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, Winding
 
-__all__ = ["WORKS", "DrivePlan", "LoadPlan", "LoopPlan", "StateLayout", "TouchPlan"]
+__all__ = ["WORKS", "DrivePlan", "LoadPlan", "LoopPlan", "StateLayout", "TouchPlan", "winding_of"]
 
 Array = NDArray[np.float64]
 
@@ -31,7 +31,7 @@ class DrivePlan:
     """What moves one joint: a servo, or nothing but its signal, which it then follows exactly (``servo`` None).
 
     ``numbers``: R, CE, CM, L, then those of the controller; ``noise``: the signal of the error with which the
-    controller sees its wanted value, -1 for none.
+    controller sees its wanted value, -1 for none; ``clock``: the signal with the time since its last sample.
     """
 
     joint: str
@@ -40,6 +40,7 @@ class DrivePlan:
     winding: Winding
     numbers: tuple[float, ...]
     noise: int = -1
+    clock: int = -1
 
     @property
     def has_current(self) -> bool:
@@ -96,15 +97,42 @@ class LoopPlan:
     @property
     def further_states(self) -> tuple[str, ...]:
         """Names of the states between the rates and the works."""
-        own = [(drive.joint, drive.servo.states) for drive in self.drives if drive.servo]
-        names = (f"{joint}.controller{k + 1}" for joint, count in own for k in range(count))
-        return (*(f"{name}.current" for name in self.currents), *names)
+        return (*(f"{name}.current" for name in self.currents), *self.control_names)
+
+    @property
+    def control_names(self) -> tuple[str, ...]:
+        """Names of the controllers' own states, such as `hub.controller.integral`."""
+        own = [(drive.joint, drive.servo.named_states) for drive in self.drives if drive.servo]
+        return tuple(f"{joint}.controller.{state.name}" for joint, states in own for state in states)
+
+    @property
+    def control_units(self) -> tuple[str, ...]:
+        """Units of the controllers' own states."""
+        own = [(drive.joint in self.chain.sliding, drive.servo.named_states) for drive in self.drives if drive.servo]
+        return tuple(state.unit_of(slides=slides) for slides, states in own for state in states)
+
+    @property
+    def aside(self) -> set[int]:
+        """Signals that move nothing by themselves: noise on what controllers see, and their clocks."""
+        return {place for drive in self.drives for place in (drive.noise, drive.clock)}
+
+    @property
+    def is_sampled(self) -> bool:
+        """Whether any controller is."""
+        return any(drive.servo.is_sampled for drive in self.drives if drive.servo)
 
     @property
     def controls(self) -> tuple[float, ...]:
         """The own states of all controllers at time 0, in the order of the drives."""
-        laws = [drive.servo.controller for drive in self.drives if drive.servo]
-        return tuple(float(value) for law in laws if law for value in law.initial())
+        return tuple(float(value) for drive in self.drives if drive.servo for value in drive.servo.start)
+
+
+def winding_of(motor: Motor | None) -> tuple[Winding, tuple[float, ...]]:
+    """Electric side of a motor, and R, CE, CM, L."""
+    if motor is None or motor.resistance is None:
+        return Winding.NONE, (1.0, 0.0, 1.0, 0.0)
+    kind = Winding.INDUCTANCE if motor.inductance else Winding.RESISTANCE
+    return kind, (motor.resistance, motor.back_emf, motor.torque_constant, motor.inductance)
 
 
 class StateLayout(NamedTuple):

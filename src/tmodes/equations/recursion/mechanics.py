@@ -16,6 +16,7 @@ class RecursiveMechanics:
     """Schedules of the recursion with the numbers of one chain."""
 
     base_moves = True
+    on_links = True
 
     def __init__(self, parts: Parts) -> None:
         self.parts = parts

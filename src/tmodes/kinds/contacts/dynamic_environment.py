@@ -1,6 +1,6 @@
 """The dynamic environment of Filipovic & Djuric 2010: a body on a spring and damper to which a point is held.
 
-Normal force, Eq. (36): Fc = me x'' + be x' + ka x + F0. Friction mu Fc v/sqrt(v.v + veps^2) along the point's velocity
+Normal force: Fc = me x'' + be x' + ka x + F0. Friction mu Fc v/sqrt(v.v + veps^2) along the point's velocity
 v, where Fc has the acceleration's part in it: the accelerations are found together with it.
 """
 

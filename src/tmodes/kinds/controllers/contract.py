@@ -18,6 +18,9 @@ The command is the voltage of a motor that has a resistance, else the effort. Co
 that is passed in: sums, products, quotients, and the functions of :mod:`tmodes.kinds.kernel.functions`. They run in
 native code, in batches, in derivatives and in WebAssembly.
 
+A controller with a ``period`` is sampled: at the multiples of its period its command and its own states (``updates``)
+are computed from what is measured there; in between both are held. Steps of all methods end on these instants.
+
 Steps of implicit methods take the feedback of a drive's own position and rate at the end of the step (their slopes are
 derived), all other feedback and the own states explicitly.
 """
@@ -29,7 +32,7 @@ from typing import Any, ClassVar
 
 from tmodes.kinds.schema.kind import Kind
 
-__all__ = ["Controller", "Measured"]
+__all__ = ["Controller", "Measured", "OwnState"]
 
 
 @dataclass(frozen=True)
@@ -61,6 +64,18 @@ class Measured:
         return self.q[place], self.v[place]
 
 
+@dataclass(frozen=True)
+class OwnState:
+    """A controller's own state in a result: name and unit, as ``rad*s|m*s`` where that of a sliding joint differs."""
+
+    name: str
+    unit: str = "1"
+
+    def unit_of(self, *, slides: bool) -> str:
+        """The unit on a joint that turns or slides."""
+        return self.unit.split("|")[-1 if slides else 0]
+
+
 class Controller(Kind, family="controller", key="type"):
     """What keeps a wanted position."""
 
@@ -75,22 +90,43 @@ class Controller(Kind, family="controller", key="type"):
         """The command [V, or N*m or N], of its numbers, what it sees, and its own states."""
         raise NotImplementedError
 
+    @property
+    def period(self) -> float | None:
+        """Time between its samples [s]; None where it works in continuous time."""
+        return None
+
     def initial(self) -> tuple[float, ...]:
-        """Its own states at time 0; as many as there are rates."""
+        """Its own states at time 0; as many as there are rates, or updates."""
         return ()
 
+    @property
+    def states(self) -> tuple[OwnState, ...]:
+        """Names and units of its own states."""
+        return tuple(OwnState(f"state{k + 1}") for k in range(len(self.initial())))
+
     def rates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
-        """Derivatives by time of its own states."""
+        """Derivatives by time of its own states, in continuous time."""
         del p, m, x
         return []
+
+    def updates(self, p: Any, m: Measured, x: list[Any]) -> list[Any]:
+        """Its own states after a sample; the command of that sample is of those before."""
+        del p, m
+        return x
+
+    @property
+    def is_local(self) -> bool:
+        """Whether it is no more to small motions than a spring and a damper of its own drive."""
+        return not (self.sees_all or self.initial() or self.period)
 
     @property
     def structure(self) -> str:
         """The law's compiled form: two controllers of the same structure share their code."""
-        return f"{self.fingerprint()} {len(self.numbers())} {len(self.initial())}"
+        sampled = " sampled" * (self.period is not None)
+        return f"{self.fingerprint()} {len(self.numbers())} {len(self.initial())}{sampled}"
 
     def local_gains(self) -> tuple[float, float]:
-        """Fall of the command per own position and rate about zero: what modes under control take for springs."""
+        """Fall of the command per own position and rate about zero; 0 for a controller that sees the whole state."""
         p, x, step = self.numbers(), list(self.initial()), 1e-4
 
         def command(position: float, velocity: float) -> float:

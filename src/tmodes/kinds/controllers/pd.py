@@ -16,7 +16,9 @@ __all__ = ["PD"]
 class PD(Controller):
     """Proportional-derivative control; gains in V/rad where the motor has a resistance, else in N*m/rad.
 
-    Eq. (41) of Filipovic & Djuric 2010: u = Kp (wanted - th) + Kv (wanted' - th'). Numbers: Kp, Kv.
+    u = Kp (wanted - th) + Kv (wanted' - th'). Numbers: Kp, Kv.
+
+    Eq. (41) [stated]: u = Klp (theta_o - theta) + Klv (theta_o' - theta'). {test_local_pd}
     """
 
     type: Literal["pd"] = Field(description="kind of controller")

@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from tmodes.kinds.controllers.contract import Controller, Measured
+from tmodes.kinds.controllers.contract import Controller, Measured, OwnState
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.schema.quantity import not_negative, positive
 
@@ -35,6 +35,11 @@ class PID(Controller):
         """The integral of the error is zero at first."""
         return (0.0,)
 
+    @property
+    def states(self) -> tuple[OwnState, ...]:
+        """The integral."""
+        return (OwnState("integral", "rad*s|m*s"),)
+
     def _wish(self, p: Any, m: Measured, x: list[Any]) -> Any:
         return p[0] * (m.wanted - m.position) + p[1] * x[0] + p[2] * (m.wanted_rate - m.velocity)
 
@@ -52,7 +57,7 @@ class PID(Controller):
         return [f.if_else(f.fabs(wish) > p[3], f.if_else(wish * error > 0, 0.0, error), error)]
 
     def local_gains(self) -> tuple[float, float]:
-        """Kp, Kv: the integral acts more slowly than what swings."""
+        """Kp, Kv."""
         return self.position_gain, self.velocity_gain
 
     @property

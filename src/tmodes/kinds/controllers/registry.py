@@ -2,10 +2,10 @@
 
 from __future__ import annotations
 
-from tmodes.kinds.controllers import pd, pid, state_feedback
-from tmodes.kinds.controllers.contract import Controller, Measured
+from tmodes.kinds.controllers import pd, pid, sampled_pid, state_feedback
+from tmodes.kinds.controllers.contract import Controller, Measured, OwnState
 
-__all__ = ["BUILT_IN", "Controller", "Measured"]
+__all__ = ["BUILT_IN", "Controller", "Measured", "OwnState"]
 
-BUILT_IN = (pd, pid, state_feedback)
+BUILT_IN = (pd, pid, state_feedback, sampled_pid)
 """The modules whose members are registered."""

@@ -1,7 +1,7 @@
 """The elastic drive: a motor with its own coordinate behind an elastic gear.
 
-Motor row, Eq. (39) of Filipovic & Djuric 2010, the sign of the gear torque turned: I th'' = u - friction - tg,
-tg = C(xi) + B xi', xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control
+Motor row, the sign of the gear torque turned against the paper's: I th'' = u - friction - tg, tg = C(xi) + B xi',
+xi = th - ga; the rotor's gyroscopic coupling with the arm is dropped (Spong, "Modeling and control
 of elastic joint robots", ASME J. Dyn. Sys. 109, 1987, assumption A2).
 """
 
@@ -23,7 +23,12 @@ class ElasticDrive(DriveKind):
     has_motor = takes_effort = has_gear = True
 
     def forward(self, law: DriveLaw, at: Angles, effort: Any, held: Any, step: Any) -> Forward:
-        """The motor is eliminated: its row adds to the joint's effort and inertia in an implicit step."""
+        """The motor is eliminated: its row adds to the joint's effort and inertia in an implicit step.
+
+        Eq. (39) [corrected]: CM i = I theta'' + Bm theta' - sigma with u = R i + CE theta' put in; in the print this
+        row is in volts where the others are in N*m. {test_motor_row_is_in_newton_metres}
+        Slip (40): the motor's row is in volts, the others in N*m {test_motor_row_is_in_newton_metres}
+        """
         joint, joint_slope = law.joint_friction(at.joint_rate)
         torque, stiffness = law.spring(at.motor - at.joint)
         torque = torque + law.damping * (at.motor_rate - at.joint_rate)
@@ -35,7 +40,10 @@ class ElasticDrive(DriveKind):
         return Forward(torque - joint + added * share * rest, own, (rest, added, share))
 
     def elastic(self, law: DriveLaw, at: Angles) -> Elastic:
-        """Spring and damper of the gear, friction of joint and motor."""
+        """Spring and damper of the gear, friction of joint and motor.
+
+        Eq. (25) [stated]: Phi_xi = 1/2 Bxi xi'^2, half of the power lost. {test_rayleigh_terms}
+        """
         joint, _ = law.joint_friction(at.joint_rate)
         torque, _ = law.spring(at.motor - at.joint)
         rate = at.motor_rate - at.joint_rate

@@ -47,7 +47,10 @@ class DriveLaw:
         return torque * slope, stiffness * slope * slope
 
     def stored(self, deflection: Any) -> Any:
-        """Energy of the spring."""
+        """Energy of the spring.
+
+        Eq. (24) [stated]: Epel_xi = 1/2 Cxi xi^2, with xi = gamma - theta. {test_elastic_energy_terms}
+        """
         x, _ = self._free(deflection)
         energy = self.stiffness[0] * x * x / 2
         for end, step in self._steps():

@@ -68,6 +68,8 @@ class Schedule:
     changing: int = 0
     gate: Slot | None = None
     """Two numbers, both positive while a force acts that starts and ends at once."""
+    sampled: Schedule | None = None
+    """Of a right-hand side with sampled controllers: (time, state, row, step) -> the state after the samples there."""
     zeros: tuple[Slot, ...] = ()
     """Parameters that are zero whatever the robot's numbers."""
     often: bool = False
@@ -128,4 +130,5 @@ class Schedule:
             info.append(kinds.setdefault((kernel.key, kernel.inputs, kernel.outputs), len(kinds)))
             info += [slot.start if slot.region == "changing" else -1 - slot.start for slot in (*inputs, *outputs)]
         head = [self.parameters, self.changing, self.gate, self.zeros, self.often, self.inputs, self.outputs, [*kinds]]
+        head += [self.sampled.key] if self.sampled else []
         return hashlib.sha256(repr(head).encode() + np.array(info, dtype="<i8").tobytes()).hexdigest()

@@ -68,7 +68,11 @@ class ModesLine:
         return _Direction(self.azimuth.direction(mode, share), self.elevation.direction(mode, share))
 
     def section(self, mode: int, place: Any, chord_share: Any, slope_share: Any) -> Section:
-        """The section at ``place`` (0..1) of a mode; shares: turn of the chord to it and of its tangent, over th."""
+        """The section at ``place`` (0..1) of a mode; shares: turn of the chord to it and of its tangent, over th.
+
+        Eq. (3) [derived]: the line is the sum of the modes' deflections y = X(x) T(t), carried by the motion of the
+        modes before them: direct kinematics. {test_line_ends_at_tip}
+        """
         whole = isinstance(place, float)  # the end of a mode, known beforehand
         last = self.chords[mode] if whole else self._chord(mode, chord_share)
         length = self.lengths[mode] if whole else place * self.lengths[mode]

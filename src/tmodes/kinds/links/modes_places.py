@@ -110,6 +110,20 @@ class _Kernels:
         return Kernel(f"{self.key} place", sizes, (sum(PLACE.values()),), self._place)
 
     def _place(self, *packed: Any) -> list[list[Any]]:
+        """Of all that moves outboard: weight and inertia of the masses, their rotary inertia, forces on points.
+
+        Eq. (1) [corrected]: M + beta y'' = 0 for one beam alone; here M holds every force of the whole mechanism, and
+        beta (y + eta y')'' the damping. {test_line_moments_obey_galerkin}
+        Eq. (4) [derived]: M_j + eps_j = 0 for every mode j, with the coupling between modes: the moment at the next
+        mode's root is part of M. {test_line_moments_obey_galerkin}
+        Eq. (29) [derived]: M(x) of the flexible line of mode 1, horizontal plane.
+        {test_root_moment_is_gear_torque, test_line_moments_obey_galerkin}
+        Eq. (31) [derived]: M(x) of the flexible line of mode 2, horizontal plane. {test_line_moments_obey_galerkin}
+        Eq. (32) [derived]: M(x) of the flexible line of mode 1, vertical plane.
+        {test_line_moments_obey_galerkin, test_static_moments_are_levers}
+        Eq. (33) [derived]: M(x) of the flexible line of mode 2, vertical plane.
+        {test_line_moments_obey_galerkin, test_static_moments_are_levers}
+        """
         row, tables, springs, dampers, q, qd, pose, tip, outer, last, *masses = packed
         s, angles = row[0], self.structure.angles(q, qd)
         held = [Angles(part.values, [0.0] * self.structure.modes) for part in angles]

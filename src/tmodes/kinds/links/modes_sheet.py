@@ -68,11 +68,3 @@ class Mode(DataSheet):
     def tip_inertia(self) -> Any:
         """Equivalent rotary inertia at the tip Jel = mel (l/2)^2 [kg*m^2], Eq. (13)."""
         return self.tip_mass * (self.length / 2) ** 2
-
-    def flexibility_moment(self, angle: Any, rate: Any, lever: Any, s: Any = 0.0) -> Any:
-        """Moment beta (y + eta y')'' at s from the curvature of the line [N*m]: (Cs th + Bs th') lever^2 (1 - s).
-
-        ``angle`` th [rad] and ``rate`` th' [rad/s] of one plane; ``lever`` [m] turns the angle into the deflection;
-        ``s`` [-] from 0, the root, to 1, the tip.
-        """
-        return (self.tip_stiffness * angle + self.tip_damping * rate) * lever**2 * (1 - s)

@@ -1,4 +1,4 @@
-/* tmodes, built from d2bf1e171d193d7e; BSD-3-Clause */
+/* tmodes, built from 3740a5eca168f7ae; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -380,6 +380,69 @@ function sampleTimes(duration, outputStep) {
   return times;
 }
 
+// src/live/bundle.ts
+function doubles(info) {
+  return info.data instanceof Float64Array ? info.data : Float64Array.from(info.data);
+}
+
+// src/live/map.ts
+function knobValues(map, values, run) {
+  const known2 = map.knobs.map((knob) => knob.start);
+  const factors = map.knobs.map((knob) => knob.factor);
+  map.sliders.forEach((slider, k) => {
+    if (slider.real) factors[slider.knob] = values[k];
+    else known2[slider.knob] = values[k];
+  });
+  if (run === "reference") return known2;
+  return map.knobs.map((knob, k) => {
+    const factor = factors[k];
+    if (factor === null || knob.factor === null) return known2[k];
+    if (!knob.together) return known2[k] * factor;
+    return knob.factor ? known2[k] * (factor / knob.factor) : known2[k];
+  });
+}
+function numbersOf(map, values, run) {
+  const form = map.runs[run];
+  const vector = evaluated(form, knobValues(map, values, run));
+  const blocks = {};
+  for (const [name, place] of Object.entries(form.places)) {
+    const size = place.shape.reduce((product2, length) => product2 * length, 1);
+    blocks[name] = vector.slice(place.start, place.start + size);
+  }
+  return blocks;
+}
+function evaluated(form, knobs) {
+  const vector = doubles(form.base).slice();
+  const ratios = form.powers.map((pairs) => product(pairs, (k, p) => Math.pow(knobs[k] / form.variables[k].start, p)));
+  const shares = form.powers.map((pairs) => product(pairs, (k, p) => share(form.variables[k], p, knobs[k])));
+  const { products, terms, coefficients } = form;
+  for (let k = 0; k < products.data.length; k += 2) vector[products.data[k]] *= ratios[products.data[k + 1]];
+  for (let k = 0; k < terms.data.length; k += 2) {
+    vector[terms.data[k]] += coefficients.data[k / 2] * shares[terms.data[k + 1]];
+  }
+  return vector;
+}
+function product(pairs, factor) {
+  return pairs.reduce((value, [k, p]) => value * factor(k, p), 1);
+}
+function share(one, p, value) {
+  const start = Math.pow(one.start, p);
+  return (Math.pow(value, p) - start) / (Math.pow(one.far, p) - start);
+}
+
+// src/live/series.ts
+function columns(rows, width, which) {
+  const count = rows.length / width;
+  const found = new Float64Array(count * which.length);
+  for (let k = 0; k < count; k += 1) {
+    for (let j = 0; j < which.length; j += 1) found[k * which.length + j] = rows[k * width + which[j]];
+  }
+  return found;
+}
+function range(start, end) {
+  return Array.from({ length: end - start }, (_, k) => start + k);
+}
+
 // src/live/model.ts
 var Model = class _Model {
   constructor(engine, description) {
@@ -401,10 +464,9 @@ var Model = class _Model {
   get runs() {
     return Object.keys(this.description.runs);
   }
-  /** The numbers of a run by their names; empty where they have none. */
-  parameters(run = "real") {
-    const values = known(this.description.runs, run, "run").parameters;
-    return Object.fromEntries((this.description.layout.parameters ?? []).map((name, k) => [name, values[k]]));
+  /** Numbers of the data sheet that may be changed, by their paths; `real:` is actual over nominal. */
+  parameters() {
+    return { ...this.description.named };
   }
   /** Run from the described state; a long run lets the page go on meanwhile. */
   async run(run = "real", changes = {}, watch = {}) {
@@ -418,7 +480,7 @@ var Model = class _Model {
     const { knots, rows } = until(info, settings.duration);
     return integrate(this.engine, {
       loop: `${run}.${this.description.method}`,
-      parameters: this.numbers(info, changes),
+      parameters: this.numbers(run, changes),
       knots,
       rows,
       state: Float64Array.from(changes.state ?? info.state),
@@ -436,25 +498,29 @@ var Model = class _Model {
       row: rowsAt(info, result.times),
       step: new Float64Array(1)
     };
-    return this.engine.sample(`${run}.observe`, this.numbers(info, changes), inputs, count);
+    const found = this.engine.sample(`${run}.observe`, this.numbers(run, changes), inputs, count);
+    const { q, v, a } = found;
+    const base = Float64Array.from(this.description.base);
+    const { points } = this.engine.sample("inertia", this.blocks(run, changes).chain, { q, v, a, base }, count);
+    return { ...found, tip: columns(points, points.length / count, range(9, 9 + 3)) };
   }
   /** Names of what is observed, with how many numbers each has. */
   observed(run = "real") {
-    return known(this.description.layout.samples, `${run}.observe`, "function").outputs;
+    return { ...known(this.description.layout.samples, `${run}.observe`, "function").outputs, tip: 3 };
   }
-  numbers(info, { parameters = {} }) {
-    if ("length" in parameters) return Float64Array.from(parameters);
-    const values = Float64Array.from(info.parameters);
-    const names = this.description.layout.parameters ?? [];
-    for (const [name, value] of Object.entries(parameters)) {
-      const index = names.indexOf(name);
-      if (index < 0)
-        throw new EngineError(
-          `parameter: got ${name}; expected one of ${names.join(", ") || "all numbers, for they have no names"}`
-        );
-      values[index] = value;
-    }
-    return values;
+  numbers(run, changes) {
+    const { parameters = {} } = changes;
+    return "length" in parameters ? Float64Array.from(parameters) : this.blocks(run, changes).parameters;
+  }
+  blocks(run, { parameters = {} }) {
+    const { named, map } = this.description;
+    const given = "length" in parameters ? {} : parameters;
+    const unknown = Object.keys(given).find((name) => !(name in named));
+    if (unknown !== void 0)
+      throw new EngineError(
+        `parameter: got ${unknown}; expected one of ${Object.keys(named).join(", ") || "none: this robot has no names"}`
+      );
+    return numbersOf(map, Object.values({ ...named, ...given }), run);
   }
 };
 function until(info, end) {
