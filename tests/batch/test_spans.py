@@ -71,5 +71,5 @@ def test_private_memory_shares_no_line():
 
 @pytest.mark.parametrize("threads", [0, 1_000_000])
 def test_threads_without_end_are_refused(threads):
-    with pytest.raises(InputError, match=f"threads: got {threads}, expected 1 to 1024"):
+    with pytest.raises(InputError, match=f"threads must be 1 to 1024, got {threads}"):
         thread_count(threads)

@@ -109,8 +109,8 @@ def test_the_folder_holds_what_was_varied(robot, tmp_path):
 
 
 WRONG = {
-    "lane 1.*payload.mass": {"payload.mass": [0.4, -1.0]},
-    "lane 0.*payload.mass": {"payload.mass": [np.nan]},
+    "case 1.*payload.mass": {"payload.mass": [0.4, -1.0]},
+    "case 0.*payload.mass": {"payload.mass": [np.nan]},
     "Did you mean `payload.mass`": {"payload.mas": [0.4]},
     "one integration for all": {"integration.duration": [0.1, 0.2]},
     "same length": {"payload.mass": [0.4, 0.5], "gravity": [9.81]},
@@ -144,5 +144,5 @@ def test_too_large_is_refused_before_the_lanes_are_prepared(robot):
 
 def test_a_stop_that_batches_do_not_watch_is_refused(robot):
     """Rather than left out without a word."""
-    with pytest.raises(InputError, match=r"integration.energy_stop: got true, expected false: .*tmodes run"):
+    with pytest.raises(InputError, match=r"integration.energy_stop must be false: .*, got true.*tmodes run"):
         tmodes.simulate_batch(robot.with_({"integration.energy_stop": True}), {"payload.mass": [0.5]})

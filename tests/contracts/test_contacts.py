@@ -12,7 +12,7 @@ from pydantic import Field
 from arm.run.sheets import ZERO, arm
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.contact_law import contact_law
-from tmodes.kinds.contacts.registry import Contact, Surface
+from tmodes.kinds.contacts.registry import CONTACTS, SURFACES, Contact, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
@@ -25,7 +25,7 @@ from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import in_node
 
 
-@Contact.register()
+@CONTACTS.register
 class Soil(Contact):
     """Pressure and sinkage with the power 3/2 (Hertz; Bekker's n = 1.5), damping in proportion, and friction."""
 
@@ -90,7 +90,7 @@ def dropped(name: str, **integration: Any) -> Any:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", sorted(Contact.registered))
+@pytest.mark.parametrize("name", sorted(CONTACTS))
 def test_law(name):
     """No force where apart, slopes as differences have them, mass and losses not negative; numbers make no code."""
     law = contact(name)
@@ -117,7 +117,7 @@ def test_law(name):
     assert made[0] == made[1]
 
 
-@pytest.mark.parametrize("name", sorted(Surface.registered))
+@pytest.mark.parametrize("name", sorted(SURFACES))
 def test_surface(name):
     """Direction, rate and curvature are the derivatives of the penetration; drawn where it is."""
     shape = Surface.of({"type": name, **SHAPES[name]})
@@ -134,7 +134,7 @@ def test_surface(name):
     assert len(shape.moving_numbers()) == 4
 
 
-@pytest.mark.parametrize("name", sorted(Contact.registered))
+@pytest.mark.parametrize("name", sorted(CONTACTS))
 def test_run(name, tmp_path):
     """Natively, by an implicit method, in a batch and in WebAssembly alike; energy balances."""
     sheet = dropped(name)
@@ -175,7 +175,7 @@ def test_derivatives_through_a_soil():
 def test_a_law_of_the_same_name_is_refused():
     with pytest.raises(Exception, match="soil"):
 
-        @Contact.register()
+        @CONTACTS.register
         class Other(Contact):
             law: Literal["soil"] = Field(description="contact law")
 

@@ -10,7 +10,7 @@ from pydantic import Field
 from scipy.linalg import solve_continuous_are
 
 from arm.run.sheets import ZERO, arm, beam
-from tmodes.kinds.controllers.registry import Controller, Measured
+from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
 from tmodes.sensitivity.gradient import forward_sensitivities
@@ -20,7 +20,7 @@ from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
 
 
-@Controller.register()
+@CONTROLLERS.register
 class LQR(Controller):
     """Feedback of the whole state, and of the integral of the own error."""
 
@@ -91,7 +91,7 @@ def examples(lqr):
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", sorted(Controller.registered))
+@pytest.mark.parametrize("name", sorted(CONTROLLERS))
 def test_member(name, lqr):
     """Runs natively as written, in a batch, by explicit and implicit methods; other numbers take the same code."""
     sheet = robot(examples(lqr)[name])

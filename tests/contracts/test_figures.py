@@ -50,7 +50,7 @@ def outside() -> Iterator[None]:
     """A figure from outside the package, for the tests of this module."""
     plot.register(JointPower())
     yield
-    del plot.FIGURES["joint_power"]
+    plot.FIGURES.unregister("joint_power")
 
 
 @pytest.fixture(scope="module", params=SHEETS)

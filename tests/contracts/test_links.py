@@ -11,9 +11,10 @@ from pydantic import Field
 
 import tmodes
 from arm.run.sheets import arm
+from tmodes.errors import InputError
 from tmodes.kinds.kernel.functions import fabs, fmax, if_else
 from tmodes.kinds.links.contract import Body, ElasticForces, Link, LinkNumbers, LinkStructure, Row
-from tmodes.kinds.links.registry import link_words, register, sheet_of
+from tmodes.kinds.links.registry import LINKS
 from tmodes.kinds.links.segment_link import segment_link
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.quantity import positive
@@ -74,7 +75,7 @@ class TableLink(Link):
         return LinkNumbers(TableStructure(len(self.springs) // 2), np.array([self.length]), self.springs, damping)
 
 
-@register
+@LINKS.register
 class TableSheet(BendingSheet):
     words: ClassVar[tuple[str, ...]] = ("table",)
     coordinate_count: ClassVar[int] = 1  # pyright: ignore[reportIncompatibleMethodOverride]
@@ -106,7 +107,7 @@ BEAMS = {
 }
 """Numbers of one of each kind; a kind without an entry fails."""
 
-WORDS = sorted(link_words())
+WORDS = sorted(LINKS)
 BENDING = [word for word in WORDS if word != "rigid"]
 INERTIA = {"xx": 2e-3, "yy": 3e-3, "zz": 2.5e-3, "xy": 1e-4}
 
@@ -152,9 +153,7 @@ def test_dynamics_follow_from_the_energies(word: str) -> None:
 @pytest.mark.parametrize("word", BENDING)
 def test_forces_and_tangents_are_derivatives(word: str) -> None:
     """Spring forces of the energy, tangents of the forces; power lost is that of the dampers, never negative."""
-    sheet = sheet_of(word)
-    assert sheet is not None
-    for link in sheet.model_validate({"model": word, **BEAMS[word]}).lowered(()).links:
+    for link in LINKS[word].model_validate({"model": word, **BEAMS[word]}).lowered(()).links:
         numbers = link.numbers(link.stations())
         structure = numbers.structure
         q, qd, _ = state(structure.size, 5)
@@ -237,9 +236,9 @@ def test_report(word: str, tmp_path: Any) -> None:
 def test_kinds_are_refused_and_distinguished() -> None:
     with pytest.raises(Exception, match=r"links\.link\.beam\.model.*tabel"):
         sheet("table").with_({"links.link.beam.model": "tabel"})
-    with pytest.raises(ValueError, match="table"):
+    with pytest.raises(InputError, match="table"):
 
-        @register
+        @LINKS.register
         class Other(BendingSheet):
             words: ClassVar[tuple[str, ...]] = ("table",)
 

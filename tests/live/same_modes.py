@@ -17,7 +17,7 @@ def assert_same_modes(
     ours: Sequence[dict[str, Any]], native: Sequence[dict[str, Any]], equal: float, shape: float
 ) -> None:
     """Frequencies relative, damping of 1, shapes up to their phase."""
-    assert [(one["case"], one["livesIn"]) for one in ours] == [(one["case"], one["livesIn"]) for one in native]
+    assert [(one["case"], one["element"]) for one in ours] == [(one["case"], one["element"]) for one in native]
     info = {
         name: np.array([[one[name] for one in modes] for modes in (ours, native)]) for name in ("frequency", "damping")
     }

@@ -30,7 +30,7 @@ def of_arm(changes: dict[str, float]) -> Any:
 
 
 KINDS = {
-    "robot": (of_robot, "payload.mass", 0.9, {"payload.mass": 0.9}),
+    "robot": (of_robot, "links.link.bodies.payload.mass", 0.9, {"payload.mass": 0.9}),
     "arm": (of_arm, "joints.j0.gear.stiffness.0", 250.0, {"joints.j0.gear.stiffness.0": 250.0}),
 }
 

@@ -14,7 +14,7 @@ from tmodes import load, run
 from tmodes.report.data import live_page
 from tmodes.report.viewer import viewer_document
 
-PAYLOAD = '[data-path="payload.mass"] input[type=number]'
+PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"
 LOW = (1280, 420)
 """A window so low that the last charts of the overview and the elastic line are far below it."""

@@ -15,9 +15,10 @@ from tmodes.analysis.modes.modes import arm_modes
 from tmodes.analysis.modes.of_sheet import servos_of
 from tmodes.analysis.spectrum import MotorState
 from tmodes.analysis.statics.rest import arm_rest
+from tmodes.report.actual import actual
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.pack import Coarse, TwoParts, pack
-from tmodes.report.scene import actual_robot, line_of, scene_of
+from tmodes.report.scene import line_of, scene_of
 from tmodes.report.scene_arrays import displaced, kept, stations_shown, steady
 from tmodes.report.scene_sections import section_of, solid_bar
 from tmodes.sheet import Robot
@@ -146,14 +147,14 @@ def test_modes_are_those_of_the_result(made: Any) -> None:
         found = [mode for mode in modes if mode["case"] == case]
         for name, key in (("frequency", "frequency_Hz"), ("damping", "damping_ratio")):
             assert [mode[name] for mode in found] == pytest.approx([mode[key] for mode in wanted], rel=1e-6, abs=1e-12)
-        assert [mode["livesIn"] for mode in found] == [mode["element"] for mode in wanted]
+        assert [mode["element"] for mode in found] == [mode["element"] for mode in wanted]
     sizes = [np.hypot(np.linalg.norm(m["real"], axis=-1), np.linalg.norm(m["imaginary"], axis=-1)).max() for m in modes]
     assert sizes == pytest.approx([1.0] * len(modes), rel=1e-5)
 
 
 def test_the_tip_of_a_mode_moves_by_the_jacobian() -> None:
     result = robot_result()
-    robot = actual_robot(result)
+    robot = actual(result).robot
     rest = arm_rest(robot, contact=True)
     jacobian = rest.model.jacobian(rest.q)[0, :3]
     shaped = arm_modes(rest, MotorState.CONTROLLED, servos_of(robot, rest.model))

@@ -1,4 +1,3 @@
-# pyright: reportAttributeAccessIssue=false
 """The report that is alive: a slider moved, and charts, numbers and sheet follow; the run as it was stays."""
 
 from __future__ import annotations
@@ -14,7 +13,7 @@ from tmodes import load, run
 from tmodes.report.data import live_page
 from tmodes.report.viewer import viewer_document
 
-PAYLOAD = '[data-path="payload.mass"] input[type=number]'
+PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"
 WORST = "[data-fact='deviation.max'] strong"
 VALUE = "[data-chart=tip_deviation] .toggle .value"
@@ -58,7 +57,7 @@ def test_the_changed_sheet_can_be_saved(window: Any, tmp_path: Path) -> None:
         window.page.locator(".sliders-panel").get_by_role("button", name="Save YAML").click()
     path = tmp_path / given.value.suggested_filename
     given.value.save_as(path)
-    assert load(path).payload.mass == 0.7
+    assert load(path).links[0].bodies[0].mass == 0.7
 
 
 def test_the_way_back(window: Any) -> None:
@@ -84,11 +83,11 @@ def test_what_cannot_be_simulated_shows_the_run_as_it_was(window: Any) -> None:
 
 def test_the_keyboard_stays_where_a_number_was_given_back(window: Any) -> None:
     give(window, "0.8")
-    window.page.locator('[data-path="payload.mass"] button').press("Enter")
+    window.page.locator('[data-path="links.link.bodies.payload.mass"] button').press("Enter")
     window.page.wait_for_selector(f"{STATUS}:text('as it was.')")
     assert "warned" not in window.page.locator(STATUS).get_attribute("class")
     focus = "[document.activeElement.type, document.activeElement.closest('[data-path]')?.dataset.path]"
-    assert window.page.evaluate(focus) == ["range", "payload.mass"]
+    assert window.page.evaluate(focus) == ["range", "links.link.bodies.payload.mass"]
 
 
 def test_bounds_are_kept_and_nonsense_is_ignored(window: Any) -> None:

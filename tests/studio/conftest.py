@@ -81,6 +81,11 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
 PLAIN = plain_sheet(loaded("filipovic2010"))
 
 
+def payload(sheet: dict[str, Any]) -> dict[str, Any]:
+    """The body at the tip of that robot."""
+    return sheet["links"][0]["bodies"][0]
+
+
 @pytest.fixture
 def sheet() -> dict[str, Any]:
     """The plain data of the robot of the 2010 paper, to be changed."""
@@ -92,5 +97,5 @@ def long_sheet() -> dict[str, Any]:
     """A run of minutes."""
     sheet = copy.deepcopy(PLAIN)
     sheet["integration"] |= {"duration": 30000.0, "output_step": 1.0, "relative_tolerance": 1e-12}
-    sheet["reference"]["duration"] = 30000.0
+    sheet["drives"][0]["signal"]["duration"] = 30000.0
     return sheet

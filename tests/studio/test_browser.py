@@ -21,6 +21,8 @@ from tmodes.studio.door import door
 BUILT = Path(pack.__file__).parent / "web" / "studio.js"
 LAUNCH = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
 WAIT = 60_000
+MASS = "links.0.bodies.0.mass"
+"""Where the payload of the robot stands in its sheet."""
 
 SLOW_URDF = """<robot name="two">
   <link name="base"/>
@@ -143,8 +145,8 @@ def test_a_dragged_slider_gives_new_curves_and_a_ghost(tab):
 
     assert "token" not in tab.page.url
     before = tab.fact("deviation.max")
-    tab.fresh(lambda: drag(tab, "payload.mass", 0.9))
-    mass = float(tab.page.input_value("[data-slider='payload.mass'] input.number"))
+    tab.fresh(lambda: drag(tab, MASS, 0.9))
+    mass = float(tab.page.input_value("[data-slider='links.0.bodies.0.mass'] input.number"))
     own = tmodes.run(tmodes.load("filipovic2010").with_({"payload.mass": mass})).data
     shown = tab.fact("deviation.max")
     assert shown != before
@@ -152,8 +154,14 @@ def test_a_dragged_slider_gives_new_curves_and_a_ghost(tab):
     assert before in tab.page.inner_text("[data-fact='deviation.max'] .was")
 
 
+def payload_opened(tab: Tab) -> None:
+    """The groups around the payload, one in the other."""
+    for path in ("links", "links.0", "links.0.bodies", "links.0.bodies.0"):
+        tab.page.locator(f"details[data-path='{path}'] > summary").click()
+
+
 def test_a_typed_number_with_its_unit(tab):
-    tab.page.locator("details[data-path=payload] > summary").click()
+    payload_opened(tab)
     tab.fresh(lambda: tab.type("Mass", "900 g"))
     heavy = tab.fact("deviation.max")
     tab.fresh(lambda: tab.type("Mass", "0.9"))
@@ -162,7 +170,7 @@ def test_a_typed_number_with_its_unit(tab):
 
 def test_a_wrong_number_is_reported_at_its_field(tab):
     """The field is marked, the sentence stands below it and above, and a right number takes both away."""
-    tab.page.locator("details[data-path=payload] > summary").click()
+    payload_opened(tab)
     tab.type("Mass", "-1")
     tab.page.wait_for_selector(".sheet [aria-invalid=true]", timeout=WAIT)
     assert "not less than 0 [kg]" in tab.page.inner_text(".sheet .wrong")
@@ -246,20 +254,20 @@ def test_two_tabs_at_once(tab, browser, address):
     """What one changes the other does not see."""
     before = tab.fact("deviation.max")
     for other in opened(browser, address.partition("?")[0] + "?" + address.partition("?")[2]):
-        other.fresh(lambda other=other: drag(other, "payload.mass", 1.0))
+        other.fresh(lambda other=other: drag(other, MASS, 1.0))
         assert other.fact("deviation.max") != before
     assert tab.fact("deviation.max") == before
-    tab.fresh(lambda: drag(tab, "gear.stiffness", 0.3))
+    tab.fresh(lambda: drag(tab, "joints.0.gear.stiffness.0", 0.3))
 
 
 def test_a_study_is_kept_and_opened_again(tab):
-    tab.fresh(lambda: drag(tab, "payload.mass", 0.75))
+    tab.fresh(lambda: drag(tab, MASS, 0.75))
     kept = tab.fact("deviation.max")
     name = tab.page.get_by_label("Name of the study")
     name.fill("kept")
     tab.page.get_by_role("button", name="Save", exact=True).click()
     tab.info("Saved", WAIT)
-    tab.fresh(lambda: drag(tab, "payload.mass", 0.2))
+    tab.fresh(lambda: drag(tab, MASS, 0.2))
     tab.fresh(lambda: tab.page.get_by_label("Open a study").select_option("kept.yaml"))
     assert tab.fact("deviation.max") == kept
     tab.page.get_by_role("button", name="Save", exact=True).click()
@@ -279,7 +287,7 @@ def test_names_that_are_none_and_what_is_typed_next_to_a_slider(tab):
     save.click()
     tab.info("Saved")
     assert not tab.page.is_visible(".errors")
-    typed = tab.page.locator("[data-slider='payload.mass'] input.number")
+    typed = tab.page.locator("[data-slider='links.0.bodies.0.mass'] input.number")
     typed.fill("some")
     typed.press("Enter")
     tab.page.locator(".errors", has_text="payload.mass").wait_for(timeout=WAIT)
@@ -300,7 +308,7 @@ def test_accessible(tab):
     script = Path(__file__).parents[2] / "web/node_modules/axe-core/axe.min.js"
     if not script.exists():
         pytest.skip("needs axe-core: npm ci in web/")
-    tab.page.locator("details[data-path=payload] > summary").click()
+    payload_opened(tab)
     content = script.read_text(encoding="utf-8")
     for scheme in ("light", "dark"):
         tab.page.emulate_media(color_scheme=scheme)

@@ -7,6 +7,8 @@ import socket
 import subprocess
 import sys
 import time
+from collections.abc import Iterator
+from contextlib import contextmanager
 
 import httpx
 import pytest
@@ -14,9 +16,15 @@ import pytest
 COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "studio", "--no-open"]
 
 
-def started(*arguments: object, **more) -> subprocess.Popen[str]:
+@contextmanager
+def started(*arguments: object, **more) -> Iterator[subprocess.Popen[str]]:
+    """A studio as a process, which ends with the test, whatever that finds."""
     command = [*COMMAND, *map(str, arguments)]
-    return subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more)
+    with subprocess.Popen(command, stdout=subprocess.PIPE, stderr=subprocess.PIPE, text=True, **more) as running:
+        try:
+            yield running
+        finally:
+            running.terminate()
 
 
 @pytest.mark.parametrize("number", [signal.SIGINT, signal.SIGTERM], ids=["Ctrl-C", "SIGTERM"])
@@ -30,7 +38,7 @@ def test_it_stops_cleanly_while_a_run_goes_on(tmp_path, number):
             base = address.partition("/?")[0]
             sheet = client.get(f"{base}/api/robots/filipovic2010").json()["sheet"]
             sheet["integration"] |= {"duration": 30000.0, "output_step": 1.0, "relative_tolerance": 1e-12}
-            sheet["reference"]["duration"] = 30000.0
+            sheet["drives"][0]["signal"]["duration"] = 30000.0
             order = {"product": "data", "sheet": sheet, "client": "x"}
             assert client.post(f"{base}/api/jobs", json=order).json()["state"] == "waiting"
             time.sleep(0.5)

@@ -34,7 +34,7 @@ def test_a_refused_file_leaves_the_picture_as_true_as_it_was(tab: Tab) -> None:
     save(tab, "../x")
     errors.locator("p", has_text="plain name").wait_for(timeout=WAIT)
     assert not stale(tab)
-    mass: Any = tab.page.locator("[data-slider='payload.mass'] input.number")
+    mass: Any = tab.page.locator("[data-slider='links.0.bodies.0.mass'] input.number")
     before = mass.input_value()
     mass.fill("-1")
     mass.press("Enter")

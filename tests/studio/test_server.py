@@ -1,4 +1,3 @@
-# pyright: reportAttributeAccessIssue=false
 """The studio's server: robots, checks, runs, studies, as the page asks for them."""
 
 from __future__ import annotations
@@ -10,43 +9,50 @@ import numpy as np
 import pytest
 
 import tmodes
+from studio.conftest import payload
 from tmodes.robots.load import sheet_names
 
 
 def test_robots_and_their_sheets(studio):
     listed = studio.get("/api/robots")["robots"]
     assert [one["name"] for one in listed] == sheet_names()
-    assert all(one["title"] and one["kind"] in ("robot", "arm") for one in listed)
-    assert studio.get("/api/robots/spong1987")["sheet"]["kind"] == "arm"
+    assert all(one["title"] for one in listed)
+    assert studio.get("/api/robots/spong1987")["name"] == "spong1987"
     assert "got" in studio.get("/api/robots/no_such_robot", code=422)["errors"][0]
 
 
-def test_units_of_an_arm_are_those_of_its_joints(studio):
-    info = studio.get("/api/robots/spong1987")
-    assert info["units"]["joints.0.gear.stiffness.0"] == "N*m/rad"
-    assert studio.get("/api/robots/filipovic2010")["units"] == {}
+@pytest.mark.parametrize("name", ["spong1987", "filipovic2010"])
+def test_units_are_those_of_the_joints(studio, name):
+    assert studio.get(f"/api/robots/{name}")["units"]["joints.0.gear.stiffness.0"] == "N*m/rad"
 
 
-@pytest.mark.parametrize("kind", ["robot", "arm"])
-def test_schema_of_the_forms(studio, kind):
-    schema = studio.get(f"/api/schemas/{kind}")
-    assert schema["properties"]["integration"]
-    assert studio.get("/api/schemas/other", code=422)["errors"][0]["path"] == "kind"
+def test_schema_of_the_forms(studio):
+    assert studio.get("/api/schema")["properties"]["integration"]
+
+
+def test_sliders_stand_where_their_numbers_are(studio):
+    """Also the factor of the actual robot, which an imported sheet has under the word of its own format."""
+    info = studio.get("/api/robots/filipovic2010")
+    steps = {one["label"]: one["targets"][0]["steps"] for one in info["sliders"]}
+    assert steps["mass, payload on link"] == ["links", 0, "bodies", 0, "mass"]
+    assert steps["stiffness of the gear, joint: actual / nominal"] == ["real", "gear.stiffness"]
+    assert info["sheet"]["real"]["gear.stiffness"] == 0.2
 
 
 def test_a_right_sheet_is_reported_with_its_notices(studio, sheet):
     assert studio.post("/api/check", json={"sheet": sheet})["warnings"] == []
-    sheet["payload"]["mass"] = 500.0
+    payload(sheet)["mass"] = 500.0
     assert "500 kg" in studio.post("/api/check", json={"sheet": sheet})["warnings"][0]
 
 
 def test_every_wrong_value_is_reported_at_its_place(studio, sheet):
-    sheet["payload"]["mass"] = -1.0
-    sheet["gear"]["stifness"] = 3.0
+    payload(sheet)["mass"] = -1.0
+    sheet["joints"][0]["gear"]["stifness"] = 3.0
     found = studio.post("/api/check", json={"sheet": sheet}, code=422)["errors"]
     by_path = {one["path"]: one for one in found}
-    assert by_path["payload.mass"]["steps"] == ["payload", "mass"]
-    assert "kg" in by_path["payload.mass"]["expected"]
+    mass = by_path["payload.mass"]
+    assert mass["steps"] == ["links", 0, "bodies", 0, "mass"]
+    assert "kg" in mass["expected"]
     assert "stiffness" in by_path["gear.stifness"]["hint"]
 
 
@@ -60,7 +66,7 @@ def test_errors_of_an_arm_lead_to_steps(studio):
 
 def test_a_run_is_the_run_of_the_command_line(studio, sheet, tmp_path):
     """The bytes of the result are those that `tmodes run` writes for the same sheet."""
-    sheet["payload"]["mass"] = 0.7
+    payload(sheet)["mass"] = 0.7
     info = studio.ended(job := studio.begin(sheet))
     assert info["state"] == "done", info["errors"]
     assert info["info"]["success"] is True
@@ -73,11 +79,11 @@ def test_a_run_is_the_run_of_the_command_line(studio, sheet, tmp_path):
 
 
 def test_a_run_that_cannot_start_says_why(studio, sheet):
-    sheet["payload"]["mass"] = "much"
+    payload(sheet)["mass"] = "much"
     info = studio.ended(studio.begin(sheet))
     assert info["state"] == "error"
-    assert info["errors"][0]["steps"] == ["payload", "mass"]
-    sheet["payload"]["mass"] = 0.5
+    assert info["errors"][0]["steps"] == ["links", 0, "bodies", 0, "mass"]
+    payload(sheet)["mass"] = 0.5
     sheet["integration"] |= {"stop": ["tip.z < 5 m"]}
     info = studio.ended(studio.begin(sheet))
     assert info["state"] == "error"
@@ -128,18 +134,18 @@ def test_report_and_data_are_files(studio, sheet):
 
 
 def test_a_study_is_saved_and_loaded_as_it_was(studio, sheet):
-    sheet["payload"]["mass"] = 0.1 + 0.2
+    payload(sheet)["mass"] = 0.1 + 0.2
     assert studio.put("/api/studies/my study.yaml", json={"sheet": sheet}) == {"saved": "my study.yaml"}
     assert "my study.yaml" in studio.get("/api/studies")["studies"]
     assert studio.get("/api/studies/my study.yaml")["sheet"] == sheet
     refused = studio.put("/api/studies/my study.yaml", json={"sheet": sheet}, code=409)
     [error] = refused["errors"]
     assert error["kind"] == "exists"
-    assert error["message"].startswith("my study.yaml: got a study that exists")
-    sheet["payload"]["mass"] = 0.5
+    assert error["message"].startswith("the study my study.yaml exists already")
+    payload(sheet)["mass"] = 0.5
     studio.put("/api/studies/my study.yaml", json={"sheet": sheet, "overwrite": True})
     assert studio.get("/api/studies/my study.yaml")["sheet"] == sheet
-    assert tmodes.load(studio.folder / "my study.yaml").payload.mass == 0.5
+    assert tmodes.load(studio.folder / "my study.yaml").links[0].bodies[0].mass == 0.5
 
 
 def test_a_disk_that_is_full_offers_no_replacing(studio, sheet, monkeypatch):
@@ -155,7 +161,7 @@ def test_a_disk_that_is_full_offers_no_replacing(studio, sheet, monkeypatch):
 
 
 def test_a_wrong_study_is_not_saved(studio, sheet):
-    sheet["payload"]["mass"] = -1.0
+    payload(sheet)["mass"] = -1.0
     studio.put("/api/studies/wrong.yaml", json={"sheet": sheet}, code=422)
     assert not (studio.folder / "wrong.yaml").exists()
 

@@ -166,7 +166,7 @@ export interface Mode {
   case: string;
   frequency: number; // Hz
   damping: number; // share of the critical one
-  livesIn: string;
+  element: string;
   /** Rest lines [L, S, 3] m, and real and imaginary part of the displacements [L, S, 3], largest of size 1. */
   rest: Numbers;
   real: Numbers;

@@ -96,7 +96,7 @@ async function main(): Promise<void> {
 
   /** `named`: what it is called in the list of robots, nothing for a file's own. */
   async function load(loaded: SheetInfo, from: string, named = ""): Promise<void> {
-    const schema = await api.schema(loaded.kind);
+    const schema = await api.schema();
     current = loaded;
     robots.value = listed = named;
     shown.forget();
@@ -171,7 +171,7 @@ async function main(): Promise<void> {
       ...(first.startsWith("./") ? [make("option", { value: first, text: first.slice(2) })] : []),
       ...list.map((one) => make("option", { value: one.name, text: one.name, title: one.title })),
     );
-    const wanted = first || (list.find((one) => one.kind === "robot") ?? list[0]).name;
+    const wanted = first || list[0].name;
     robots.value = wanted;
     await choose(wanted);
   });

@@ -25,14 +25,10 @@ from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.contract import Coordinate, JointKind
 from tmodes.kinds.links.contract import Body, Link
-from tmodes.kinds.links.rigid import RigidLink
-from tmodes.kinds.links.segment import Segment
-from tmodes.kinds.links.strain import Beam, BeamPiece
+from tmodes.kinds.links.registry import RigidLink
 
 __all__ = [
     "Axis",
-    "Beam",
-    "BeamPiece",
     "Body",
     "Chain",
     "Friction",
@@ -44,7 +40,6 @@ __all__ = [
     "Placement",
     "Point",
     "RigidLink",
-    "Segment",
 ]
 
 Array = NDArray[np.float64]
@@ -114,7 +109,7 @@ class Joint:
     """A joint: ``axis`` (3,), a unit vector in the joint frame; ``friction`` acts on the joint's own rates.
 
     ``drive``, ``motor``, ``gear`` and ``friction`` are those of each of its coordinates; ``drives``: where the kinds of
-    drive differ between them. ``parameters``: further numbers of its kind.
+    drive differ between them. ``parameters``: further numbers of its kind; ``drive_parameters``: of its kind of drive.
     """
 
     name: str
@@ -130,6 +125,7 @@ class Joint:
     lower: float = -np.inf
     upper: float = np.inf
     parameters: tuple[float, ...] = ()
+    drive_parameters: tuple[float, ...] = ()
     drives: tuple[DriveKind, ...] = ()
 
     @property

@@ -105,6 +105,7 @@ def _joint(sheet: JointSheet, placement: Placement, arm: Robot) -> Joint:
         lower=-np.inf if lower is None else lower,
         upper=np.inf if upper is None else upper,
         parameters=parameters,
+        drive_parameters=sheet.drive_numbers,
         drives=drives if len({*drives}) > 1 else (),
     )
 
@@ -112,10 +113,9 @@ def _joint(sheet: JointSheet, placement: Placement, arm: Robot) -> Joint:
 def _drive(sheet: JointSheet, coordinate: str, arm: Robot) -> DriveKind:
     if not sheet.is_active:
         return drive_kind("spring" if sheet.is_elastic else "free")
-    if sheet.is_elastic:
-        return drive_kind("elastic")
+    kind = drive_kind(sheet.drive or ("elastic" if sheet.is_elastic else "effort"))
     commands = [drive.command for drive in arm.drives if drive.joint == coordinate]
-    return drive_kind("prescribed" if Command.PRESCRIBED in commands else "effort")
+    return drive_kind("prescribed") if Command.PRESCRIBED in commands and not kind.has_motor else kind
 
 
 def _friction(sheet: FrictionSheet | None) -> Friction:

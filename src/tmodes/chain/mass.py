@@ -33,7 +33,7 @@ def massless_issues(arm: Robot) -> Iterator[Issue]:
         if got := _nothing_moved(node.joint, index, moved):
             link = arm.joints[sheets[node.joint.name]].child
             hint = f"give `{link}`, or a link that it carries, a body with mass and inertia; or fix the joint"
-            expected = "mass beyond a joint that moves"
+            expected = "a joint that moves mass"
             yield Issue(f"joints.{sheets[node.joint.name]}", f"`{link}`, a link that {got}", expected, hint)
 
 
@@ -41,7 +41,12 @@ def _same_names(chain: Chain) -> Iterator[Issue]:
     """Parts of a link have names of their own, such as ``upper.1``; a link may not be called so too."""
     names = [node.name for node in chain.nodes]
     for name in sorted({name for name in names if names.count(name) > 1}):
-        yield Issue("links", f"`{name}`, also the name of a part of a link", "names of their own", "rename the link")
+        yield Issue(
+            "links",
+            f"`{name}`, also the name of a part of a link",
+            "links whose names no part of a link has",
+            "rename the link",
+        )
 
 
 def _nothing_moved(joint: Joint, index: int, moved: Array) -> str:

@@ -110,7 +110,7 @@ def _ranges(option: str, texts: list[str]) -> list[tuple[Any, ...]]:
     ranges = [_range(option, text) for text in texts]
     paths = [path for path, *_ in ranges]
     if twice := [path for path in paths if paths.count(path) > 1]:
-        raise InputError(option, f"{twice[0]} twice", "each path once", "give one range for it")
+        raise InputError(option, f"{twice[0]} twice", "given once for each path", "give one range for it")
     return ranges
 
 
@@ -162,9 +162,9 @@ def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
     lost = [lane for lane, status in enumerate(found.status) if status != "finished"]
     for lane in lost[:MOST_REPORTED]:
         values = ", ".join(f"{path} = {values[lane]:.6g}" for path, values in found.values.items())
-        notice(f"lane {lane} ({values}) {found.status[lane]}: {found.message[lane]}")
+        notice(f"case {lane} ({values}) {found.status[lane]}: {found.message[lane]}")
     if len(lost) > MOST_REPORTED:
-        notice(f"and {len(lost) - MOST_REPORTED} more lanes that did not finish")
+        notice(f"and {len(lost) - MOST_REPORTED} more cases that did not finish")
 
 
 def _each(found: BatchRun, parted: Spread) -> list[dict[str, Any]]:
@@ -186,7 +186,7 @@ def _print(name: str, found: BatchRun, info: dict[str, Any]) -> None:
     from tmodes.cli.output import print_table
 
     title = f"{name}: {info['finished']} of {info['lanes']} runs finished"
-    labels = {"tip_difference_m": "tip off by at most [mm]", "tip_difference_at_end_m": "at the end [mm]"}
+    labels = {"tip_difference_m": "largest tip difference [mm]", "tip_difference_at_end_m": "at the end [mm]"}
     rows = [
         [label, *(f"{info[key][part] * 1e3:.4g}" if info[key] else "-" for part in ("min", "median", "max"))]
         for key, label in labels.items()
@@ -194,8 +194,6 @@ def _print(name: str, found: BatchRun, info: dict[str, Any]) -> None:
     print_table(title, ["from the sheet's own run", "least", "median", "largest"], rows)
     if worst := info["worst"]:
         values = ", ".join(f"{path} = {value:.6g}" for path, value in worst["values"].items())
-        print(
-            f"The tip parts farthest, by {worst['tip_difference_m'] * 1e3:.4g} mm, in lane {worst['lane']}: {values}."
-        )
+        print(f"Largest tip difference: {worst['tip_difference_m'] * 1e3:.4g} mm, in case {worst['lane']}: {values}.")
     if found.folder:
         print(f"All samples are in {found.folder}.")

@@ -90,13 +90,15 @@ def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:
             raise InputError("--angle", repr(angle), expected, "give the motor's angle in radians, or leave it out")
         if len(sheet.drives) != 1:
             hint = "set the start of its drives: --set drives.0.signal.start=0.5"
-            raise InputError("--angle", repr(angle), "no angle: the robot has not exactly one drive", hint)
+            raise InputError("--angle", repr(angle), "left out where the robot has not exactly one drive", hint)
         held = {"joint": sheet.drives[0].joint, "command": "prescribed"}
         sheet = sheet.with_({"drives": [held | {"signal": {"type": "constant", "value": angle}}]})
     if contact and sheet.contact_off:
         sheet = sheet.with_({"contact": True})
     if contact and sheet.contact is None:
-        raise InputError("--contact", "a robot that touches nothing", "a sheet with `contact`", "leave --contact out")
+        raise InputError(
+            "--contact", "a robot that touches nothing", "given for a robot with a contact", "leave --contact out"
+        )
     return sheet
 
 

@@ -137,19 +137,24 @@ def chosen_sheet(
         own["contact"] = contact
     if "integration.stop_at_limits" in info and not any(joint.limits for joint in sheet.joints):
         got, hint = f"the robot {robot}, which has none", "leave it out; --stop ends a run at a value of your choice"
-        raise InputError("--stop-at-limits", got, "a robot whose joints have limits", hint)
+        raise InputError("--stop-at-limits", got, "given for a robot whose joints have limits", hint)
     return sheet.with_(own) if own else sheet
 
 
 def _refuse_without_reading(sheet: Robot, reading: Reading) -> None:
     if not sheet.imported:
-        expected, hint = "no reading: it belongs to sheets of the 2010 robot", "leave --reading out"
+        expected, hint = (
+            "left out: only sheets of the 2010 robot have a reading",
+            "remove it; `equations` chooses those of another robot",
+        )
         raise InputError("--reading", reading.value, expected, hint)
 
 
 def _refuse_without_contact(sheet: Robot, contact: bool) -> None:
     if contact and not (sheet.contact or sheet.contact_off):
-        raise InputError("--contact", "a robot that touches nothing", "a sheet with `contact`", "add it to the sheet")
+        raise InputError(
+            "--contact", "a robot that touches nothing", "given for a robot with a contact", "add it to the sheet"
+        )
 
 
 def integration_changes(

@@ -53,7 +53,6 @@ def show(
 def _for_machines(stored: Result, file: Path, chosen: list[Series]) -> dict[str, Any]:
     return {
         "file": str(file),
-        "kind": stored.kind,
         "status": stored.status,
         "message": stored.message,
         "warnings": list(stored.warnings),

@@ -45,7 +45,9 @@ def _parts(text: str) -> dict[str, str]:
         if equals and name not in KEYS:
             raise _unknown("--load", name, KEYS)
         if equals and name in parts:
-            raise InputError("--load", f"`{name}` a second time", "each key once", "give another --load for each load")
+            raise InputError(
+                "--load", f"`{name}` a second time", "given each key once", "give another --load for each load"
+            )
         if not equals and not key:
             raise InputError("--load", repr(text), "KEY=VALUE,... with the keys " + ", ".join(KEYS), EXAMPLE)
         key = name if equals else key

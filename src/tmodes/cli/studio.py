@@ -21,7 +21,7 @@ def studio(
     robot: Annotated[
         str,
         typer.Argument(metavar="[ROBOT|FILE]", help="What is shown first: a published robot, or a file of the folder."),
-    ] = "",
+    ] = "filipovic2010",
     folder: Annotated[Path, typer.Option(help="Where studies are kept; nothing outside is read or written.")] = Path(),
     port: Annotated[int, typer.Option(min=0, max=65535, help="0: any that is free.")] = 0,
     host: Annotated[
@@ -38,7 +38,7 @@ def studio(
     for package in ("fastapi", "uvicorn"):
         if find_spec(package) is None:
             got, hint = f"no package {package}", "install it: pip install 'tmodes[studio]'"
-            raise InputError("tmodes studio", got, "the extra `studio`", hint)
+            raise InputError("tmodes studio", got, "run with the extra `studio`", hint)
     from tmodes.studio.folder import WorkingFolder
     from tmodes.studio.serve import serve
 
@@ -56,7 +56,7 @@ def _first(robot: str, folder: WorkingFolder) -> str:
     from tmodes.errors import InputError
     from tmodes.robots.load import load, sheet_names
 
-    if not robot or robot in sheet_names():
+    if robot in sheet_names():
         return robot
     _refuse_what_is_no_robot(Path(robot))
     load(robot)

@@ -98,4 +98,6 @@ def _temporary() -> Path:
         return Path(tempfile.mkdtemp(prefix="tmodes-view-")) / "view.html"
     except OSError as error:
         got = str(error.strerror)
-        raise file_error("the temporary folder", got, "room for a page", "name a file with --out") from None
+        raise file_error(
+            "the temporary folder", got, "a folder with room for a page", "name a file with --out"
+        ) from None

@@ -114,6 +114,10 @@ class Mechanics(Protocol):
         """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
         ...
 
+    def drawn(self, blocks: Blocks) -> dict[str, Slot]:
+        """What is drawn besides the links, by name: each axes (9), start and end (3 each), in world axes."""
+        ...
+
     def way(self, blocks: Blocks, *, posed: bool) -> Any:
         """The outward pass in a schedule; ``posed``: poses of points are needed."""
         ...

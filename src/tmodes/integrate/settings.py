@@ -138,7 +138,7 @@ class Integration(DataSheet):
             got = f"{self.output_step!r}, that is {self._size(samples)}"
             least = f"{1.005 * self.duration / most_samples:.3g} s"
             hint = f"write at least {least}, a shorter duration, or fewer line_points"
-            yield Issue("output_step", got, f"at most {self._size(most_samples)}", hint)
+            yield Issue("output_step", got, f"long enough for at most {self._size(most_samples)}", hint)
 
     def _stepping_issues(self) -> Iterator[Issue]:
         one = self.integrator
@@ -154,7 +154,10 @@ class Integration(DataSheet):
             most = f"at most integration.duration, {self.duration!r} [s]"
             yield Issue("step", repr(self.step), most, "write a shorter step")
         elif steps > self.max_steps:
-            got, most = f"{self.step!r}, that is {steps:.3g} steps", f"at most max_steps, {self.max_steps} steps"
+            got, most = (
+                f"{self.step!r}, that is {steps:.3g} steps",
+                f"long enough for at most max_steps, {self.max_steps} steps",
+            )
             hint = f"write at least {self.duration / self.max_steps:.3g} s, or raise max_steps"
             yield Issue("step", got, most, hint)
 
@@ -204,7 +207,7 @@ def refuse_too_large(settings: Integration, samples: float, each: int, others: s
     raise InputError(
         "integration.output_step",
         f"{settings.output_step!r}, that is {samples:.3g} samples, about {samples * each / 1e9:.3g} GB",
-        f"at most {MOST_BYTES / each:.3g} samples of {each} bytes, {MOST_BYTES / 1e9:.3g} GB",
+        f"long enough for at most {MOST_BYTES / each:.3g} samples of {each} bytes, {MOST_BYTES / 1e9:.3g} GB",
         f"write at least {least:.3g} s, {others}",
     )
 
@@ -218,4 +221,4 @@ def refuse_stops(settings: Integration, what: str) -> None:
     for name, value in asked.items():
         if value:
             hint = f"leave `{name}` out, or run by itself: tmodes run"
-            raise InputError(f"integration.{name}", repr(value), f"nothing: {what} to the end of integration", hint)
+            raise InputError(f"integration.{name}", repr(value), f"left out: {what} to the end of integration", hint)

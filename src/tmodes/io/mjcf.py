@@ -70,7 +70,7 @@ def _compiled(path: str | os.PathLike[str], source: str, folders: Folders) -> An
         mujoco: Any = import_module("mujoco")  # its binary module has no types
     except ImportError:
         hint = "install it with `pip install tmodes[peers]`, or write the arm as URDF"
-        raise InputError(source, "an MJCF without MuJoCo", "MuJoCo installed", hint) from None
+        raise InputError(source, "no MuJoCo", "read with MuJoCo", hint) from None
     try:
         return mujoco.MjModel.from_xml_path(str(folders.home / os.path.basename(path)))  # noqa: PTH119 (bytes paths)
     except ValueError as error:

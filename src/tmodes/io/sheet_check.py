@@ -128,8 +128,7 @@ def _factored(data: dict[str, Any], path: str) -> tuple[Any, Any]:
     if steps[0] not in factored or place is None or not _is_number(place, at(inner, key)):
         expected = f"the path of a number of {', '.join(factored)}"
         raise InputError(path, "a path that names no number", expected, "name a number of the sheet")
-    value = inner[key] if isinstance(inner, list) or key in inner else None
-    if value is None:
+    if at(inner, key) is None:
         raise InputError(path, _LEFT_OUT, "the path of a number that the sheet has", "write the number")
     return inner, key
 

@@ -69,7 +69,7 @@ def _switch_contact(data: dict[str, Any], on: bool) -> None:
         data[here] = data.pop(there)
     if on and data.get("contact") is None:
         hint = "add the group `contact` to the sheet"
-        raise InputError("contact", "a robot that touches nothing", "a sheet with a contact", hint)
+        raise InputError("contact", "a switch, of a robot that touches nothing", "left out", hint)
 
 
 def entered(data: Any, steps: Sequence[Step], path: str) -> Any:

@@ -9,6 +9,7 @@ from typing import TYPE_CHECKING, Any
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import named, quantities
 from tmodes.io.sheet_plausible_motion import implausible_motion
+from tmodes.io.sheet_plausible_parts import implausible_inertia, implausible_motors, implausible_sag, masses_beyond
 from tmodes.io.usual_ranges import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, oddity
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin
@@ -27,13 +28,16 @@ CLAMPED_FREE = 1.8751040687119611
 
 def implausible_arm(arm: Robot) -> list[str]:
     """Sentences on numbers that look like a wrong unit, each with the likely factor; empty when all look right."""
-    beams = [(link.name, link.beam) for link in arm.links if link.beam]
+    beams, beyond = [(link.name, link.beam) for link in arm.links if link.beam], masses_beyond(arm)
     found = (
         sentence
         for name, beam in beams
-        for sentence in (*_beam(name, beam), *(f"links.{name}.beam{notice}" for notice in beam.notices()))
+        for sentence in (
+            *_beam(arm, name, beam, beyond[name]),
+            *(f"links.{name}.beam{notice}" for notice in beam.notices()),
+        )
     )
-    return [*_ranges(arm), *found, *implausible_motion(arm)]
+    return [*_ranges(arm), *found, *implausible_motors(arm), *implausible_inertia(arm), *implausible_motion(arm)]
 
 
 def arm_notices(arm: Robot) -> list[str]:
@@ -58,11 +62,12 @@ def _ranges(arm: Robot) -> Iterator[str]:
             yield f"{named(steps, data)} {odd}"
 
 
-def _beam(name: str, beam: BendingSheet) -> Iterator[str]:
+def _beam(arm: Robot, name: str, beam: BendingSheet, beyond: float) -> Iterator[str]:
     """The first of what is strange about a beam: the others follow from it."""
     if not beam.section_pieces():
         return
-    yield from [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)][:1]
+    found = [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)]
+    yield from [*found, *implausible_sag(arm, name, beam, beyond)][:1]
 
 
 def _slenderness(name: str, beam: BendingSheet) -> Iterator[str]:

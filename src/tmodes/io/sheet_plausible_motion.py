@@ -6,6 +6,7 @@ import math
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
+from tmodes.io.usual_ranges import oddity
 from tmodes.sheet.checks import coordinate_count
 
 if TYPE_CHECKING:
@@ -33,7 +34,7 @@ def implausible_motion(arm: Robot) -> Iterator[str]:
     """Sentences on gravity, motions and limits that look like a wrong unit, and on an arm of very many coordinates."""
     pull = math.hypot(*arm.gravity)
     if pull > GRAVITY:
-        yield f"gravity = {pull:g} m/s^2 is more than the usual {GRAVITY:g}; is the unit right?"
+        yield f"gravity {oddity(pull, 'm/s^2', (0.0, GRAVITY))}"
     yield from _limits(arm)
     yield from _signals(arm)
     if (count := coordinate_count(arm)) > MANY:

@@ -82,7 +82,9 @@ def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) 
     for element in robot.children:
         _read(element, reading)
     if not reading.links and not reading.errors:
-        reading.errors.append(fault(robot, "the robot", "no link", "links and joints", "add <link> and <joint>"))
+        reading.errors.append(
+            fault(robot, "the robot", "no link", "made of links and joints", "add <link> and <joint>")
+        )
     reading.refuse()
     tree = tree_of(robot, reading.links, list(reading.joints.values()))
     reading.errors.extend(massless(tree, reading.links, reading.bodies, weighed))

@@ -178,11 +178,16 @@ class _Expansion:
 def _needed(element: Element, name: str) -> str:
     text = element.attributes.get(name, "").strip()
     if not text:
-        raise xacro_fault(element, f"no attribute `{name}`", f'{name}="..."', f'write {name}="..."')
+        raise xacro_fault(element, f"no attribute `{name}`", f'an element with {name}="..."', f'write {name}="..."')
     return text
 
 
 def _refuse_others(element: Element, known: set[str]) -> None:
     if others := sorted(element.attributes.keys() - known):
         got = f"the attribute {shown(others[0])}"
-        raise xacro_fault(element, got, f"only {', '.join(sorted(known))}", "write it without, or expand it with ROS")
+        raise xacro_fault(
+            element,
+            got,
+            f"an element with no attribute but {', '.join(sorted(known))}",
+            "write it without, or expand it with ROS",
+        )

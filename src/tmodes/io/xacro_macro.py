@@ -46,13 +46,18 @@ class Macro:
             if name not in names:
                 close = nearest(name, names)
                 hint = f"did you mean {shown(close)}?" if close else "remove it, or add it to the macro's params"
-                got, expected = f"the unknown parameter {shown(name)}", f"of {', '.join(names) or 'none'}"
+                got, expected = (
+                    f"the unknown parameter {shown(name)}",
+                    f"called with parameters of {', '.join(names) or 'none'}",
+                )
                 raise xacro_fault(call, got, expected, hint)
         left_out = [parameter for name, parameter in names.items() if name not in given]
         left_out = [parameter for parameter in left_out if not (parameter.outer and parameter.name in around)]
         if missing := [parameter.name for parameter in left_out if parameter.default is None]:
             hint = f'write {missing[0]}="..."'
-            raise xacro_fault(call, f"no value for {', '.join(missing)}", "every parameter without a default", hint)
+            raise xacro_fault(
+                call, f"no value for {', '.join(missing)}", "called with every parameter without a default", hint
+            )
         return {parameter.name: parameter.default for parameter in left_out if parameter.default is not None}
 
     def blocks(self, call: Element, children: list[Element]) -> dict[str, list[Element]]:
@@ -60,7 +65,10 @@ class Macro:
         wanted = [parameter for parameter in self.parameters if parameter.stars]
         if len(wanted) != len(children):
             names = ", ".join(parameter.name for parameter in wanted) or "none"
-            got, expected = f"{len(children)} elements inside", f"{len(wanted)}, one for each block ({names})"
+            got, expected = (
+                f"{len(children)} elements inside",
+                f"called with {len(wanted)} elements, one for each block ({names})",
+            )
             raise xacro_fault(call, got, expected, "add or remove elements inside the call")
         pairs = zip(wanted, children, strict=True)
         return {parameter.name: [child] if parameter.stars == 1 else child.children for parameter, child in pairs}
@@ -75,7 +83,12 @@ def macro_of(element: Element) -> Macro:
         match = PARAMETER.match(text, position)
         if match is None or len(parameters) >= MOST_PARAMETERS or match.end() == position:
             hint = "write them as: name other:=1.0 *block"
-            raise xacro_fault(element, f"the parameters {shown(text[position:])}", "names with spaces between", hint)
+            raise xacro_fault(
+                element,
+                f"the parameters {shown(text[position:])}",
+                "a macro with names and spaces between as parameters",
+                hint,
+            )
         parameters.append(_parameter(match))
         position = match.end()
     return Macro(element, tuple(parameters))

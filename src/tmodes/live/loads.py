@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections.abc import Iterable
 from typing import Any
 
 import numpy as np
@@ -57,9 +58,9 @@ def lines_info(lines: Lines, chain: Chain) -> list[dict[str, Any]]:
     return found
 
 
-def yield_strengths(arm: Robot, chain: Chain) -> dict[str, float]:
-    """Yield strength [Pa] of each bending link of which it is known."""
-    found = {node.name: yield_strength(arm, node.name) for node in chain.nodes if node.link.bends}
+def yield_strengths(arm: Robot, lines: Iterable[str]) -> dict[str, float]:
+    """Yield strength [Pa] of the lines of bending links, by name, where it is known."""
+    found = {name: yield_strength(arm, name) for name in lines}
     return {name: strength for name, strength in found.items() if strength is not None}
 
 

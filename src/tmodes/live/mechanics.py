@@ -15,7 +15,7 @@ from tmodes.live.loads import joint_limits, lines_info, load_places, yield_stren
 from tmodes.live.numbers import follow_of
 from tmodes.live.vibrations import vibrations_info
 from tmodes.model.model import Model
-from tmodes.result.lines import POINT_LIKE, without_elasticity
+from tmodes.result.lines import without_elasticity
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
@@ -98,12 +98,13 @@ def _carried(pair: RobotPair, real: RunSetup, functions: ModelFunctions) -> dict
     """Where loads along the links are found; which of their places are shown; what they are compared with."""
     plan, parts, places = real.planned.plan, real.model.loop.parts, np.array(functions.places)
     assert functions.lines is not None  # noqa: S101
+    lines = lines_info(functions.lines, plan.chain)
     return {
         "places": places,
         "kept": pair.real.integration.line_points,
         "shown": np.searchsorted(places, np.array(functions.stations) - 1e-12).astype(np.int32),
-        "lines": lines_info(functions.lines, plan.chain),
-        "strengths": yield_strengths(pair.nominal, plan.chain),
+        "lines": lines,
+        "strengths": yield_strengths(pair.nominal, (line["name"] for line in lines)),
         "limits": joint_limits(pair.nominal, plan, parts),
     }
 
@@ -115,8 +116,6 @@ def _links(model: Model, surfaces: Sequence[str]) -> list[dict[str, Any]]:
     has them.
     """
     lines = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0]).links
-    drawn = [
-        {"name": name, "bends": line.shape is not None} for name, line in lines.items() if line.length > POINT_LIKE
-    ]
-    carriers = {name for name, line in lines.items() if line.length <= POINT_LIKE and line.shape is None}
+    drawn = [{"name": name, "bends": line.shape is not None} for name, line in lines.items() if not line.is_point]
+    carriers = {name for name, line in lines.items() if line.is_point and line.shape is None}
     return drawn + [{"name": name, "bends": False} for name in surfaces if name in carriers]

@@ -82,7 +82,7 @@ class ArmPasses:
     def lines(self, s: tuple[float, ...], *, loaded: bool = False) -> Lines:
         """The elastic lines at the places ``s`` along each link; ``loaded``: forces act on the points."""
         if (s, loaded) not in self._lines:
-            self._lines[s, loaded] = line_schedule(self.parts, np.array(s), loaded=loaded)
+            self._lines[s, loaded] = line_schedule(self.parts, np.array(s), self.mechanics.drawn, loaded=loaded)
         return self._lines[s, loaded]
 
     def on_lines(

@@ -9,8 +9,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.errors import TmodesError
+from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
+from tmodes.report.actual import actual
 from tmodes.report.charts import charts_of
 from tmodes.report.facts import Fact
 from tmodes.report.mode_shapes import modes_of
@@ -71,14 +72,16 @@ def _title(result: Result) -> str:
 
 def _run(result: Result, name: str, charts: list[dict[str, Any]], *, light: bool) -> dict[str, Any]:
     data = result.data
-    times = np.asarray(data["time"].values, dtype=float)
+    times, missing = np.asarray(data["time"].values, dtype=float), actual(result).missing
+    unknown = [f"shown by what the result holds alone, because its robot cannot be rebuilt: {missing}"]
+    unknown = unknown if missing and not any(missing in one for one in result.warnings) else []
     frames = scene_frames(times, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
     return {
         "name": name,
         "status": result.status,
         "success": result.success,
         "message": result.message,
-        "warnings": list(result.warnings),
+        "warnings": [*result.warnings, *unknown],
         "duration": float(times[-1]),
         "facts": [asdict(fact) for fact in facts_of(result)],
         "charts": charts,
@@ -90,8 +93,11 @@ def _run(result: Result, name: str, charts: list[dict[str, Any]], *, light: bool
 
 
 def facts_of(result: Result) -> list[Fact]:
-    """The numbers that matter, most important first."""
-    return list(run_facts(result, result.summary()))
+    """The numbers that matter, most important first; none of a robot with kinds that are not known here."""
+    try:
+        return list(run_facts(result, result.summary()))
+    except (InputError, InputErrors):
+        return []
 
 
 def sheet_of(result: Result) -> str:

@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.modes.modes import ArmMode
 from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import SimulationError
-from tmodes.report.scene import actual_robot, drawn_links, lines_at
-from tmodes.report.scene_meshes import carriers
+from tmodes.report.actual import actual
+from tmodes.report.scene import lines_at
 from tmodes.result import Result
 
 __all__ = ["modes_of"]
@@ -35,11 +35,13 @@ _STEP = 1e-5
 
 
 def modes_of(result: Result) -> list[dict[str, Any]]:
-    """The lowest modes of the real robot about its rest, of each state of its motors; none where it has no rest.
+    """The lowest modes of the real robot about its rest, of each state of its motors; none where there is no rest.
 
     Frequencies [Hz] and damping are those of ``result.frequencies``; motions without vibration are left out.
     Displacements (L, S, 3) are complex, the largest of size 1.
     """
+    if actual(result).missing:
+        return []
     try:
         return _modes(result)
     except SimulationError:
@@ -52,15 +54,14 @@ def _modes(result: Result) -> list[dict[str, Any]]:
     from tmodes.analysis.modes.of_sheet import servos_of
     from tmodes.analysis.statics.rest import arm_rest
 
-    arm = actual_robot(result)
-    rest = arm_rest(arm, contact=arm.contact is not None)
-    drawn = drawn_links(result.data)
-    names = [*drawn, *carriers(result.data, rest.model.chain, drawn)]
+    known = actual(result)
+    arm = known.robot
+    rest = arm_rest(arm, model=known.model, contact=arm.contact is not None)
     servos, feedback = servos_of(arm, rest.model), feedback_of(arm, rest)
     stations, found = np.linspace(0, 1, _STATIONS), []
     for state in _CASES[0 if servos else 1 :]:
         modes = [(mode, mode.motion) for mode in arm_modes(rest, state, servos, feedback) if mode.motion is not None]
-        found += list(_info(str(state), modes, rest.q, lambda q: lines_at(rest.model, names, q, stations)[0]))
+        found += list(_info(str(state), modes, rest.q, lambda q: lines_at(rest.model, known.names, q, stations)[0]))
     return found
 
 
@@ -73,7 +74,7 @@ def _info(case: str, modes: Iterable[Shaped], rest: Array, lines: Lines) -> Iter
             "case": case,
             "frequency": mode.frequency_Hz,
             "damping": mode.damping_ratio,
-            "livesIn": mode.element,
+            "element": mode.element,
             "rest": lines(rest[None])[0].astype(np.float32),
             "real": moved.real.astype(np.float32),
             "imaginary": moved.imag.astype(np.float32),

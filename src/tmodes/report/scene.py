@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from typing import TYPE_CHECKING, Any
 
 import numpy as np
@@ -11,8 +10,9 @@ from numpy.typing import NDArray
 from tmodes.analysis.line.line import elastic_line
 from tmodes.chain.line_names import node_of_line
 from tmodes.model.model import Model
+from tmodes.report.actual import actual
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
-from tmodes.report.scene_meshes import carriers, meshes_in, nearest_drawn
+from tmodes.report.scene_meshes import meshes_in, nearest_drawn
 from tmodes.report.scene_sections import section_of
 from tmodes.report.thin import scene_frames
 from tmodes.result.lines import without_elasticity
@@ -21,7 +21,7 @@ from tmodes.sheet import Robot
 if TYPE_CHECKING:
     from tmodes.result import Result
 
-__all__ = ["actual_robot", "drawn_links", "line_of", "lines_at", "scene_of"]
+__all__ = ["line_of", "lines_at", "scene_of"]
 
 Array = NDArray[np.float64]
 Frames = NDArray[np.intp]
@@ -35,36 +35,30 @@ _QUANTITIES = (
 )
 
 
-def actual_robot(result: Result) -> Robot:
-    """The actual robot that ran, from its stored data sheet."""
-    from tmodes.io.sheet_check import sheet_from_data
-
-    return sheet_from_data(json.loads(result.data.attrs["robot_real"]))
-
-
 def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
     """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.thin.scene_frames`.
 
-    Lengths in m, times in s; arrays are NumPy's or those of :mod:`tmodes.report.pack`.
+    Lengths in m, times in s; arrays are NumPy's or those of :mod:`tmodes.report.pack`. Of a robot that cannot be
+    rebuilt only the lines that the result holds.
     """
     frames = _frames(result) if frames is None else frames
-    data, arm = result.data, actual_robot(result)
-    model, drawn = Model(arm.chain()), drawn_links(data)
-    names = [*drawn, *carriers(data, model.chain, drawn)]
+    known, data = actual(result), result.data
+    names, drawn = known.names, known.drawn
     data = data.isel(time=frames, s=stations_shown(data.sizes["s"], len(frames), len(names)))
+    if known.missing:
+        return _stored(data, drawn)
+    arm, model = known.robot, known.model
     stand, stations = _base(model, data), data["s"].values
     there, turned = lines_at(model, names, _coordinates(data, "q"), stations, stand)
     line, rigid = (_with_carriers(data, name, there, drawn) for name in ("line", "line_rigid"))
     parents = [nearest_drawn(model.chain, name, drawn) for name in names]
     _move_carriers(rigid, line, parents, len(drawn))
-    base, planned, wanted = kept(rigid), [None, None], None
+    base, planned = kept(rigid), [None, None]
     if "q_reference" in data:
         bent = _coordinates(data, "q_reference")
         found = (lines_at(model, names, q, stations, stand)[0] for q in (bent, without_elasticity(model, bent)))
         planned = [displaced(line, rigid, base) for line in found]
-        wanted = data["tip_reference"].transpose("time", "axis").values
-    return {
-        "times": data["time"].values,
+    return _common(data, names, line, rigid) | {
         "links": [
             _link(arm, model, name, stations) | {"parent": parent} for name, parent in zip(names, parents, strict=True)
         ],
@@ -73,23 +67,47 @@ def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
         "reference": planned[0],
         "referenceRigid": planned[1],
         "roots": quaternions(turned[:, :, 0]),
-        "colours": _colours(data, names, line, rigid),
-        "tip": data["tip"].transpose("time", "axis").values,
-        "tipReference": wanted,
         "contact": _contact(data, arm),
         "joints": list(_joints(model, names)),
         "meshes": meshes_in(result.data, model.chain, names),
     }
 
 
+def _common(data: Any, names: list[str], line: Array, rigid: Array) -> dict[str, Any]:
+    """What needs no robot."""
+    planned = data["tip_reference"].transpose("time", "axis").values if "tip_reference" in data else None
+    return {
+        "times": data["time"].values, "tip": data["tip"].transpose("time", "axis").values, "tipReference": planned,
+        "colours": _colours(data, names, line, rigid),
+    }  # fmt: skip
+
+
+def _stored(data: Any, drawn: list[str]) -> dict[str, Any]:
+    """The lines alone, as straight as they are stored, without joints, surfaces and contact."""
+    empty = np.zeros((data.sizes["time"], 0, data.sizes["s"], 3))
+    line, rigid = (data[name].transpose(*_DRAWN).values if drawn else empty for name in ("line", "line_rigid"))
+    parents = [str(name) for name in data["link_parent"].values] if drawn else []
+    bending = _names(data, "bending_link")
+    return _common(data, drawn, line, rigid) | {
+        "links": [
+            {"name": name, "bends": name in bending, "length": 0.0, "section": None,
+             "parent": drawn.index(parent) if parent in drawn else -1}
+            for name, parent in zip(drawn, parents, strict=True)
+        ],
+        "line": displaced(line, rigid, kept(rigid)), "rigid": kept(rigid), "reference": None, "referenceRigid": None,
+        "roots": np.tile(np.array([0, 0, 0, 1], dtype=np.float32), (len(line), len(drawn), 1)),
+        "contact": None, "joints": [], "meshes": [],
+    }  # fmt: skip
+
+
 def line_of(result: Result, frames: Frames | None = None) -> dict[str, Any] | None:
     """Deflection, slope, moment and shear along each elastic link at ``frames``; None where there is none."""
     frames = _frames(result) if frames is None else frames
-    if "bending_link" not in result.data.dims:
+    if "bending_link" not in result.data.dims or actual(result).missing:
         return None
-    links = [str(name) for name in result.data["bending_link"].values]
+    links = _names(result.data, "bending_link")
     data = result.data.isel(time=frames, s=stations_shown(result.data.sizes["s"], len(frames), 3 * len(links)))
-    model = Model(actual_robot(result).chain())
+    model = actual(result).model
     lines = elastic_line(model, np.zeros(model.nq), stations=[0.0, 1.0])
     lengths = np.array([lines[name].length for name in links])
     quantities = [
@@ -115,9 +133,8 @@ def lines_at(
     return (np.stack(position, axis=1), np.stack(rotation, axis=1)) if names else (empty, empty[..., None])
 
 
-def drawn_links(data: Any) -> list[str]:
-    """The links of which a result has lines."""
-    return [str(name) for name in data["link"].values] if "link" in data.dims else []
+def _names(data: Any, dimension: str) -> list[str]:
+    return [str(name) for name in data[dimension].values] if dimension in data.dims else []
 
 
 def _with_carriers(data: Any, name: str, there: Array, drawn: list[str]) -> Array:
@@ -176,8 +193,7 @@ def _joints(model: Model, names: list[str]) -> Any:
 
 
 def _colours(data: Any, names: list[str], line: Array, rigid: Array) -> list[dict[str, Any]]:
-    bending = [str(name) for name in data["bending_link"].values] if "bending_link" in data.dims else []
-    stressed = [str(name) for name in data["stressed_link"].values] if "stressed_link" in data.dims else []
+    bending, stressed = _names(data, "bending_link"), _names(data, "stressed_link")
 
     def over(values: Array, links: list[str]) -> Array:
         whole = np.zeros(line.shape[:3])
@@ -199,7 +215,7 @@ def _colours(data: Any, names: list[str], line: Array, rigid: Array) -> list[dic
             values = data[name].transpose("time", "stressed_link", "s").values
             found.append(colour(name, label, unit, over(values, stressed)))
     away = np.linalg.norm(line - rigid, axis=-1)
-    return [*found, colour("displacement", "Displacement by all elasticity", "m", away)]
+    return [*found, colour("displacement", "Displacement by all elasticity", "m", away)] if away.any() else found
 
 
 def _contact(data: Any, arm: Robot) -> dict[str, Any] | None:

@@ -12,12 +12,9 @@ from tmodes.model.model import Model
 from tmodes.result.series import Variables
 from tmodes.simulation.motion_run import RunData
 
-__all__ = ["POINT_LIKE", "line_series", "load_series", "run_wrenches", "straight_shape", "without_elasticity"]
+__all__ = ["line_series", "load_series", "run_wrenches", "straight_shape", "without_elasticity"]
 
 Array = NDArray[np.float64]
-
-POINT_LIKE = 1e-9
-"""A link shorter than this [m] is not drawn."""
 
 
 def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, dict[str, list[str]], list[str]]:
@@ -27,7 +24,7 @@ def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, d
     wrenches, base = run_wrenches(run)[part], run.base[part]
     lines = elastic_line(*motion, stations=[*map(float, stations)], wrenches=wrenches, base=base)
     straight = elastic_line(run.model, straight_shape(run)[part], stations=[*map(float, stations)], base=base)
-    shown = [line for line in lines.links.values() if line.length > POINT_LIKE]
+    shown = [line for line in lines.links.values() if not line.is_point]
     bending = lines.bending()
     stressed = [line for line in bending if line.stress is not None]
     names = {"link": shown, "bending_link": bending, "stressed_link": stressed}

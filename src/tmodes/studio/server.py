@@ -143,9 +143,9 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
             raise InputError("robot", repr(name[:60]), "a published robot", "choose one of the list")
         return await _info(lambda: (sheets.loaded(name), f"robot:{name}"))
 
-    @app.get("/api/schemas/{kind}")
-    async def schema(kind: str) -> Response:
-        return _json(await run_in_threadpool(sheets.schema_of, kind))
+    @app.get("/api/schema")
+    async def schema() -> Response:
+        return _json(await run_in_threadpool(sheets.schema))
 
     @app.post("/api/check")
     async def check(request: Request) -> Response:

@@ -7,11 +7,10 @@ from functools import cache
 from pathlib import Path
 from typing import Any
 
-from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data, sheet_from_data
 from tmodes.sheet import Robot
 
-__all__ = ["catalogue", "checked_sheet", "info_sheet", "loaded", "plain_sheet", "schema_of", "sheet_yaml", "units_of"]
+__all__ = ["catalogue", "checked_sheet", "info_sheet", "loaded", "plain_sheet", "schema", "sheet_yaml", "units_of"]
 
 MOST_BYTES = 300_000_000
 """Largest result that is simulated for the page [bytes]."""
@@ -19,24 +18,19 @@ MOST_BYTES = 300_000_000
 
 @cache
 def catalogue() -> list[dict[str, str]]:
-    """Name, title and kind of each published robot."""
+    """Name and title of each published robot."""
     from tmodes.io.yaml_file import parse_yaml
     from tmodes.robots.load import sheet_names, sheet_text
 
     read = {name: parse_yaml(sheet_text(name), f"{name}.yaml")[0] for name in sheet_names()}
-    return [{"name": name, "title": str(data.get("title", "")), "kind": "arm"} for name, data in read.items()]
+    return [{"name": name, "title": str(data.get("title", ""))} for name, data in read.items()]
 
 
 @cache
-def schema_of(kind: str) -> dict[str, Any]:
-    """The JSON Schema of which the forms are made; ``kind``: arm.
-
-    Raises :class:`tmodes.errors.InputError` for another kind.
-    """
+def schema() -> dict[str, Any]:
+    """The JSON Schema of which the forms are made."""
     from tmodes.io.schema import json_schema
 
-    if kind != "arm":
-        raise InputError("kind", repr(kind[:60]), "arm", "ask for the kind of the sheet")
     return json_schema()
 
 
@@ -79,7 +73,7 @@ def info_sheet(sheet: Robot) -> dict[str, Any]:
 
     data = plain_sheet(sheet)
     info = {"units": units_of(data), "sliders": info_sliders(sheet, data), "warnings": notices_about(sheet)}
-    return {"kind": sheet.kind, "name": sheet.name, "sheet": data, **info}
+    return {"name": sheet.name, "sheet": data, **info}
 
 
 def units_of(data: Any) -> dict[str, str]:

@@ -22,7 +22,7 @@ def info_sliders(sheet: Robot, data: dict[str, Any]) -> list[dict[str, Any]]:
 
 def _info(slider: Slider, knob: Knob, data: dict[str, Any]) -> dict[str, Any]:
     if slider.real:
-        targets = [{"steps": ["real", path], "base": 1.0} for path, _ in knob.targets]
+        targets = [{"steps": ["real", path], "base": 1.0} for path in knob.reals]
     else:
         targets = [{"steps": list(steps_of(path, data)), "base": base} for path, base in knob.targets]
     names = ("label", "symbol", "unit", "group", "log")

@@ -83,7 +83,7 @@ function shown(modes: [string, Found][], rest: Float64Array, lines: Lines): Mode
   return modes.map(([name, mode], place) => {
     const [real, imaginary] = turned(slope(1 + 4 * place), slope(2 + 4 * place));
     return {
-      case: name, frequency: mode.frequency, damping: mode.damping, livesIn: mode.element,
+      case: name, frequency: mode.frequency, damping: mode.damping, element: mode.element,
       rest: numbers(data.subarray(0, each)), real: numbers(real), imaginary: numbers(imaginary),
     };
   });

@@ -53,10 +53,10 @@ export function makeModesTable(pressed: (mode: Mode) => void): ModesTable {
 
 function makeRow(pressed: (mode: Mode) => void): Row {
   let own: Mode | null = null;
-  const [frequency, damping, livesIn] = [number(), number(), make("td")];
+  const [frequency, damping, where] = [number(), number(), make("td")];
   const showIt = button("", () => own && pressed(own));
   return {
-    element: make("tr", {}, frequency.element, damping.element, livesIn, make("td", {}, showIt)),
+    element: make("tr", {}, frequency.element, damping.element, where, make("td", {}, showIt)),
     button: showIt,
     tell(mode, before, shown) {
       own = mode;
@@ -64,7 +64,7 @@ function makeRow(pressed: (mode: Mode) => void): Row {
       const percent = (one: Mode) => digits(100 * one.damping, 3);
       frequency.tell(digits(mode.frequency), was((one) => digits(one.frequency)));
       damping.tell(percent(mode), was(percent));
-      put(livesIn, mode.livesIn);
+      put(where, mode.element);
       put(showIt, shown ? "stop" : "show");
       showIt.setAttribute("aria-pressed", String(shown));
       const label = shown ? "Stop showing the mode" : `Show the mode of ${digits(mode.frequency)} Hz in 3D`;

@@ -129,7 +129,7 @@ export abstract class Sight<Kind extends ShownRun = ShownRun> {
   private modeEntries(mode: Mode): Entry[] {
     const damping = `damping ${digits(100 * mode.damping)} %`;
     const how = `motors ${mode.case}; slowed, not to scale`;
-    const label = `Mode ${digits(mode.frequency)} Hz, ${damping}, ${mode.livesIn}; ${how}`;
+    const label = `Mode ${digits(mode.frequency)} Hz, ${damping}, ${mode.element}; ${how}`;
     return [
       { colour: this.given.colours.rigid, label: "At rest" },
       { colour: "transparent", label },

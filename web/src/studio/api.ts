@@ -35,7 +35,6 @@ export interface Knob {
 }
 
 export interface SheetInfo {
-  kind: "robot" | "arm";
   name: string;
   sheet: Sheet;
   units: Record<string, string>;
@@ -100,9 +99,9 @@ async function json<T>(address: string, method = "GET", body?: unknown): Promise
 const named = encodeURIComponent;
 
 export const api = {
-  robots: () => json<{ robots: { name: string; title: string; kind: string }[] }>("api/robots"),
+  robots: () => json<{ robots: { name: string; title: string }[] }>("api/robots"),
   robot: (name: string) => json<SheetInfo>(`api/robots/${named(name)}`),
-  schema: (kind: string) => json<Schema>(`api/schemas/${named(kind)}`),
+  schema: () => json<Schema>("api/schema"),
   check: (sheet: Sheet) => json<SheetInfo>("api/check", "POST", { sheet }),
   yaml: (sheet: Sheet) => json<{ yaml: string }>("api/yaml", "POST", { sheet }),
   studies: () => json<{ folder: string; studies: string[] }>("api/studies"),

@@ -30,6 +30,11 @@ Array = NDArray[np.float64]
 STATIONS = 21
 """Places along each link where none are asked."""
 
+DRAWN, NO_NODE = "drawn", -1
+
+_POINT_LIKE = 1e-9
+"""A link shorter than this [m] is not drawn."""
+
 _MOST_NUMBERS = 500_000_000
 """Numbers of an answer (4 GB) beyond which it is refused."""
 
@@ -85,7 +90,8 @@ class LinkLine:
     ``shape``: how it bends. ``moment`` (n, S, 3) [N*m]: torsion, about y, about z; ``shear`` (n, S, 2) [N] along y and
     z; ``axial`` (n, S) [N], tension positive: the load of the outboard part on the inboard one, in section axes.
     ``stress`` is None where section or material are not known. A rigid link has a straight line, no shape, and loads
-    that are not a number: its mass has no place along it.
+    that are not a number: its mass has no place along it. So is a line of the kind ``drawn`` between two points of a
+    system stated by its energies, whose ``node`` is -1.
     """
 
     name: str
@@ -100,6 +106,11 @@ class LinkLine:
     axial: Array
     shape: Shape | None = None
     stress: Stress | None = None
+
+    @property
+    def is_point(self) -> bool:
+        """Whether there is nothing to draw."""
+        return self.kind != DRAWN and self.length <= _POINT_LIKE
 
     def largest(self, quantity: str, component: int | None = None) -> Largest | None:
         """The largest of a quantity (of the line, its shape or its stress), by size; None where it is not known."""
@@ -148,6 +159,7 @@ def elastic_line(
     _refuse_huge(len(q) * lines.schedule.output_size)
     found = model.passes.on_lines(lines, Rows(q, v, model.nq), a, base, wrenches)
     named = [line for index in range(len(model.chain.nodes)) for line in _lines(model, index, asked, lines, found)]
+    named += [_between(name, asked, found[name]) for name in lines.drawn]
     return LinkLines({line.name: line for line in named}, found[ROOTS].reshape(len(q), -1, 6))
 
 
@@ -170,7 +182,8 @@ def _refuse_huge(numbers: int) -> None:
 def _lines(model: Model, index: int, asked: Array, lines: Lines, found: dict[str, Array]) -> list[LinkLine]:
     node = model.chain.nodes[index]
     if not lines.links[index]:
-        return [_straight(node.name, index, asked, lines.ends[index], found[node.name])]
+        length = float(np.linalg.norm(lines.ends[index]))
+        return [_straight(node.name, index, "rigid", asked, length, found[node.name])]
     return [_bent(node, index, line, found[node.name + line.suffix]) for line in lines.links[index]]
 
 
@@ -190,11 +203,16 @@ def _bent(node: Node, index: int, line: LineOfLink, found: Array) -> LinkLine:
     )  # fmt: skip
 
 
-def _straight(name: str, index: int, asked: Array, end: Array, found: Array) -> LinkLine:
+def _between(name: str, asked: Array, found: Array) -> LinkLine:
+    """A line that a system draws between two of its points, as long as it ever is."""
+    lengths = np.linalg.norm(found[:, RIGID["end"]] - found[:, RIGID["position"]], axis=1)
+    return _straight(name, NO_NODE, DRAWN, asked, float(lengths.max(initial=0.0)), found)
+
+
+def _straight(name: str, index: int, kind: str, asked: Array, length: float, found: Array) -> LinkLine:
     """From the root of a rigid link to the farthest thing on it: a joint, else a point, else a center of mass."""
     start, stop = (found[:, None, RIGID[part]] for part in ("position", "end"))
     position = start + asked[:, None] * (stop - start)
     rotation = np.broadcast_to(found[:, RIGID["rotation"]].reshape(-1, 1, 3, 3), (*position.shape[:2], 3, 3))
-    unknown, length = np.full(position.shape, np.nan), float(np.linalg.norm(end))
-    return LinkLine(name, index, "rigid", length, asked, position, rotation, unknown, unknown[..., 1:],
-                    unknown[..., 0])  # fmt: skip
+    unknown = np.full(position.shape, np.nan)
+    return LinkLine(name, index, kind, length, asked, position, rotation, unknown, unknown[..., 1:], unknown[..., 0])

@@ -233,8 +233,8 @@ def _system(name: str, title: str, *, printed: bool) -> System:
 
     return System(
         name=name, title=title, coordinates=dict.fromkeys(COORDINATES, "rad"), parameters=dict.fromkeys(_NUMBERS, 0.0),
-        kinetic=kinetic, gravity=_gravity, elastic=elastic, dissipation=dissipation, points=_points, numbers=_numbers,
-        own=OWN, directions=basis(), contact_map=_planar_map if printed else None, matches=_matches,
+        kinetic=kinetic, gravity=_gravity, elastic=elastic, dissipation=dissipation, points=_points, lines=(),
+        numbers=_numbers, own=OWN, directions=basis(), contact_map=_planar_map if printed else None, matches=_matches,
     )  # fmt: skip
 
 

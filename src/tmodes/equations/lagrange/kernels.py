@@ -15,7 +15,7 @@ import casadi as ca
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.equations.lagrange.system import System
+from tmodes.equations.lagrange.system import ORIGIN, System
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel.kernel import Kernel
 
@@ -128,6 +128,15 @@ class SystemKernels:
             return [[*entries(axes.T), *entries(position), *entries(velocity)], entries(turn)]
 
         return self._of_state(f"pose {name}", of, (), (POSE, 3))
+
+    def segment(self, start: str, end: str) -> Kernel:
+        """(z, z', parameters) -> (axes of the world (9), positions of two points): a line between them."""
+
+        def of(e: Any) -> list[list[Any]]:
+            ends = [self._point(e, None if name == ORIGIN else name)[0] for name in (start, end)]
+            return [[*entries(ca.SX.eye(3)), *entries(ca.vertcat(*ends))]]
+
+        return self._of_state(f"segment {start} {end}", of, (), (15,))
 
     def acceleration(self, name: str | None) -> Kernel:
         """(z, z', parameters, base's acceleration less gravity, z'') -> [linear; angular] of a point, less gravity."""

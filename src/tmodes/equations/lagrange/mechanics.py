@@ -38,6 +38,12 @@ class LagrangeMechanics:
         """``forward``, ``inertia`` or ``elastic``; ``loaded``: forces act on the points."""
         return elastic_schedule(self.chained) if name == "elastic" else _SCHEDULES[name](self.chained, loaded=loaded)
 
+    def drawn(self, blocks: Blocks) -> dict[str, Slot]:
+        """The system's own lines, between its points."""
+        way, kernels = LagrangeWay(self.chained, blocks), self.chained.kernels
+        pairs = self.chained.system.segments
+        return {f"{a}-{b}": way.call(kernels.segment(a, b), *way.state)[0] for a, b in pairs}
+
     def way(self, blocks: Blocks, *, posed: bool) -> LagrangeWay:
         """Where the points are, found when asked."""
         del posed

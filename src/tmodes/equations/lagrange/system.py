@@ -19,9 +19,10 @@ from __future__ import annotations
 
 import hashlib
 import keyword
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
+from itertools import pairwise
 from typing import Any
 
 import casadi as ca
@@ -30,44 +31,23 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
 from tmodes.equations.lagrange.as_sheet import system_robot
+from tmodes.equations.lagrange.members import Members
 from tmodes.equations.lagrange.terms import Energies, EquationTerms, equation_terms
 from tmodes.errors import InputError
+from tmodes.kinds.registry import Registry
 from tmodes.sheet.robot import RECURSION, Robot
 
-__all__ = ["GRAVITY", "Expressions", "Members", "System", "known_systems"]
+__all__ = ["GRAVITY", "ORIGIN", "SYSTEMS", "Expressions", "System"]
 
 Array = NDArray[np.float64]
 
 GRAVITY = "g"
 """Parameter that every system has unless it defines its own: magnitude of the robot's gravity [m/s^2]."""
 
+ORIGIN = "origin"
+"""Where the world's axes are, as ``lines`` name it."""
+
 UNITS = ("rad", "m")
-
-
-class Members:
-    """Symbols by name: ``q.cart``, ``q["cart"]``, or in order."""
-
-    def __init__(self, names: Sequence[str], values: Any, of: str) -> None:
-        self._values = {name: values[k] for k, name in enumerate(names)}
-        self._of = of
-
-    def __getitem__(self, name: str | int) -> Any:
-        if isinstance(name, int):
-            return [*self._values.values()][name]
-        if name not in self._values:
-            raise AttributeError(f"no {self._of} `{name}`; there are {', '.join(self._values)}")
-        return self._values[name]
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return self[name]
-
-    def __iter__(self) -> Iterator[Any]:
-        return iter(self._values.values())
-
-    def __len__(self) -> int:
-        return len(self._values)
 
 
 @dataclass(frozen=True)
@@ -90,9 +70,6 @@ class Expressions:
 
 Law = Callable[..., Any]
 
-_KNOWN: dict[str, System] = {}
-"""Systems by name, in this process."""
-
 
 @dataclass(frozen=True, eq=False)
 class System:
@@ -104,7 +81,7 @@ class System:
     power lost. ``forces(q, v, p)``: further generalized forces by coordinate name, on the right side. ``points(q, p)``:
     name -> position [m], or (position, rotation matrix); the first is the tip. ``inputs``: coordinates that a drive of
     the robot may act on; None: all of them. ``lines``: polylines to draw, each a sequence of names of points or
-    ``origin``.
+    ``origin``; None: one through all points, the tip last, from the origin where there is only one.
 
     ``numbers(chain)`` gives parameters that follow from a robot's own joints and links instead. ``directions`` (n, n):
     constant map from the robot's coordinates to those of the energies, where these are others, named ``own``.
@@ -121,7 +98,7 @@ class System:
     forces: Law | None = None
     points: Law | None = None
     inputs: tuple[str, ...] | None = None
-    lines: tuple[tuple[str, ...], ...] = ()
+    lines: Sequence[Sequence[str]] | None = None
     title: str = ""
     numbers: Callable[[Chain], Mapping[str, float]] | None = None
     own: tuple[str, ...] = ()
@@ -151,7 +128,7 @@ class System:
         of a data sheet: drives, loads, contact, initial, integration, parameters, real, gravity, ... Raises
         :class:`tmodes.errors.InputErrors` for a wrong entry.
         """
-        _KNOWN[self.name] = self
+        SYSTEMS.register(self)
         return system_robot(self, self.expressions.points, joints or {}, **sheet)
 
     @property
@@ -204,6 +181,20 @@ class System:
         return Expressions(q, v, p, energies, terms, pushed, points, mapped)
 
     @cached_property
+    def segments(self) -> tuple[tuple[str, str], ...]:
+        """Straight lines to draw, by the names of the points at their ends.
+
+        Raises :class:`tmodes.errors.InputError` for a name in ``lines`` that no point has.
+        """
+        known = [*self.expressions.points]
+        whole = [ORIGIN, *known] if len(known) == 1 else known[::-1]
+        lines = [whole] if self.lines is None else self.lines
+        for name in (name for line in lines for name in line if name not in (ORIGIN, *known)):
+            expected = f"one of {', '.join([ORIGIN, *known])}"
+            raise InputError(f"{self.name}: lines", f"`{name}`", expected, "name points of the system")
+        return tuple(dict.fromkeys(pair for line in lines for pair in pairwise(line)))
+
+    @cached_property
     def key(self) -> str:
         """All of the structure as a digest: two systems of the same key have the same compiled code."""
         e = self.expressions
@@ -245,6 +236,6 @@ def _point(name: str, value: Any) -> tuple[Any, Any]:
     return position, None if rotation is None else ca.SX(rotation)
 
 
-def known_systems() -> Mapping[str, System]:
-    """Systems that a robot was made of, or that were registered, by name."""
-    return _KNOWN
+_HINT = "call `robot()` of the system first, as its script does"
+SYSTEMS: Registry[System] = Registry("equations", System, reserved=(RECURSION,), hint=_HINT, replaces=True)
+"""Systems that a robot was made of in this process, and the published ones, by name."""

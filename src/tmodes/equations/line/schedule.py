@@ -6,7 +6,7 @@ a kind of bending link adds the calls for its own places, see :class:`tmodes.kin
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from typing import Any
 
@@ -16,7 +16,7 @@ from numpy.typing import NDArray
 from tmodes.equations.recursion.body_kernels import body_kernel, times_kernel
 from tmodes.equations.recursion.inertia import Balance, balance
 from tmodes.equations.recursion.parts import NodePart, Parts
-from tmodes.equations.recursion.passes import Passes
+from tmodes.equations.recursion.passes import Blocks, Passes
 from tmodes.frame import Placement
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
@@ -27,6 +27,8 @@ from tmodes.kinds.links.line import POSE, LineOfLink, Moved
 __all__ = ["RIGID", "ROOTS", "Lines", "line_schedule"]
 
 Array = NDArray[np.float64]
+
+Drawn = Callable[[Blocks], dict[str, Slot]]
 
 ROOTS = " roots"
 """Name of an output that no link has."""
@@ -41,17 +43,22 @@ class Lines:
     and ``ROOTS`` (6 each: force, moment about the node's root, in the world, by what it carries on what holds it).
 
     ``numbers``: its parameters, which begin with those of the chain; ``links``: the lines of each node, none of a rigid
-    one, whose output is :data:`RIGID`; ``ends``: where rigid links end, in their own frames.
+    one, whose output is :data:`RIGID`; ``ends``: where rigid links end, in their own frames; ``drawn``: names of more
+    straight lines, whose output is :data:`RIGID` too.
     """  # noqa: D205
 
     schedule: Schedule
     numbers: Array
     links: tuple[tuple[LineOfLink, ...], ...]
     ends: tuple[Array, ...]
+    drawn: tuple[str, ...] = ()
 
 
-def line_schedule(parts: Parts, s: Array, *, loaded: bool = False) -> Lines:
-    """The lines at the places ``s`` (S,) along each link; ``loaded``: forces act on the points."""
+def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False) -> Lines:
+    """The lines at the places ``s`` (S,) along each link; ``loaded``: forces act on the points.
+
+    ``drawn`` adds further lines, see :meth:`tmodes.equations.contract.Mechanics.drawn`.
+    """
     way = Passes(parts, posed=True, loaded=loaded)
     way.take_wrenches()
     found = balance(way, way.schedule.input("a", parts.size))
@@ -72,9 +79,13 @@ def line_schedule(parts: Parts, s: Array, *, loaded: bool = False) -> Lines:
         roots.append(_root(way, found, numbers, index))
         links.append(lines)
         ends.append(end)
+    further = drawn(Blocks(way.schedule, way.q, way.v, way.base))
+    for name, line in further.items():
+        way.schedule.output(name, line)
     way.schedule.output(ROOTS, *roots)
     way.schedule.parameters = numbers.size
-    return Lines(way.schedule, np.concatenate([parts.numbers.vector, numbers.vector]), tuple(links), tuple(ends))
+    return Lines(way.schedule, np.concatenate([parts.numbers.vector, numbers.vector]), tuple(links), tuple(ends),
+                 tuple(further))  # fmt: skip
 
 
 def _moved(way: Passes, found: Balance, numbers: Numbers, index: int) -> Moved:

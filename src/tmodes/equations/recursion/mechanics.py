@@ -32,6 +32,11 @@ class RecursiveMechanics:
             return elastic_forces(self.parts)
         return {"forward": forward_dynamics, "inertia": inertia_forces}[name](self.parts, loaded=loaded)
 
+    def drawn(self, blocks: Blocks) -> dict[str, Slot]:
+        """Nothing but the links themselves."""
+        del blocks
+        return {}
+
     def way(self, blocks: Blocks, *, posed: bool) -> Passes:
         """The outward pass in a schedule; ``posed``: poses are needed."""
         way = Passes(self.parts, posed=posed, loaded=False, blocks=blocks, short=True)

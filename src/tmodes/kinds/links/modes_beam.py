@@ -19,7 +19,7 @@ from tmodes.kinds.links.modes import ModesLink
 from tmodes.kinds.links.modes_sheet import Mode
 from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.section import GivenSection
-from tmodes.kinds.links.sheet import BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body, straight
+from tmodes.kinds.links.sheet import LINKS, BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body, straight
 from tmodes.kinds.schema.frames import Origin
 
 __all__ = ["MOST_MODES", "ModesSheet"]
@@ -28,6 +28,7 @@ MOST_MODES = 12
 """Largest number of modes of a link."""
 
 
+@LINKS.register
 class ModesSheet(BendingSheet):
     """Modes from root to tip, as in the 2010 paper: their angles add up, their masses stand at their ends."""
 

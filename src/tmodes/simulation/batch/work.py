@@ -66,6 +66,7 @@ def inputs(
     ``widths``: how many numbers compiled code reads of ``parameters``, ``states`` and a row of ``schedules``. Raises
     :class:`tmodes.errors.InputError` where shapes do not agree.
     """
+    # One schedule for all lanes, or one for each: a question of number, not of the kind of signal.
     info = (schedules,) if isinstance(schedules, Schedule) else tuple(schedules)
     given = {"parameters": _rows(parameters, "parameters"), "states": _rows(states, "states")}
     found = {name: {rows.shape[1]} for name, rows in given.items()}

@@ -51,7 +51,7 @@ def changed_sheet(sheet: Robot, changes: Mapping[str, Any], lane: int) -> Robot:
 
 
 def _placed(error: InputError, lane: int) -> InputError:
-    return InputError(error.which, error.got, error.expected, error.hint, f"lane {lane} {error.where}".rstrip())
+    return InputError(error.which, error.got, error.expected, error.hint, f"case {lane} {error.where}".rstrip())
 
 
 def lane_of(real: Robot) -> Lane:

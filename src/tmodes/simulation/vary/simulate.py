@@ -125,7 +125,7 @@ def _prepared(
             checked = True
         progress("preparing", (index + 1) / len(changes))
     if not checked:
-        raise SimulationError(f"no lane can start; lane 0: {lanes[0]}")
+        raise SimulationError(f"no case can start; case 0: {lanes[0]}")
     return Prepared(lanes, values, times, folder)
 
 
@@ -172,7 +172,7 @@ def _common_width(lanes: Sequence[Lane | str]) -> int:
     first, last = ready[0], ready[-1]
     info = [(lane.model.coordinates, len(lane.start)) for _, lane in (first, last)]
     if info[0] != info[1]:
-        got = f"{info[0][1]} numbers in the state of lane {first[0]}, {info[1][1]} in that of lane {last[0]}"
+        got = f"{info[0][1]} numbers in the state of case {first[0]}, {info[1][1]} in that of case {last[0]}"
         hint = "vary what keeps the coordinates: no rigid elements next to elastic ones"
         raise InputError("vary", got, "the same coordinates in all lanes", hint)
     return len(first[1].start)
