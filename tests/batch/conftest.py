@@ -13,6 +13,7 @@ from arm.run.sheets import pendulum, torque
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet import Robot
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.start import run_setup
 
@@ -38,12 +39,12 @@ class Lot:
 
     def run(self, lanes: Any = slice(None), **how: Any) -> Any:
         """A batch of some of the nine."""
-        return self.model.simulate_batch(self.many[lanes], self.schedule, self.start, self.settings, **how)
+        return simulate_lanes(self.model, self.many[lanes], self.schedule, self.start, self.settings, **how)
 
     def place(self, name: str) -> np.ndarray:
         """Where the numbers stand that follow from one of the sheet."""
         factors = [run_setup(self.robot.with_({"real": {name: factor}}).pair().real).model for factor in (1.0, 1.1)]
-        one, other = (model.numbers.vector for model in factors)
+        one, other = (model.numbers for model in factors)
         return np.flatnonzero(one != other)
 
 
@@ -59,7 +60,7 @@ def _published() -> Lot:
     settings = robot.integration.model_copy(update={"duration": 0.02, "output_step": 5e-4})
     factors = 1 + 0.05 * rng.normal(size=(9, len(VARIED)))
     robots = [robot.with_({"real": dict(zip(VARIED, row.tolist(), strict=True))}).pair().real for row in factors]
-    many = np.array([run_setup(one).model.numbers.vector for one in robots])
+    many = np.array([run_setup(one).model.numbers for one in robots])
     return Lot(robot, setup.model, setup.planned.schedule, setup.start, settings, many)
 
 
@@ -67,7 +68,7 @@ def _pendulum() -> Lot:
     settings = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
     robot = pendulum({"inertia": 0.3}, {"stiffness": 100.0}, torque(2.0), integration=settings)
     setup = run_setup(robot)
-    vector = setup.model.numbers.vector
+    vector = setup.model.numbers
     many = vector * (1 + 0.05 * np.random.default_rng(3).uniform(-1, 1, size=(9, len(vector))))
     chosen = robot.integration.model_copy(update={"method": "dormand_prince"})
     return Lot(robot, setup.model, setup.planned.schedule, setup.start, chosen, many)

@@ -7,6 +7,7 @@ import pytest
 
 from arm.run.sheets import ZERO, arm
 from tmodes.compile.loops.gate import SHORTEST
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
 
@@ -38,7 +39,7 @@ def test_each_lane_meets_its_own_wall(bounce):
     speeds = np.array([0.5, 0.9, 1.3, 2.0, 3.0])
     starts = np.tile(bounce.start, (5, 1))
     starts[:, model.layout.v] = speeds[:, None]
-    batch = model.simulate_batch(model.numbers.vector, bounce.planned.schedule, starts, chosen)
+    batch = simulate_lanes(model, model.numbers, bounce.planned.schedule, starts, chosen)
     for lane, start in enumerate(starts):
         single = integrate(model, model.numbers, bounce.planned.schedule, start, chosen)
         # An onset is met within SHORTEST: the states may differ by what they change in that time, and no more.
@@ -47,18 +48,18 @@ def test_each_lane_meets_its_own_wall(bounce):
         # How often a step is halved onto the onset may differ by rounding; it is halved many times in each run.
         assert batch.statistics["rejected"][lane] == pytest.approx(single.statistics["rejected"], abs=3)
         assert batch.statistics["rejected"][lane] > 20
-    part = model.simulate_batch(model.numbers.vector, bounce.planned.schedule, starts[[3, 1]], chosen)
+    part = simulate_lanes(model, model.numbers, bounce.planned.schedule, starts[[3, 1]], chosen)
     assert part.states.tobytes() == batch.states[[3, 1]].tobytes()
 
 
 def test_pieces_are_not_seen_where_there_is_a_contact(bounce, monkeypatch):
     """The gate is kept between calls, so that a neighbour cannot move where a lane looks at it."""
     model, chosen = bounce.model, settings(bounce)
-    given = (model.numbers.vector, bounce.planned.schedule, bounce.start, chosen)
-    whole = model.simulate_batch(*given)
-    monkeypatch.setattr("tmodes.simulation.batch.lanes._FIRST_PIECE", 1)
-    monkeypatch.setattr("tmodes.simulation.batch.lanes._PIECE_SECONDS", 0.0)
-    assert model.simulate_batch(*given).states.tobytes() == whole.states.tobytes()
+    given = (model.numbers, bounce.planned.schedule, bounce.start, chosen)
+    whole = simulate_lanes(model, *given)
+    monkeypatch.setattr("tmodes.simulation.batch.workers._FIRST_PIECE", 1)
+    monkeypatch.setattr("tmodes.simulation.batch.workers._PIECE_SECONDS", 0.0)
+    assert simulate_lanes(model, *given).states.tobytes() == whole.states.tobytes()
 
 
 def test_a_lane_that_chatters_ends_by_itself(bounce, monkeypatch):
@@ -70,10 +71,10 @@ def test_a_lane_that_chatters_ends_by_itself(bounce, monkeypatch):
     starts[:, model.layout.v] = np.array([-1.0, 1.0, -2.0])[
         :, None
     ]  # only the second one meets the wall, and leaves it
-    batch = model.simulate_batch(model.numbers.vector, bounce.planned.schedule, starts, chosen)
+    batch = simulate_lanes(model, model.numbers, bounce.planned.schedule, starts, chosen)
     single = integrate(model, model.numbers, bounce.planned.schedule, starts[1], chosen)
     assert batch.status == ("finished", single.status, "finished") == ("finished", "chattering", "finished")
     assert batch.counts[1] == len(single.times) < len(batch.times)
     assert "more than 1 times" in batch.message[1]
-    others = model.simulate_batch(model.numbers.vector, bounce.planned.schedule, starts[[0, 2]], chosen)
+    others = simulate_lanes(model, model.numbers, bounce.planned.schedule, starts[[0, 2]], chosen)
     assert batch.states[[0, 2]].tobytes() == others.states.tobytes()

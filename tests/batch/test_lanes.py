@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.batch.store import load_batch
-from tmodes.simulation.loop import LoopNumbers
 from tmodes.simulation.trajectory import integrate
 
 ROBOTS = pytest.mark.parametrize("lot", ["filipovic2010", "pendulum"], indirect=True)
@@ -20,7 +20,7 @@ ROBOTS = pytest.mark.parametrize("lot", ["filipovic2010", "pendulum"], indirect=
 
 def alone(lot, numbers, schedule=None, start=None, settings=None):
     """The same run on the loop of a single robot."""
-    parameters = LoopNumbers(np.asarray(numbers))
+    parameters = np.asarray(numbers)
     start = lot.start if start is None else start
     return integrate(lot.model, parameters, schedule or lot.schedule, start, settings or lot.settings)
 
@@ -57,9 +57,9 @@ def test_bytes_do_not_depend_on_the_company(lot, method, lanes, threads):
 def test_bytes_do_not_depend_on_the_pieces(lot, monkeypatch):
     """How often the loop is called is not seen in its result."""
     whole = lot.run()
-    monkeypatch.setattr("tmodes.simulation.batch.lanes._FIRST_PIECE", 3)
+    monkeypatch.setattr("tmodes.simulation.batch.workers._FIRST_PIECE", 3)
     monkeypatch.setattr(
-        "tmodes.simulation.batch.lanes._PIECE_SECONDS", 0.0
+        "tmodes.simulation.batch.workers._PIECE_SECONDS", 0.0
     )  # as on a machine so busy that each step takes long
     assert lot.run().states.tobytes() == whole.states.tobytes()
 
@@ -69,17 +69,18 @@ import sys
 import llvmlite.binding as llvm
 asked = llvm.get_host_cpu_features
 llvm.get_host_cpu_features = lambda: {"avx512f": False}
-from tmodes.compile.lanes.wide import Wide
+from tmodes.compile.ir.arithmetic import Wide
 llvm.get_host_cpu_features = asked
 assert Wide.stride == 4
 import numpy as np
 import tmodes
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.start import run_setup
 robot = tmodes.load("filipovic2010")
 setup = run_setup(robot)
 settings = robot.integration.model_copy(update={"duration": 0.02, "output_step": 5e-4})
 with np.load(sys.argv[1]) as info:
-    setup.model.simulate_batch(info["many"], setup.planned.schedule, info["start"], settings, out=sys.argv[2])
+    simulate_lanes(setup.model, info["many"], setup.planned.schedule, info["start"], settings, out=sys.argv[2])
 """
 
 
@@ -100,9 +101,9 @@ def test_each_lane_has_its_own_motion_and_start(lot):
         knots = np.linspace(0.0, 0.02, lane + 2) * (1 + 0.3 * (lane == 2))
         schedules.append(Schedule(knots, 0.1 * rng.normal(size=(lane + 1, 3))))
     starts = lot.start + 1e-3 * rng.normal(size=(5, len(lot.start)))
-    batch = lot.model.simulate_batch(lot.model.numbers.vector, schedules, starts, lot.settings)
+    batch = simulate_lanes(lot.model, lot.model.numbers, schedules, starts, lot.settings)
     for lane in range(5):
-        single = alone(lot, lot.model.numbers.vector, schedules[lane], starts[lane])
+        single = alone(lot, lot.model.numbers, schedules[lane], starts[lane])
         assert np.abs(batch.states[lane] - single.states).max() < 1e-12 * np.abs(single.states).max()
         assert batch.statistics["steps"][lane] == single.statistics["steps"]
 

@@ -8,10 +8,10 @@ import pytest
 from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.batch.lanes import spans
-from tmodes.simulation.batch.memory import LINE, private
+from tmodes.simulation.batch.side_by_side import LINE, private
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.batch.work import Work, inputs
-from tmodes.simulation.batch.workers import thread_count
+from tmodes.simulation.batch.workers import spans, thread_count
 
 
 def work_of(lot, lanes, method):
@@ -38,7 +38,7 @@ def test_each_lane_is_in_one_span(lot, lanes, threads, method):
 def test_one_room_for_many_groups(lot, method, monkeypatch):
     """In one long span, with bad lanes, starts and motions of their own: the bytes of spans of one group each."""
     rng, lanes = np.random.default_rng(4), 5 * WIDTH + 3
-    vector = lot.model.numbers.vector
+    vector = lot.model.numbers
     many = vector * (1 + 0.02 * rng.normal(size=(lanes, len(vector))))
     many[3, lot.place("payload.mass")] = np.nan
     many[WIDTH + 1, lot.place("controller.position_gain")] = -1e7
@@ -49,10 +49,10 @@ def test_one_room_for_many_groups(lot, method, monkeypatch):
     settings = lot.settings.model_copy(update={"method": method, "max_steps": 20_000})
     for moved in (schedules, lot.schedule):
         given = (many, moved, starts, settings)
-        short = lot.model.simulate_batch(*given, threads=2)
+        short = simulate_lanes(lot.model, *given, threads=2)
         with monkeypatch.context() as patch:
-            patch.setattr("tmodes.simulation.batch.lanes._SPANS", 1)
-            long = lot.model.simulate_batch(*given, threads=1)
+            patch.setattr("tmodes.simulation.batch.workers._SPANS", 1)
+            long = simulate_lanes(lot.model, *given, threads=1)
         assert long.states.tobytes() == short.states.tobytes()
         assert (long.status, long.message) == (short.status, short.message)
         assert all(np.array_equal(long.statistics[name], short.statistics[name]) for name in long.statistics)

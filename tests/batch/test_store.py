@@ -15,6 +15,7 @@ import pytest
 
 from tmodes.errors import InputError, ResultFileError
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.batch.store import load_batch, room_for
 
 
@@ -66,13 +67,14 @@ def test_a_progress_that_fails_leaves_nothing(lot, tmp_path):
 KILLED = """
 import os, signal, sys
 import tmodes
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.start import run_setup
 setup = run_setup(tmodes.load("filipovic2010"))
 settings = setup.arm.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
 def kill(share):
     os.kill(os.getpid(), signal.SIGKILL)
-model, numbers = setup.model, setup.model.numbers.vector
-model.simulate_batch(numbers, setup.planned.schedule, setup.start, settings, out=sys.argv[1], progress=kill)
+model, numbers = setup.model, setup.model.numbers
+simulate_lanes(model, numbers, setup.planned.schedule, setup.start, settings, out=sys.argv[1], progress=kill)
 """
 
 
@@ -112,10 +114,10 @@ def test_too_large_is_refused_with_numbers(lot, tmp_path):
     """Neither memory nor disk is asked for more than there is."""
     settings = lot.settings.model_copy(update={"duration": 1e6, "output_step": 1.0})
     given = (np.tile(lot.many, (3000, 1)), lot.schedule, lot.start, settings)
-    with pytest.raises(InputError, match=r"27000 lanes of 1000001 samples of 19 numbers, 4.1e\+03 GB.*1.8 GB.*out="):
-        lot.model.simulate_batch(*given)
+    with pytest.raises(InputError, match=r"1.8 GB.*27000 lanes of 1000001 samples of 19 numbers, 4.1e\+03 GB.*out="):
+        simulate_lanes(lot.model, *given)
     with pytest.raises(ResultFileError, match="at least 4,104,"):
-        lot.model.simulate_batch(*given, out=tmp_path / "new")
+        simulate_lanes(lot.model, *given, out=tmp_path / "new")
     assert not (tmp_path / "new").exists()
 
 
@@ -138,7 +140,7 @@ def wrong_calls(lot):
 def test_wrong_calls_are_refused(lot, wrong):
     info, call = wrong_calls(lot)[wrong]
     with pytest.raises(InputError, match=info):
-        lot.model.simulate_batch(**call)
+        simulate_lanes(lot.model, **call)
 
 
 def test_a_disk_that_fills_up_meanwhile_is_reported_before_anything_runs(lot, tmp_path, monkeypatch):

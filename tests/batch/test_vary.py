@@ -41,7 +41,6 @@ def test_each_lane_is_the_run_of_its_sheet(robot):
     assert {path: numbers.tolist() for path, numbers in batch.values.items()} == vary
 
 
-@pytest.mark.parametrize("method", ["auto", "extrapolation"])
 def test_each_lane_is_the_run_of_its_arm(method):
     arm = swing(method=method)
     masses = [0.8, 1.0, 1.7]
@@ -82,7 +81,7 @@ def test_a_lane_that_cannot_start_disturbs_no_other(robot):
     batch = tmodes.simulate_batch(robot, {"payload.mass": loads}, tips=True)
     good = tmodes.simulate_batch(robot, {"payload.mass": [0.5, 0.6]}, tips=True)
     assert batch.status == ("finished", "failed", "finished")
-    assert "static equilibrium: coordinate link" in batch.message[1]
+    assert "static equilibrium: none was found near the start" in batch.message[1]
     assert batch.counts[1] == 0
     assert np.isnan(batch.states[1]).all()
     assert batch.states[[0, 2]].tobytes() == good.states.tobytes()
