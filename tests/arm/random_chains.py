@@ -11,23 +11,11 @@ import numpy as np
 from numpy.random import Generator, default_rng
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import (
-    Beam,
-    BeamPiece,
-    Body,
-    Chain,
-    Friction,
-    Gear,
-    Joint,
-    Motor,
-    Node,
-    Placement,
-    Point,
-    RigidLink,
-    Segment,
-)
+from tmodes.chain.chain import Body, Chain, Friction, Gear, Joint, Motor, Node, Placement, Point, RigidLink
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.segment import Segment
+from tmodes.kinds.links.strain import Beam, BeamPiece
 
 __all__ = ["random_body", "random_chain", "random_placement", "random_state"]
 

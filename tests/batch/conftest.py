@@ -12,6 +12,7 @@ import tmodes
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet import Robot
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.start import run_setup
 
@@ -37,12 +38,12 @@ class Seed:
 
     def run(self, lanes: Any = slice(None), **how: Any) -> Any:
         """A batch of some of the nine."""
-        return self.model.simulate_batch(self.many[lanes], self.schedule, self.start, self.settings, **how)
+        return simulate_lanes(self.model, self.many[lanes], self.schedule, self.start, self.settings, **how)
 
     def place(self, name: str) -> np.ndarray:
         """Where the numbers stand that follow from one of the sheet."""
         factors = [run_setup(self.robot.with_({"real": {name: factor}}).pair().real).model for factor in (1.0, 1.1)]
-        one, other = (model.numbers.vector for model in factors)
+        one, other = (model.numbers for model in factors)
         return np.flatnonzero(one != other)
 
 
@@ -54,5 +55,5 @@ def seed() -> Seed:
     settings = robot.integration.model_copy(update={"duration": 0.02, "output_step": 5e-4})
     factors = 1 + 0.05 * rng.normal(size=(9, len(VARIED)))
     robots = [robot.with_({"real": dict(zip(VARIED, row.tolist(), strict=True))}).pair().real for row in factors]
-    many = np.array([run_setup(one).model.numbers.vector for one in robots])
+    many = np.array([run_setup(one).model.numbers for one in robots])
     return Seed(robot, setup.model, setup.planned.schedule, setup.start, settings, many)

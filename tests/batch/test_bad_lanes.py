@@ -3,15 +3,11 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
 
-from tmodes.errors import InputError
-from tmodes.simulation.batch.simulate import prepare_loops
-from tmodes.simulation.loop import LoopNumbers
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.trajectory import integrate
 
 
@@ -50,7 +46,7 @@ def test_a_bad_lane_spoils_no_other(seed, case, method):
 def test_what_a_lane_says_is_what_the_run_by_itself_says(seed, case):
     many = spoilt(seed, 2, *BAD[case])
     batch = many.run()
-    numbers = LoopNumbers(many.many[2])
+    numbers = many.many[2]
     single = integrate(seed.model, numbers, seed.schedule, seed.start, seed.settings)
     assert (batch.status[2], batch.message[2]) == (single.status, single.message)
     assert "in coordinate" in batch.message[2]
@@ -80,14 +76,7 @@ def test_limit_on_time_keeps_what_was_done(seed):
 def test_a_start_that_is_no_number_has_no_sample(seed):
     starts = np.tile(seed.start, (3, 1))
     starts[1, 2] = np.nan
-    batch = seed.model.simulate_batch(seed.many[:3], seed.schedule, starts, seed.settings)
+    batch = simulate_lanes(seed.model, seed.many[:3], seed.schedule, starts, seed.settings)
     assert batch.counts[1] == 0
     assert batch.status[1] == "diverged"
     assert batch.states[[0, 2]].tobytes() == seed.run([0, 2]).states.tobytes()
-
-
-def test_a_method_that_a_model_does_not_have_is_refused():
-    """In words that name those it has."""
-    explicit: Any = SimpleNamespace(loops={}, lane_loops={})
-    with pytest.raises(InputError, match=r"integration.method must be one of .*dop853"):
-        prepare_loops(explicit, "rosenbrock")

@@ -11,14 +11,14 @@ import numpy as np
 import pytest
 
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.batch.store import load_batch
-from tmodes.simulation.loop import LoopNumbers
 from tmodes.simulation.trajectory import integrate
 
 
 def alone(seed, numbers, schedule=None, start=None, settings=None):
     """The same run on the loop of a single robot."""
-    parameters = LoopNumbers(np.asarray(numbers))
+    parameters = np.asarray(numbers)
     start = seed.start if start is None else start
     return integrate(seed.model, parameters, schedule or seed.schedule, start, settings or seed.settings)
 
@@ -53,9 +53,9 @@ def test_bytes_do_not_depend_on_the_company(seed, method, lanes, threads):
 def test_bytes_do_not_depend_on_the_pieces(seed, monkeypatch):
     """How often the loop is called is not seen in its result."""
     whole = seed.run()
-    monkeypatch.setattr("tmodes.simulation.batch.lanes._FIRST_PIECE", 3)
+    monkeypatch.setattr("tmodes.simulation.batch.workers._FIRST_PIECE", 3)
     monkeypatch.setattr(
-        "tmodes.simulation.batch.lanes._PIECE_SECONDS", 0.0
+        "tmodes.simulation.batch.workers._PIECE_SECONDS", 0.0
     )  # as on a machine so busy that each step takes long
     assert seed.run().states.tobytes() == whole.states.tobytes()
 
@@ -65,17 +65,18 @@ import sys
 import llvmlite.binding as llvm
 asked = llvm.get_host_cpu_features
 llvm.get_host_cpu_features = lambda: {"avx512f": False}
-from tmodes.compile.lanes.wide import Wide
+from tmodes.compile.ir.arithmetic import Wide
 llvm.get_host_cpu_features = asked
 assert Wide.stride == 4
 import numpy as np
 import tmodes
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.start import run_setup
 robot = tmodes.load("filipovic2010")
 setup = run_setup(robot)
 settings = robot.integration.model_copy(update={"duration": 0.02, "output_step": 5e-4})
 with np.load(sys.argv[1]) as info:
-    setup.model.simulate_batch(info["many"], setup.planned.schedule, info["start"], settings, out=sys.argv[2])
+    simulate_lanes(setup.model, info["many"], setup.planned.schedule, info["start"], settings, out=sys.argv[2])
 """
 
 
@@ -96,9 +97,9 @@ def test_each_lane_has_its_own_motion_and_start(seed):
         knots = np.linspace(0.0, 0.02, lane + 2) * (1 + 0.3 * (lane == 2))
         schedules.append(Schedule(knots, 0.1 * rng.normal(size=(lane + 1, 3))))
     starts = seed.start + 1e-3 * rng.normal(size=(5, len(seed.start)))
-    batch = seed.model.simulate_batch(seed.model.numbers.vector, schedules, starts, seed.settings)
+    batch = simulate_lanes(seed.model, seed.model.numbers, schedules, starts, seed.settings)
     for lane in range(5):
-        single = alone(seed, seed.model.numbers.vector, schedules[lane], starts[lane])
+        single = alone(seed, seed.model.numbers, schedules[lane], starts[lane])
         assert np.abs(batch.states[lane] - single.states).max() < 1e-12 * np.abs(single.states).max()
         assert batch.statistics["steps"][lane] == single.statistics["steps"]
 

@@ -8,10 +8,10 @@ import pytest
 from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.batch.lanes import spans
-from tmodes.simulation.batch.memory import LINE, private
+from tmodes.simulation.batch.side_by_side import LINE, private
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.batch.work import Work, inputs
-from tmodes.simulation.batch.workers import thread_count
+from tmodes.simulation.batch.workers import spans, thread_count
 
 
 def work_of(seed, lanes, method):
@@ -48,10 +48,10 @@ def test_one_room_for_many_groups(seed, method, monkeypatch):
     settings = seed.settings.model_copy(update={"method": method, "max_steps": 20_000})
     for moved in (schedules, seed.schedule):
         given = (many, moved, starts, settings)
-        short = seed.model.simulate_batch(*given, threads=2)
+        short = simulate_lanes(seed.model, *given, threads=2)
         with monkeypatch.context() as patch:
-            patch.setattr("tmodes.simulation.batch.lanes._SPANS", 1)
-            long = seed.model.simulate_batch(*given, threads=1)
+            patch.setattr("tmodes.simulation.batch.workers._SPANS", 1)
+            long = simulate_lanes(seed.model, *given, threads=1)
         assert long.states.tobytes() == short.states.tobytes()
         assert (long.status, long.message) == (short.status, short.message)
         assert all(np.array_equal(long.statistics[name], short.statistics[name]) for name in long.statistics)

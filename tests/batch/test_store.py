@@ -15,6 +15,7 @@ import pytest
 
 from tmodes.errors import InputError, ResultFileError
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.batch.store import load_batch, room_for
 
 
@@ -66,13 +67,14 @@ def test_a_progress_that_fails_leaves_nothing(seed, tmp_path):
 KILLED = """
 import os, signal, sys
 import tmodes
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.start import run_setup
 setup = run_setup(tmodes.load("filipovic2010"))
 settings = setup.arm.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
 def kill(share):
     os.kill(os.getpid(), signal.SIGKILL)
-model, numbers = setup.model, setup.model.numbers.vector
-model.simulate_batch(numbers, setup.planned.schedule, setup.start, settings, out=sys.argv[1], progress=kill)
+model, numbers = setup.model, setup.model.numbers
+simulate_lanes(model, numbers, setup.planned.schedule, setup.start, settings, out=sys.argv[1], progress=kill)
 """
 
 
@@ -113,9 +115,9 @@ def test_too_large_is_refused_with_numbers(seed, tmp_path):
     settings = seed.settings.model_copy(update={"duration": 1e6, "output_step": 1.0})
     given = (np.tile(seed.many, (3000, 1)), seed.schedule, seed.start, settings)
     with pytest.raises(InputError, match=r"27000 lanes of 1000001 samples of 17 numbers, 3.67e\+03 GB.*1.8 GB.*out="):
-        seed.model.simulate_batch(*given)
+        simulate_lanes(seed.model, *given)
     with pytest.raises(ResultFileError, match="at least 3,672,"):
-        seed.model.simulate_batch(*given, out=tmp_path / "new")
+        simulate_lanes(seed.model, *given, out=tmp_path / "new")
     assert not (tmp_path / "new").exists()
 
 
@@ -138,7 +140,7 @@ def wrong_calls(seed):
 def test_wrong_calls_are_refused(seed, wrong):
     info, call = wrong_calls(seed)[wrong]
     with pytest.raises(InputError, match=info):
-        seed.model.simulate_batch(**call)
+        simulate_lanes(seed.model, **call)
 
 
 def test_a_disk_that_fills_up_meanwhile_is_reported_before_anything_runs(seed, tmp_path, monkeypatch):

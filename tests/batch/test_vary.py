@@ -41,6 +41,15 @@ def test_each_lane_is_the_run_of_its_sheet(robot):
     assert {path: numbers.tolist() for path, numbers in batch.values.items()} == vary
 
 
+def test_a_rigid_gear_next_to_elastic_ones_is_refused(robot):
+    """It leaves a coordinate out, so that the lanes have no common state."""
+    for stiffnesses in ([math.inf, 5000.0], [5000.0, math.inf]):
+        with pytest.raises(
+            InputError, match=r"1[79] numbers in the state of lane 0.*the same coordinates in all lanes"
+        ):
+            tmodes.simulate_batch(robot, {"gear.stiffness": stiffnesses})
+
+
 @pytest.mark.parametrize("method", ["auto", "extrapolation"])
 def test_each_lane_is_the_run_of_its_arm(method):
     arm = swing(method=method)
@@ -82,7 +91,7 @@ def test_a_lane_that_cannot_start_disturbs_no_other(robot):
     batch = tmodes.simulate_batch(robot, {"payload.mass": loads}, tips=True)
     good = tmodes.simulate_batch(robot, {"payload.mass": [0.5, 0.6]}, tips=True)
     assert batch.status == ("finished", "failed", "finished")
-    assert "static equilibrium: coordinate link" in batch.message[1]
+    assert "static equilibrium: none was found near the start" in batch.message[1]
     assert batch.counts[1] == 0
     assert np.isnan(batch.states[1]).all()
     assert batch.states[[0, 2]].tobytes() == good.states.tobytes()

@@ -25,14 +25,10 @@ from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.contract import Coordinate, JointKind
 from tmodes.kinds.links.contract import Body, Link
-from tmodes.kinds.links.rigid import RigidLink
-from tmodes.kinds.links.segment import Segment
-from tmodes.kinds.links.strain import Beam, BeamPiece
+from tmodes.kinds.links.registry import RigidLink
 
 __all__ = [
     "Axis",
-    "Beam",
-    "BeamPiece",
     "Body",
     "Chain",
     "Friction",
@@ -44,7 +40,6 @@ __all__ = [
     "Placement",
     "Point",
     "RigidLink",
-    "Segment",
 ]
 
 Array = NDArray[np.float64]

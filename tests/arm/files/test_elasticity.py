@@ -10,13 +10,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from arm.files.frames import chain_frames, matrix, sheet_frames
-from tmodes.chain.chain import Beam
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.io.elasticity_beam import section_axes
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_files import read_arm_data
 from tmodes.io.urdf import read_urdf
 from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.links.strain import Beam
 from tmodes.sheet import Robot
 
 INERTIAL = """<inertial><origin xyz="0.1 0.02 0.2" rpy="0.3 -0.4 0.5"/><mass value="2.4"/>

@@ -10,8 +10,10 @@ import casadi as ca
 import numpy as np
 
 from arm.oracle.line import Line, counts
-from tmodes.chain.chain import Beam, BeamPiece, Body, Chain, Friction, Joint, Node, Placement, RigidLink, Segment
+from tmodes.chain.chain import Body, Chain, Friction, Joint, Node, Placement, RigidLink
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.segment import Segment
+from tmodes.kinds.links.strain import Beam, BeamPiece
 
 __all__ = ["carried", "reordered", "rigidified", "split_placements", "stiffened", "without_springs"]
 

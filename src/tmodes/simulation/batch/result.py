@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.simulation.trajectory import Trajectory
+from tmodes.simulation.parts import Trajectory
 
 __all__ = ["COUNTS", "BatchRun", "gathered", "not_begun"]
 

@@ -15,7 +15,7 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.simulate import Batched
+from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.motion_run import tip_positions
 from tmodes.simulation.start import run_setup
 
@@ -32,7 +32,7 @@ class Lane:
     """
 
     key: Hashable
-    model: Batched
+    model: LoopModel
     parameters: Array
     schedule: Schedule
     start: Array
@@ -64,5 +64,5 @@ def lane_of(real: Robot) -> Lane:
     model, settings = regime.model, chosen_settings(real.integration, lambda: regime.spectrum)
     key = (model.loop.rate.key, model.coordinates, settings.method)
     schedule = regime.planned.schedule
-    start, numbers = regime.start, model.numbers.vector
+    start, numbers = regime.start, model.numbers
     return Lane(key, model, numbers, schedule, start, settings, partial(tip_positions, regime))

@@ -18,7 +18,7 @@ from tmodes.simulation.batch.simulate import prepare_loops
 from tmodes.simulation.batch.store import check_room, load_batch, room_for, write_batch
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.batch.workers import run_all, thread_count
-from tmodes.simulation.trajectory import sample_times
+from tmodes.simulation.parts import sample_times
 from tmodes.simulation.vary.lanes import Lane, changed_sheet, lane_of
 
 __all__ = ["Prepared", "prepared", "prepared_alone", "run_prepared", "simulate_batch"]
