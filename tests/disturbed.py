@@ -15,7 +15,7 @@ _KEEP_OFTEN = """
 import signal
 signal.signal(signal.SIGINT, signal.default_int_handler)
 from tmodes.io import checkpoint
-journal.RunJournal.__init__.__defaults__ = (0.05,)
+checkpoint.RunJournal.__init__.__defaults__ = (0.05,)
 from tmodes.cli.entry import start
 start()
 """

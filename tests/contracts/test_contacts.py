@@ -18,6 +18,7 @@ from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
 from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
@@ -146,12 +147,12 @@ def test_run(name, tmp_path):
     setup = run_setup(sheet.with_({"integration.method": "dormand_prince"}))
     model, settings = setup.model, setup.arm.integration.model_copy(update={"method": "dormand_prince"})
     native = run_trajectory(setup)
-    batch = model.simulate_batch(np.array([model.numbers.vector] * 3), setup.planned.schedule, setup.start, settings)
+    batch = simulate_lanes(model, np.array([model.numbers] * 3), setup.planned.schedule, setup.start, settings)
     assert np.abs(batch.states[1] - native.states).max() < 1e-9
     module = live_module(ModelFunctions(setup.arm.pair(), (1.0,)), ["dormand_prince"])
     schedule = setup.planned.schedule.until(settings.duration)
     (page,) = in_node(module, [{"run": {
-        "loop": "real.dormand_prince", "parameters": model.numbers.vector, "knots": schedule.knots,
+        "loop": "real.dormand_prince", "parameters": model.numbers, "knots": schedule.knots,
         "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,
         "times": sample_times(settings), "settings": {
             "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,

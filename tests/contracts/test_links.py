@@ -22,6 +22,7 @@ from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.model.model import Model
 from tmodes.report import write_report
 from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
@@ -188,8 +189,8 @@ def test_run(word: str) -> None:
     setup = run_setup(sheet(word, method="dormand_prince"))
     native = run_trajectory(setup)
     settings = setup.arm.integration
-    rows = np.array([setup.model.numbers.vector] * 2)
-    batch = setup.model.simulate_batch(rows, setup.planned.schedule, setup.start, settings)
+    rows = np.array([setup.model.numbers] * 2)
+    batch = simulate_lanes(setup.model, rows, setup.planned.schedule, setup.start, settings)
     assert np.abs(batch.states[1] - native.states).max() < 1e-9
 
 
@@ -201,7 +202,7 @@ def test_page(word: str, tmp_path: Any) -> None:
     schedule = setup.planned.schedule.until(settings.duration)
     module = live_module(ModelFunctions(setup.arm.pair(), (1.0,)), ["dormand_prince"])
     (page,) = in_node(module, [{"run": {
-        "loop": "real.dormand_prince", "parameters": setup.model.numbers.vector, "knots": schedule.knots,
+        "loop": "real.dormand_prince", "parameters": setup.model.numbers, "knots": schedule.knots,
         "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,
         "times": sample_times(settings), "settings": {
             "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,

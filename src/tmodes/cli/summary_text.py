@@ -71,7 +71,7 @@ def info_summary(result: Result) -> dict[str, Any]:
     """Print the summary of a result as a table, and give it back."""
     summary = result.summary()
     columns = ["quantity", "value", "error", "where"]
-    print_table(f"{result.robot.name}: {result.status}", columns, list(summary_rows(summary)))
+    print_table(f"{result.name}: {result.status}", columns, list(summary_rows(summary)))
     return summary
 
 
