@@ -17,6 +17,7 @@ from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
 from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states
@@ -144,7 +145,7 @@ def test_run(name, tmp_path):
     setup = run_setup(sheet.with_({"integration.method": "dormand_prince"}))
     model, settings = setup.model, setup.arm.integration.model_copy(update={"method": "dormand_prince"})
     native = run_trajectory(setup)
-    batch = model.simulate_batch(np.array([model.numbers.vector] * 3), setup.planned.schedule, setup.start, settings)
+    batch = simulate_lanes(model, np.array([model.numbers] * 3), setup.planned.schedule, setup.start, settings)
     assert np.abs(batch.states[1] - native.states).max() < 1e-9
     assert np.abs(page_states(setup, tmp_path) - native.states).max() < 1e-8
 

@@ -14,6 +14,7 @@ from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
 from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
@@ -116,9 +117,9 @@ def test_member(name, lqr):
     for method in ("extrapolation", "rosenbrock"):
         other = simulate_motion(sheet.with_({"integration.method": method}))
         assert np.abs(other.q - run.q).max() < 1e-6, method
-    numbers = np.array([model.numbers.vector, model.numbers.vector * 1.001])
+    numbers = np.array([model.numbers, model.numbers * 1.001])
     settings = sheet.integration.model_copy(update={"method": "dormand_prince"})
-    batch = model.simulate_batch(numbers, setup.planned.schedule, setup.start, settings)
+    batch = simulate_lanes(model, numbers, setup.planned.schedule, setup.start, settings)
     single = integrate(model, model.numbers, setup.planned.schedule, setup.start, settings)
     # A limit that is met a rounding earlier or later lets the step control take other steps.
     assert np.abs(batch.states[0] - single.states).max() < 1e-9 * np.abs(single.states).max()

@@ -21,6 +21,7 @@ from tmodes.kinds.schema.quantity import positive
 from tmodes.model.model import Model
 from tmodes.report import write_report
 from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states
@@ -185,8 +186,8 @@ def test_run(word: str) -> None:
     setup = run_setup(sheet(word, method="dormand_prince"))
     native = run_trajectory(setup)
     settings = setup.arm.integration
-    rows = np.array([setup.model.numbers.vector] * 2)
-    batch = setup.model.simulate_batch(rows, setup.planned.schedule, setup.start, settings)
+    rows = np.array([setup.model.numbers] * 2)
+    batch = simulate_lanes(setup.model, rows, setup.planned.schedule, setup.start, settings)
     assert np.abs(batch.states[1] - native.states).max() < 1e-9
 
 

@@ -20,6 +20,7 @@ from tmodes.kinds.joints.registry import JOINTS
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.report.page import page
 from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
 from wasm.node import page_states
@@ -82,8 +83,8 @@ def test_native_batch_and_implicit_agree(robot: Any) -> None:
     assert run.contact_normal.max() > 1.0
     assert np.abs(run.q[-1]).max() > 0.05
     assert np.abs(run.energy_balance).max() < 1e-6 * run.energy_moved
-    rows = np.array([setup.model.numbers.vector] * 2)
-    batch = setup.model.simulate_batch(rows, setup.planned.schedule, setup.start, robot.integration)
+    rows = np.array([setup.model.numbers] * 2)
+    batch = simulate_lanes(setup.model, rows, setup.planned.schedule, setup.start, robot.integration)
     assert np.abs(batch.states[1] - run.states).max() < 1e-8
     other = simulate_motion(robot.with_({"integration.method": "extrapolation"}))
     assert np.abs(other.q - run.q).max() < 1e-5

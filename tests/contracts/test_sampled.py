@@ -16,6 +16,7 @@ from tmodes.errors import InputError
 from tmodes.live.bundle import live_bundle, why_not_live
 from tmodes.model.model import Model
 from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
@@ -67,8 +68,8 @@ def test_equals_the_exact_solution(method: str) -> None:
 def test_side_by_side(method: str) -> None:
     """In a batch each robot has its own gains, and signals whose knots are its own."""
     setup = run_setup(motor(method=method, step=2e-3))
-    rows = np.array([setup.model.numbers.vector] * 5)
-    batch = setup.model.simulate_batch(rows, setup.planned.schedule, setup.start, setup.arm.integration)
+    rows = np.array([setup.model.numbers] * 5)
+    batch = simulate_lanes(setup.model, rows, setup.planned.schedule, setup.start, setup.arm.integration)
     true = exact(sample_times(setup.arm.integration))[:, 0]
     assert np.abs(batch.states[:, :, 0] - true).max() < 1e-9
 

@@ -96,7 +96,7 @@ def page_states(setup: RunSetup, folder: Path) -> np.ndarray:
     schedule = setup.planned.schedule.until(settings.duration)
     module = live_module(ModelFunctions(setup.arm.pair(), (1.0,)), [settings.method])
     (found,) = in_node(module, [{"run": {
-        "loop": f"real.{settings.method}", "parameters": setup.model.numbers.vector, "knots": schedule.knots,
+        "loop": f"real.{settings.method}", "parameters": setup.model.numbers, "knots": schedule.knots,
         "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,
         "times": sample_times(settings), "settings": {
             "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,

@@ -10,7 +10,7 @@ from tmodes.errors import InputError
 from tmodes.integrate.settings import refuse_too_large
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command
-from tmodes.simulation.trajectory import sample_times
+from tmodes.simulation.parts import sample_times
 
 __all__ = ["movable_joints", "ready_to_run", "result_bytes"]
 

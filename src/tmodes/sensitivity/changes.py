@@ -56,7 +56,7 @@ class Changes:
             start = plan.signals.at(0.0) if rests else first_state(arm, plan, model)
             return np.concatenate([model.loop.parts.numbers.vector, rows.ravel(), start])
 
-        parts = [len(self.here.parameters.vector), self.rows.size]
+        parts = [len(self.here.parameters), self.rows.size]
         parameters, rows, start = np.split(near_difference(numbers, value), np.cumsum(parts))
         change = Change(parameters, start, rows.reshape(self.rows.shape))
         return change._replace(start=self._rest_of(path, value, change)) if rests else change

@@ -42,17 +42,24 @@ def far_difference(value_at: Callable[[float], Array], value: float) -> Array:
 
 
 def number_at(path: str, known: Any, *, zero: bool = False) -> float:
-    """The number that stands at a path; one that stands for several equal ones counts once.
+    """The number at a path; a list of equal numbers and an inertia that is alike about every axis count as one.
 
     Raises :class:`tmodes.errors.InputError` for anything else, and for a zero where none may be.
     """
-    same = isinstance(known, list) and len(set(map(str, known))) == 1
-    value: Any = known[0] if same else known
+    several = _moments(known) if isinstance(known, dict) else known
+    same = isinstance(several, list) and len(set(map(str, several))) == 1
+    value: Any = several[0] if same and several else known
     wrong = isinstance(value, bool) or not isinstance(value, (int, float)) or not np.isfinite(value)
     if wrong or (value == 0 and not zero):
         expected = "the path of a finite number other than 0: its change is given relative to it"
         raise InputError(path, repr(known), expected, "name another quantity, or give this one a value")
     return float(value)
+
+
+def _moments(known: dict[str, Any]) -> list[Any] | None:
+    """The moments of an inertia without products."""
+    products = [known.get(name, 0.0) for name in ("xy", "xz", "yz")]
+    return [known[name] for name in ("xx", "yy", "zz")] if "xx" in known and not any(products) else None
 
 
 def replaced(sheet: Any, steps: Sequence[str | int], value: float) -> Any:

@@ -109,7 +109,7 @@ def forward_sensitivities(
     done = replay.recording
     lowering = Changes(sheet, here)
     changes = {path: lowering.along(path) for path in paths}
-    none = Change(np.zeros_like(here.parameters.vector), np.zeros_like(here.start), np.zeros_like(done.rows))
+    none = Change(np.zeros_like(here.parameters), np.zeros_like(here.start), np.zeros_like(done.rows))
     changes |= {
         name: none._replace(start=_direction(name, way, here.start.size)) for name, way in (start or {}).items()
     }

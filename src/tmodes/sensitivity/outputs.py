@@ -36,7 +36,7 @@ class RunOutputs:
         points = ["tip", *(f"points.{point.name}" for point in loop.parts.points)]  # the first point is the tip
         places = {f"{name}{kind}": (max(k - 1, 0), kind) for k, name in enumerate(points) for kind in _PARTS}
         _refuse_unknown(names, (*_OBSERVED, *places))
-        self.parameters, self._instants = here.parameters.vector, instants
+        self.parameters, self._instants = here.parameters, instants
         self._places = {name: places[name] for name in names if name in places}
         self._plain = tuple(name for name in names if name not in places)
         shown = tuple(dict.fromkeys((*self._plain, *(_MOVED if self._places else ()))))

@@ -1,4 +1,4 @@
-"""What a run is given and what it gives: a model that moves, a journal, samples, and their error."""
+"""What a run is given and what it gives: a journal, samples, and their error."""
 
 from __future__ import annotations
 
@@ -11,7 +11,7 @@ from numpy.typing import NDArray
 
 from tmodes.integrate.settings import Integration
 
-__all__ = ["ErrorEstimate", "Journal", "Moving", "Numbers", "Trajectory", "sample_times"]
+__all__ = ["ErrorEstimate", "Journal", "Trajectory", "sample_times"]
 
 
 class Journal(Protocol):
@@ -23,36 +23,6 @@ class Journal(Protocol):
 
     def keep(self, record: dict[str, NDArray[np.float64]], *, last: bool = False, now: bool = False) -> None:
         """Keep the progress, when it is time to; ``last``: nothing follows; ``now``: whatever the time."""
-        ...
-
-
-class Numbers(Protocol):
-    """The numbers of a robot, as its compiled code reads them."""
-
-    @property
-    def vector(self) -> NDArray[np.float64]:
-        """All of them."""
-        ...
-
-
-class Moving(Protocol):
-    """What a run needs of a model: its native loops, its right-hand side, and the names of its coordinates.
-
-    A state holds the coordinates, then their rates, then what else is integrated.
-    """
-
-    @property
-    def coordinates(self) -> tuple[str, ...]:
-        """Names of the coordinates."""
-        ...
-
-    @property
-    def loops(self) -> Any:
-        """A native loop for each method."""
-        ...
-
-    def rate(self, time: Any, state: Any, row: Any, parameters: Any) -> NDArray[np.float64]:
-        """Derivative of the state by time, (n, size)."""
         ...
 
 

@@ -1,60 +1,23 @@
 """What a number is in compiled code: a double, a vector of lanes, or a value with its derivative.
 
-One straight-line program becomes the code of each of them: many robots side by side, or exact derivatives, cost no
-second set of equations.
+One straight-line program becomes the code of each, so that lanes and derivatives need no second set of equations.
 """
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+import llvmlite.binding as llvm
 from llvmlite import ir
 
-from tmodes.compile.ir.emit import F64, at, number, whole
+from tmodes.compile.ir.emit import F64, at, number, spread, whole
 from tmodes.compile.ir.trigonometry import sine_and_cosine, sines_and_cosines
 
-__all__ = ["Arithmetic", "Derivative", "Double", "Lanes"]
+__all__ = ["Derivative", "Double", "Lanes", "Wide"]
 
 _FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
 _SIDE_BY_SIDE = 8  # sines that go at once: where a vector holds fewer, as two halves
-
-
-class Arithmetic(ABC):
-    """How numbers of one kind are kept and reckoned with; ``stride`` doubles each."""
-
-    stride: int
-    name: str
-    unrolls = True
-    """Whether small schedules become one program."""
-
-    def __init__(self, module: Any) -> None:
-        self.module = module
-
-    @abstractmethod
-    def load(self, b: Any, base: Any, index: int) -> Any:
-        """Number ``index`` of a block."""
-
-    @abstractmethod
-    def store(self, b: Any, value: Any, base: Any, index: int) -> None:
-        """Keep a number in a block."""
-
-    @abstractmethod
-    def constant(self, value: float) -> Any:
-        """A number known beforehand."""
-
-    @abstractmethod
-    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
-        """Sine and cosine."""
-
-    def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Sine and cosine of several angles."""
-        return [self.turn(b, angle) for angle in angles]
-
-    @abstractmethod
-    def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
-        """The result of an operation of a program."""
 
 
 _PLAIN: dict[str, Callable[..., Any]] = {
@@ -70,12 +33,20 @@ _PLAIN: dict[str, Callable[..., Any]] = {
 }
 
 
-class Double(Arithmetic):
-    """One double."""
+class Double:
+    """One double; other kinds of numbers override how they are kept and computed with. ``stride`` doubles each."""
 
     stride = 1
     name = "double"
     kind: Any = F64
+    suffix = "f64"
+    unrolls = True
+    """Whether small schedules become one program."""
+    packs = False
+    """Whether blocks of a workspace share their room (:class:`tmodes.compile.ir.layout.Layout`)."""
+
+    def __init__(self, module: Any) -> None:
+        self.module = module
 
     def load(self, b: Any, base: Any, index: int) -> Any:
         """Number ``index`` of a block."""
@@ -91,6 +62,14 @@ class Double(Arithmetic):
     def constant(self, value: float) -> Any:
         """A number known beforehand."""
         return number(value)
+
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:  # noqa: ARG002
+        """A number from the doubles that it is made of; from one alone: that, whatever else may be in a number."""
+        return doubles[0]
+
+    def parts(self, b: Any, value: Any) -> list[Any]:  # noqa: ARG002
+        """The doubles of a number."""
+        return [value]
 
     def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
         """Sine and cosine."""
@@ -119,13 +98,18 @@ class Double(Arithmetic):
     def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
         """The result of an operation of a program."""
         if kind in ("sqrt", "fabs"):
-            return b.call(self._intrinsic(kind), [x])
+            return self.call(b, kind, x)
         if kind in _PLAIN:
             return _PLAIN[kind](b, x, y, self.constant)
         return self._condition(b, kind, x, y)
 
-    def _intrinsic(self, kind: str) -> Any:
-        return self.module.declare_intrinsic(f"llvm.{kind}", [self.kind])
+    def call(self, b: Any, kind: str, *values: Any) -> Any:
+        """An LLVM intrinsic: ``sqrt``, ``minnum``, ..."""
+        name = f"llvm.{kind}.{self.suffix}"
+        function = self.module.globals.get(name)
+        if function is None:
+            function = ir.Function(self.module, ir.FunctionType(self.kind, [self.kind] * len(values)), name)
+        return b.call(function, list(values))
 
     def _condition(self, b: Any, kind: str, x: Any, y: Any) -> Any:
         """Truth values are the numbers 1 and 0."""
@@ -145,15 +129,29 @@ class Lanes(Double):
     stride = 4
     name = "lanes"
     kind: Any = ir.VectorType(F64, 4)
+    suffix = "v4f64"
+    packs = True
 
     def constant(self, value: float) -> Any:
         """A number known beforehand."""
         return ir.Constant(self.kind, [value] * self.stride)
 
-    def _intrinsic(self, kind: str) -> Any:
-        name = f"llvm.{kind}.v{self.stride}f64"  # llvmlite names the intrinsics of single numbers only
-        known = self.module.globals.get(name)
-        return known or ir.Function(self.module, ir.FunctionType(self.kind, [self.kind]), name)
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:
+        """A vector from the numbers of its lanes; from one alone: that in all lanes."""
+        if len(doubles) == 1:
+            return self.spread(b, doubles[0])
+        vector = self.constant(0.0)
+        for lane, value in enumerate(doubles):
+            vector = b.insert_element(vector, value, whole(lane))
+        return vector
+
+    def parts(self, b: Any, value: Any) -> list[Any]:
+        """The doubles of a number."""
+        return [b.extract_element(value, whole(lane)) for lane in range(self.stride)]
+
+    def spread(self, b: Any, value: Any) -> Any:
+        """A double in all lanes."""
+        return spread(b, value, self.kind)
 
     def _place(self, b: Any, base: Any, index: int) -> Any:
         return b.bitcast(at(b, base, index * self.stride), self.kind.as_pointer())
@@ -166,6 +164,18 @@ class Lanes(Double):
     def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
         """Sine and cosine of several angles."""
         return [self.turn(b, angle) for angle in angles]
+
+
+class Wide(Lanes):
+    """As many lanes as a vector of this processor holds: eight doubles where it has AVX-512, else four.
+
+    What a lane computes does not depend on how many are next to it.
+    """
+
+    stride = 8 if dict(llvm.get_host_cpu_features()).get("avx512f") else 4
+    name = f"wide{stride}"
+    kind: Any = ir.VectorType(F64, stride)
+    suffix = f"v{stride}f64"
 
 
 class _Pair(NamedTuple):
@@ -187,7 +197,7 @@ _SLOPES: dict[str, Callable[[Any, Any, Any], Any]] = {
 """Slope of a function of one number: of (its value, the number)."""
 
 
-class Derivative(Arithmetic):
+class Derivative(Double):
     """A value with its derivative in one direction: forward differentiation, exact."""
 
     stride = 2
@@ -207,6 +217,14 @@ class Derivative(Arithmetic):
         self._plain.store(b, value.value, base, 2 * index)
         self._plain.store(b, number(0.0) if value.slope is None else value.slope, base, 2 * index + 1)
 
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:  # noqa: ARG002
+        """A value and its derivative; a value alone does not change."""
+        return _Pair(doubles[0], doubles[1] if len(doubles) > 1 else None)
+
+    def parts(self, b: Any, value: Any) -> list[Any]:  # noqa: ARG002
+        """The doubles of a number."""
+        return [*value]
+
     def constant(self, value: float) -> Any:
         """A number known beforehand."""
         return _Pair(number(value), None)
@@ -218,6 +236,10 @@ class Derivative(Arithmetic):
         if slope is None:
             return _Pair(sine, None), _Pair(cosine, None)
         return _Pair(sine, self._times(b, cosine, slope)), _Pair(cosine, b.fneg(self._times(b, sine, slope)))
+
+    def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
+        """Sine and cosine of several angles."""
+        return [self.turn(b, angle) for angle in angles]
 
     def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
         """The result of an operation of a program."""

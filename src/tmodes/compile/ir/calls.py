@@ -12,7 +12,7 @@ from typing import Any
 import numpy as np
 from llvmlite import ir
 
-from tmodes.compile.ir.arithmetic import Arithmetic
+from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.emit import I64, POINTER, VOID, at, declare, whole
 
 __all__ = ["DIRECT", "I32", "table_of", "write_calls"]
@@ -26,7 +26,7 @@ DIRECT = 700
 
 
 def write_calls(
-    b: Any, schedule: Any, arithmetic: Arithmetic, workspace: Any, symbols: Symbols, offset: Callable[[Any], int]
+    b: Any, schedule: Any, arithmetic: Double, workspace: Any, symbols: Symbols, offset: Callable[[Any], int]
 ) -> None:
     """Make all calls, in order; ``symbols``: the name of a kernel's function, ``offset``: where a block begins."""
     calls = [

@@ -10,7 +10,7 @@ from __future__ import annotations
 from collections.abc import Callable
 from typing import Any
 
-from tmodes.compile.ir.emit import F64, counted, load, number, whole
+from tmodes.compile.ir.emit import F64, counted, number, whole
 from tmodes.compile.loops.time_loop import TimeLoop
 
 __all__ = ["MotionNorm"]
@@ -25,7 +25,8 @@ class MotionNorm:
 
     def of_difference(self, one: str, other: str, before: str, h: Any) -> Any:
         """Norm of ``one`` - ``other``; scales of ``one`` and ``before``."""
-        return self.of_error(lambda i: self._difference(i, one, other), one, before, h)
+        load = self.loop.load
+        return self.of_error(lambda i: self.b.fsub(load(one, i), load(other, i)), one, before, h)
 
     def of_error(self, error: Callable[[Any], Any], one: str, before: str, h: Any) -> Any:
         """Root of the mean square of ``error(i)`` over the tolerance; scales of ``one`` and ``before``.
@@ -50,12 +51,10 @@ class MotionNorm:
         mean = b.fdiv(b.load(self.total, typ=F64), number(float(max(self.loop.size, 1))))
         return self.loop.intrinsic("sqrt", mean)
 
-    def _difference(self, i: Any, one: str, other: str) -> Any:
-        return self.b.fsub(load(self.b, self.loop.array[one], i), load(self.b, self.loop.array[other], i))
-
     def _size(self, i: Any, one: str, before: str) -> Any:
-        sizes = [self.loop.intrinsic("fabs", load(self.b, self.loop.array[label], i)) for label in (one, before)]
-        return self.loop.intrinsic("maxnum", *sizes)
+        return self.loop.intrinsic(
+            "maxnum", *(self.loop.intrinsic("fabs", self.loop.load(a, i)) for a in (one, before))
+        )
 
     def _scale(self, size: Any) -> Any:
         return self.b.fadd(self.loop.option("atol"), self.b.fmul(self.loop.option("rtol"), size))

@@ -9,7 +9,7 @@ from pathlib import Path
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.simulation.trajectory import Trajectory
+from tmodes.simulation.parts import Trajectory
 
 __all__ = ["COUNTS", "BatchRun", "gathered", "not_begun"]
 
@@ -22,8 +22,9 @@ class BatchRun:
     """k runs of one structure, sampled at the same times.
 
     ``times`` (n,) [s]; ``states`` (k, n, nx): coordinates, their rates, and what else is integrated, not-a-number where
-    a lane has no sample; ``counts`` (k,): samples of each lane. ``status``: finished, diverged, stopped (a limit of the
-    settings), interrupted, or failed (it could not start), and ``message`` what happened, for each lane.
+    a lane has no sample; a motor whose gear is rigid in a lane moves as its joint. ``counts`` (k,): samples of each
+    lane. ``status``: finished, diverged, stopped (a limit of the settings), interrupted, or failed (it could not
+    start), and ``message`` what happened, for each lane.
     ``statistics``: steps, rejected, evaluations (k,). ``values``: numbers that differ between the lanes, (k,) each, by
     path of the data sheet. ``tips`` (k, n, 3): position of the tip in the world [m], or None. ``folder``: where the
     batch lies on disk, or None.

@@ -95,7 +95,9 @@ def write_batch(batch: BatchRun, folder: Path) -> None:
         "status": list(batch.status),
         "message": list(batch.message),
         "statistics": {name: values.tolist() for name, values in batch.statistics.items()},
-        "values": {path: values.tolist() for path, values in batch.values.items()},
+        "values": {
+            path: [v if np.isfinite(v) else str(v) for v in values.tolist()] for path, values in batch.values.items()
+        },
         "tips": batch.tips is not None,
     }
     with atomic_write(folder / _SUMMARY) as path:

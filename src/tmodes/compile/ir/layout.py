@@ -30,7 +30,7 @@ class Layout:
         self._pack(schedule)
 
     @property
-    def size(self) -> int:
+    def workspace(self) -> int:
         """Numbers of the whole workspace."""
         return self._parameters + self._end
 

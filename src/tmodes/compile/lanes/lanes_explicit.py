@@ -1,0 +1,131 @@
+"""Any explicit Runge-Kutta method over runs side by side, each with steps of its own.
+
+The method is that of :mod:`tmodes.compile.loops.explicit_loop`.
+"""
+
+from __future__ import annotations
+
+import math
+from typing import Any
+
+from tmodes.compile.ir.block import ScheduleRate
+from tmodes.compile.lanes import lanes_gate
+from tmodes.compile.lanes.lanes_loop import LanesLoop, due_samples, write_sample
+from tmodes.compile.lanes.lanes_power import exponential, logarithm
+from tmodes.compile.loops.explicit_loop import adaptive_control, error_of, hermite, interpolation, slopes, stages
+from tmodes.compile.loops.step_control import StepControl, first_length, next_step
+from tmodes.compile.loops.time_loop import AdaptiveStep, Status
+from tmodes.integrate.method import Tableau
+
+__all__ = ["write_lanes_loop"]
+
+
+def write_lanes_loop(module: Any, name: str, rate: ScheduleRate, guarded: int, tableau: Tableau) -> None:
+    """Write the loop of a method: adaptive where it has an embedded error, else with the option ``step``."""
+    loop = LanesLoop(module, name, rate, (*slopes(tableau)[1:], "probe", "new"), guarded)
+    (_write_fixed if tableau.error is None else _write_adaptive)(loop, tableau)
+    loop.builder.branch(loop.again)
+
+
+def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
+    """A rejected lane tries again while its neighbours go on."""
+    b, control = loop.builder, adaptive_control(tableau)
+    lanes_gate.begin(loop, "y", "probe")
+    _first_stage(loop)
+    step = _step_until_knot(loop)
+    running = loop.running()
+    stages(loop, tableau, step.time, step.h)
+    loop.count("evaluations", running, float(tableau.own))
+    error = error_of(loop, tableau, step.h)
+    size = _size(loop, error)
+    good = b.fcmp_ordered("<=", error, loop.constant(1.0))
+    _reject(loop, control, b.and_(running, b.not_(good)), step.h, size)
+    good = b.and_(running, good)
+    inside = loop.within_bounds("new")
+    loop.end_where(b.and_(good, b.not_(inside)), Status.DIVERGED)
+    accepted = lanes_gate.meet(loop, step.h, b.and_(good, inside))
+    with due_samples(loop, accepted, step.time_after) as (due, wanted):
+        weights = interpolation(loop, tableau, b.fdiv(b.fsub(wanted, step.time), step.h), step.h)
+        write_sample(loop, due, lambda i: loop.weighted(weights, i))
+    _accept(loop, control, slopes(tableau)[-1], accepted, step, size)
+
+
+def _first_stage(loop: LanesLoop) -> None:
+    """k1 where the last step did not leave it, and the first step's length."""
+    b, zero = loop.builder, loop.constant(0.0)
+    fresh = b.and_(loop.running(), b.fcmp_ordered("!=", loop.get("fresh"), zero))
+    with b.if_then(loop.any(fresh), likely=False):
+        loop.evaluate(loop.get("t"), "y", "probe")
+        loop.copy_where(fresh, "k1", "probe")
+        loop.count("evaluations", fresh)
+        loop.put("fresh", zero, fresh)
+        guess = first_length(loop)
+        loop.put("h", guess, b.and_(fresh, b.fcmp_ordered("<=", loop.get("h"), zero)))
+
+
+def _step_until_knot(loop: LanesLoop) -> AdaptiveStep:
+    """Each lane's step: its length is zero where it idles."""
+    b, time, wanted, end = loop.builder, loop.get("t"), loop.get("h"), loop.get("end")
+    last = b.fcmp_ordered(">=", b.fadd(time, b.fmul(loop.constant(1.0001), wanted)), end)
+    h = b.select(last, b.fsub(end, time), wanted)
+    smallest = b.fmul(loop.constant(4e-15), loop.intrinsic("fabs", end))
+    loop.end_where(b.not_(b.fcmp_ordered(">", h, smallest)), Status.STEP_TOO_SMALL)
+    h = b.select(loop.running(), h, loop.constant(0.0))
+    return AdaptiveStep(time, wanted, h, last, b.select(last, end, b.fadd(time, h)))
+
+
+def _size(loop: LanesLoop, error: Any) -> Any:
+    """Logarithm of the error to base 2, between those of 1e-10 and of what is as good as infinite or no number."""
+    b, huge = loop.builder, loop.constant(1e300)
+    error = b.select(b.fcmp_ordered("<", error, huge), error, huge)
+    return logarithm(b, loop.lanes, loop.intrinsic("maxnum", error, loop.constant(1e-10)))
+
+
+def _reject(loop: LanesLoop, control: StepControl, rejected: Any, h: Any, size: Any) -> None:
+    """Shorter steps; where the error is not a number, the shortest. ``size``: logarithm of the error."""
+    b = loop.builder
+    power = b.fsub(loop.constant(math.log2(control.safety)), b.fmul(loop.constant(control.exponent), size))
+    factor = loop.intrinsic("maxnum", exponential(b, loop.lanes, power), loop.constant(control.smallest))
+    loop.put("h", b.fmul(h, factor), rejected)
+    loop.count("rejected", rejected)
+
+
+def _accept(loop: LanesLoop, control: StepControl, end: str, accepted: Any, step: AdaptiveStep, size: Any) -> None:
+    """Take a step in the accepted lanes; ``end``: the slope at its end."""
+    b = loop.builder
+    before = b.fmul(loop.constant(control.beta), loop.get("old_error"))
+    wish = b.fadd(loop.constant(math.log2(control.safety)), before)
+    factor = exponential(b, loop.lanes, b.fsub(wish, b.fmul(loop.constant(control.exponent), size)))
+    factor = loop.intrinsic("maxnum", factor, loop.constant(control.smallest))
+    grown = b.fmul(step.h, loop.intrinsic("minnum", factor, loop.constant(control.largest)))
+    # A step cut short by a knot says little about the next: keep the longer wish.
+    loop.put("h", b.select(step.last, loop.intrinsic("maxnum", grown, step.wanted), grown), accepted)
+    loop.put("old_error", loop.intrinsic("maxnum", size, loop.constant(math.log2(1e-4))), accepted)
+    loop.copy_where(accepted, "k1", end)
+    loop.put("fresh", loop.constant(1.0), loop.take(accepted, step.time_after, step.last))
+
+
+def _write_fixed(loop: LanesLoop, tableau: Tableau) -> None:
+    """Each lane parts its own segments into equal steps not longer than the option ``step``.
+
+    Samples on a step's end are its result; those between come from Hermite's polynomial.
+    """
+    b, step, end = loop.builder, next_step(loop), slopes(tableau)[-1]
+    running = loop.running()
+    loop.put("h", step.h, running)
+    loop.evaluate(step.time, "y", "k1")
+    stages(loop, tableau, step.time, step.h)
+    loop.count("evaluations", running, float(tableau.own))
+    inside = loop.within_bounds("new")
+    loop.end_where(b.not_(inside), Status.DIVERGED)
+    taken = b.and_(running, inside)
+    with due_samples(loop, taken, b.fadd(step.time_after, b.fmul(step.h, loop.constant(1e-9)))) as (due, wanted):
+        share = b.fdiv(b.fsub(wanted, step.time), step.h)
+        between = b.fcmp_ordered("<", share, loop.constant(1 - 1e-9))
+        with b.if_then(loop.any(b.and_(due, between)), likely=False):
+            loop.evaluate(step.time_after, "new", end)
+            loop.count("evaluations", b.and_(due, between))
+        weights = hermite(loop, share, step.h, end)
+        write_sample(loop, due, lambda i: b.select(between, loop.weighted(weights, i), loop.load("new", i)))
+    loop.put("index", b.select(step.last, loop.constant(0.0), step.count), taken)
+    loop.take(taken, step.time_after, step.last)
