@@ -38,7 +38,7 @@ def test_each_lane_is_in_one_span(seed, lanes, threads, method):
 def test_one_room_for_many_groups(seed, method, monkeypatch):
     """In one long span, with bad lanes, starts and motions of their own: the bytes of spans of one group each."""
     rng, lanes = np.random.default_rng(4), 5 * WIDTH + 3
-    many = seed.parameters.vector * (1 + 0.02 * rng.normal(size=(lanes, len(seed.parameters))))
+    many = seed.model.numbers * (1 + 0.02 * rng.normal(size=(lanes, len(seed.model.numbers))))
     many[3, seed.place("payload.mass")] = np.nan
     many[WIDTH + 1, seed.place("controller.position_gain")] = -1e7
     starts = seed.start + 1e-3 * rng.normal(size=(lanes, len(seed.start)))

@@ -15,8 +15,8 @@ import pytest
 
 from tmodes.errors import InputError, ResultFileError
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.result import load_batch, room_for
 from tmodes.simulation.batch.simulate import simulate_lanes
-from tmodes.simulation.batch.store import load_batch, room_for
 
 
 def test_the_folder_holds_the_same_batch(seed, tmp_path):
@@ -114,7 +114,7 @@ def test_too_large_is_refused_with_numbers(seed, tmp_path):
     """Neither memory nor disk is asked for more than there is."""
     settings = seed.settings.model_copy(update={"duration": 1e6, "output_step": 1.0})
     given = (np.tile(seed.many, (3000, 1)), seed.schedule, seed.start, settings)
-    with pytest.raises(InputError, match=r"27000 lanes of 1000001 samples of 17 numbers, 3.67e\+03 GB.*1.8 GB.*out="):
+    with pytest.raises(InputError, match=r"27000 lanes of 1000001 samples of 19 numbers, 4.1e\+03 GB.*1.8 GB.*out="):
         simulate_lanes(seed.model, *given)
     with pytest.raises(ResultFileError, match="at least 3,672,"):
         simulate_lanes(seed.model, *given, out=tmp_path / "new")
