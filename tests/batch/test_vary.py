@@ -41,14 +41,6 @@ def test_each_lane_is_the_run_of_its_sheet(robot):
     assert {path: numbers.tolist() for path, numbers in batch.values.items()} == vary
 
 
-def test_a_rigid_gear_next_to_elastic_ones_is_refused(robot):
-    """It leaves a coordinate out, so that the lanes have no common state."""
-    for stiffnesses in ([math.inf, 5000.0], [5000.0, math.inf]):
-        with pytest.raises(InputError, match=r"the same coordinates.*got 1[79] numbers in the state of case 0"):
-            tmodes.simulate_batch(robot, {"gear.stiffness": stiffnesses})
-
-
-@pytest.mark.parametrize("method", ["auto", "extrapolation"])
 def test_each_lane_is_the_run_of_its_arm(method):
     arm = swing(method=method)
     masses = [0.8, 1.0, 1.7]
@@ -124,9 +116,30 @@ def test_wrong_numbers_are_reported_with_their_lane(robot, info):
         tmodes.simulate_batch(robot, WRONG[info])
 
 
-def test_lanes_of_other_coordinates_are_refused():
-    with pytest.raises(InputError, match="same coordinates"):
-        tmodes.simulate_batch(swing(), {"joints.joint.gear.stiffness": [100.0, math.inf]})
+@pytest.mark.parametrize("first", [100.0, math.inf])
+def test_a_rigid_gear_next_to_elastic_ones(first, tmp_path):
+    """The batch has the coordinates of all lanes: where there is no motor apart, it moves as its joint."""
+    stiffness = [first, 300.0, math.inf]
+    batch = tmodes.simulate_batch(swing(), {"joints.joint.gear.stiffness": stiffness}, tips=True, out=tmp_path)
+    assert batch.coordinates == ("joint.motor", "joint")
+    assert batch.finished.all()
+    for lane, value in enumerate(stiffness):
+        run = simulate_motion(swing().with_({"joints.joint.gear.stiffness": value}))
+        joint, motor = (run.coordinates.index(name) for name in ("joint", run.coordinates[0]))
+        true = np.hstack([run.q[:, [motor, joint]], run.v[:, [motor, joint]]])
+        assert np.abs(batch.states[lane, :, :4] - true).max() < 1e-12 * np.abs(true).max()
+        assert np.abs(batch.states[lane, :, 4:] - run.states[:, 2 * run.q.shape[1] :]).max() < 1e-12
+        assert batch.tips is not None
+        assert np.abs(batch.tips[lane] - run.points.position[:, 0]).max() < 1e-12
+
+
+def test_lanes_with_other_states_are_refused():
+    """A current that one lane has as a state and another has not."""
+    motor = {"inertia": 0.3, "resistance": 1.0, "side": "joint", "back_emf_constant": 0.5, "torque_constant": 0.5,
+             "inductance": 0.0}  # fmt: skip
+    robot = swing().with_({"joints.joint.motor": motor, "drives.0.command": "voltage"})
+    with pytest.raises(InputError, match="same currents and controllers"):
+        tmodes.simulate_batch(robot, {"joints.joint.motor.inductance": [0.0, 0.01]})
 
 
 def test_too_large_is_refused_before_the_lanes_are_prepared(robot):

@@ -13,8 +13,7 @@ import pytest
 from arm.see.runs import NASTY, result_of
 from command import COMMAND, tmodes
 from result.synthetic import synthetic_result
-from tmodes.cli.series import first_series, series_of_result
-from tmodes.cli.sparkline import ASCII, BLOCKS, sparkline, steps_for
+from tmodes.cli.series import ASCII, BLOCKS, first_series, series_of_result, sparkline, steps_for
 from tmodes.result import Result
 
 SHOW = [*COMMAND, "show"]

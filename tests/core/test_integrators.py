@@ -189,7 +189,7 @@ def test_interruption_keeps_what_was_done(robot):
 
 def test_a_killed_run_continues_with_the_same_bytes(robot, tmp_path):
     """A journal of a run that died, at any piece, gives the bytes of a run that did not."""
-    from tmodes.io.journal import RunJournal
+    from tmodes.io.checkpoint import RunJournal
 
     whole = run(robot, duration=1.0)
     setup, settings, one = prepared(robot), setting(robot, duration=1.0), None

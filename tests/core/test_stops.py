@@ -11,7 +11,7 @@ import pytest
 
 import tmodes
 from tmodes.errors import InputError, InputErrors, SimulationError
-from tmodes.io.assignment import parse_assignment
+from tmodes.io.scalars import parse_assignment
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.quantities import arm_quantities, arm_stops

@@ -90,7 +90,7 @@ def test_all_errors_are_reported_in_the_order_of_the_file() -> None:
         ("gravity: 9.81", "gravity: 9.81\nlength: 3.0", "Did you mean `link.modes.0.length`? Write it there"),
         ("gravity: 9.81", "gravity: 9.81\ngear.stiffness: 3.0", "put the key `stiffness` inside the group `gear`"),
         ("  damping: 2.0 ", "  damping: 2.0\n  zzz: 1.0", "remove it"),
-        ("  gear.stiffness: 0.2", "  gear.stifness: 0.2", "Did you mean `gear.stiffness`?"),
+        ("  gear.stiffness: 0.2", "  gear.stifness: 0.2", "Did you mean `real.gear.stiffness`?"),
         ("reading: consistent", "reading: consistant", "Did you mean `consistent`?"),
     ],
 )
@@ -167,6 +167,7 @@ class TestRealRobot:
         assert read(sheet("gear.damping: 0.2", "gear.damping: 0.0")).pair().real.joints[0].gear.damping == 0.0
         message = problem("gear.stiffness: 0.2", "gear.stiffness: 0.0")
         assert message.startswith(f"my.yaml:{line_of('real.gear.stiffness')}: real.gear.stiffness must be")
+        assert ", got 0.0 times 4700.0;" in message
 
     @pytest.mark.parametrize("factor", ["-1.0", ".nan", ".inf", "1.0e308", "some", "true"])
     def test_a_factor_is_a_number_from_zero(self, factor: str) -> None:
@@ -175,7 +176,7 @@ class TestRealRobot:
 
     def test_an_unknown_path_is_reported_once(self) -> None:
         message = problem("gear.stiffness: 0.2", "gear.siffness: 0.2")
-        assert "unknown key `real.gear.siffness`. Did you mean `gear.stiffness`?" in message
+        assert "unknown key `real.gear.siffness`. Did you mean `real.gear.stiffness`?" in message
 
     @pytest.mark.parametrize("path", ["reference.end", "integration.duration", "environment.friction_law", "gear"])
     def test_only_numbers_of_the_plant_differ(self, path: str) -> None:
@@ -184,6 +185,7 @@ class TestRealRobot:
     def test_a_rigid_gear_has_no_factor_of_zero(self) -> None:
         message = problem("stiffness: 4700.0", "stiffness: .inf", "gear.stiffness: 0.2", "gear.stiffness: 0")
         assert "real.gear.stiffness must be" in message
+        assert ", got 0.0 times .inf;" in message
 
 
 class TestWhatMustFitTogether:

@@ -8,19 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import (
-    AbsoluteTolerance,
-    AsJson,
-    Duration,
-    IntegratorOption,
-    Roots,
-    Settings,
-    SheetArgument,
-    Tolerance,
-    TrustPaths,
-    chosen_sheet,
-    integration_changes,
-)  # fmt: skip
+from tmodes.cli import options
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.progress import working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -37,7 +27,7 @@ MOST_REPORTED = 5
 
 
 def batch(
-    robot: SheetArgument,
+    robot: options.SheetArgument,
     vary: Annotated[
         list[str] | None,
         typer.Option(metavar="PATH=LOW:HIGH:COUNT", help="Evenly spaced numbers; of several, all combinations."),
@@ -48,18 +38,18 @@ def batch(
     ] = None,
     runs: Annotated[int, typer.Option(min=1, max=MOST_LANES, help="How many runs --draw makes.")] = 100,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same numbers.")] = 0,
-    settings: Settings = None,
-    integrator: IntegratorOption = None,
-    rtol: Tolerance = None,
-    atol: AbsoluteTolerance = None,
-    duration: Duration = None,
+    settings: options.Settings = None,
+    integrator: options.IntegratorOption = None,
+    rtol: options.Tolerance = None,
+    atol: options.AbsoluteTolerance = None,
+    duration: options.Duration = None,
     threads: Annotated[int | None, typer.Option(min=1, help="Threads; else one for each core.")] = None,
     out: Annotated[
         Path | None, typer.Option(help="An empty folder for all samples; without it only the table is shown.")
     ] = None,
-    root: Roots = None,
-    trust_paths: TrustPaths = False,
-    as_json: AsJson = False,
+    root: options.Roots = None,
+    trust_paths: options.TrustPaths = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Many runs at once with numbers varied: a sweep (--vary) or a Monte Carlo study (--draw).
 
@@ -78,8 +68,8 @@ def batch(
     --set reference.noise.deviation=1e-4 --vary reference.noise.seed=0:99:100
     """
     values = _values(vary or [], draw or [], runs, seed)
-    changes = integration_changes(integrator, rtol, atol, duration, check_error=False)
-    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
+    changes = options.integration_changes(integrator, rtol, atol, duration, check_error=False)
+    sheet = options.chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
     found, parted = _run(sheet, values, threads, out)
     _tell(sheet.name, found, parted, as_json)
     if not found.finished.all():
@@ -137,12 +127,10 @@ def _count(path: str, count: float) -> int:
 
 
 def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | None) -> tuple[BatchRun, Spread]:
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.progress import Stages
     from tmodes.simulation.vary.simulate import prepared, prepared_alone, run_prepared
     from tmodes.simulation.vary.study import spread
 
-    with heard() as wish, Stages(wish) as tell:
+    with working() as tell:
         lanes = prepared(sheet, values, out=out, progress=tell)
         own = run_prepared(prepared_alone(sheet), tips=True, threads=1, progress=tell)
         if "interrupted" in own.status:
@@ -152,7 +140,6 @@ def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | No
 
 
 def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
-    from tmodes.cli.output import notice, print_json
 
     info = parted.info(found)
     if as_json:
@@ -183,7 +170,6 @@ def _each(found: BatchRun, parted: Spread) -> list[dict[str, Any]]:
 
 
 def _print(name: str, found: BatchRun, info: dict[str, Any]) -> None:
-    from tmodes.cli.output import print_table
 
     title = f"{name}: {info['finished']} of {info['lanes']} runs finished"
     labels = {"tip_difference_m": "largest tip difference [mm]", "tip_difference_at_end_m": "at the end [mm]"}

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.progress import working
 from tmodes.cli.static import print_links
 from tmodes.errors import InputError
 
@@ -55,13 +57,10 @@ def modes(
     with more functions.
     """
     from tmodes.analysis.modes.of_sheet import vibrations
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.output import notice, print_json
-    from tmodes.cli.progress import Stages
 
     arm = _asked(chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths), contact, angle)
     pair = arm.pair()
-    with heard() as wish, Stages(wish) as tell:
+    with working() as tell:
         found = {"real": vibrations(pair.real, contact=contact, progress=tell)}
         if arm.real:
             found["nominal"] = vibrations(pair.nominal, contact=contact, progress=tell)
@@ -103,7 +102,6 @@ def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:
 
 
 def _print(title: str, lines: list[dict[str, Any]]) -> None:
-    from tmodes.cli.output import print_table
 
     columns = ["dominant element", "share of energy", "natural [Hz]", "damped [Hz]", "damping ratio", "converged"]
     print_table(title, columns, [_row(line) for line in lines])

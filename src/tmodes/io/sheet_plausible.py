@@ -8,16 +8,15 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import named, quantities
-from tmodes.io.sheet_plausible_motion import implausible_motion
+from tmodes.io.sheet_plausible_motion import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, implausible_motion, oddity
 from tmodes.io.sheet_plausible_parts import implausible_inertia, implausible_motors, implausible_sag, masses_beyond
-from tmodes.io.usual_ranges import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, oddity
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["arm_notices", "implausible_arm"]
+__all__ = ["arm_notices", "implausible_arm", "notices_about"]
 
 SLENDERNESS = (5.0, 1000.0)
 """Range of the length of a beam over the height of its section [-]: thicker ones shear, thinner ones are threads."""
@@ -111,3 +110,8 @@ def _frequency(name: str, beam: BendingSheet) -> Iterator[str]:
         guess = f"was its {likely} meant?" if likely else "are its length, stiffness and mass in SI units?"
         usual = f"outside the usual {low:g} to {high:g} Hz"
         yield f"links.{name}.beam, clamped, swings at {frequency:.3g} Hz, {usual}; {guess}"
+
+
+def notices_about(sheet: Robot) -> list[str]:
+    """Sentences on numbers that look like a wrong unit, and on what was corrected when the sheet was read."""
+    return [*implausible_arm(sheet), *arm_notices(sheet)]

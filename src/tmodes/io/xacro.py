@@ -18,8 +18,7 @@ from tmodes.io.mesh_paths import Folders, folders_of
 from tmodes.io.urdf import UrdfRobot, urdf_robot
 from tmodes.io.words import nearest, shown
 from tmodes.io.xacro_expression import Value
-from tmodes.io.xacro_macro import Macro, macro_of, xacro_fault
-from tmodes.io.xacro_text import as_value, filled, is_true, typed
+from tmodes.io.xacro_text import Macro, as_value, filled, is_true, macro_of, typed, xacro_fault
 from tmodes.io.xml_file import MOST_ELEMENTS, Element, read_xml
 
 __all__ = ["expand_xacro", "read_xacro"]

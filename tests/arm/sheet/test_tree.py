@@ -87,7 +87,7 @@ def test_a_massless_end_that_moves_is_named() -> None:
 
 
 def test_a_massless_link_between_others_is_right() -> None:
-    assert said(joint("j", "a"), joint("k", "b"), links=[LINKS[1]]) == ""
+    assert said(joint("j", "a"), joint("k", "b", axis=[1, 0, 0]), links=[LINKS[1]]) == ""
     assert said(joint("j", "a"), {**joint("k", "b"), "type": "fixed", "axis": None}, links=LINKS[:1]) == ""
 
 
@@ -147,3 +147,14 @@ def test_a_name_that_a_part_of_a_link_has_already() -> None:
         "links must be links whose names no part of a link has, got `upper.2`, also the name of a part of a link"
         in problem(changed(named))
     )
+
+
+@pytest.mark.parametrize(("place", "mass", "right"), [(0.0, 0, False), (0.0, 1, True), (0.5, 0, True)])
+def test_joints_that_move_one_mass_alike_are_refused(place: float, mass: float, right: bool) -> None:
+    """Two hinges about one axis, a link without mass between them: the mass matrix is singular in every position."""
+    links = [
+        {"name": name, "bodies": [{"mass": size, "center": [0.2, 0, 0]}]} for name, size in (("a", mass), ("b", 1))
+    ]
+    info = said(joint("j", "a"), joint("k", "b", origin={"position": [place, 0, 0]}), links=links)
+    assert (info == "") == right
+    assert right or "got `b`, a link that moves with `k` only as it does with the joints before; give `b`" in info

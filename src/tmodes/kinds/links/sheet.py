@@ -13,6 +13,7 @@ from tmodes.frame import Placement
 from tmodes.kinds.links.beam_pieces import Piece
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body, Link
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.registry import Registry, UnknownKindError
 from tmodes.kinds.schema.frames import Origin
 from tmodes.kinds.schema.quantity import DataSheet, Issue, refuse
@@ -34,7 +35,8 @@ class LoweredLink:
 
     ``root``: frame of the first element in the link's frame, where it bends; ``at_root``: bodies there; ``tip``: the
     tip frame in the chain's tip frame of the last element; ``undeformed``: the tip frame in the link's frame, at rest;
-    ``spot``: the place of a station. A rigid element stands in the link's frame itself.
+    ``spot``: the place of a station. A rigid element stands in the link's frame itself; ``rigid``: the one that a
+    link becomes as a whole where no element bends, its bodies put into place.
     """
 
     links: tuple[Link, ...]
@@ -43,6 +45,7 @@ class LoweredLink:
     spot: Callable[[float], Spot]
     root: Placement = field(default_factory=Placement)
     at_root: tuple[Body, ...] = ()
+    rigid: RigidLink = field(default_factory=RigidLink)
 
     @property
     def bends(self) -> bool:

@@ -1,4 +1,4 @@
-/* tmodes, built from 3e271bf152cfaab5; BSD-3-Clause */
+/* tmodes, built from dfb70bce263a5625; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

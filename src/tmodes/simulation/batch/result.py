@@ -32,8 +32,9 @@ class BatchRun:
     """k runs of one structure, sampled at the same times.
 
     ``times`` (n,) [s]; ``states`` (k, n, nx): coordinates, their rates, and what else is integrated, not-a-number where
-    a lane has no sample; ``counts`` (k,): samples of each lane. ``status``: finished, diverged, stopped (a limit of the
-    settings), interrupted, or failed (it could not start), and ``message`` what happened, for each lane.
+    a lane has no sample; a motor whose gear is rigid in a lane moves as its joint. ``counts`` (k,): samples of each
+    lane. ``status``: finished, diverged, stopped (a limit of the settings), interrupted, or failed (it could not
+    start), and ``message`` what happened, for each lane.
     ``statistics``: steps, rejected, evaluations (k,). ``values``: numbers that differ between the lanes, (k,) each, by
     path of the data sheet. ``tips`` (k, n, 3): position of the tip in the world [m], or None. ``folder``: where the
     batch lies on disk, or None.
@@ -164,7 +165,9 @@ def write_batch(batch: BatchRun, folder: Path) -> None:
         "status": list(batch.status),
         "message": list(batch.message),
         "statistics": {name: values.tolist() for name, values in batch.statistics.items()},
-        "values": {path: values.tolist() for path, values in batch.values.items()},
+        "values": {
+            path: [v if np.isfinite(v) else str(v) for v in values.tolist()] for path, values in batch.values.items()
+        },
         "tips": batch.tips is not None,
     }
     with atomic_write(folder / _SUMMARY) as path:

@@ -1,11 +1,11 @@
-"""Batches of arms: schedules of kernels in lanes, contacts met by each lane for itself, and methods without lanes."""
+"""Contacts in batches: each lane meets its own, at its own times, and may end by itself."""
 
 from __future__ import annotations
 
 import numpy as np
 import pytest
 
-from arm.run.sheets import ZERO, arm, pendulum, torque
+from arm.run.sheets import ZERO, arm
 from tmodes.compile.loops.gate import SHORTEST
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.start import run_setup
@@ -17,18 +17,6 @@ SHORT = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "abs
 def settings(regime, **changes):
     info = {"method": "dormand_prince", **changes}
     return regime.arm.integration.model_copy(update=info)
-
-
-def spread(regime, lanes, share=0.05):
-    """Numbers of arms a little off those of a regime."""
-    vector = regime.model.numbers
-    return vector * (1 + share * np.random.default_rng(3).uniform(-1, 1, size=(lanes, len(vector))))
-
-
-@pytest.fixture(scope="module")
-def swing():
-    """An elastic pendulum under a constant torque."""
-    return run_setup(pendulum({"inertia": 0.3}, {"stiffness": 100.0}, torque(2.0), integration=SHORT))
 
 
 @pytest.fixture(scope="module")
@@ -43,18 +31,6 @@ def bounce():
         drives=[{"joint": "slide", "command": "effort", "signal": ZERO}],
         initial={"state": "zero", "rates": {"slide": 1.0}},
     ))  # fmt: skip
-
-
-@pytest.mark.parametrize("method", ["dormand_prince", "rk4"])
-def test_each_lane_is_the_run_by_itself(swing, method):
-    model, chosen = swing.model, settings(swing, method=method, step=1e-3)
-    many = spread(swing, 6)
-    batch = simulate_lanes(model, many, swing.planned.schedule, swing.start, chosen, threads=2)
-    for lane, numbers in enumerate(many):
-        single = integrate(model, numbers, swing.planned.schedule, swing.start, chosen)
-        assert np.abs(batch.states[lane] - single.states).max() < 1e-12 * np.abs(single.states).max()
-    part = simulate_lanes(model, many[[5, 0]], swing.planned.schedule, swing.start, chosen, threads=1)
-    assert part.states.tobytes() == batch.states[[5, 0]].tobytes()
 
 
 def test_each_lane_meets_its_own_wall(bounce):
@@ -84,19 +60,6 @@ def test_pieces_are_not_seen_where_there_is_a_contact(bounce, monkeypatch):
     monkeypatch.setattr("tmodes.simulation.batch.workers._FIRST_PIECE", 1)
     monkeypatch.setattr("tmodes.simulation.batch.workers._PIECE_SECONDS", 0.0)
     assert simulate_lanes(model, *given).states.tobytes() == whole.states.tobytes()
-
-
-@pytest.mark.parametrize("threads", [1, 2])
-def test_stiff_arms_run_one_by_one(swing, threads):
-    """The implicit method has no lanes: each arm is the run by itself, bit by bit, and a bad one disturbs none."""
-    model, chosen = swing.model, settings(swing, method="extrapolation", max_steps=4000)
-    many = spread(swing, 4)
-    many[2] = np.nan
-    batch = simulate_lanes(model, many, swing.planned.schedule, swing.start, chosen, threads=threads)
-    assert [status == "finished" for status in batch.status] == [True, True, False, True]
-    for lane in (0, 1, 3):
-        single = integrate(model, many[lane], swing.planned.schedule, swing.start, chosen)
-        assert batch.states[lane].tobytes() == single.states.tobytes()
 
 
 def test_a_lane_that_chatters_ends_by_itself(bounce, monkeypatch):
