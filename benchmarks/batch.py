@@ -23,15 +23,18 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmodes.chain.chain import Body, Chain, Joint, Node, Placement, RigidLink
+from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.compile.native import processor
 from tmodes.equations.loop.plan import LoopPlan
+from tmodes.frame import Placement
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.robots.load import load
-from tmodes.simulation.batch.work import LaneNumbers
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
@@ -54,18 +57,18 @@ class Case:
 
     def alone(self, numbers: np.ndarray) -> Any:
         """One run by itself."""
-        return integrate(self.model, LaneNumbers(numbers), self.schedule, self.start, self.settings)
+        return integrate(self.model, numbers, self.schedule, self.start, self.settings)
 
     def batch(self, numbers: np.ndarray, threads: int) -> Any:
         """Many at once."""
-        return self.model.simulate_batch(numbers, self.schedule, self.start, self.settings, threads=threads)
+        return simulate_lanes(self.model, numbers, self.schedule, self.start, self.settings, threads=threads)
 
 
 def seed() -> Case:
     """The robot of the paper, its whole move."""
     robot = load("filipovic2010", {"contact": False})
     setup, settings = run_setup(robot), robot.integration.model_copy(update={"output_step": 0.01})
-    numbers, schedule = setup.model.numbers.vector, setup.planned.schedule
+    numbers, schedule = setup.model.numbers, setup.planned.schedule
     return Case("seed's robot, 2 s", setup.model, numbers, schedule, setup.start, settings)
 
 
@@ -85,7 +88,7 @@ def chain(joints: int) -> Case:
     start[model.layout.q] = 0.1 * np.random.default_rng(0).normal(size=joints)
     settings = Integration(duration=duration, output_step=duration / 50)
     still = Schedule(np.array([0.0, duration]), np.zeros((1, 0)))
-    return Case(f"rigid chain, {joints} coordinates", model, model.numbers.vector, still, start, settings)
+    return Case(f"rigid chain, {joints} coordinates", model, model.numbers, still, start, settings)
 
 
 def measured(case: Case, lanes: int, threads: int, rounds: int) -> dict[str, Any]:

@@ -14,8 +14,8 @@ __all__ = ["running"]
 _KEEP_OFTEN = """
 import signal
 signal.signal(signal.SIGINT, signal.default_int_handler)
-from tmodes.io import journal
-journal.RunJournal.__init__.__defaults__ = (0.05,)
+from tmodes.io import checkpoint
+checkpoint.RunJournal.__init__.__defaults__ = (0.05,)
 from tmodes.cli.entry import start
 start()
 """

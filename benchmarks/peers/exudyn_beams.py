@@ -16,7 +16,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.bench.missing import PeerMissing
-from tmodes.chain.chain import Beam, Chain
+from tmodes.chain.chain import Chain
+from tmodes.kinds.links.strain import Beam
 
 sys.exudynFast = True  # type: ignore[attr-defined]  # Exudyn's own switch: the module without range checks
 try:

@@ -11,6 +11,7 @@ from typing import TYPE_CHECKING, Any
 if TYPE_CHECKING:
     from tmodes.equations.lagrange.system import System
     from tmodes.errors import TmodesError
+    from tmodes.kinds.registry import use
     from tmodes.model.model import Model
     from tmodes.notebook import show
     from tmodes.result.result import Result
@@ -37,6 +38,7 @@ __all__ = [
     "show",
     "simulate_batch",
     "tracking_error",
+    "use",
 ]
 
 _HOMES = {
@@ -53,6 +55,7 @@ _HOMES = {
     "show": "tmodes.notebook.show",
     "simulate_batch": "tmodes.simulation.vary.simulate.simulate_batch",
     "tracking_error": "tmodes.sensitivity.functional.tracking_error",
+    "use": "tmodes.kinds.registry.use",
 }
 
 

@@ -20,34 +20,22 @@ class TmodesError(Exception):
     exit_code = 1
 
 
-_MUST = (
-    "a number",
-    "a whole number",
-    "a list of",
-    "a magnitude",
-    "one of",
-    "between",
-    "text",
-    "true or false",
-    "finite",
-)
-"""Beginnings of an expectation after which ``must be`` reads well."""
-
 _UNKNOWN = ("an unknown key", "an unknown path")
 
 
 def sentence(which: str, got: str, expected: str, hint: str) -> str:
-    """One wrong value in plain words: ``gear.stiffness must be a number greater than 0, got -5; check sign``."""
+    """One wrong value in plain words: ``gear.stiffness must be a number greater than 0, got -5; check sign``.
+
+    An unknown name and a value that is missing have words of their own.
+    """
     if got in _UNKNOWN:
         issue = f"unknown key `{which}`" + ("" if "did you mean" in hint else f", expected {expected}")
     elif got.startswith("the unknown "):
         issue = f"{which}: {got.removeprefix('the ')}" + ("" if "did you mean" in hint else f", expected {expected}")
     elif got == "nothing":
         issue = f"{which} is missing, expected {expected}"
-    elif expected.startswith(_MUST):
-        issue = f"{which} must be {expected}, got {got}"
     else:
-        issue = f"{which}: got {got}, expected {expected}"
+        issue = f"{which} must be {expected}, got {got}"
     if hint.startswith("did you mean"):
         return f"{issue}. D{hint[1:]}"
     return f"{issue}; {hint}" if hint else issue

@@ -59,6 +59,7 @@ def show(*shown: Result | Robot, names: list[str] | None = None, height: int = H
     ``names`` tell several results apart; ``height`` of the frame in pixels. Raises
     :class:`tmodes.errors.InputError` for anything else, and what simulating the robot's rest raises.
     """
+    # Results are shown next to each other, a robot by itself: what a person gave decides which page is made.
     robots = [one for one in shown if isinstance(one, Robot)]
     results = [one for one in shown if isinstance(one, Result)]
     if not shown or len(robots) + len(results) < len(shown) or (robots and len(shown) > 1):

@@ -3,23 +3,19 @@
 from __future__ import annotations
 
 from dataclasses import replace
-from types import SimpleNamespace
-from typing import Any
 
 import numpy as np
 import pytest
 
-from tmodes.errors import InputError
-from tmodes.simulation.batch.simulate import prepare_loops
-from tmodes.simulation.loop import LoopNumbers
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.trajectory import integrate
 
 
-def spoilt(seed, lane, name, value):
+def spoilt(lot, lane, name, value):
     """The nine robots, one number of one lane changed."""
-    many = seed.many.copy()
-    many[lane, seed.place(name)] = value
-    return replace(seed, many=many)
+    many = lot.many.copy()
+    many[lane, lot.place(name)] = value
+    return replace(lot, many=many)
 
 
 BAD = {
@@ -32,10 +28,10 @@ BAD = {
 
 @pytest.mark.parametrize("case", list(BAD))
 @pytest.mark.parametrize("method", ["dormand_prince", "rk4"])
-def test_a_bad_lane_spoils_no_other(seed, case, method):
-    settings = seed.settings.model_copy(update={"method": method, "max_steps": 20_000})
-    seed = replace(seed, settings=settings)
-    good, bad = seed.run(), spoilt(seed, 5, *BAD[case]).run()
+def test_a_bad_lane_spoils_no_other(lot, case, method):
+    settings = lot.settings.model_copy(update={"method": method, "max_steps": 20_000})
+    lot = replace(lot, settings=settings)
+    good, bad = lot.run(), spoilt(lot, 5, *BAD[case]).run()
     others = [lane for lane in range(9) if lane != 5]
     assert bad.states[others].tobytes() == good.states[others].tobytes()
     assert bad.status[5] != "finished"
@@ -47,47 +43,40 @@ def test_a_bad_lane_spoils_no_other(seed, case, method):
 
 
 @pytest.mark.parametrize("case", ["no number", "runs away"])
-def test_what_a_lane_says_is_what_the_run_by_itself_says(seed, case):
-    many = spoilt(seed, 2, *BAD[case])
+def test_what_a_lane_says_is_what_the_run_by_itself_says(lot, case):
+    many = spoilt(lot, 2, *BAD[case])
     batch = many.run()
-    numbers = LoopNumbers(many.many[2])
-    single = integrate(seed.model, numbers, seed.schedule, seed.start, seed.settings)
+    numbers = many.many[2]
+    single = integrate(lot.model, numbers, lot.schedule, lot.start, lot.settings)
     assert (batch.status[2], batch.message[2]) == (single.status, single.message)
     assert "in coordinate" in batch.message[2]
     assert batch.counts[2] == len(single.times)
 
 
-def test_limit_on_steps_holds_in_each_lane(seed):
+def test_limit_on_steps_holds_in_each_lane(lot):
     """Exactly, whatever the machine does; a lane that needs fewer steps is not ended."""
-    steps = seed.run().statistics["steps"] + seed.run().statistics["rejected"]
+    steps = lot.run().statistics["steps"] + lot.run().statistics["rejected"]
     limit = int(np.sort(steps)[4])
-    settings = seed.settings.model_copy(update={"max_steps": limit})
-    limited = replace(seed, settings=settings).run()
+    settings = lot.settings.model_copy(update={"max_steps": limit})
+    limited = replace(lot, settings=settings).run()
     assert [status == "finished" for status in limited.status] == [int(count) <= limit for count in steps]
     ended = ~limited.finished
     assert (limited.statistics["steps"] + limited.statistics["rejected"])[ended].tolist() == [limit] * int(ended.sum())
     assert all("max_steps" in limited.message[lane] for lane in np.flatnonzero(ended))
 
 
-def test_limit_on_time_keeps_what_was_done(seed):
-    settings = seed.settings.model_copy(update={"max_wall_time": 1e-9})
-    batch = replace(seed, settings=settings).run()
+def test_limit_on_time_keeps_what_was_done(lot):
+    settings = lot.settings.model_copy(update={"max_wall_time": 1e-9})
+    batch = replace(lot, settings=settings).run()
     assert set(batch.status) == {"stopped"}
     assert all("max_wall_time" in message for message in batch.message)
     assert batch.counts.tolist() == [1] * 9
 
 
-def test_a_start_that_is_no_number_has_no_sample(seed):
-    starts = np.tile(seed.start, (3, 1))
+def test_a_start_that_is_no_number_has_no_sample(lot):
+    starts = np.tile(lot.start, (3, 1))
     starts[1, 2] = np.nan
-    batch = seed.model.simulate_batch(seed.many[:3], seed.schedule, starts, seed.settings)
+    batch = simulate_lanes(lot.model, lot.many[:3], lot.schedule, starts, lot.settings)
     assert batch.counts[1] == 0
     assert batch.status[1] == "diverged"
-    assert batch.states[[0, 2]].tobytes() == seed.run([0, 2]).states.tobytes()
-
-
-def test_a_method_that_a_model_does_not_have_is_refused():
-    """In words that name those it has."""
-    explicit: Any = SimpleNamespace(loops={}, lane_loops={})
-    with pytest.raises(InputError, match=r"integration.method must be one of .*dop853"):
-        prepare_loops(explicit, "rosenbrock")
+    assert batch.states[[0, 2]].tobytes() == lot.run([0, 2]).states.tobytes()

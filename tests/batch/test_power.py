@@ -6,10 +6,9 @@ import numpy as np
 import pytest
 from llvmlite import ir
 
-from tmodes.compile.ir.arithmetic import Lanes
+from tmodes.compile.ir.arithmetic import Lanes, Wide
 from tmodes.compile.ir.emit import POINTER, VOID, declare
-from tmodes.compile.lanes.lanes_power import exponential, logarithm
-from tmodes.compile.lanes.wide import Wide
+from tmodes.compile.lanes.lanes_explicit import exponential, logarithm
 from tmodes.compile.native import Library, to_object
 
 

@@ -8,25 +8,25 @@ import pytest
 from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.errors import InputError
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.batch.lanes import spans
-from tmodes.simulation.batch.memory import LINE, private
+from tmodes.simulation.batch.side_by_side import LINE, private
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.batch.work import Work, inputs
-from tmodes.simulation.batch.workers import thread_count
+from tmodes.simulation.batch.workers import spans, thread_count
 
 
-def work_of(seed, lanes, method):
-    settings = seed.settings.model_copy(update={"method": method})
-    many = np.tile(seed.many[:1], (lanes, 1))
-    info = inputs(many, seed.schedule, seed.start, settings.duration, seed.model.batch_widths)
-    return Work(seed.model, info, settings, np.zeros(1), np.zeros((lanes, 1, 1)), np.arange(lanes))
+def work_of(lot, lanes, method):
+    settings = lot.settings.model_copy(update={"method": method})
+    many = np.tile(lot.many[:1], (lanes, 1))
+    info = inputs(many, lot.schedule, lot.start, settings.duration, lot.model.batch_widths)
+    return Work(lot.model, info, settings, np.zeros(1), np.zeros((lanes, 1, 1)), np.arange(lanes))
 
 
 @pytest.mark.parametrize("method", ["dormand_prince", "dop853"])
 @pytest.mark.parametrize("threads", [1, 2, 7, 64])
 @pytest.mark.parametrize("lanes", [1, 7, 8, 9, 100, 1024, 5000])
-def test_each_lane_is_in_one_span(seed, lanes, threads, method):
+def test_each_lane_is_in_one_span(lot, lanes, threads, method):
     """Side by side in whole groups; as many spans as keep all threads busy to the end."""
-    found = spans(work_of(seed, lanes, method), threads)
+    found = spans(work_of(lot, lanes, method), threads)
     assert [lane for span in found for lane in span] == list(range(lanes))
     side = WIDTH if method == "dormand_prince" else 1
     assert all(len(span) % side == 0 for span in found[:-1])
@@ -35,23 +35,24 @@ def test_each_lane_is_in_one_span(seed, lanes, threads, method):
 
 
 @pytest.mark.parametrize("method", ["dormand_prince", "rk4"])
-def test_one_room_for_many_groups(seed, method, monkeypatch):
+def test_one_room_for_many_groups(lot, method, monkeypatch):
     """In one long span, with bad lanes, starts and motions of their own: the bytes of spans of one group each."""
     rng, lanes = np.random.default_rng(4), 5 * WIDTH + 3
-    many = seed.parameters.vector * (1 + 0.02 * rng.normal(size=(lanes, len(seed.parameters))))
-    many[3, seed.place("payload.mass")] = np.nan
-    many[WIDTH + 1, seed.place("controller.position_gain")] = -1e7
-    starts = seed.start + 1e-3 * rng.normal(size=(lanes, len(seed.start)))
+    vector = lot.model.numbers
+    many = vector * (1 + 0.02 * rng.normal(size=(lanes, len(vector))))
+    many[3, lot.place("payload.mass")] = np.nan
+    many[WIDTH + 1, lot.place("controller.position_gain")] = -1e7
+    starts = lot.start + 1e-3 * rng.normal(size=(lanes, len(lot.start)))
     starts[2 * WIDTH] = np.inf
     knots = [np.linspace(0.0, 0.02, 2 + lane % 4) for lane in range(lanes)]
     schedules = [Schedule(each, 0.1 * rng.normal(size=(len(each) - 1, 3))) for each in knots]
-    settings = seed.settings.model_copy(update={"method": method, "max_steps": 20_000})
-    for moved in (schedules, seed.schedule):
+    settings = lot.settings.model_copy(update={"method": method, "max_steps": 20_000})
+    for moved in (schedules, lot.schedule):
         given = (many, moved, starts, settings)
-        short = seed.model.simulate_batch(*given, threads=2)
+        short = simulate_lanes(lot.model, *given, threads=2)
         with monkeypatch.context() as patch:
-            patch.setattr("tmodes.simulation.batch.lanes._SPANS", 1)
-            long = seed.model.simulate_batch(*given, threads=1)
+            patch.setattr("tmodes.simulation.batch.workers._SPANS", 1)
+            long = simulate_lanes(lot.model, *given, threads=1)
         assert long.states.tobytes() == short.states.tobytes()
         assert (long.status, long.message) == (short.status, short.message)
         assert all(np.array_equal(long.statistics[name], short.statistics[name]) for name in long.statistics)
@@ -71,5 +72,5 @@ def test_private_memory_shares_no_line():
 
 @pytest.mark.parametrize("threads", [0, 1_000_000])
 def test_threads_without_end_are_refused(threads):
-    with pytest.raises(InputError, match=f"threads: got {threads}, expected 1 to 1024"):
+    with pytest.raises(InputError, match=f"threads must be 1 to 1024, got {threads}"):
         thread_count(threads)

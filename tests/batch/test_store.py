@@ -15,11 +15,12 @@ import pytest
 
 from tmodes.errors import InputError, ResultFileError
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.batch.store import load_batch, room_for
+from tmodes.simulation.batch.result import load_batch, room_for
+from tmodes.simulation.batch.simulate import simulate_lanes
 
 
-def test_the_folder_holds_the_same_batch(seed, tmp_path):
-    memory, disk = seed.run(), seed.run(out=tmp_path / "batch")
+def test_the_folder_holds_the_same_batch(lot, tmp_path):
+    memory, disk = lot.run(), lot.run(out=tmp_path / "batch")
     again = load_batch(tmp_path / "batch")
     for batch in (disk, again):
         assert batch.states.tobytes() == memory.states.tobytes()
@@ -29,7 +30,7 @@ def test_the_folder_holds_the_same_batch(seed, tmp_path):
         assert batch.folder == tmp_path / "batch"
     assert sorted(path.name for path in (tmp_path / "batch").iterdir()) == ["batch.json", "states.npy", "times.npy"]
     with pytest.raises(ResultFileError, match="new folder"):
-        seed.run(out=tmp_path / "batch")
+        lot.run(out=tmp_path / "batch")
 
 
 class _Interrupts:
@@ -39,10 +40,10 @@ class _Interrupts:
         raise KeyboardInterrupt
 
 
-def test_interrupted_keeps_what_was_done(seed, tmp_path):
+def test_interrupted_keeps_what_was_done(lot, tmp_path):
     """Lanes that were ended say so; the folder is whole."""
-    settings = seed.settings.model_copy(update={"duration": 2000.0, "output_step": 1.0})
-    batch = replace(seed, settings=settings).run(out=tmp_path / "batch", progress=_Interrupts())
+    settings = lot.settings.model_copy(update={"duration": 2000.0, "output_step": 1.0})
+    batch = replace(lot, settings=settings).run(out=tmp_path / "batch", progress=_Interrupts())
     assert set(batch.status) == {"interrupted"}
     assert all("interrupted at t = " in message for message in batch.message)
     assert (batch.counts >= 1).all()
@@ -51,13 +52,13 @@ def test_interrupted_keeps_what_was_done(seed, tmp_path):
     assert load_batch(tmp_path / "batch").status == batch.status
 
 
-def test_a_progress_that_fails_leaves_nothing(seed, tmp_path):
+def test_a_progress_that_fails_leaves_nothing(lot, tmp_path):
     def fails(share):
         raise RuntimeError("no terminal")
 
-    settings = seed.settings.model_copy(update={"duration": 2000.0, "output_step": 1.0})
+    settings = lot.settings.model_copy(update={"duration": 2000.0, "output_step": 1.0})
     with pytest.raises(RuntimeError, match="no terminal"):
-        replace(seed, settings=settings).run(out=tmp_path / "batch", progress=fails)
+        replace(lot, settings=settings).run(out=tmp_path / "batch", progress=fails)
     assert list((tmp_path / "batch").iterdir()) == []
     with pytest.raises(ResultFileError, match="no whole batch"):
         load_batch(tmp_path / "batch")
@@ -66,18 +67,19 @@ def test_a_progress_that_fails_leaves_nothing(seed, tmp_path):
 KILLED = """
 import os, signal, sys
 import tmodes
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.start import run_setup
 setup = run_setup(tmodes.load("filipovic2010"))
 settings = setup.arm.integration.model_copy(update={"duration": 2000.0, "output_step": 1.0})
 def kill(share):
     os.kill(os.getpid(), signal.SIGKILL)
-model, numbers = setup.model, setup.model.numbers.vector
-model.simulate_batch(numbers, setup.planned.schedule, setup.start, settings, out=sys.argv[1], progress=kill)
+model, numbers = setup.model, setup.model.numbers
+simulate_lanes(model, numbers, setup.planned.schedule, setup.start, settings, out=sys.argv[1], progress=kill)
 """
 
 
 @pytest.mark.skipif(sys.platform == "win32", reason="no such signal")
-def test_killed_leaves_no_batch(seed, tmp_path):
+def test_killed_leaves_no_batch(lot, tmp_path):
     """After kill -9 there is no file that looks whole, and the folder can be used again."""
     folder = tmp_path / "batch"
     done = subprocess.run([sys.executable, "-c", KILLED, str(folder)], check=False, env=os.environ)
@@ -85,73 +87,73 @@ def test_killed_leaves_no_batch(seed, tmp_path):
     assert [path.name for path in folder.iterdir() if not path.name.startswith(".")] == []
     with pytest.raises(ResultFileError, match="no whole batch"):
         load_batch(folder)
-    seed.run(out=folder)
+    lot.run(out=folder)
     assert sorted(path.name for path in folder.iterdir()) == ["batch.json", "states.npy", "times.npy"]
 
 
 @pytest.mark.parametrize(
     ("key", "value"), [("format", 2), ("shape", [9, 41, 16]), ("status", ["finished"]), ("samples", None)]
 )
-def test_a_folder_that_does_not_fit_together_is_refused(seed, tmp_path, key, value):
-    seed.run(out=tmp_path)
+def test_a_folder_that_does_not_fit_together_is_refused(lot, tmp_path, key, value):
+    lot.run(out=tmp_path)
     info = json.loads((tmp_path / "batch.json").read_text(encoding="utf-8"))
     (tmp_path / "batch.json").write_text(json.dumps(info | {key: value}), encoding="utf-8")
     with pytest.raises(ResultFileError):
         load_batch(tmp_path)
 
 
-def test_truncated_samples_are_refused(seed, tmp_path):
-    seed.run(out=tmp_path)
+def test_truncated_samples_are_refused(lot, tmp_path):
+    lot.run(out=tmp_path)
     content = (tmp_path / "states.npy").read_bytes()
     (tmp_path / "states.npy").write_bytes(content[:-8])
     with pytest.raises(ResultFileError, match="no whole batch"):
         load_batch(tmp_path)
 
 
-def test_too_large_is_refused_with_numbers(seed, tmp_path):
+def test_too_large_is_refused_with_numbers(lot, tmp_path):
     """Neither memory nor disk is asked for more than there is."""
-    settings = seed.settings.model_copy(update={"duration": 1e6, "output_step": 1.0})
-    given = (np.tile(seed.many, (3000, 1)), seed.schedule, seed.start, settings)
-    with pytest.raises(InputError, match=r"27000 lanes of 1000001 samples of 17 numbers, 3.67e\+03 GB.*1.8 GB.*out="):
-        seed.model.simulate_batch(*given)
-    with pytest.raises(ResultFileError, match="at least 3,672,"):
-        seed.model.simulate_batch(*given, out=tmp_path / "new")
+    settings = lot.settings.model_copy(update={"duration": 1e6, "output_step": 1.0})
+    given = (np.tile(lot.many, (3000, 1)), lot.schedule, lot.start, settings)
+    with pytest.raises(InputError, match=r"1.8 GB.*27000 lanes of 1000001 samples of 19 numbers, 4.1e\+03 GB.*out="):
+        simulate_lanes(lot.model, *given)
+    with pytest.raises(ResultFileError, match="at least 4,104,"):
+        simulate_lanes(lot.model, *given, out=tmp_path / "new")
     assert not (tmp_path / "new").exists()
 
 
-def wrong_calls(seed):
-    given = {"parameters": seed.many, "schedules": seed.schedule, "states": seed.start, "settings": seed.settings}
+def wrong_calls(lot):
+    given = {"parameters": lot.many, "schedules": lot.schedule, "states": lot.start, "settings": lot.settings}
     linear = Schedule(np.array([0.0, 1.0]), np.zeros((1, 2)))
-    numbers, states = seed.many.shape[1], len(seed.start)
+    numbers, states = lot.many.shape[1], len(lot.start)
     return {
         "lanes": ("9", given | {"states": np.zeros((4, states))}),
-        "parameters": (f"{numbers} numbers", given | {"parameters": seed.many[:, :-1]}),
+        "parameters": (f"{numbers} numbers", given | {"parameters": lot.many[:, :-1]}),
         "states": (f"{states} numbers", given | {"states": np.zeros(states - 1)}),
         "rows": ("4 numbers", given | {"schedules": linear}),
         "shape": ("size", given | {"parameters": np.zeros((2, 2, numbers))}),
         "threads": ("1 to 1024", given | {"threads": 0}),
-        "schedules": ("1 or", given | {"schedules": [seed.schedule] * 3}),
+        "schedules": ("1 or", given | {"schedules": [lot.schedule] * 3}),
     }
 
 
 @pytest.mark.parametrize("wrong", ["lanes", "parameters", "states", "rows", "shape", "threads", "schedules"])
-def test_wrong_calls_are_refused(seed, wrong):
-    info, call = wrong_calls(seed)[wrong]
+def test_wrong_calls_are_refused(lot, wrong):
+    info, call = wrong_calls(lot)[wrong]
     with pytest.raises(InputError, match=info):
-        seed.model.simulate_batch(**call)
+        simulate_lanes(lot.model, **call)
 
 
-def test_a_disk_that_fills_up_meanwhile_is_reported_before_anything_runs(seed, tmp_path, monkeypatch):
+def test_a_disk_that_fills_up_meanwhile_is_reported_before_anything_runs(lot, tmp_path, monkeypatch):
     """Room is taken, not only asked for; where it is gone, nothing is left in the folder."""
 
     def full(handle, start, length):
-        assert length > seed.many.shape[0] * 41 * 17 * 8
+        assert length > lot.many.shape[0] * 41 * 19 * 8
         raise OSError(errno.ENOSPC, os.strerror(errno.ENOSPC))
 
     monkeypatch.setattr(os, "posix_fallocate", full, raising=False)
     monkeypatch.setattr("tmodes.simulation.batch.simulate.run_all", lambda *_: pytest.fail("it runs"))
     with pytest.raises(ResultFileError, match="No space left on device"):
-        seed.run(out=tmp_path)
+        lot.run(out=tmp_path)
     assert list(tmp_path.iterdir()) == []
 
 

@@ -10,7 +10,7 @@ import pytest
 import tmodes
 from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError, InputErrors, TmodesError
-from tmodes.simulation.batch.store import load_batch
+from tmodes.simulation.batch.result import load_batch
 from tmodes.simulation.simulate import simulate_motion
 
 SHORT = {"integration.duration": 0.02, "integration.output_step": 1e-3}
@@ -41,7 +41,6 @@ def test_each_lane_is_the_run_of_its_sheet(robot):
     assert {path: numbers.tolist() for path, numbers in batch.values.items()} == vary
 
 
-@pytest.mark.parametrize("method", ["auto", "extrapolation"])
 def test_each_lane_is_the_run_of_its_arm(method):
     arm = swing(method=method)
     masses = [0.8, 1.0, 1.7]
@@ -82,7 +81,7 @@ def test_a_lane_that_cannot_start_disturbs_no_other(robot):
     batch = tmodes.simulate_batch(robot, {"payload.mass": loads}, tips=True)
     good = tmodes.simulate_batch(robot, {"payload.mass": [0.5, 0.6]}, tips=True)
     assert batch.status == ("finished", "failed", "finished")
-    assert "static equilibrium: coordinate link" in batch.message[1]
+    assert "static equilibrium: none was found near the start" in batch.message[1]
     assert batch.counts[1] == 0
     assert np.isnan(batch.states[1]).all()
     assert batch.states[[0, 2]].tobytes() == good.states.tobytes()
@@ -100,8 +99,8 @@ def test_the_folder_holds_what_was_varied(robot, tmp_path):
 
 
 WRONG = {
-    "lane 1.*payload.mass": {"payload.mass": [0.4, -1.0]},
-    "lane 0.*payload.mass": {"payload.mass": [np.nan]},
+    "case 1.*payload.mass": {"payload.mass": [0.4, -1.0]},
+    "case 0.*payload.mass": {"payload.mass": [np.nan]},
     "Did you mean `payload.mass`": {"payload.mas": [0.4]},
     "one integration for all": {"integration.duration": [0.1, 0.2]},
     "same length": {"payload.mass": [0.4, 0.5], "gravity": [9.81]},
@@ -117,9 +116,30 @@ def test_wrong_numbers_are_reported_with_their_lane(robot, info):
         tmodes.simulate_batch(robot, WRONG[info])
 
 
-def test_lanes_of_other_coordinates_are_refused():
-    with pytest.raises(InputError, match="same coordinates"):
-        tmodes.simulate_batch(swing(), {"joints.joint.gear.stiffness": [100.0, math.inf]})
+@pytest.mark.parametrize("first", [100.0, math.inf])
+def test_a_rigid_gear_next_to_elastic_ones(first, tmp_path):
+    """The batch has the coordinates of all lanes: where there is no motor apart, it moves as its joint."""
+    stiffness = [first, 300.0, math.inf]
+    batch = tmodes.simulate_batch(swing(), {"joints.joint.gear.stiffness": stiffness}, tips=True, out=tmp_path)
+    assert batch.coordinates == ("joint.motor", "joint")
+    assert batch.finished.all()
+    for lane, value in enumerate(stiffness):
+        run = simulate_motion(swing().with_({"joints.joint.gear.stiffness": value}))
+        joint, motor = (run.coordinates.index(name) for name in ("joint", run.coordinates[0]))
+        true = np.hstack([run.q[:, [motor, joint]], run.v[:, [motor, joint]]])
+        assert np.abs(batch.states[lane, :, :4] - true).max() < 1e-12 * np.abs(true).max()
+        assert np.abs(batch.states[lane, :, 4:] - run.states[:, 2 * run.q.shape[1] :]).max() < 1e-12
+        assert batch.tips is not None
+        assert np.abs(batch.tips[lane] - run.points.position[:, 0]).max() < 1e-12
+
+
+def test_lanes_with_other_states_are_refused():
+    """A current that one lane has as a state and another has not."""
+    motor = {"inertia": 0.3, "resistance": 1.0, "side": "joint", "back_emf_constant": 0.5, "torque_constant": 0.5,
+             "inductance": 0.0}  # fmt: skip
+    robot = swing().with_({"joints.joint.motor": motor, "drives.0.command": "voltage"})
+    with pytest.raises(InputError, match="same currents and controllers"):
+        tmodes.simulate_batch(robot, {"joints.joint.motor.inductance": [0.0, 0.01]})
 
 
 def test_too_large_is_refused_before_the_lanes_are_prepared(robot):
@@ -135,5 +155,5 @@ def test_too_large_is_refused_before_the_lanes_are_prepared(robot):
 
 def test_a_stop_that_batches_do_not_watch_is_refused(robot):
     """Rather than left out without a word."""
-    with pytest.raises(InputError, match=r"integration.energy_stop: got true, expected false: .*tmodes run"):
+    with pytest.raises(InputError, match=r"integration.energy_stop must be false: .*, got true.*tmodes run"):
         tmodes.simulate_batch(robot.with_({"integration.energy_stop": True}), {"payload.mass": [0.5]})

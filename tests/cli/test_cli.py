@@ -6,31 +6,22 @@ import json
 import os
 import signal
 import subprocess
-import sys
 import time
 from pathlib import Path
 
 import numpy as np
 import pytest
 
+from command import COMMAND, tmodes
 from disturbed import running
 
 STATES = Path(__file__).parents[1] / "oracle/reference_states.json"
-COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 LONG = {
     "integration.duration": "30000",
     "integration.output_step": "1.0",
     "reference.duration": "30000",
     "integration.relative_tolerance": "1e-12",
 }
-
-
-def tmodes(*arguments: object, code: int = 0, **more) -> subprocess.CompletedProcess[str]:
-    """Run the command; a traceback is never right."""
-    done = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
-    assert "Traceback" not in done.stderr
-    assert done.returncode == code, done.stderr
-    return done
 
 
 def settings(changes: dict[str, str]) -> list[str]:

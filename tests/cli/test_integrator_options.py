@@ -3,21 +3,13 @@
 from __future__ import annotations
 
 import json
-import subprocess
-import sys
 
 import pytest
 
+from command import tmodes
 from tmodes.result import Result
 
-COMMAND = [sys.executable, "-m", "tmodes.cli.entry"]
 SHORT = ["--duration", "0.2", "--no-contact", "--no-figures"]
-
-
-def tmodes(*arguments: object, code: int = 0) -> subprocess.CompletedProcess[str]:
-    done = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False)
-    assert done.returncode == code, done.stderr
-    return done
 
 
 def test_options_and_what_is_reported(tmp_path):
@@ -45,7 +37,7 @@ def test_check_error(tmp_path):
 
 def test_limits_of_a_robot_that_has_none(tmp_path):
     info = tmodes("run", "filipovic2010", "--stop-at-limits", "--out", tmp_path, code=2).stderr
-    assert "--stop-at-limits: got the robot filipovic2010, which has none, expected an arm" in info
+    assert "--stop-at-limits must be given for a robot whose joints have limits, got the robot filipovic2010" in info
     assert "leave it out; --stop ends a run" in info
 
 

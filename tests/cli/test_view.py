@@ -8,8 +8,6 @@ import html
 import json
 import os
 import re
-import subprocess
-import sys
 import tempfile
 from pathlib import Path
 
@@ -17,18 +15,14 @@ import pytest
 
 import tmodes
 from arm.see.runs import result_of
+from command import tmodes as command
 from tmodes.cli.view import names_apart
 from tmodes.errors import InputError, ResultFileError
 from tmodes.notebook import rest_page, show
 
-COMMAND = [sys.executable, "-m", "tmodes.cli.entry", "view", "--no-open"]
 
-
-def viewed(*arguments: object, code: int = 0, **more) -> subprocess.CompletedProcess[str]:
-    done = subprocess.run([*COMMAND, *map(str, arguments)], capture_output=True, text=True, check=False, **more)
-    assert "Traceback" not in done.stderr
-    assert done.returncode == code, done.stderr
-    return done
+def viewed(*arguments: object, **more):
+    return command("view", "--no-open", *arguments, **more)
 
 
 def head_of(document: str) -> dict:

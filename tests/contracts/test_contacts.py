@@ -12,19 +12,18 @@ from pydantic import Field
 from arm.run.sheets import ZERO, arm
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.contact_law import contact_law
-from tmodes.kinds.contacts.registry import Contact, Surface
+from tmodes.kinds.contacts.registry import CONTACTS, SURFACES, Contact, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
-from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.sensitivity.gradient import forward_sensitivities
-from tmodes.simulation.parts import sample_times
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
-from wasm.node import in_node
+from wasm.node import page_states
 
 
-@Contact.register()
+@CONTACTS.register
 class Soil(Contact):
     """Pressure and sinkage with the power 3/2 (Hertz; Bekker's n = 1.5), damping in proportion, and friction."""
 
@@ -89,7 +88,7 @@ def dropped(name: str, **integration: Any) -> Any:
     )  # fmt: skip
 
 
-@pytest.mark.parametrize("name", sorted(Contact.registered))
+@pytest.mark.parametrize("name", sorted(CONTACTS))
 def test_law(name):
     """No force where apart, slopes as differences have them, mass and losses not negative; numbers make no code."""
     law = contact(name)
@@ -116,7 +115,7 @@ def test_law(name):
     assert made[0] == made[1]
 
 
-@pytest.mark.parametrize("name", sorted(Surface.registered))
+@pytest.mark.parametrize("name", sorted(SURFACES))
 def test_surface(name):
     """Direction, rate and curvature are the derivatives of the penetration; drawn where it is."""
     shape = Surface.of({"type": name, **SHAPES[name]})
@@ -133,7 +132,7 @@ def test_surface(name):
     assert len(shape.moving_numbers()) == 4
 
 
-@pytest.mark.parametrize("name", sorted(Contact.registered))
+@pytest.mark.parametrize("name", sorted(CONTACTS))
 def test_run(name, tmp_path):
     """Natively, by an implicit method, in a batch and in WebAssembly alike; energy balances."""
     sheet = dropped(name)
@@ -146,20 +145,9 @@ def test_run(name, tmp_path):
     setup = run_setup(sheet.with_({"integration.method": "dormand_prince"}))
     model, settings = setup.model, setup.arm.integration.model_copy(update={"method": "dormand_prince"})
     native = run_trajectory(setup)
-    batch = model.simulate_batch(np.array([model.numbers.vector] * 3), setup.planned.schedule, setup.start, settings)
+    batch = simulate_lanes(model, np.array([model.numbers] * 3), setup.planned.schedule, setup.start, settings)
     assert np.abs(batch.states[1] - native.states).max() < 1e-9
-    module = live_module(ModelFunctions(setup.arm.pair(), (1.0,)), ["dormand_prince"])
-    schedule = setup.planned.schedule.until(settings.duration)
-    (page,) = in_node(module, [{"run": {
-        "loop": "real.dormand_prince", "parameters": model.numbers.vector, "knots": schedule.knots,
-        "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,
-        "times": sample_times(settings), "settings": {
-            "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,
-            "absoluteTolerance": settings.absolute_tolerance, "step": settings.step, "maxSteps": settings.max_steps,
-        },
-    }}], tmp_path)  # fmt: skip
-    assert page["status"] == "finished"
-    assert np.abs(page["states"].reshape(native.states.shape) - native.states).max() < 1e-8
+    assert np.abs(page_states(setup, tmp_path) - native.states).max() < 1e-8
 
 
 def test_derivatives_through_a_soil():
@@ -174,7 +162,7 @@ def test_derivatives_through_a_soil():
 def test_a_law_of_the_same_name_is_refused():
     with pytest.raises(Exception, match="soil"):
 
-        @Contact.register()
+        @CONTACTS.register
         class Other(Contact):
             law: Literal["soil"] = Field(description="contact law")
 

@@ -10,16 +10,17 @@ from pydantic import Field
 from scipy.linalg import solve_continuous_are
 
 from arm.run.sheets import ZERO, arm, beam
-from tmodes.kinds.controllers.registry import Controller, Measured
+from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import vectors
 from tmodes.model.model import Model
 from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup
 from tmodes.simulation.trajectory import integrate
 
 
-@Controller.register()
+@CONTROLLERS.register
 class LQR(Controller):
     """Feedback of the whole state, and of the integral of the own error."""
 
@@ -56,9 +57,9 @@ def robot(controller, **more):
                integration=settings | more.pop("integration", {}), **more)  # fmt: skip
 
 
-def gains() -> list[float]:
-    """The gains of least cost: a Riccati equation of the linearised robot."""
-    model = Model(robot({"type": "pd", "position_gain": 0.0, "velocity_gain": 0.0}).chain())
+def gains(sheet: Any = None) -> list[float]:
+    """The gains of least cost: a Riccati equation of the linearised robot, whose first coordinate is driven."""
+    model = Model((sheet or robot({"type": "pd", "position_gain": 0.0, "velocity_gain": 0.0})).chain())
     n = model.nq
     mass, damping, stiffness = model.linearised(np.zeros(n))
     a, b = np.zeros((2 * n + 1, 2 * n + 1)), np.zeros((2 * n + 1, 1))
@@ -90,7 +91,7 @@ def examples(lqr):
     }  # fmt: skip
 
 
-@pytest.mark.parametrize("name", sorted(Controller.registered))
+@pytest.mark.parametrize("name", sorted(CONTROLLERS))
 def test_member(name, lqr):
     """Runs natively as written, in a batch, by explicit and implicit methods; other numbers take the same code."""
     sheet = robot(examples(lqr)[name])
@@ -116,9 +117,9 @@ def test_member(name, lqr):
     for method in ("extrapolation", "rosenbrock"):
         other = simulate_motion(sheet.with_({"integration.method": method}))
         assert np.abs(other.q - run.q).max() < 1e-6, method
-    numbers = np.array([model.numbers.vector, model.numbers.vector * 1.001])
+    numbers = np.array([model.numbers, model.numbers * 1.001])
     settings = sheet.integration.model_copy(update={"method": "dormand_prince"})
-    batch = model.simulate_batch(numbers, setup.planned.schedule, setup.start, settings)
+    batch = simulate_lanes(model, numbers, setup.planned.schedule, setup.start, settings)
     single = integrate(model, model.numbers, setup.planned.schedule, setup.start, settings)
     # A limit that is met a rounding earlier or later lets the step control take other steps.
     assert np.abs(batch.states[0] - single.states).max() < 1e-9 * np.abs(single.states).max()

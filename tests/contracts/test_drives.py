@@ -11,36 +11,49 @@ from numpy.typing import NDArray
 
 from arm.oracle.robots import GRAVITY
 from arm.random_chains import random_body
-from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, RigidLink
+from arm.run.sheets import arm
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.equations.recursion.drive_kernels import drive_kernels, drive_numbers
+from tmodes.errors import TmodesError
 from tmodes.kinds.drives.contract import Angles, DriveKind, Elastic, Forward
 from tmodes.kinds.drives.laws import DriveLaw
-from tmodes.kinds.drives.registry import DRIVES, drive_kind, register
+from tmodes.kinds.drives.registry import DRIVES, drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.schema.quantity import DataSheet, positive
 from tmodes.model.model import Model
+from tmodes.sensitivity.gradient import forward_sensitivities
+from tmodes.simulation.simulate import simulate_motion
 
 Array = NDArray[np.float64]
 
 HARDENING = 40.0
 
 
+class MuscleNumbers(DataSheet):
+    """What a sheet gives of a muscle."""
+
+    hardening: float = positive("N*m/rad^3", "c", "effort over the cubed angle")
+
+
 class Muscle(DriveKind):
-    """An effort next to a cubic spring about zero [N*m/rad^3] and the joint's friction."""
+    """An effort next to a cubic spring about zero and the joint's friction."""
 
     name = "muscle"
     summary = "effort and a hardening spring"
+    schema = MuscleNumbers
     takes_effort = True
 
     def forward(self, law: DriveLaw, at: Angles, effort: Any, held: Any, step: Any) -> Forward:
         joint, slope = law.joint_friction(at.joint_rate)
-        stiffness = 3 * HARDENING * at.joint * at.joint
+        stiffness = 3 * law.own[0] * at.joint * at.joint
         own = law.inertia + step * slope + step * step * stiffness + held
-        return Forward(effort - HARDENING * at.joint**3 - joint, own)
+        return Forward(effort - law.own[0] * at.joint**3 - joint, own)
 
     def elastic(self, law: DriveLaw, at: Angles) -> Elastic:
         joint, _ = law.joint_friction(at.joint_rate)
-        energy = HARDENING * at.joint**4 / 4
-        return Elastic(HARDENING * at.joint**3 + joint, 0.0, energy, 0.0, joint * at.joint_rate)
+        energy = law.own[0] * at.joint**4 / 4
+        return Elastic(law.own[0] * at.joint**3 + joint, 0.0, energy, 0.0, joint * at.joint_rate)
 
 
 NAMES = [*DRIVES.names, "muscle"]
@@ -48,7 +61,7 @@ NAMES = [*DRIVES.names, "muscle"]
 
 @pytest.fixture(autouse=True, scope="module")
 def user_kind() -> Iterator[None]:
-    register(Muscle)
+    DRIVES.register(Muscle)
     yield
     DRIVES.unregister("muscle")
 
@@ -60,7 +73,11 @@ def joint(kind: str, *, rubbed: float = 1.0) -> Joint:
     drive = drive_kind(kind)
     motor = Motor(0.2, friction) if drive.takes_effort else None
     rest = 0.1 if drive.has_gear and not drive.has_motor else 0.0
-    return Joint("j", joint_kind("revolute"), drive=drive, motor=motor, gear=gear, friction=friction, rest=rest)
+    own = (HARDENING,) * drive.own_numbers
+    return Joint(
+        "j", joint_kind("revolute"), drive=drive, motor=motor, gear=gear, friction=friction, rest=rest,
+        drive_parameters=own,
+    )  # fmt: skip
 
 
 def law(kind: str) -> DriveLaw:
@@ -68,7 +85,8 @@ def law(kind: str) -> DriveLaw:
     kernels = drive_kernels(one, drive_kind(kind))
     packed = drive_numbers(one, drive_kind(kind))
     assert len(packed) == kernels.size
-    return DriveLaw(packed, ranges=kernels.ranges, dead_zone=False, dry_motor=kernels.dry_motor, dry_joint=True)
+    return DriveLaw(packed, ranges=kernels.ranges, dead_zone=False, dry_motor=kernels.dry_motor, dry_joint=True,
+                    own=kernels.kind.own_numbers)  # fmt: skip
 
 
 def states(kind: str) -> Iterator[Angles]:
@@ -141,3 +159,36 @@ def test_energy_is_kept_without_losses(name: str) -> None:
         x = x + step / 6 * (one + 2 * two + 2 * three + rate(x + step * three))
     assert np.abs(x - start).max() > 0.01
     assert energy(x) == pytest.approx(energy(start), abs=1e-8)
+
+
+def sheet(**changed: Any) -> Any:
+    """A pendulum about a vertical axis, on a muscle."""
+    given = {"name": "j", "type": "revolute", "child": "l", "axis": [0, 0, 1], "drive": "muscle",
+             "drive_parameters": {"hardening": HARDENING}, "motor": {"inertia": 0.3, "side": "joint"}}  # fmt: skip
+    still = {"type": "constant", "value": 0.0}
+    return arm(gravity=0.0, joints=[given | changed], links=[{"name": "l"}],
+               drives=[{"joint": "j", "command": "torque", "signal": still}],
+               initial={"state": "zero", "coordinates": {"j": 0.4}},
+               integration={"duration": 1.0, "relative_tolerance": 1e-10, "absolute_tolerance": 1e-11})  # fmt: skip
+
+
+def test_a_sheet_names_a_drive_of_a_user() -> None:
+    """A quarter of the period of I x'' = -c x^3 from rest at A is 1.8540746773 / (A sqrt(c/I)); energy is kept."""
+    run = simulate_motion(sheet())
+    quarter = 1.8540746773013719 / (0.4 * np.sqrt(HARDENING / 0.3))
+    assert np.interp(quarter, run.times, run.q[:, 0]) == pytest.approx(0.0, abs=1e-4)
+    assert sum(kind[0] for kind in run.energies.values()) == pytest.approx(HARDENING * 0.4**4 / 4)
+    assert np.abs(run.energy_balance).max() < 1e-8 * run.energy_moved
+    slope = forward_sensitivities(sheet(), ["joints.j.drive_parameters.hardening"]).by
+    ends = [simulate_motion(sheet(drive_parameters={"hardening": HARDENING + s})).q[-1, 0] for s in (1e-3, -1e-3)]
+    assert slope["joints.j.drive_parameters.hardening"][-1, 0] == pytest.approx((ends[0] - ends[1]) / 2e-3, rel=1e-5)
+
+
+@pytest.mark.parametrize(
+    ("changed", "words"),
+    [({"drive": "muscel"}, "muscle"), ({"drive": "spring", "drive_parameters": None}, "takes no effort"),
+     ({"drive_parameters": {}}, "hardening"), ({"drive": "elastic", "drive_parameters": None}, "elastic gear")],
+)  # fmt: skip
+def test_a_drive_that_cannot_be_is_refused(changed: dict[str, Any], words: str) -> None:
+    with pytest.raises(TmodesError, match=words):
+        sheet(**changed)

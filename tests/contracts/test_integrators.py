@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from dataclasses import replace
 from typing import Any
 
 import numpy as np
@@ -11,7 +12,7 @@ import pytest
 import tmodes
 from tmodes.errors import InputError
 from tmodes.integrate.method import EXPLICIT, Integrator, explicit
-from tmodes.integrate.registry import AUTO, integrator, integrators, register, unregister
+from tmodes.integrate.registry import AUTO, INTEGRATORS, integrator, integrators
 from tmodes.integrate.settings import Integration
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
@@ -31,10 +32,10 @@ START, DURATION = 0.6, 0.8
 def registered() -> Iterator[None]:
     """The two of this file are known while its tests run."""
     for one in OWN:
-        register(one)
+        INTEGRATORS.register(one)
     yield
     for one in OWN:
-        unregister(one.name)
+        INTEGRATORS.unregister(one.name)
 
 
 def pendulum(method: str, **integration: Any) -> Robot:
@@ -134,14 +135,14 @@ def test_too_long_a_fixed_step_is_seen_before_the_run() -> None:
 
 
 def test_names_and_tableaus_are_checked() -> None:
-    with pytest.raises(InputError, match="not taken"):
-        register(RALSTON)
+    assert INTEGRATORS.register(RALSTON) is RALSTON  # the same again
+    for taken in ("ralston", AUTO):
+        with pytest.raises(InputError, match="which is taken"):
+            INTEGRATORS.register(replace(RALSTON, name=taken, order=3))
     with pytest.raises(InputError, match="tableau"):
-        register(Integrator(name="empty", description="nothing", order=1))
+        INTEGRATORS.register(Integrator(name="empty", description="nothing", order=1))
     with pytest.raises(InputError, match="sum is 1"):
         explicit("wrong", "weights that do not sum up", 2, a=((), (1.0,)), b=(0.5, 0.6))
     with pytest.raises(ValueError, match="ralston"):
         Integration(method="ralstone")
-    unregister("rk4")
-    assert "rk4" in integrators()
     assert AUTO not in integrators()

@@ -13,13 +13,15 @@ from numpy.typing import NDArray
 from arm.oracle.pair import SPRUNG, Pair, assert_equations_agree, assert_parts_agree
 from arm.oracle.robots import GRAVITY, turned
 from arm.random_chains import random_body
-from tmodes.chain.chain import Beam, BeamPiece, Chain, Friction, Gear, Joint, Motor, Node, Point, RigidLink
-from tmodes.errors import TmodesError
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, Point
+from tmodes.errors import InputError, TmodesError
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.contract import JointKind
-from tmodes.kinds.joints.registry import JOINTS, joint_kind, register
+from tmodes.kinds.joints.registry import JOINTS, joint_kind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
+from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.kinds.schema.quantity import DataSheet, any_sign
 from tmodes.model.model import Model
 from tmodes.robots.load import load
@@ -52,7 +54,7 @@ NAMES = [*JOINTS.names, "screw"]
 
 @pytest.fixture(autouse=True, scope="module")
 def user_kind() -> Iterator[None]:
-    register(Screw)
+    JOINTS.register(Screw)
     yield
     JOINTS.unregister("screw")
 
@@ -187,11 +189,11 @@ def test_registry_refuses_a_taken_name_and_another_contract() -> None:
         def place(self, q: Any, numbers: Any) -> tuple[v.Matrix, v.Vector]:
             return v.identity(), v.zero()
 
-    with pytest.raises(ValueError, match="already registered"):
-        register(Other)
-    with pytest.raises(TypeError):
-        register(int)  # pyright: ignore[reportArgumentType]
-    with pytest.raises(KeyError, match="did you mean `screw`"):
+    with pytest.raises(InputError, match="which is taken"):
+        JOINTS.register(Other)
+    with pytest.raises(InputError, match="JointKind"):
+        JOINTS.register(int)  # pyright: ignore[reportArgumentType]
+    with pytest.raises(KeyError, match="Did you mean `screw`"):
         joint_kind("scrw")
 
 

@@ -11,12 +11,12 @@ from pydantic import Field
 from arm.run.sheets import arm
 from tmodes.kinds.schema.quantity import any_sign, positive
 from tmodes.kinds.signals.fit import fitted
-from tmodes.kinds.signals.registry import Signal
+from tmodes.kinds.signals.registry import SIGNALS, Signal
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.simulate import simulate_motion
 
 
-@Signal.register()
+@SIGNALS.register
 class Cosine(Signal):
     """amplitude cos(2 pi frequency t)."""
 
@@ -47,7 +47,7 @@ EXAMPLES = {
 """One of each signal; one without an entry fails."""
 
 
-@pytest.mark.parametrize("name", sorted(Signal.registered))
+@pytest.mark.parametrize("name", sorted(SIGNALS))
 def test_signal(name):
     """From 0 to the end asked for; a longer one begins the same; finite; ends where its move ends."""
     signal = Signal.of({"type": name, **EXAMPLES[name]})

@@ -70,8 +70,8 @@ def test_no_estimate_from_a_run_that_is_lost(robot):
 
 def test_estimate_interrupted(robot):
     """Ctrl-C in the second run: the run counts as interrupted, so that the same command continues."""
-    from tmodes.simulation.error_estimate import with_error
-    from tmodes.simulation.trajectory import Trajectory
+    from tmodes.simulation.parts import Trajectory
+    from tmodes.simulation.trajectory import with_error
 
     done = Trajectory(np.zeros(1), np.zeros((1, 2)), "finished", "reached the end")
     cut = Trajectory(np.zeros(1), np.zeros((1, 2)), "interrupted", "interrupted")

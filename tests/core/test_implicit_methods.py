@@ -31,8 +31,7 @@ def test_a_step_without_length_is_the_rate(robot, reading, law, follow, rigid):
     blocks = {"time": np.full((1, 1), 0.4), "state": state, "row": setup.planned.schedule.rows_at(np.array([0.4]))}
     blocks |= {"start": state[:, : 2 * size], "step": np.zeros((1, 1))}
     plain, found = (
-        evaluate(setup.model.numbers.vector, schedule, blocks, 1)["rate"][0]
-        for schedule in (loop.rate, loop.implicit_rate)
+        evaluate(setup.model.numbers, schedule, blocks, 1)["rate"][0] for schedule in (loop.rate, loop.implicit_rate)
     )
     np.testing.assert_allclose(found, plain, rtol=1e-11, atol=1e-12 * abs(plain).max())
 

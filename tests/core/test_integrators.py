@@ -7,9 +7,10 @@ import pytest
 from scipy.integrate import RK45, solve_ivp
 
 from tmodes.integrate.dormand_prince import B_ERROR, DENSE, A, C
+from tmodes.simulation.parts import sample_times
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.trajectory import integrate, sample_times
+from tmodes.simulation.trajectory import integrate
 
 LOSSLESS = {
     "motor.friction": 0.0, "gear.damping": 0.0, "link.modes.0.damping_time": 0.0, "link.modes.1.damping_time": 0.0,
@@ -188,7 +189,7 @@ def test_interruption_keeps_what_was_done(robot):
 
 def test_a_killed_run_continues_with_the_same_bytes(robot, tmp_path):
     """A journal of a run that died, at any piece, gives the bytes of a run that did not."""
-    from tmodes.io.journal import RunJournal
+    from tmodes.io.checkpoint import RunJournal
 
     whole = run(robot, duration=1.0)
     setup, settings, one = prepared(robot), setting(robot, duration=1.0), None

@@ -35,12 +35,6 @@ RIGID = {
 SHORT = {"integration.duration": 0.3, "integration.output_step": 0.01, "integration.relative_tolerance": 1e-8}
 
 
-ALL_RIGID = pytest.mark.xfail(
-    strict=True,
-    raises=InputError,
-    reason="a link of rigid modes loses its kind in the chain: the Lagrangian system of the 2010 robot refuses it",
-)
-
 COORDINATES = {
     "gear": {"joint.motor"},
     "mode 1": {"link.azimuth1", "link.elevation1"},
@@ -62,7 +56,7 @@ def moved(robot, follow):
     return gathered(setup, run_trajectory(setup))
 
 
-@pytest.mark.parametrize("elements", [*list(RIGID)[:3], pytest.param("all", marks=ALL_RIGID)])
+@pytest.mark.parametrize("elements", [*RIGID])
 @pytest.mark.parametrize("follow", [Follow.SHEET, Follow.WANTED])
 def test_rigid_is_the_limit_of_stiff(robot, elements, follow):
     """Infinite stiffness takes the coordinate away; ten times stiffer comes nearer to it."""
@@ -196,7 +190,7 @@ def shortly(sheet, path):
     return ""
 
 
-@pytest.mark.parametrize("elements", [{}, *[*RIGID.values()][:3], pytest.param(RIGID["all"], marks=ALL_RIGID)])
+@pytest.mark.parametrize("elements", [{}, *RIGID.values()])
 def test_modes_of_any_robot(robot, elements):
     """Every elastic element gives its modes; with everything rigid only the motor's are left."""
     count = {"locked": 5, "free": 6, "controlled": 6}

@@ -10,34 +10,40 @@ import pytest
 from tmodes.compile import cache
 from tmodes.compile.ir import kernels
 from tmodes.compile.ir.ordering import kernel_function
-from tmodes.compile.ir.program import straight_line
+from tmodes.compile.ir.program import block_program
 from tmodes.errors import CompileError, ResultFileError
+from tmodes.kinds.kernel import functions
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Schedule
 from tmodes.simulation.start import run_setup
 
+SINE_COSINE = Kernel("sine and cosine", (1,), (2,), lambda x: [[functions.sin(x[0]), functions.cos(x[0])]])
 
-def sampled(function, *inputs, parameters=(1.0,)):
-    """A CasADi function, compiled, over samples."""
-    library = kernels.sample_functions("t", str(function), lambda: {"f": function}, {"f": len(inputs)})
-    arrays = [np.ascontiguousarray(values, dtype=float) for values in inputs]
-    out, p = np.empty((len(arrays[0]), function.nnz_out(0))), np.array(parameters, dtype=float)
-    library["f"](len(out), p.ctypes.data, *(array.ctypes.data for array in arrays), out.ctypes.data)
+
+def compiled(kernel: Kernel, name: str = "t"):
+    """The native function of one kernel over many samples."""
+    schedule = Schedule(0, often=True)  # so that all of its code is in one library
+    schedule.output("out", *schedule.call(kernel, schedule.input("in", sum(kernel.inputs))))
+    return kernels.schedule_function(name, schedule, "double")["run"], schedule.workspace
+
+
+def sampled(kernel, values):
+    """A kernel of one number, compiled, over samples."""
+    run, workspace = compiled(kernel)
+    given, out = np.ascontiguousarray(values, dtype=float), np.empty((len(values), *kernel.outputs))
+    held, none = np.zeros(workspace), np.zeros(1)
+    run(len(out), 0, *(array.ctypes.data for array in (none, held, given, out)))
     return out
 
 
-@pytest.fixture
-def sine_cosine():
-    x, p = ca.SX.sym("x"), ca.SX.sym("p")
-    return ca.Function("sincos", [x, p], [ca.vertcat(ca.sin(x), ca.cos(x))])
-
-
-def test_sine_and_cosine_to_one_place(sine_cosine):
+def test_sine_and_cosine_to_one_place():
     """Within one unit in the last place of the true value, near and far, at multiples of pi/2, tiny and huge."""
     rng = np.random.default_rng(7)
     turns = np.pi / 2 * rng.integers(-500000, 500000, 300)
     near = np.concatenate([rng.uniform(-7, 7, 2000), rng.uniform(-8e5, 8e5, 1000), turns, np.nextafter(turns, 1e9)])
     edge = np.array([0.0, 5e-324, 1e-300, 1e-8, -1e-8, 2.0**19 * np.pi / 2, 1e7, 1e15, -1e22, 1e300])
     x = np.concatenate([near, edge])
-    found = sampled(sine_cosine, x)
+    found = sampled(SINE_COSINE, x)
     mpmath.mp.prec = 1200
     for column, true in enumerate((mpmath.sin, mpmath.cos)):
         exact = [true(mpmath.mpf(value)) for value in x]
@@ -48,9 +54,9 @@ def test_sine_and_cosine_to_one_place(sine_cosine):
         assert max(places) <= 1.0, (true.__name__, x[int(np.argmax(places))], max(places))
 
 
-def test_sine_of_nothing_is_nothing(sine_cosine):
+def test_sine_of_nothing_is_nothing():
     """Not-a-number and infinity give not-a-number, as IEEE wants."""
-    assert np.isnan(sampled(sine_cosine, [np.nan, np.inf, -np.inf])).all()
+    assert np.isnan(sampled(SINE_COSINE, [np.nan, np.inf, -np.inf])).all()
 
 
 def interpreted(schedule, blocks, numbers):
@@ -76,53 +82,43 @@ def test_native_equals_casadi(robot):
     setup, rng = run_setup(robot), np.random.default_rng(3)
     time, row = rng.uniform(0, 2, 50), np.tile([0.4, 0.1, 0.5, -0.2], (50, 1))
     state = 0.1 * rng.standard_normal((50, len(setup.start)))
-    found, numbers = setup.model.rate(time, state, row), setup.model.numbers.vector
+    found, numbers = setup.model.rate(time, state, row), setup.model.numbers
     for k in range(50):
         blocks = {"time": time[k], "state": state[k], "row": row[k], "step": 0.0}
         wanted = interpreted(setup.model.loop.rate, blocks, numbers)
         assert np.abs(found[k] - wanted).max() <= 1e-12 * np.abs(wanted).max()
 
 
-def test_what_does_not_change_is_computed_once():
-    """Operations on parameters alone are out of the loop."""
-    x, p = ca.SX.sym("x"), ca.SX.sym("p")
-    program = straight_line(ca.Function("f", [x, p], [x * (ca.sin(p) + ca.cos(p)) - x]), invariant=1)
-    assert len(program.held) == 1
-    pairs = zip(program.fixed, program.values, strict=True)
-    assert sum(not fixed and value.opcode != "input" for fixed, value in pairs) == 2
-
-
 def test_unknown_operation_is_refused():
     """An operation without a native form is an error of ours, not wrong code."""
-    x, p = ca.SX.sym("x"), ca.SX.sym("p")
+    x = ca.SX.sym("x")
     with pytest.raises(CompileError, match="no native form"):
-        straight_line(ca.Function("f", [x, p], [ca.erf(x)]), invariant=1)
+        block_program(ca.Function("f", [x], [ca.erf(x)]))
 
 
-def test_a_function_outlives_its_library(sine_cosine):
+def test_a_function_outlives_its_library():
     """Who holds a function may call it after the library, and hundreds after it, are gone."""
-    make = {"f": sine_cosine}
-    held = kernels.sample_functions("t", "outlives", lambda: make, {"f": 1})["f"]
+    held, workspace = compiled(SINE_COSINE, "outlives")
     kernels._loaded.clear()
     for number in range(70):
-        kernels.sample_functions("t", f"later {number}", lambda: make, {"f": 1})
+        compiled(SINE_COSINE, f"later {number}")
         kernels._loaded.clear()
-    x, p, out = np.array([0.5]), np.zeros(1), np.empty(2)
-    held(1, *(array.ctypes.data for array in (p, x, out)))
+    memory, x, out = np.zeros(workspace), np.array([0.5]), np.empty(2)
+    held(1, 0, *(array.ctypes.data for array in (np.zeros(1), memory, x, out)))
     assert out == pytest.approx([np.sin(0.5), np.cos(0.5)], abs=0)
 
 
-def test_damaged_cache_entry_is_made_again(sine_cosine, tmp_path, monkeypatch):
+def test_damaged_cache_entry_is_made_again(tmp_path, monkeypatch):
     """A bit flip, a cut, another key's entry: never used, always replaced."""
     monkeypatch.setenv("TMODES_CACHE", str(tmp_path / "cache"))
     kernels._loaded.clear()
-    sampled(sine_cosine, [0.5])
+    sampled(SINE_COSINE, [0.5])
     (entry,) = (tmp_path / "cache").glob("*.o")
     whole = entry.read_bytes()
     for damage in (whole[:-1], whole[:100] + bytes([whole[100] ^ 1]) + whole[101:], b"", b"0" * len(whole)):
         entry.write_bytes(damage)
         kernels._loaded.clear()
-        assert sampled(sine_cosine, [0.5])[0, 0] == pytest.approx(np.sin(0.5), abs=0)
+        assert sampled(SINE_COSINE, [0.5])[0, 0] == pytest.approx(np.sin(0.5), abs=0)
         assert entry.read_bytes() == whole
 
 
@@ -139,7 +135,7 @@ def test_cache_of_another_user_or_open_to_others_is_not_used(tmp_path, monkeypat
     assert cache.folder() is None
 
 
-def test_cache_that_cannot_be_written_costs_time_only(sine_cosine, tmp_path, monkeypatch):
+def test_cache_that_cannot_be_written_costs_time_only(tmp_path, monkeypatch):
     """A full disk below the cache is no error."""
     monkeypatch.setenv("TMODES_CACHE", str(tmp_path / "cache"))
 
@@ -148,7 +144,7 @@ def test_cache_that_cannot_be_written_costs_time_only(sine_cosine, tmp_path, mon
 
     monkeypatch.setattr(cache, "atomic_write", full)
     kernels._loaded.clear()
-    assert sampled(sine_cosine, [0.5])[0, 0] == pytest.approx(np.sin(0.5), abs=0)
+    assert sampled(SINE_COSINE, [0.5])[0, 0] == pytest.approx(np.sin(0.5), abs=0)
 
 
 def test_cache_is_bounded(tmp_path, monkeypatch):

@@ -11,7 +11,7 @@ import pytest
 
 import tmodes
 from tmodes.errors import InputError, InputErrors, SimulationError
-from tmodes.io.assignment import parse_assignment
+from tmodes.io.scalars import parse_assignment
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.quantities import arm_quantities, arm_stops
@@ -83,7 +83,10 @@ def test_what_is_refused(robot, stop, error, info):
 
 def test_a_sheet_with_a_wrong_condition_is_refused(robot):
     """With the place in the sheet, whatever the number of wrong values."""
-    with pytest.raises(InputErrors, match=r"integration.stop.1: got 'tip.z'") as errors:
+    with pytest.raises(
+        InputErrors,
+        match=r"integration.stop.1 must be a name, > or <, and a number, .* got 'tip.z'",
+    ) as errors:
         robot.with_({"integration.stop": ["tip.z < 0", "tip.z", "a = 1"]})
     assert len(errors.value.errors) == 2
 
@@ -101,7 +104,7 @@ def test_batches_refuse_conditions(robot):
     from tmodes.simulation.vary.simulate import simulate_batch
 
     sheet = robot.with_({**SHORT, "integration.stop": ["tip.z < 0"]})
-    with pytest.raises(InputError, match=r"integration.stop: .*all lanes of a batch run to the end"):
+    with pytest.raises(InputError, match=r"integration.stop must be .*all lanes of a batch run to the end"):
         simulate_batch(sheet, {"payload.mass": [0.4, 0.5]})
 
 

@@ -23,7 +23,7 @@ def test_the_examples_run() -> None:
     gradient, run = space["gradient"], space["run"]
     assert gradient.cost.checkpoints == gradient.cost.steps
     assert run.of["tip"]["gear.stiffness"].shape == (len(run.times), 3)
-    assert run.by["payload.mass"].shape == (len(run.times), 17)
+    assert run.by["payload.mass"].shape == (len(run.times), 19)
     apart = run.info["tip"] - space["goal"]
     assert gradient.value == pytest.approx(np.trapezoid((apart**2).sum(axis=1), run.times), rel=1e-12)
     slopes = 2 * (apart * run.of["tip"]["gear.stiffness"]).sum(axis=1)

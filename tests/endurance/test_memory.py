@@ -5,19 +5,24 @@ from __future__ import annotations
 from functools import cached_property
 from typing import Any
 
-import casadi as ca
 import numpy as np
 import pytest
 
-from tmodes.chain.chain import Body, Chain, Gear, Joint, Motor, Node, Placement, RigidLink
+from tmodes.chain.chain import Chain, Gear, Joint, Motor, Node
 from tmodes.compile.ir import kernels
-from tmodes.compile.loops import loops
+from tmodes.compile.loops.loops import schedule_loop
+from tmodes.frame import Placement
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.kernel.functions import sqrt
+from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Schedule as MotionSchedule
+from tmodes.kinds.kernel.schedule import Slot
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.model.model import Model
-from tmodes.simulation.loop import LoopNumbers
 from tmodes.simulation.trajectory import integrate
 
 from .scale import memory, often
@@ -29,12 +34,14 @@ class Oscillator:
     coordinates = ("x",)
 
     @cached_property
-    def loops(self) -> Any:
-        def make() -> ca.Function:
-            t, x, row, p = ca.SX.sym("t"), ca.SX.sym("x", 2), ca.SX.sym("row", 2), ca.SX.sym("p")
-            return ca.Function("oscillator", [t, x, row, p], [ca.vertcat(x[1], -p * x[0])])
-
-        return loops.time_loops("oscillator", "endurance", make, guarded=2)
+    def loops(self) -> dict[str, Any]:
+        rates = Kernel("oscillator", (2, 1), (2,), lambda x, p: [[x[1], -p[0] * x[0]]], plain=True)
+        schedule = MotionSchedule(1)
+        schedule.input("time", 1)
+        state = schedule.input("state", 2)
+        schedule.input("row", 2)
+        schedule.output("rate", *schedule.call(rates, state, Slot("parameters", 0, 1)))
+        return {"rk4": schedule_loop(schedule, 2, "rk4")["rk4"]}
 
     def rate(self, time: Any, state: Any, row: Any, parameters: Any) -> Any:
         """Not asked for: nothing diverges."""
@@ -45,7 +52,7 @@ def test_many_steps_in_one_process() -> None:
     """The memory of a run does not grow with its steps, and its end is that of the method, by powers of one step."""
     steps, step = often(2_000_000, 100_000_000), 0.01
     still = Schedule(np.array([0.0, 1.0]), np.zeros((1, 1)))
-    numbers, oscillator = LoopNumbers(np.ones(1)), Oscillator()
+    numbers, oscillator = np.ones(1), Oscillator()
 
     def run(count: int) -> Any:
         settings = Integration(
@@ -103,11 +110,10 @@ def test_compiled_code_is_freed(monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr(kernels, "_KEPT", 4)
 
     def compiled(number: int) -> None:
-        def make() -> dict[str, Any]:
-            x, p = ca.SX.sym("x"), ca.SX.sym("p")
-            return {"f": ca.Function("f", [x, p], [ca.sqrt(x) + number])}
-
-        kernels.sample_functions("freed", str(number), make, {"f": 1})
+        schedule = MotionSchedule(0, often=True)  # so that all of its code is in one library
+        root = Kernel(f"root {number}", (1,), (1,), lambda x: [[sqrt(x[0]) + number]])
+        schedule.output("out", *schedule.call(root, schedule.input("in", 1)))
+        kernels.schedule_function("freed", schedule, "double")
 
     for number in range(100):
         compiled(number)

@@ -13,7 +13,7 @@ import numpy as np
 
 from tmodes.bench.ours import Ours
 from tmodes.bench.rigid import RigidChain
-from tmodes.compile.lanes.wide import Wide
+from tmodes.compile.ir.arithmetic import Wide
 
 from .scale import often
 

@@ -12,7 +12,7 @@ from hypothesis import strategies as st
 
 from io_cases import SHEET, number_paths, value_of
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.assignment import parse_assignment
+from tmodes.io.scalars import parse_assignment
 from tmodes.io.sheet_check import sheet_from_data as robot_from_data
 from tmodes.io.sheet_paths import set_arm_paths as set_paths
 from tmodes.io.yaml_file import parse_yaml
@@ -87,11 +87,11 @@ def test_the_contact_is_switched_off_and_on() -> None:
         ("gear.stifness", "`gear.stiffness`"),
         ("stiffness", "`gear.stiffness`"),
         ("Gear.Damping", "`gear.damping`"),
-        ("link.modes.2.length", "`link.modes`"),
-        ("real.gear.stif", "`gear.stiffness`"),
+        ("link.modes.2.length", "expected one of 0, 1; give the name of an item, or its number from 0"),
+        ("real.gear.stif", "`real.gear.stiffness`"),
         ("", "the path of a value of the data sheet"),
-        ("gear.stiffness.value", "`gear.stiffness`"),
-        ("__class__", "look the path up"),
+        ("gear.stiffness.value", "no key inside `gear.stiffness`; leave out what follows it"),
+        ("__class__", "choose one of these keys"),
     ],
 )
 def test_an_unknown_path_is_reported_with_the_nearest(path: str, meant: str) -> None:

@@ -9,7 +9,7 @@ import numpy as np
 import pytest
 
 from tmodes import load
-from tmodes.io.primitives import box
+from tmodes.io.mesh_file import box
 from tmodes.io.urdf_shapes import LinkShape
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.live.bundle import live_bundle, why_not_live

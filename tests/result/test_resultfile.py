@@ -82,7 +82,7 @@ def test_xarray_reads_it(engine: str, data: xr.Dataset, good: bytes, tmp_path: P
     path.write_bytes(good)
     with xr.open_dataset(path, engine=engine) as there:
         np.testing.assert_array_equal(there["moment"].values, data["moment"].values)
-        assert list(there["mode"].values) == ["mode1", "mode2"]
+        assert list(there["axis"].values) == ["x", "y", "z"]
 
 
 def test_h5py_and_netcdf4_read_it(data: xr.Dataset, good: bytes, tmp_path: Path) -> None:

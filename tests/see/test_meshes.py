@@ -13,8 +13,7 @@ import pytest
 from see.scenes import arm_result
 from see.test_scene import plain
 from tmodes.errors import InputError
-from tmodes.io.mesh_file import Triangles, read_mesh
-from tmodes.io.primitives import box, cylinder, sphere
+from tmodes.io.mesh_file import Triangles, box, cylinder, read_mesh, sphere
 from tmodes.io.urdf_shapes import MOST_SHAPES, LinkShape
 from tmodes.report.folder import RunFolder
 from tmodes.report.mesh_thin import thinned

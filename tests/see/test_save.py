@@ -81,7 +81,7 @@ def test_a_part_of_the_figures(good: Result, tmp_path: Path) -> None:
 
 
 def test_an_unknown_format_is_refused_before_anything_is_written(good: Result, tmp_path: Path) -> None:
-    with pytest.raises(InputError, match="'bmp', expected some of svg, png, pdf"):
+    with pytest.raises(InputError, match="formats must be some of svg, png, pdf, got 'bmp'"):
         plot.save_figures(good, tmp_path / "new", ["svg", "bmp"])
     assert not (tmp_path / "new").exists()
 

@@ -14,7 +14,7 @@ import numpy as np
 import pytest
 
 from tmodes.errors import InputError
-from tmodes.io.primitives import box
+from tmodes.io.mesh_file import box
 from tmodes.report.meshes import Kept, kept_meshes
 from tmodes.result import Result
 from tmodes.studio.folder import WorkingFolder

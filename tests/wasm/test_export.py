@@ -127,7 +127,7 @@ def test_the_types_are_those_of_the_program(folder: Path) -> None:
 
 
 def test_without_the_engine_it_says_so(seed: Any, tmp_path: Path) -> None:
-    with pytest.raises(ResultFileError, match=r"got no file, expected the engine of the pages, built.*web\.py"):
+    with pytest.raises(ResultFileError, match=r"must be the engine of the pages, built, got no file.*web\.py"):
         exported(seed, "robot", tmp_path / "model.js")
 
 

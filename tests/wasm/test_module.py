@@ -49,7 +49,7 @@ def _regimes(arm: Robot) -> dict[str, RunSetup]:
 def _job(name: str, regime: RunSetup) -> dict[str, Any]:
     settings, schedule = regime.arm.integration, regime.planned.schedule.until(regime.arm.integration.duration)
     return {"run": {
-        "loop": f"{name}.{settings.method}", "parameters": regime.model.numbers.vector, "knots": schedule.knots,
+        "loop": f"{name}.{settings.method}", "parameters": regime.model.numbers, "knots": schedule.knots,
         "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": regime.start,
         "times": sample_times(settings), "settings": {
             "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,
@@ -91,7 +91,7 @@ def test_samples_are_the_native_ones(module: LiveModule, tmp_path: Path) -> None
             (name, "rate", inputs, {"rate": regime.model.rate(times, states, rows)}),
         ]
     jobs = [
-        {"sample": f"{name}.{label}", "parameters": regimes[name].model.numbers.vector, "inputs": inputs, "count": 4}
+        {"sample": f"{name}.{label}", "parameters": regimes[name].model.numbers, "inputs": inputs, "count": 4}
         for name, label, inputs, _ in cases
     ]
     for (_, _, _, expected), info in zip(cases, in_node(module, jobs, tmp_path), strict=True):
@@ -141,7 +141,7 @@ def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -
     directions = {"state": np.eye(count, n)}
     job = {
         "sample": "rest.rate",
-        "parameters": held.numbers.vector,
+        "parameters": held.numbers,
         "inputs": inputs,
         "directions": directions,
         "count": count,
@@ -153,7 +153,7 @@ def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -
     step = np.linalg.solve(slope[np.ix_(free, free)], accelerations[free])
     assert np.abs(step).max() < 1e-12
     blocks = {name: np.tile(values, (count, 1)) for name, values in inputs.items()}
-    native = derivatives(held.numbers.vector, held.loop.rate, blocks, directions, count)["rate"][:, held.layout.v].T
+    native = derivatives(held.numbers, held.loop.rate, blocks, directions, count)["rate"][:, held.layout.v].T
     _same(slope, native, 1e-10)
 
 

@@ -40,7 +40,7 @@ def at_worst(name: str, series: str, values: Array, *place: int) -> Figure:
 def rows_each(estimates: Sequence[Any]) -> int:
     """Rows of a sample: as it is, and disturbed once by what is signed, or by eight patterns of signs.
 
-    ``estimates``: each a :class:`tmodes.simulation.trajectory.ErrorEstimate`.
+    ``estimates``: each a :class:`tmodes.simulation.parts.ErrorEstimate`.
     """
     return 2 if all(estimate.signed for estimate in estimates) else 1 + _PATTERNS
 

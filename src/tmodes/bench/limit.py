@@ -17,7 +17,7 @@ import numpy as np
 
 from tmodes.bench.clock import now
 from tmodes.compile.ir.latency import BODY, OPERATIONS, chains
-from tmodes.compile.ir.program import READ, Program
+from tmodes.compile.ir.program import READ, BlockProgram
 from tmodes.compile.ir.unroll import unrolled
 
 __all__ = ["Limit", "Machine", "critical_path", "limit", "machine", "throughput"]
@@ -83,8 +83,7 @@ def _timed(function: Any, width: int) -> float:
 def limit(schedule: Any) -> Limit:
     """The limit of a schedule's forward evaluation, parameters at hand."""
     code, here = unrolled(schedule), machine()
-    outputs = [*enumerate(index for _, index in code.results)]
-    program = Program("main", (), -1, len(outputs), code.main, outputs, [False] * len(code.main))
+    program = BlockProgram(1, 1, code.main, [(0, k, index) for k, (_, index) in enumerate(code.results)])
     path = critical_path(program, here.latency)
     changing = sum(count for name, count in _kinds(program).items() if name)
     operations = sum(value.opcode not in READ for value in (*code.prepare, *code.main))
@@ -95,26 +94,25 @@ def _measured(kind: str) -> str | None:
     return _LIKE.get(kind, kind)
 
 
-def _kinds(program: Program) -> Counter[str | None]:
-    """How often each measured operation is needed for a new state; sine and cosine of one angle count once."""
-    changing = [value for value, fixed in zip(program.values, program.fixed, strict=True) if not fixed]
-    counts = Counter(_measured(value.opcode) for value in changing if value.opcode not in ("sin", "cos"))
-    counts["sin"] = len({value.args for value in changing if value.opcode in ("sin", "cos")})
+def _kinds(program: BlockProgram) -> Counter[str | None]:
+    """How often each measured operation is needed; sine and cosine of one angle count once."""
+    counts = Counter(_measured(value.opcode) for value in program.values if value.opcode not in ("sin", "cos"))
+    counts["sin"] = len({value.args for value in program.values if value.opcode in ("sin", "cos")})
     return counts
 
 
-def critical_path(program: Program, latency: dict[str, float]) -> float:
+def critical_path(program: BlockProgram, latency: dict[str, float]) -> float:
     """Time of the longest chain of operations, each of which waits for the one before [s]."""
     ready: list[float] = []
-    for value, fixed in zip(program.values, program.fixed, strict=True):
+    for value in program.values:
         before = max((ready[arg] for arg in value.args), default=0.0)
         kind = _measured(value.opcode)
-        ready.append(0.0 if fixed else before + (latency[kind] if kind else 0.0))
-    return max((ready[index] for _, index in program.outputs), default=0.0)
+        ready.append(before + (latency[kind] if kind else 0.0))
+    return max((ready[index] for _, _, index in program.results if index is not None), default=0.0)
 
 
-def throughput(program: Program, cost: dict[str, float]) -> float:
-    """Time of all operations for a new state when none waits [s]; products and sums are fused where they can be.
+def throughput(program: BlockProgram, cost: dict[str, float]) -> float:
+    """Time of all operations when none waits [s]; products and sums are fused where they can be.
 
     Sums that remain run along with all else as far as ``cost["mixed"]`` says.
     """
@@ -129,14 +127,12 @@ def throughput(program: Program, cost: dict[str, float]) -> float:
     return max(sums, others, together * (sums + others))
 
 
-def _fused(program: Program) -> int:
+def _fused(program: BlockProgram) -> int:
     """Sums with a product that nothing else reads."""
     read = Counter(arg for value in program.values for arg in value.args)
-    read.update(index for _, index in program.outputs)
-    values, fixed = program.values, program.fixed
+    read.update(index for _, _, index in program.results if index is not None)
     return sum(
         value.opcode in ("add", "sub")
-        and not fixed[index]
-        and any(values[arg].opcode in ("mul", "sq") and read[arg] == 1 and not fixed[arg] for arg in value.args)
-        for index, value in enumerate(values)
+        and any(program.values[arg].opcode in ("mul", "sq") and read[arg] == 1 for arg in value.args)
+        for value in program.values
     )

@@ -16,10 +16,10 @@ from tmodes.bench.clock import now
 from tmodes.bench.contender import CHECKED, Contender
 from tmodes.bench.rigid import RigidChain
 from tmodes.compile.ir import kernels
-from tmodes.compile.lanes.wide import Wide
+from tmodes.compile.ir.arithmetic import Wide
 from tmodes.equations.recursion.forward import forward_dynamics
 from tmodes.model.model import Model
-from tmodes.simulation.batch.memory import private
+from tmodes.simulation.batch.side_by_side import private
 
 __all__ = ["LANES", "SAMPLES", "Ours", "cores"]
 

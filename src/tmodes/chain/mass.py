@@ -7,8 +7,10 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Axis, Body, Chain, Joint, Node, Placement
+from tmodes.chain.chain import Axis, Chain, Joint, Node
 from tmodes.chain.lowering import lowered
+from tmodes.frame import Placement
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.schema.axes import cross_matrix
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet import Robot
@@ -29,33 +31,90 @@ def massless_issues(arm: Robot) -> Iterator[Issue]:
     chain = lowered(arm)
     yield from _same_names(chain)
     sheets = {joint.name: index for index, joint in enumerate(arm.joints)}
-    for index, (node, moved) in enumerate(zip(chain.nodes, _carried(chain), strict=True)):
-        if got := _nothing_moved(node.joint, index, moved):
-            link = arm.joints[sheets[node.joint.name]].child
-            hint = f"give `{link}`, or a link that it carries, a body with mass and inertia; or fix the joint"
-            expected = "mass beyond a joint that moves"
-            yield Issue(f"joints.{sheets[node.joint.name]}", f"`{link}`, a link that {got}", expected, hint)
+    carried = _carried(chain)
+    wrong = {index: got for index in range(len(carried)) if (got := _nothing_moved(chain, index, carried[index]))}
+    where = "a link that it carries" if wrong else "a link before it"
+    for index, got in (wrong or _dependent(chain, carried)).items():
+        number = sheets[chain.nodes[index].joint.name]
+        link = arm.joints[number].child
+        hint = f"give `{link}`, or {where}, a body with mass and inertia; or fix the joint"
+        yield Issue(f"joints.{number}", f"`{link}`, a link that {got}", "a joint that moves mass", hint)
 
 
 def _same_names(chain: Chain) -> Iterator[Issue]:
     """Parts of a link have names of their own, such as ``upper.1``; a link may not be called so too."""
     names = [node.name for node in chain.nodes]
     for name in sorted({name for name in names if names.count(name) > 1}):
-        yield Issue("links", f"`{name}`, also the name of a part of a link", "names of their own", "rename the link")
+        yield Issue(
+            "links",
+            f"`{name}`, also the name of a part of a link",
+            "links whose names no part of a link has",
+            "rename the link",
+        )
 
 
-def _nothing_moved(joint: Joint, index: int, moved: Array) -> str:
+def _nothing_moved(chain: Chain, index: int, moved: Array) -> str:
     """What is missing in the inertia (6, 6), about the joint's frame, that a joint moves; empty when nothing is."""
-    free = [k for k, axis in enumerate(joint.axes) if not _has_inertia(axis)]
-    if free and moved[3, 3] <= 0:
+    joint = chain.nodes[index].joint
+    columns = _columns(joint, index)
+    if len(columns) and moved[3, 3] <= 0:
         return f"has no mass and is moved by `{joint.name}`"
-    columns = np.array([each.packed() for each in joint.kind.subspace(_general(joint, index), joint.numbers)])
     turning, along = float(np.trace(moved[:3, :3])), float(moved[3, 3])
-    for column in columns[free]:
+    for column in columns:
         size = turning * float(column[:3] @ column[:3]) + along * float(column[3:] @ column[3:])
         if float(column @ moved @ column) <= NEGLIGIBLE * size:
             return f"has no inertia about the axis of `{joint.name}`"
     return ""
+
+
+def _columns(joint: Joint, index: int) -> Array:
+    """Motions (k, 6) of the joint's coordinates that have no inertia but that of what they move."""
+    free = [k for k, axis in enumerate(joint.axes) if not _has_inertia(axis)]
+    found = [each.packed() for each in joint.kind.subspace(_general(joint, index), joint.numbers)]
+    return np.array(found).reshape(-1, 6)[free]
+
+
+def _dependent(chain: Chain, carried: list[Array]) -> dict[int, str]:
+    """The first joint that moves no mass but as the joints before it do, so that the mass matrix is singular.
+
+    None where every link that is moved has mass and inertia of its own. The mass matrix is that of the composite rigid
+    bodies (Featherstone, Rigid Body Dynamics Algorithms, 2008, Table 6.2).
+    """
+    columns = [_columns(node.joint, index) for index, node in enumerate(chain.nodes)]
+    own = [np.linalg.eigvalsh(_own(node))[0] > 0 for node, of in zip(chain.nodes, columns, strict=True) if len(of)]
+    if all(own):
+        return {}
+    starts = np.cumsum([0, *map(len, columns)])
+    mass = np.zeros((starts[-1], starts[-1]))
+    for index, of in enumerate(columns):
+        force, at = carried[index] @ of.T, index
+        while len(of) and at >= 0:
+            block = columns[at] @ force if len(columns[at]) else np.zeros((0, len(of)))
+            mass[starts[at] : starts[at + 1], starts[index] : starts[index + 1]] = block
+            force, at = _upward(chain, at) @ force, chain.nodes[at].parent
+    mass = np.triu(mass) + np.triu(mass, 1).T
+    scale = 1 / np.sqrt(np.diag(mass))
+    scaled = mass * np.outer(scale, scale)
+    if not len(scaled) or np.linalg.eigvalsh(scaled)[0] >= NEGLIGIBLE:
+        return {}
+    ends = ((k, starts[k + 1]) for k, of in enumerate(columns) if len(of))
+    index = next(k for k, end in ends if np.linalg.eigvalsh(scaled[:end, :end])[0] < NEGLIGIBLE)
+    return {index: f"moves with `{chain.nodes[index].joint.name}` only as it does with the joints before"}
+
+
+def _upward(chain: Chain, index: int) -> Array:
+    """What carries a force (6,) in the frame of a node's joint to that of its parent."""
+    offset = _offset(chain, index)
+    shift = np.eye(6)
+    shift[3:, :3] = -cross_matrix(offset.position)
+    return shift.T @ np.kron(np.eye(2), offset.rotation)
+
+
+def _offset(chain: Chain, index: int) -> Placement:
+    """Frame of a node's joint, as it has moved, in that of its parent's."""
+    joint, parent = chain.nodes[index].joint, chain.nodes[index].parent
+    start = _length(chain.nodes[parent]) if parent >= 0 else Placement()
+    return start @ joint.placement @ joint.placed(_general(joint, index))
 
 
 def _has_inertia(axis: Axis) -> bool:
@@ -69,9 +128,8 @@ def _carried(chain: Chain) -> list[Array]:
     for index in range(len(chain.nodes) - 1, -1, -1):
         node = chain.nodes[index]
         if node.parent >= 0:
-            joint = node.joint
-            offset = _length(chain.nodes[node.parent]) @ joint.placement @ joint.placed(_general(joint, index))
-            inertias[node.parent] = inertias[node.parent] + _seen(inertias[index], offset)
+            up = _upward(chain, index)
+            inertias[node.parent] = inertias[node.parent] + up @ inertias[index] @ up.T
     return inertias
 
 
@@ -94,11 +152,3 @@ def _spatial(body: Body) -> Array:
     lever = cross_matrix(body.center)
     upper = [body.inertia - body.mass * lever @ lever, body.mass * lever]
     return np.block([upper, [-body.mass * lever, body.mass * np.eye(3)]])
-
-
-def _seen(inertia: Array, offset: Placement) -> Array:
-    """The inertia of a frame placed at ``offset``, about the origin of the frame around it."""
-    turn = np.kron(np.eye(2), offset.rotation)
-    shift = np.eye(6)
-    shift[3:, :3] = -cross_matrix(offset.position)
-    return shift.T @ turn @ inertia @ turn.T @ shift

@@ -8,19 +8,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import (
-    AbsoluteTolerance,
-    AsJson,
-    Duration,
-    IntegratorOption,
-    Roots,
-    Settings,
-    SheetArgument,
-    Tolerance,
-    TrustPaths,
-    chosen_sheet,
-    integration_changes,
-)  # fmt: skip
+from tmodes.cli import options
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.progress import working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -37,7 +27,7 @@ MOST_REPORTED = 5
 
 
 def batch(
-    robot: SheetArgument,
+    robot: options.SheetArgument,
     vary: Annotated[
         list[str] | None,
         typer.Option(metavar="PATH=LOW:HIGH:COUNT", help="Evenly spaced numbers; of several, all combinations."),
@@ -48,25 +38,25 @@ def batch(
     ] = None,
     runs: Annotated[int, typer.Option(min=1, max=MOST_LANES, help="How many runs --draw makes.")] = 100,
     seed: Annotated[int, typer.Option(min=0, help="Same seed, same numbers.")] = 0,
-    settings: Settings = None,
-    integrator: IntegratorOption = None,
-    rtol: Tolerance = None,
-    atol: AbsoluteTolerance = None,
-    duration: Duration = None,
+    settings: options.Settings = None,
+    integrator: options.IntegratorOption = None,
+    rtol: options.Tolerance = None,
+    atol: options.AbsoluteTolerance = None,
+    duration: options.Duration = None,
     threads: Annotated[int | None, typer.Option(min=1, help="Threads; else one for each core.")] = None,
     out: Annotated[
         Path | None, typer.Option(help="An empty folder for all samples; without it only the table is shown.")
     ] = None,
-    root: Roots = None,
-    trust_paths: TrustPaths = False,
-    as_json: AsJson = False,
+    root: options.Roots = None,
+    trust_paths: options.TrustPaths = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Many runs at once with numbers varied: a sweep (--vary) or a Monte Carlo study (--draw).
 
     Each is the real robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
     distance of their tips. Everything is checked before anything runs. A run that cannot go on is named, and disturbs
     no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
-    tmodes.simulation.batch.store.load_batch("FOLDER") reads them.
+    tmodes.simulation.batch.result.load_batch("FOLDER") reads them.
 
     Example, a gear whose stiffness is known to 20 %: tmodes batch filipovic2010
     --draw real.gear.stiffness=0.16:0.24 --runs 1000
@@ -78,8 +68,8 @@ def batch(
     --set reference.noise.deviation=1e-4 --vary reference.noise.seed=0:99:100
     """
     values = _values(vary or [], draw or [], runs, seed)
-    changes = integration_changes(integrator, rtol, atol, duration, check_error=False)
-    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
+    changes = options.integration_changes(integrator, rtol, atol, duration, check_error=False)
+    sheet = options.chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths, changes=changes)
     found, parted = _run(sheet, values, threads, out)
     _tell(sheet.name, found, parted, as_json)
     if not found.finished.all():
@@ -110,7 +100,7 @@ def _ranges(option: str, texts: list[str]) -> list[tuple[Any, ...]]:
     ranges = [_range(option, text) for text in texts]
     paths = [path for path, *_ in ranges]
     if twice := [path for path in paths if paths.count(path) > 1]:
-        raise InputError(option, f"{twice[0]} twice", "each path once", "give one range for it")
+        raise InputError(option, f"{twice[0]} twice", "given once for each path", "give one range for it")
     return ranges
 
 
@@ -137,12 +127,10 @@ def _count(path: str, count: float) -> int:
 
 
 def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | None) -> tuple[BatchRun, Spread]:
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.progress import Stages
     from tmodes.simulation.vary.simulate import prepared, prepared_alone, run_prepared
     from tmodes.simulation.vary.study import spread
 
-    with heard() as wish, Stages(wish) as tell:
+    with working() as tell:
         lanes = prepared(sheet, values, out=out, progress=tell)
         own = run_prepared(prepared_alone(sheet), tips=True, threads=1, progress=tell)
         if "interrupted" in own.status:
@@ -152,7 +140,6 @@ def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | No
 
 
 def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
-    from tmodes.cli.output import notice, print_json
 
     info = parted.info(found)
     if as_json:
@@ -162,9 +149,9 @@ def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
     lost = [lane for lane, status in enumerate(found.status) if status != "finished"]
     for lane in lost[:MOST_REPORTED]:
         values = ", ".join(f"{path} = {values[lane]:.6g}" for path, values in found.values.items())
-        notice(f"lane {lane} ({values}) {found.status[lane]}: {found.message[lane]}")
+        notice(f"case {lane} ({values}) {found.status[lane]}: {found.message[lane]}")
     if len(lost) > MOST_REPORTED:
-        notice(f"and {len(lost) - MOST_REPORTED} more lanes that did not finish")
+        notice(f"and {len(lost) - MOST_REPORTED} more cases that did not finish")
 
 
 def _each(found: BatchRun, parted: Spread) -> list[dict[str, Any]]:
@@ -183,10 +170,9 @@ def _each(found: BatchRun, parted: Spread) -> list[dict[str, Any]]:
 
 
 def _print(name: str, found: BatchRun, info: dict[str, Any]) -> None:
-    from tmodes.cli.output import print_table
 
     title = f"{name}: {info['finished']} of {info['lanes']} runs finished"
-    labels = {"tip_difference_m": "tip off by at most [mm]", "tip_difference_at_end_m": "at the end [mm]"}
+    labels = {"tip_difference_m": "largest tip difference [mm]", "tip_difference_at_end_m": "at the end [mm]"}
     rows = [
         [label, *(f"{info[key][part] * 1e3:.4g}" if info[key] else "-" for part in ("min", "median", "max"))]
         for key, label in labels.items()
@@ -194,8 +180,6 @@ def _print(name: str, found: BatchRun, info: dict[str, Any]) -> None:
     print_table(title, ["from the sheet's own run", "least", "median", "largest"], rows)
     if worst := info["worst"]:
         values = ", ".join(f"{path} = {value:.6g}" for path, value in worst["values"].items())
-        print(
-            f"The tip parts farthest, by {worst['tip_difference_m'] * 1e3:.4g} mm, in lane {worst['lane']}: {values}."
-        )
+        print(f"Largest tip difference: {worst['tip_difference_m'] * 1e3:.4g} mm, in case {worst['lane']}: {values}.")
     if found.folder:
         print(f"All samples are in {found.folder}.")

@@ -7,10 +7,15 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.progress import working
+from tmodes.errors import InputError
+from tmodes.io.atomic import atomic_write
+
 if TYPE_CHECKING:
     from tmodes.bench.measure import Plan
 
-__all__ = ["bench"]
+__all__ = ["bench", "print_tables"]
 
 
 def bench(
@@ -38,13 +43,9 @@ def bench(
     For example:  tmodes bench --quick      tmodes bench --sizes 6,36 --peers gcc,mujoco --json figures.json
     """
     from tmodes.bench.measure import measured
-    from tmodes.cli.bench_tables import print_tables
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.output import print_json
-    from tmodes.cli.progress import Stages
 
     plan = _plan(sizes, rounds, peers, patience, quick=quick)
-    with heard() as wish, Stages(wish) as tell:
+    with working() as tell:
         info = measured(plan, tell)
     if json_file and str(json_file) == "-":
         print_json(info)
@@ -56,7 +57,6 @@ def bench(
 
 def _plan(sizes: str, rounds: int, peers: str, patience: float, *, quick: bool) -> Plan:
     from tmodes.bench.measure import Plan
-    from tmodes.errors import InputError
 
     if rounds < 1:
         raise InputError("--rounds", str(rounds), "at least 1", "leave it out: 9 is sound")
@@ -66,7 +66,6 @@ def _plan(sizes: str, rounds: int, peers: str, patience: float, *, quick: bool) 
 
 
 def _sizes(info: str) -> tuple[int, ...]:
-    from tmodes.errors import InputError
 
     words = info.split(",")
     if not all(word.strip().isdecimal() and 1 <= int(word) <= 1000 for word in words):
@@ -76,7 +75,6 @@ def _sizes(info: str) -> tuple[int, ...]:
 
 def _peers(info: str) -> tuple[str, ...]:
     from tmodes.bench.measure import PEERS
-    from tmodes.errors import InputError
 
     if info in ("all", "none"):
         return PEERS if info == "all" else ()
@@ -90,7 +88,23 @@ def _peers(info: str) -> tuple[str, ...]:
 def _write(target: Path, info: dict[str, Any]) -> None:
     import json
 
-    from tmodes.io.atomic import atomic_write
-
     with atomic_write(target) as temporary:
         temporary.write_text(json.dumps(info, indent=1, allow_nan=False) + "\n", encoding="utf-8")
+
+
+IDLE = 0.5
+"""Programs on average that may run next to it."""
+
+
+def print_tables(info: dict[str, Any]) -> None:
+    """Machine, tables, and who was left out."""
+    from tmodes.bench.tables import left_out, tables
+
+    machine = info["machine"]
+    print(f"{machine['processor']}, {machine['cores']} cores, Python {machine['python']}, {machine['date']}\n")
+    for table in tables(info):
+        print_table(*table)
+    if machine["load"] and machine["load"][0] > IDLE:
+        notice(f"the machine was not idle ({machine['load'][0]:.1f} programs ran): times on several cores say little")
+    for line in left_out(info):
+        notice(f"left out: {line}")

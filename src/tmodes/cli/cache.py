@@ -8,6 +8,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmodes.cli.options import AsJson
+from tmodes.cli.output import print_json
+from tmodes.errors import ResultFileError
 
 if TYPE_CHECKING:
     from pathlib import Path
@@ -40,9 +42,7 @@ def cache(
 
 
 def _clear(place: Path | None, refusal: str, *, as_json: bool) -> None:
-    from tmodes.cli.output import print_json
     from tmodes.compile.cache import clear
-    from tmodes.errors import ResultFileError
 
     if place is None or refusal:
         hint = "name a folder of your own: TMODES_CACHE=FOLDER"
@@ -55,7 +55,6 @@ def _clear(place: Path | None, refusal: str, *, as_json: bool) -> None:
 
 
 def _show(place: Path | None, refusal: str, *, as_json: bool) -> None:
-    from tmodes.cli.output import print_json
     from tmodes.compile.cache import MAX_BYTES, entries
 
     found = [] if place is None or refusal else list(entries(place))

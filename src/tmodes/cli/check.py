@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import TYPE_CHECKING
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.output import print_json
+from tmodes.errors import InputError, InputErrors
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
@@ -20,9 +22,7 @@ def check(
     as_json: AsJson = False,
 ) -> None:
     """Check a data sheet: report all wrong values together, then what looks implausible (a wrong unit, say)."""
-    from tmodes.cli.output import print_json
-    from tmodes.errors import InputError, InputErrors
-    from tmodes.io.notices import notices_about
+    from tmodes.io.sheet_plausible import notices_about
 
     try:
         sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)

@@ -5,6 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.progress import working
 from tmodes.cli.static import print_stiffness
 
 __all__ = ["describe"]
@@ -19,12 +21,9 @@ def describe(
 ) -> None:
     """Masses, lengths, stiffnesses, frequencies of each link by itself, sag under weight, what gives way at the tip."""
     from tmodes.analysis.describe.describe import describe as described
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.output import notice, print_json
-    from tmodes.cli.progress import Stages
 
     arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
-    with heard() as wish, Stages(wish) as tell:
+    with working() as tell:
         info = described(arm, progress=tell)
     if as_json:
         print_json(info)
@@ -35,7 +34,6 @@ def describe(
 
 
 def _print(info: dict[str, Any]) -> None:
-    from tmodes.cli.output import print_table
 
     print(f"{info['name']}: {info['title'] or 'a robot'}")
     count = len(info["coordinates"])

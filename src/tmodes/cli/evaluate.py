@@ -2,13 +2,22 @@
 
 from __future__ import annotations
 
-from typing import Annotated, Any
+from collections.abc import Iterator
+from typing import TYPE_CHECKING, Annotated, Any
 
+import numpy as np
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.output import print_json, print_json_list, print_table
+from tmodes.errors import InputError, SimulationError
 
-__all__ = ["evaluate"]
+if TYPE_CHECKING:
+    from tmodes.cli.states import ChainStates
+    from tmodes.model.model import Model
+    from tmodes.sheet import Robot
+
+__all__ = ["UNITS", "arm_answers", "evaluate", "evaluate_arm"]
 
 
 def evaluate(
@@ -36,9 +45,6 @@ def evaluate(
     coordinates q, delta, gamma, vt, e, theta; u is the motor's voltage; h holds gravity; H is without the
     environment's mass (phidd has it); F acts by the tip.
     """
-    from tmodes.cli.evaluate_chain import evaluate_arm
-    from tmodes.cli.output import print_json_list
-    from tmodes.errors import InputError
     from tmodes.io.states import holds_phi, read_states
 
     sheet = chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths)
@@ -50,7 +56,10 @@ def evaluate(
         print_json_list(iter(answers)) if as_json else _print(answers)
         return
     if contact:
-        expected, hint = "no contact: its terms are those in free space", "leave it out"
+        expected, hint = (
+            "left out: its terms are those in free space",
+            "evaluate a sheet of the 2010 robot, or leave it out",
+        )
         raise InputError("--contact", f"the robot {sheet.name}", expected, hint)
     pair = sheet.pair()
     evaluate_arm(pair.nominal if nominal else pair.real, states, as_json=as_json)
@@ -58,7 +67,6 @@ def evaluate(
 
 def _print(answers: list[dict[str, Any]]) -> None:
     from tmodes.cli.evaluate_phi import COORDINATES
-    from tmodes.cli.output import print_table
 
     accelerations = [[str(k), *(f"{x:.6g}" for x in one["phidd"])] for k, one in enumerate(answers)]
     print_table("Accelerations [rad/s^2]", ["state", *COORDINATES], accelerations)
@@ -66,3 +74,98 @@ def _print(answers: list[dict[str, Any]]) -> None:
     energies = [[str(k), *(f"{one[name]:.6g}" for name in names)] for k, one in enumerate(answers)]
     print_table("Energies [J], Rayleigh function [W]", ["state", *names], energies)
     print("All terms (H, h, f_el, f_di, Q, J, tip, forces): add --json")
+
+
+UNITS = {
+    "q": "rad, m along prismatic joints, 1 of stretch",
+    "v": "of q, per s",
+    "a": "of q, per s^2",
+    "effort": "N*m, N along prismatic joints",
+    "M": "kg*m^2, kg*m, kg",
+    "h": "N*m, N: Coriolis, centrifugal and gravity",
+    "g": "N*m, N: gravity alone",
+    "f_el": "N*m, N: springs, dampers and friction",
+    "position": "m",
+    "rotation": "1",
+    "velocity": "m/s",
+    "J": "m/rad, then rad/rad: velocity of the point, then angular velocity, per rate",
+    "energies": "J",
+    "losses": "W",
+}
+"""What each answer is given in; M a + h + f_el = effort of the motors and joints."""
+
+_MOST_NUMBERS = 20_000_000
+"""Numbers of all answers together beyond which they are refused."""
+
+
+def evaluate_arm(arm: Robot, path: str, *, as_json: bool) -> None:
+    """Read states, evaluate, and print."""
+    from tmodes.cli.states import read_arm_states
+    from tmodes.model.model import Model
+
+    model = Model(arm.model_copy(update={"drives": ()}).chain())  # every joint with its motor, none prescribed
+    states = read_arm_states(path, model.coordinates, model.efforts)
+    answers = list(arm_answers(model, states))
+    if as_json:
+        names = {"coordinates": list(model.coordinates), "efforts": list(model.efforts)}
+        print_json({"arm": arm.name, **names, "units": UNITS, "states": answers})
+    else:
+        _print_terms(model, answers)
+
+
+def arm_answers(model: Model, states: ChainStates) -> Iterator[dict[str, Any]]:
+    """The terms at each state, free of contact and loads.
+
+    Raises :class:`tmodes.errors.InputError` for more than memory should hold, and
+    :class:`tmodes.errors.SimulationError` naming the state where a term is not finite.
+    """
+    points = [point.name for point in model.parts.points]
+    numbers = len(states.q) * model.nq * (model.nq + 6 * len(points) + 8)
+    if numbers > _MOST_NUMBERS:
+        got = f"{len(states.q)} states of {model.nq} coordinates"
+        raise InputError("--states", got, f"at most {_MOST_NUMBERS} numbers in all answers", "split the file")
+    q, v = states.q, states.v
+    terms = {
+        "a": model.forward_dynamics(q, v, states.effort),
+        "M": model.mass_matrix(q),
+        "h": model.bias(q, v),
+        "g": model.gravity_forces(q),
+        "f_el": model.elastic_forces(q, v),
+    }
+    for name, values in terms.items():
+        _check_finite(name, values)
+    motion, jacobian = model.points(q, v), model.jacobian(q)
+    energies, losses = model.energies(q, v), model.losses(q, v)
+    for k in range(len(q)):
+        yield {
+            "q": q[k].tolist(), "v": v[k].tolist(), "effort": states.effort[k].tolist(),
+            **{name: values[k].tolist() for name, values in terms.items()},
+            "points": {
+                name: {"position": motion.position[k, i].tolist(), "rotation": motion.rotation[k, i].tolist(),
+                       "velocity": motion.velocity[k, i].tolist(), "J": jacobian[k, i].tolist()}
+                for i, name in enumerate(points)
+            },
+            "energies": {name: float(values[k]) for name, values in energies.items()},
+            "losses": {name: float(values[k]) for name, values in losses.items()},
+        }  # fmt: skip
+
+
+def _check_finite(name: str, values: Any) -> None:
+    finite = np.isfinite(values).reshape(len(values), -1).all(axis=1)
+    if not finite.all():
+        raise SimulationError(
+            f"states[{int(np.argmin(finite))}]: {name} is not finite there; expected a state at which the equations "
+            "hold. Keep q and v within what an arm can do, and give what moves a mass"
+        )
+
+
+def _print_terms(model: Model, answers: list[dict[str, Any]]) -> None:
+
+    rows = [[name, *(f"{one['a'][i]:.6g}" for one in answers[:6])] for i, name in enumerate(model.coordinates)]
+    columns = ["coordinate", *(f"state {k}" for k in range(len(answers[:6])))]
+    print_table("Accelerations [rad/s^2, m/s^2]", columns, rows)
+    names = [*answers[0]["energies"], *answers[0]["losses"]]
+    energies = [[str(k), *(f"{value:.6g}" for value in (*one["energies"].values(), *one["losses"].values()))]
+                for k, one in enumerate(answers)]  # fmt: skip
+    print_table("Energies [J], losses [W]", ["state", *names], energies)
+    print("All terms (M, h, g, f_el, points, J): add --json")

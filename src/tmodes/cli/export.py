@@ -9,32 +9,27 @@ from typing import Annotated
 
 import typer
 
-from tmodes.cli.options import (
-    AsJson,
-    Contact,
-    IntegratorOption,
-    ReadingOption,
-    Roots,
-    Settings,
-    SheetArgument,
-    TrustPaths,
-)  # fmt: skip
+from tmodes.cli import options
+from tmodes.cli.options import chosen_sheet
+from tmodes.cli.output import print_json
+from tmodes.errors import InputError
+from tmodes.io.atomic import atomic_write, check_writable, file_error
 
 __all__ = ["export"]
 
 
 def export(
-    robot: SheetArgument,
+    robot: options.SheetArgument,
     wasm: Annotated[bool, typer.Option("--wasm", help="As WebAssembly, for a page or for Node.")] = False,
-    reading: ReadingOption = None,
-    contact: Contact = None,
-    settings: Settings = None,
-    integrator: IntegratorOption = None,
-    root: Roots = None,
-    trust_paths: TrustPaths = False,
+    reading: options.ReadingOption = None,
+    contact: options.Contact = None,
+    settings: options.Settings = None,
+    integrator: options.IntegratorOption = None,
+    root: options.Roots = None,
+    trust_paths: options.TrustPaths = False,
     out: Annotated[Path, typer.Option(metavar="DIR", help="Folder for the files.")] = Path(),
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace files that are there.")] = False,
-    as_json: AsJson = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Write the robot's own equations, its integrator, reference, control and contact, for anybody's page.
 
@@ -44,14 +39,14 @@ def export(
     For example:  tmodes export filipovic2010 --wasm --out page    then, in a page of yours
     import { open } from "./filipovic2010.js"; const run = await (await open()).run();
     """
-    from tmodes.cli.options import chosen_sheet, integration_changes
     from tmodes.cli.run import folder_name
-    from tmodes.errors import InputError
     from tmodes.live.wasm_export import exported
 
     if not wasm:
-        raise InputError("export", "nothing to write", "a kind of files", f"write: tmodes export {robot} --wasm")
-    changes = integration_changes(integrator, None, None, None, False)
+        raise InputError(
+            "export", "neither of them", "called with a kind of files", f"write: tmodes export {robot} --wasm"
+        )
+    changes = options.integration_changes(integrator, None, None, None, False)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     name = folder_name(sheet.name)
     made = exported(sheet, name)
@@ -62,8 +57,6 @@ def export(
 
 def _write(files: dict[Path, bytes], overwrite: bool) -> None:
     """All of them, or none where one is there already."""
-    from tmodes.io.atomic import atomic_write, check_writable, file_error
-
     for path in files:
         if os.path.lexists(path) and not overwrite:
             raise file_error(path, "a file that exists", "a new name", "choose another --out, or give --overwrite")
@@ -74,7 +67,6 @@ def _write(files: dict[Path, bytes], overwrite: bool) -> None:
 
 
 def _tell(paths: dict[str, str], method: str, files: Mapping[str, bytes], as_json: bool) -> None:
-    from tmodes.cli.output import print_json
 
     sizes = {end: len(content) for end, content in files.items()}
     if as_json:

@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.progress import working
 
 if TYPE_CHECKING:
     from tmodes.analysis.hierarchy.hierarchy import Ladder, Rung
@@ -39,12 +41,9 @@ def ladder(
     All rungs make the same move, which the motors follow exactly: that of the sheet's drives, else a short one.
     """
     from tmodes.analysis.hierarchy.hierarchy import ladder as climbed
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.output import print_json
-    from tmodes.cli.progress import Stages
 
     arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
-    with heard() as wish, Stages(wish) as tell:
+    with working() as tell:
         found = climbed(arm, tolerance, finest=finest, progress=tell)
     if as_json:
         print_json({"units": UNITS, **found.as_data()})
@@ -53,8 +52,6 @@ def ladder(
 
 
 def _print(found: Ladder) -> None:
-    from tmodes.cli.output import notice, print_table
-
     columns = ["model", "coordinates", "first [Hz]", "sag [mm]", "tip off by [mm]", "of deflection", "first off by",
                "one step [us]", "fastest [1/s]", ""]  # fmt: skip
     title = f"{found.arm}: {found.move}; the tip deflects by up to {found.deflection_m * 1e3:.4g} mm"

@@ -64,8 +64,16 @@ def _version(wanted: bool) -> None:
 @app.callback()
 def _options(
     version: Annotated[bool, typer.Option("--version", callback=_version, is_eager=True, help="Show it.")] = False,
+    use: Annotated[
+        list[str] | None,
+        typer.Option("--use", help="Kinds of your own: a Python file, a module, or an entry point; may be repeated."),
+    ] = None,
 ) -> None:
     del version
+    if use:
+        from tmodes.kinds.registry import use as load_kinds
+
+        load_kinds(*use)
 
 
 def main() -> None:

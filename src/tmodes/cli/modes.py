@@ -7,6 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.progress import working
 from tmodes.cli.static import print_links
 from tmodes.errors import InputError
 
@@ -55,13 +57,10 @@ def modes(
     with more functions.
     """
     from tmodes.analysis.modes.of_sheet import vibrations
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.output import notice, print_json
-    from tmodes.cli.progress import Stages
 
     arm = _asked(chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths), contact, angle)
     pair = arm.pair()
-    with heard() as wish, Stages(wish) as tell:
+    with working() as tell:
         found = {"real": vibrations(pair.real, contact=contact, progress=tell)}
         if arm.real:
             found["nominal"] = vibrations(pair.nominal, contact=contact, progress=tell)
@@ -90,18 +89,19 @@ def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:
             raise InputError("--angle", repr(angle), expected, "give the motor's angle in radians, or leave it out")
         if len(sheet.drives) != 1:
             hint = "set the start of its drives: --set drives.0.signal.start=0.5"
-            raise InputError("--angle", repr(angle), "no angle: the robot has not exactly one drive", hint)
+            raise InputError("--angle", repr(angle), "left out where the robot has not exactly one drive", hint)
         held = {"joint": sheet.drives[0].joint, "command": "prescribed"}
         sheet = sheet.with_({"drives": [held | {"signal": {"type": "constant", "value": angle}}]})
     if contact and sheet.contact_off:
         sheet = sheet.with_({"contact": True})
     if contact and sheet.contact is None:
-        raise InputError("--contact", "a robot that touches nothing", "a sheet with `contact`", "leave --contact out")
+        raise InputError(
+            "--contact", "a robot that touches nothing", "given for a robot with a contact", "leave --contact out"
+        )
     return sheet
 
 
 def _print(title: str, lines: list[dict[str, Any]]) -> None:
-    from tmodes.cli.output import print_table
 
     columns = ["dominant element", "share of energy", "natural [Hz]", "damped [Hz]", "damping ratio", "converged"]
     print_table(title, columns, [_row(line) for line in lines])

@@ -8,9 +8,12 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.errors import InputError
+from tmodes.io.atomic import file_error
 from tmodes.io.filipovic2010.format import Reading
+from tmodes.robots.load import load, sheet_names
 
 if TYPE_CHECKING:
+    from tmodes.result import Result
     from tmodes.sheet import Robot
 
 __all__ = [
@@ -30,6 +33,9 @@ __all__ = [
     "TrustPaths",
     "chosen_sheet",
     "integration_changes",
+    "plain",
+    "result_file",
+    "stored_result",
 ]
 
 SheetArgument = Annotated[
@@ -49,7 +55,11 @@ Settings = Annotated[
     ),
 ]
 ReadingOption = Annotated[
-    Reading | None, typer.Option(help="Which reading of the paper's equations; else the data sheet's.")
+    Reading | None,
+    typer.Option(
+        help="Of a sheet of the 2010 robot: which reading of its equations; else the sheet's. Of any robot, "
+        "--set equations=NAME takes `recursion` or a system that is registered."
+    ),
 ]
 Contact = Annotated[
     bool | None,
@@ -123,8 +133,7 @@ def chosen_sheet(
     changes: dict[str, Any] | None = None,
 ) -> Robot:
     """The robot that a command line names, with its changes; raises an InputError for any wrong part."""
-    from tmodes.io.assignment import parse_assignment
-    from tmodes.robots.load import load
+    from tmodes.io.scalars import parse_assignment
 
     info = dict(parse_assignment(text) for text in settings or []) | (changes or {})
     sheet = load(robot, info, roots=roots or (), trust_paths=trust_paths)
@@ -137,19 +146,24 @@ def chosen_sheet(
         own["contact"] = contact
     if "integration.stop_at_limits" in info and not any(joint.limits for joint in sheet.joints):
         got, hint = f"the robot {robot}, which has none", "leave it out; --stop ends a run at a value of your choice"
-        raise InputError("--stop-at-limits", got, "a robot whose joints have limits", hint)
+        raise InputError("--stop-at-limits", got, "given for a robot whose joints have limits", hint)
     return sheet.with_(own) if own else sheet
 
 
 def _refuse_without_reading(sheet: Robot, reading: Reading) -> None:
     if not sheet.imported:
-        expected, hint = "no reading: it belongs to sheets of the 2010 robot", "leave --reading out"
+        expected, hint = (
+            "left out: only sheets of the 2010 robot have a reading",
+            "remove it; `equations` chooses those of another robot",
+        )
         raise InputError("--reading", reading.value, expected, hint)
 
 
 def _refuse_without_contact(sheet: Robot, contact: bool) -> None:
     if contact and not (sheet.contact or sheet.contact_off):
-        raise InputError("--contact", "a robot that touches nothing", "a sheet with `contact`", "add it to the sheet")
+        raise InputError(
+            "--contact", "a robot that touches nothing", "given for a robot with a contact", "add it to the sheet"
+        )
 
 
 def integration_changes(
@@ -166,3 +180,33 @@ def integration_changes(
     info = {"method": integrator, "relative_tolerance": rtol, "absolute_tolerance": atol, "duration": duration}
     info |= {"check_error": check_error or None, "stop": stop or None, "stop_at_limits": stop_at_limits or None}
     return {f"integration.{name}": value for name, value in info.items() if value is not None}
+
+
+def result_file(path: Path) -> Path:
+    """The result file that a path means: itself, or ``result.nc`` in a folder of a run.
+
+    Raises :class:`tmodes.errors.ResultFileError` for a folder without one, and where nothing is.
+    """
+    hint = "name a result.nc, or the folder that `tmodes run --out` was given"
+    if path.is_dir():
+        if not (path / "result.nc").is_file():
+            raise file_error(path, "a folder without result.nc", "the folder of a run", hint)
+        return path / "result.nc"
+    if not path.exists():
+        if str(path) in sheet_names():
+            hint = f"run it first: tmodes run {path} --out FOLDER, and name that folder"
+            raise file_error(path, "the name of a robot", "a result file, or the folder of a run", hint)
+        raise file_error(path, "nothing", "a result file, or the folder of a run", hint)
+    return path
+
+
+def stored_result(path: Path) -> Result:
+    """The result that a path means; the errors are those of reading it."""
+    from tmodes.result import Result
+
+    return Result.load(result_file(path))
+
+
+def plain(text: str) -> str:
+    """Text of a file that may be anybody's, without what steers a terminal."""
+    return "".join(letter if letter.isprintable() else "?" for letter in text)

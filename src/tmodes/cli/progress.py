@@ -1,15 +1,51 @@
-"""Progress of work that takes longer than two seconds: a bar on a terminal, now and then a line elsewhere."""
+"""Long work: Ctrl-C as a wish that is obeyed where all results are whole, and progress after two seconds."""
 
 from __future__ import annotations
 
+import signal
 import sys
 import time as clock
-from types import TracebackType
+from collections.abc import Iterator
+from contextlib import contextmanager
+from types import FrameType, TracebackType
 from typing import Any, Self
 
-from tmodes.cli.interrupt import Wish
+__all__ = ["Stages", "Wish", "heard", "working"]
 
-__all__ = ["Stages"]
+
+class Wish:
+    """Whether Ctrl-C was pressed. Python raises its KeyboardInterrupt anywhere, even where it is lost."""
+
+    def __init__(self) -> None:
+        self.made = False
+
+    def obey(self) -> None:
+        """Raise KeyboardInterrupt where the wish was made."""
+        if self.made:
+            self.made = False
+            raise KeyboardInterrupt
+
+    def _note(self, number: int, frame: FrameType | None) -> None:
+        del number, frame
+        if self.made:  # pressed again: at once
+            raise KeyboardInterrupt
+        self.made = True
+
+
+@contextmanager
+def heard() -> Iterator[Wish]:
+    """Within the block the first Ctrl-C is a wish; the second one interrupts at once. Ignored signals stay so."""
+    wish = Wish()
+    before = signal.getsignal(signal.SIGINT)
+    if before is not signal.default_int_handler:
+        yield wish
+        return
+    signal.signal(signal.SIGINT, wish._note)
+    try:
+        yield wish
+    finally:
+        signal.signal(signal.SIGINT, before)
+
 
 PATIENCE = 1.5
 """Seconds of silence before progress is shown."""
@@ -59,3 +95,10 @@ class Stages:
         if stage not in self._tasks:
             self._tasks[stage] = self._bar.add_task(stage, total=1.0)
         self._bar.update(self._tasks[stage], completed=share)
+
+
+@contextmanager
+def working() -> Iterator[Stages]:
+    """Within the block Ctrl-C is a wish, and what is called with a stage and its share shows the progress."""
+    with heard() as wish, Stages(wish) as tell:
+        yield tell

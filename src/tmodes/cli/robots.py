@@ -7,11 +7,14 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, Roots
+from tmodes.cli.output import print_json, print_table
+from tmodes.errors import InputError
+from tmodes.io.words import nearest, shown
+from tmodes.robots.load import load, sheet_names, sheet_text
 
 if TYPE_CHECKING:
     from pathlib import Path
 
-    from tmodes.errors import InputError
 
 __all__ = ["robots"]
 
@@ -25,8 +28,6 @@ def robots(
 
     For example:  tmodes robots filipovic2010 > my.yaml
     """
-    from tmodes.cli.output import print_json, print_table
-
     if name is not None:
         _print_sheet(name, root, as_json=as_json)
         return
@@ -41,7 +42,6 @@ def robots(
 def _known() -> list[dict[str, str]]:
     """Name, kind, title and citation of each, as its file reports them: not built, for an arm may need other files."""
     from tmodes.io.yaml_file import parse_yaml
-    from tmodes.robots.load import sheet_names, sheet_text
 
     found = []
     for name in sheet_names():
@@ -58,9 +58,7 @@ def _kind(data: dict[str, Any]) -> str:
 
 
 def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
-    from tmodes.cli.output import print_json
     from tmodes.io.sheet_check import sheet_data
-    from tmodes.robots.load import load, sheet_names, sheet_text
 
     if name not in sheet_names():
         raise _unknown(name, sheet_names())
@@ -72,8 +70,6 @@ def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
 
 
 def _unknown(name: str, known: list[str]) -> InputError:
-    from tmodes.errors import InputError
-    from tmodes.io.words import nearest, shown
 
     close = nearest(name, known)
     hint = f"did you mean `{close}`?" if close else "see the list: tmodes robots"

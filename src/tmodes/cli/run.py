@@ -7,24 +7,12 @@ from typing import TYPE_CHECKING, Annotated, Any, NamedTuple
 
 import typer
 
-from tmodes.cli.options import (
-    AbsoluteTolerance,
-    AsJson,
-    CheckError,
-    Contact,
-    Duration,
-    IntegratorOption,
-    ReadingOption,
-    Roots,
-    Settings,
-    SheetArgument,
-    Stop,
-    StopAtLimits,
-    Tolerance,
-    TrustPaths,
-    chosen_sheet,
-    integration_changes,
-)  # fmt: skip
+from tmodes.cli import options
+from tmodes.cli.options import chosen_sheet
+from tmodes.cli.output import notice, print_json
+from tmodes.cli.progress import working
+from tmodes.cli.summary_text import info
+from tmodes.errors import SimulationError
 
 if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
@@ -34,19 +22,19 @@ __all__ = ["folder_name", "run"]
 
 
 def run(
-    robot: SheetArgument,
-    reading: ReadingOption = None,
-    contact: Contact = None,
-    settings: Settings = None,
-    integrator: IntegratorOption = None,
-    rtol: Tolerance = None,
-    atol: AbsoluteTolerance = None,
-    check_error: CheckError = False,
-    duration: Duration = None,
-    stop: Stop = None,
-    stop_at_limits: StopAtLimits = False,
-    root: Roots = None,
-    trust_paths: TrustPaths = False,
+    robot: options.SheetArgument,
+    reading: options.ReadingOption = None,
+    contact: options.Contact = None,
+    settings: options.Settings = None,
+    integrator: options.IntegratorOption = None,
+    rtol: options.Tolerance = None,
+    atol: options.AbsoluteTolerance = None,
+    check_error: options.CheckError = False,
+    duration: options.Duration = None,
+    stop: options.Stop = None,
+    stop_at_limits: options.StopAtLimits = False,
+    root: options.Roots = None,
+    trust_paths: options.TrustPaths = False,
     out: Annotated[Path | None, typer.Option(help="Folder for the output; else results/NAME.")] = None,
     overwrite: Annotated[bool, typer.Option("--overwrite", help="Replace a result that is there.")] = False,
     figures: Annotated[
@@ -56,7 +44,7 @@ def run(
         bool,
         typer.Option("--live/--no-live", help="Let the report simulate again; compiling takes some seconds, once."),
     ] = True,
-    as_json: AsJson = False,
+    as_json: options.AsJson = False,
 ) -> None:
     """Plan with the nominal robot, run the actual one under control, and show how it bends.
 
@@ -68,7 +56,7 @@ def run(
     --atol 1e-14 --check-error
     """
     ending = {"stop": stop, "stop_at_limits": stop_at_limits}
-    changes = integration_changes(integrator, rtol, atol, duration, check_error, **ending)
+    changes = options.integration_changes(integrator, rtol, atol, duration, check_error, **ending)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     folder = _folder(
         out or Path("results") / folder_name(sheet.name), sheet, overwrite, _Looks(robot, root, trust_paths), live=live
@@ -88,7 +76,6 @@ class _Looks(NamedTuple):
 
 
 def _folder(path: Path, sheet: Robot, overwrite: bool, looks: _Looks, *, live: bool) -> RunFolder:
-    from tmodes.cli.output import notice
     from tmodes.report.folder import RunFolder
     from tmodes.report.meshes import read_shapes
 
@@ -99,13 +86,9 @@ def _folder(path: Path, sheet: Robot, overwrite: bool, looks: _Looks, *, live: b
 
 
 def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.output import notice
-    from tmodes.cli.progress import Stages
-    from tmodes.errors import SimulationError
-    from tmodes.io.notices import notices_about
+    from tmodes.io.sheet_plausible import notices_about
 
-    with heard() as wish, folder, Stages(wish) as progress:
+    with working() as progress, folder:
         if folder.continues:
             notice(f"continuing what was begun in {folder.path}")
         try:
@@ -120,8 +103,6 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
 
 
 def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
-    from tmodes.cli.output import notice, print_json
-    from tmodes.cli.summary_text import info
 
     print_json(folder.summary(result)) if as_json else info(result, folder)
     for warning in result.warnings:

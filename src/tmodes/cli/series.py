@@ -8,12 +8,12 @@ from itertools import product
 from typing import TYPE_CHECKING
 
 import numpy as np
-from numpy.typing import NDArray
+from numpy.typing import ArrayLike, NDArray
 
 if TYPE_CHECKING:
     from xarray import DataArray, Dataset
 
-__all__ = ["Series", "first_series", "series_of_result"]
+__all__ = ["ASCII", "BLOCKS", "Series", "first_series", "series_of_result", "sparkline", "steps_for"]
 
 FIRST = (
     "deviation", "tip", "deformation", "penetration", "contact_force_radial", "contact_force_normal", "voltage",
@@ -95,3 +95,33 @@ def _parts(name: str, variable: DataArray, units: dict[str, str]) -> Iterator[Se
     unit = str(variable.attrs.get("units", ""))
     for column, words in enumerate(product(*labels)):
         yield Series(name, " ".join(words), _own_unit(unit, words[0] if words else "", units), values[:, column])
+
+
+BLOCKS = "▁▂▃▄▅▆▇█"
+ASCII = "_.-~=+*#"
+"""Eight heights, from low to high."""
+
+
+def sparkline(values: ArrayLike, width: int, steps: str = BLOCKS) -> str:
+    """``values`` (n,) as at most ``width`` heights from their least to their largest; a constant is a flat line.
+
+    Each height is of the value of its part that is farthest from the middle of the range, so that no peak is lost.
+    """
+    course = np.asarray(values, dtype=float)
+    low, high = float(course.min()), float(course.max())
+    middle = (low + high) / 2
+    parts = np.array_split(course, min(width, len(course)))
+    extremes = np.array([part[np.argmax(np.abs(part - middle))] for part in parts])
+    if not high > low:
+        return steps[0] * len(extremes)
+    heights = np.rint((extremes - low) / (high - low) * (len(steps) - 1)).astype(int)
+    return "".join(steps[height] for height in heights)
+
+
+def steps_for(encoding: str | None) -> str:
+    """The heights that text of an encoding can hold."""
+    try:
+        BLOCKS.encode(encoding or "ascii")
+    except (LookupError, UnicodeEncodeError):
+        return ASCII
+    return BLOCKS

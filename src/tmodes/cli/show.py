@@ -9,7 +9,9 @@ from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
-from tmodes.cli.options import AsJson
+from tmodes.cli.options import AsJson, plain, result_file, stored_result
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.summary_text import info_summary, integration_lines
 
 if TYPE_CHECKING:
     from tmodes.cli.series import Series
@@ -37,8 +39,6 @@ def show(
 
     Of what is known along a link (deflection, moment) the value of the largest size at each instant is shown.
     """
-    from tmodes.cli.output import print_json
-    from tmodes.cli.results import result_file, stored_result
     from tmodes.cli.series import first_series, series_of_result
 
     stored = stored_result(result)
@@ -53,7 +53,6 @@ def show(
 def _for_machines(stored: Result, file: Path, chosen: list[Series]) -> dict[str, Any]:
     return {
         "file": str(file),
-        "kind": stored.kind,
         "status": stored.status,
         "message": stored.message,
         "warnings": list(stored.warnings),
@@ -71,10 +70,6 @@ def _extremes(one: Series) -> dict[str, float]:
 
 
 def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
-    from tmodes.cli.integration_text import integration_lines
-    from tmodes.cli.output import notice, print_table
-    from tmodes.cli.results import plain
-    from tmodes.cli.summary_text import info_summary
 
     summary = info_summary(stored)
     print(f"end     {plain(stored.message)}")
@@ -92,8 +87,7 @@ def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
 
 
 def _row(one: Series) -> list[str]:
-    from tmodes.cli.results import plain
-    from tmodes.cli.sparkline import ASCII, sparkline, steps_for
+    from tmodes.cli.series import ASCII, sparkline, steps_for
     from tmodes.plot.units import readable
 
     unit, steps = readable(one.unit, one.values), steps_for(sys.stdout.encoding)
@@ -104,8 +98,6 @@ def _row(one: Series) -> list[str]:
 
 def _modes(frequencies: dict[str, list[dict[str, Any]]]) -> Iterator[list[str]]:
     """The lowest modes of each case: the damped frequency where it rings, else the natural one."""
-    from tmodes.cli.results import plain
-
     for case, modes in frequencies.items():
         for mode in modes[:MOST_MODES]:
             frequency = mode["damped_frequency_Hz"]

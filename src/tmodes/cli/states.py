@@ -113,7 +113,9 @@ def _table(content: bytes, source: str) -> list[Mapping[str, Any]]:
         return []
     head = [cell.strip() for cell in rows[0]]
     if len(set(head)) < len(head):
-        raise InputError("the first line", "a name that stands twice", "each name once", "remove one column", source)
+        raise InputError(
+            "the first line", "a name that stands twice", "a list of different names", "remove one column", source
+        )
     return [_record(head, row, number, source) for number, row in enumerate(rows[1:])]
 
 

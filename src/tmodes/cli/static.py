@@ -2,17 +2,24 @@
 
 from __future__ import annotations
 
+import math
+from collections.abc import Sequence
 from typing import TYPE_CHECKING, Annotated, Any
 
 import typer
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
+from tmodes.cli.output import notice, print_json, print_table
+from tmodes.cli.progress import working
+from tmodes.errors import InputError
+from tmodes.io.words import nearest, shown
 
 if TYPE_CHECKING:
     from tmodes.analysis.statics.equilibrium import Equilibrium
+    from tmodes.analysis.statics.loads import Load
     from tmodes.sheet import Robot
 
-__all__ = ["print_links", "print_stiffness", "static"]
+__all__ = ["held_of", "load_of", "print_links", "print_stiffness", "static", "three_of"]
 
 UNITS = {
     "coordinates": "rad, m along prismatic joints and stretch",
@@ -53,9 +60,6 @@ def static(
     """
     from tmodes.analysis.statics.loads import Load, point_index
     from tmodes.analysis.statics.rest import arm_rest
-    from tmodes.cli.interrupt import heard
-    from tmodes.cli.progress import Stages
-    from tmodes.cli.static_options import held_of, load_of, three_of
     from tmodes.model.model import Model
 
     arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
@@ -66,14 +70,13 @@ def static(
     model = Model(arm.chain())
     index = point_index(model, point)
     held = dict(held_of(text, arm) for text in hold or [])
-    with heard() as wish, Stages(wish) as tell:
+    with working() as tell:
         rest = arm_rest(arm, loads, model=model, held=held, progress=tell)
     _tell(arm, rest, index, as_json)
 
 
 def _tell(arm: Robot, rest: Equilibrium, index: int, as_json: bool) -> None:
     from tmodes.analysis.describe.describe import statics_info
-    from tmodes.cli.output import notice, print_json
 
     info = statics_info(arm, rest, index)
     if as_json:
@@ -85,7 +88,6 @@ def _tell(arm: Robot, rest: Equilibrium, index: int, as_json: bool) -> None:
 
 
 def _print(arm: Robot, info: dict[str, Any]) -> None:
-    from tmodes.cli.output import print_table
 
     lowest = info["lowest_frequency_Hz"]
     stable = "stable" if info["stable"] else "NOT STABLE"
@@ -104,8 +106,6 @@ def _print(arm: Robot, info: dict[str, Any]) -> None:
 
 def print_links(links: list[dict[str, Any]]) -> None:
     """Print how far the flexible links bend, and whether the model of each holds."""
-    from tmodes.cli.output import print_table
-
     if links:
         rows = [[link["link"], link["model"], f"{link['deflection_over_length']:.3%}", f"{link['slope_rad']:.4g}",
                  _share(link["missing_share"]), link["verdict"]] for link in links]  # fmt: skip
@@ -126,8 +126,6 @@ def _numbers(values: list[float], factor: float) -> list[str]:
 
 def print_stiffness(info: dict[str, Any] | None) -> None:
     """Print a table of stiffness by direction and the elements that give most."""
-    from tmodes.cli.output import print_table
-
     if info is None:
         return
     rows = []
@@ -137,3 +135,81 @@ def print_stiffness(info: dict[str, Any] | None) -> None:
         shares = ", ".join(f"{name} {share:.1%}" for name, share in largest if abs(share) >= 5e-4)
         rows.append([one["direction"], stiffness, one["unit"], one["why"] or shares])
     print_table(f"Stiffness at {info['point']}", ["direction", "stiffness", "unit", "what gives way"], rows)
+
+
+KEYS = ("point", "force", "moment", "frame")
+FRAMES = ("world", "section")
+EXAMPLE = "write it like point=tip,force=0,0,-10"
+LARGEST = 1e12
+
+
+def load_of(text: str) -> Load:
+    """A load from ``point=tip,force=0,0,-10``; raises an InputError that names the part that is wrong."""
+    from tmodes.analysis.statics.loads import Load
+
+    parts = _parts(text)
+    if "force" not in parts and "moment" not in parts:
+        raise InputError("--load", repr(text), "a force, a moment or both", EXAMPLE)
+    frame = parts.get("frame", "world")
+    if frame not in FRAMES:
+        raise _unknown("--load frame", frame, FRAMES)
+    force, moment = (
+        three_of(f"--load {name}", parts.get(name, "0,0,0"), unit) for name, unit in (("force", "N"), ("moment", "N*m"))
+    )
+    return Load(parts.get("point", "tip"), force, moment, follows=frame == "section")
+
+
+def _parts(text: str) -> dict[str, str]:
+    """The value of each key; a comma divides numbers of one value, and values where a key and = follow it."""
+    parts: dict[str, str] = {}
+    key = ""
+    for piece in text.split(","):
+        name, equals, value = (part.strip() for part in piece.partition("="))
+        if equals and name not in KEYS:
+            raise _unknown("--load", name, KEYS)
+        if equals and name in parts:
+            raise InputError(
+                "--load", f"`{name}` a second time", "given each key once", "give another --load for each load"
+            )
+        if not equals and not key:
+            raise InputError("--load", repr(text), "KEY=VALUE,... with the keys " + ", ".join(KEYS), EXAMPLE)
+        key = name if equals else key
+        parts[key] = value if equals else f"{parts[key]},{name}"
+    return parts
+
+
+def _unknown(which: str, name: str, known: Sequence[str]) -> InputError:
+
+    close = nearest(name, known)
+    hint = f"did you mean `{close}`?" if close else EXAMPLE
+    return InputError(which, f"the unknown word {shown(name)}", f"one of {', '.join(known)}", hint)
+
+
+def three_of(which: str, text: str, unit: str) -> list[float]:
+    """Three numbers with commas between them, each perhaps with its unit."""
+    words = text.split(",")
+    if len(words) != 3:
+        raise InputError(which, repr(text), "three numbers", "write x, y and z, like 0,0,-10")
+    return [_number(which, word, unit, "three finite numbers") for word in words]
+
+
+def held_of(text: str, arm: Robot) -> tuple[str, float]:
+    """Coordinate and value [rad; m of a prismatic joint] of ``shoulder=45deg``."""
+    name, equals, value = (part.strip() for part in text.partition("="))
+    if not (name and equals and value):
+        raise InputError("--hold", repr(text), "COORDINATE=VALUE", "write it like shoulder=0.5 or shoulder=45deg")
+    slides = any(joint.name == name.removesuffix(".motor") and joint.type == "prismatic" for joint in arm.joints)
+    return name, _number(f"--hold {name}", value, "m" if slides else "rad", "a number")
+
+
+def _number(which: str, text: str, unit: str, expected: str) -> float:
+    from tmodes.io.units import NotANumber, number
+
+    try:
+        value = number(text, unit)
+    except NotANumber as error:
+        raise InputError(which, error.got, f"{expected} [{unit}]", error.hint) from None
+    if not math.isfinite(value) or abs(value) > LARGEST:
+        bounds = f"{expected} [{unit}], at most {LARGEST:g}"
+        raise InputError(which, shown(text), bounds, "correct the exponent or the unit")
+    return value

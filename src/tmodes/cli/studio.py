@@ -11,6 +11,10 @@ from typing import TYPE_CHECKING, Annotated
 
 import typer
 
+from tmodes.errors import InputError
+from tmodes.io.words import shown_path
+from tmodes.robots.load import load, sheet_names
+
 if TYPE_CHECKING:
     from tmodes.studio.folder import WorkingFolder
 
@@ -33,12 +37,10 @@ def studio(
 
     Only this machine can reach it, and only with the address that is printed. Ctrl-C stops it.
     """
-    from tmodes.errors import InputError
-
     for package in ("fastapi", "uvicorn"):
         if find_spec(package) is None:
             got, hint = f"no package {package}", "install it: pip install 'tmodes[studio]'"
-            raise InputError("tmodes studio", got, "the extra `studio`", hint)
+            raise InputError("tmodes studio", got, "run with the extra `studio`", hint)
     from tmodes.studio.folder import WorkingFolder
     from tmodes.studio.serve import serve
 
@@ -53,9 +55,6 @@ def studio(
 
 def _first(robot: str, folder: WorkingFolder) -> str:
     """What is shown first, checked: a published robot, or the name of a file of the working folder."""
-    from tmodes.errors import InputError
-    from tmodes.robots.load import load, sheet_names
-
     if robot in sheet_names():
         return robot
     _refuse_what_is_no_robot(Path(robot))
@@ -68,8 +67,6 @@ def _first(robot: str, folder: WorkingFolder) -> str:
 
 
 def _refuse_what_is_no_robot(path: Path) -> None:
-    from tmodes.errors import InputError
-    from tmodes.io.words import shown_path
 
     expected = "a published robot, or a data sheet or URDF"
     if path.suffix == ".nc" or (path / "result.nc").is_file():

@@ -9,8 +9,10 @@ from typing import Annotated
 
 import typer
 
-from tmodes.cli.options import AsJson
+from tmodes.cli.options import AsJson, stored_result
+from tmodes.cli.output import print_json
 from tmodes.errors import InputError
+from tmodes.io.atomic import atomic_write, file_error
 
 __all__ = ["names_apart", "view"]
 
@@ -34,8 +36,6 @@ def view(
     The page is one file that needs no network and can be sent to others. Robots move at the same time, their charts lie
     over each other, their numbers are next to each other.
     """
-    from tmodes.cli.output import print_json
-    from tmodes.cli.results import stored_result
     from tmodes.report.data import live_page, page_data, robot_name
     from tmodes.report.viewer import viewer_document
 
@@ -58,7 +58,6 @@ def _refuse_too_many(results: list[Path]) -> None:
 
 
 def _refuse_taken(out: Path | None, overwrite: bool) -> None:
-    from tmodes.io.atomic import file_error
 
     if out is not None and out.is_dir():
         raise file_error(out, "a folder", "the name of a file", f"name the page, such as --out {out / 'view.html'}")
@@ -81,7 +80,6 @@ def names_apart(names: list[str], paths: list[Path]) -> list[str]:
 
 
 def _written(text: str, out: Path | None, overwrite: bool) -> Path:
-    from tmodes.io.atomic import atomic_write
 
     if out is None:
         out, overwrite = _temporary(), True
@@ -92,10 +90,10 @@ def _written(text: str, out: Path | None, overwrite: bool) -> Path:
 
 def _temporary() -> Path:
     """The name of a page in a folder of its own, which stays and which other users cannot look into."""
-    from tmodes.io.atomic import file_error
-
     try:
         return Path(tempfile.mkdtemp(prefix="tmodes-view-")) / "view.html"
     except OSError as error:
         got = str(error.strerror)
-        raise file_error("the temporary folder", got, "room for a page", "name a file with --out") from None
+        raise file_error(
+            "the temporary folder", got, "a folder with room for a page", "name a file with --out"
+        ) from None

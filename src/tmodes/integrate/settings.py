@@ -14,14 +14,7 @@ from tmodes.integrate.method import Integrator
 from tmodes.integrate.registry import AUTO, integrator, integrators
 from tmodes.kinds.schema.quantity import DataSheet, Issue, positive, refuse
 
-__all__ = [
-    "LEAST_TOLERANCE",
-    "MOST_BYTES",
-    "Integration",
-    "RobotIntegration",
-    "refuse_stops",
-    "refuse_too_large",
-]
+__all__ = ["LEAST_TOLERANCE", "MOST_BYTES", "Integration", "RobotIntegration", "refuse_stops", "refuse_too_large"]
 
 MOST_BYTES = 1_800_000_000
 """Size of the largest result on disk [bytes]; gathering it takes about three times that in memory."""
@@ -47,44 +40,25 @@ class Integration(DataSheet):
     duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6, span=True)
     output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3, span=True)
     line_points: int = positive(
-        "-",
-        "s",
-        "points of each mode at which the elastic line is kept, its ends included",
-        default=21,
-        at_most=1001,
-        smallest=2.0,
-        span=True,
-    )
+        "-", "s", "points of each mode at which the elastic line is kept, its ends included", default=21, at_most=1001,
+        smallest=2.0, span=True,
+    )  # fmt: skip
     relative_tolerance: float = positive(
-        "-",
-        "rtol",
-        "error allowed per step, relative (adaptive methods)",
-        default=1e-9,
-        at_most=1e-2,
-        smallest=1e-13,
+        "-", "rtol", "error allowed per step, relative (adaptive methods)", default=1e-9, at_most=1e-2, smallest=1e-13,
         span=True,
-    )
+    )  # fmt: skip
     absolute_tolerance: float = positive(
-        "rad",
-        "atol",
-        "error allowed per step, absolute (adaptive methods)",
-        default=1e-12,
-        at_most=1e-2,
-        smallest=1e-18,
-        span=True,
-    )
+        "rad", "atol", "error allowed per step, absolute (adaptive methods)", default=1e-12, at_most=1e-2,
+        smallest=1e-18, span=True,
+    )  # fmt: skip
     check_error: bool = Field(
         default=False,
         description="true: run again with a tenth of the tolerances (rk4, midpoint: half the step) for the error",
     )
     step: float = positive("s", "dt", "fixed step (rk4, midpoint)", default=2 / 37500, span=True)
     energy_tolerance: float = positive(
-        "-",
-        "etol",
-        "residual of the energy balance over the energy moved that is warned of",
-        default=1e-6,
-        span=True,
-    )
+        "-", "etol", "residual of the energy balance over the energy moved that is warned of", default=1e-6, span=True,
+    )  # fmt: skip
     stop: tuple[str, ...] = Field(
         default=(), strict=False, max_length=MOST,
         description="stop conditions, such as `[tip.z < 0 m]`: the run ends where the first of them triggers",
@@ -138,7 +112,7 @@ class Integration(DataSheet):
             got = f"{self.output_step!r}, that is {self._size(samples)}"
             least = f"{1.005 * self.duration / most_samples:.3g} s"
             hint = f"write at least {least}, a shorter duration, or fewer line_points"
-            yield Issue("output_step", got, f"at most {self._size(most_samples)}", hint)
+            yield Issue("output_step", got, f"long enough for at most {self._size(most_samples)}", hint)
 
     def _stepping_issues(self) -> Iterator[Issue]:
         one = self.integrator
@@ -154,7 +128,10 @@ class Integration(DataSheet):
             most = f"at most integration.duration, {self.duration!r} [s]"
             yield Issue("step", repr(self.step), most, "write a shorter step")
         elif steps > self.max_steps:
-            got, most = f"{self.step!r}, that is {steps:.3g} steps", f"at most max_steps, {self.max_steps} steps"
+            got, most = (
+                f"{self.step!r}, that is {steps:.3g} steps",
+                f"long enough for at most max_steps, {self.max_steps} steps",
+            )
             hint = f"write at least {self.duration / self.max_steps:.3g} s, or raise max_steps"
             yield Issue("step", got, most, hint)
 
@@ -204,7 +181,7 @@ def refuse_too_large(settings: Integration, samples: float, each: int, others: s
     raise InputError(
         "integration.output_step",
         f"{settings.output_step!r}, that is {samples:.3g} samples, about {samples * each / 1e9:.3g} GB",
-        f"at most {MOST_BYTES / each:.3g} samples of {each} bytes, {MOST_BYTES / 1e9:.3g} GB",
+        f"long enough for at most {MOST_BYTES / each:.3g} samples of {each} bytes, {MOST_BYTES / 1e9:.3g} GB",
         f"write at least {least:.3g} s, {others}",
     )
 
@@ -218,4 +195,4 @@ def refuse_stops(settings: Integration, what: str) -> None:
     for name, value in asked.items():
         if value:
             hint = f"leave `{name}` out, or run by itself: tmodes run"
-            raise InputError(f"integration.{name}", repr(value), f"nothing: {what} to the end of integration", hint)
+            raise InputError(f"integration.{name}", repr(value), f"left out: {what} to the end of integration", hint)

@@ -175,7 +175,7 @@ class _Overlay:
         carried = [joint for joint in self.sheet["joints"] if joint["parent"] == link["name"]]
         mounted = "root_mount" in beam
         if mounted and (beam.keys() & {"from", "to"} or "length" not in beam or keep == "rigid"):
-            got, expected = "a beam with `root_mount`", "`length`, no `from` or `to`, and no riding inertial"
+            got, expected = "a beam with `root_mount`", "given by `length`, without `from`, `to` and riding inertial"
             raise InputError(f"{which}.beam", got, expected, "write `from` and `to` instead of `root_mount`")
         start, end = (np.zeros(3), np.zeros(3)) if mounted else line_of(f"{which}.beam", beam, carried)
         if not mounted:

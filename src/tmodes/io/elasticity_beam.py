@@ -127,7 +127,7 @@ def _only_joint(which: str, carried: Sequence[dict[str, Any]]) -> Array:
         names = ", ".join(joint["name"] for joint in carried[:8])
         got = f"a link that carries {len(carried)} joints ({names})" if carried else "a link that carries no joint"
         hint = "write `to: [x, y, z]` [m] in the link's frame"
-        raise InputError(f"{which}.to", got, "where the beam ends", hint)
+        raise InputError(f"{which}.to", got, "the point where the beam ends", hint)
     return np.array(chosen[0]["origin"]["position"])
 
 

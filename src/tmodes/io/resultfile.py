@@ -91,7 +91,7 @@ def _believed(path: Path, max_bytes: int) -> memoryview:
         expected = f"version {FORMAT_VERSION}"
         raise file_error(path, f"format version {version}", expected, "read it with the tmodes that wrote it, or newer")
     if length != len(body):
-        raise file_error(path, f"{len(body):,} bytes before the seal", f"{length:,}, as the seal says", AGAIN)
+        raise file_error(path, f"{len(body):,} bytes before the seal", f"{length:,} bytes, as its seal says", AGAIN)
     if hashlib.sha256(body).digest() != digest:
         raise file_error(path, "damaged content", "content that matches its SHA-256", AGAIN)
     return body

@@ -95,7 +95,7 @@ def real_arm(arm: Robot) -> Robot:
         try:
             _scale(data, path, factor)
         except InputError as error:
-            wrong.append(InputError(f"real.{path}", error.got, error.expected, error.hint))
+            wrong.append(InputError(f"real.{path}", error.got, error.expected, _of_real(error.hint)))
     if wrong:
         raise InputErrors(wrong)
     return sheet_from_data(with_reach(sheet_data(arm), {**data, "real": {}}))
@@ -110,7 +110,12 @@ def _unknown_factors(data: Any) -> Iterator[Problem]:
             _factored(others, str(path))
         except InputError as error:
             if error.got != _LEFT_OUT:  # that number is reported itself
-                yield ("real", path), InputError("", error.got, error.expected, error.hint)
+                yield ("real", path), InputError("", error.got, error.expected, _of_real(error.hint))
+
+
+def _of_real(hint: str) -> str:
+    """The hint of a path, as that of a factor on what stands there."""
+    return hint.replace("did you mean `", "did you mean `real.")
 
 
 def _scale(data: dict[str, Any], path: str, factor: float) -> None:
@@ -128,8 +133,7 @@ def _factored(data: dict[str, Any], path: str) -> tuple[Any, Any]:
     if steps[0] not in factored or place is None or not _is_number(place, at(inner, key)):
         expected = f"the path of a number of {', '.join(factored)}"
         raise InputError(path, "a path that names no number", expected, "name a number of the sheet")
-    value = inner[key] if isinstance(inner, list) or key in inner else None
-    if value is None:
+    if at(inner, key) is None:
         raise InputError(path, _LEFT_OUT, "the path of a number that the sheet has", "write the number")
     return inner, key
 
@@ -160,11 +164,19 @@ def _wrong_real(arm: Robot) -> Iterator[Problem]:
             path = own_path(error.which.removeprefix("real."), sheet_data(arm))
             named = next((name for name in arm.real if path == name or path.startswith(f"{name}.")), None)
             if named is not None:
-                factor = "" if error.which.startswith("real.") else f"{shown(arm.real[named])} times the known value, "
-                yield ("real", named), InputError("", f"{factor}{error.got}", error.expected, error.hint)
+                got = error.got if error.which.startswith("real.") else _product(arm, named, error.got)
+                yield ("real", named), InputError("", got, error.expected, error.hint)
             else:
                 got = f"factors that make {path} {error.got}"
                 yield ("real",), InputError("", got, error.expected, f"change the factor: {error.hint}")
+
+
+def _product(arm: Robot, path: str, got: str) -> str:
+    """A factor and the number that it is on."""
+    inner, key = _factored(sheet_data(arm), path)
+    known = inner[key][0] if isinstance(inner[key], list) and len(inner[key]) == 1 else inner[key]
+    info = f"{shown(arm.real[path])} times "
+    return info + (f"the known value, {got}" if isinstance(known, (dict, list)) else shown(float(known)))
 
 
 def _refuse_huge(data: Any, source: str) -> None:

@@ -26,6 +26,7 @@ from tmodes.io.sheet_words import (
     members_of,
     own_unit,
 )
+from tmodes.kinds.schema.names import form_of_field
 
 __all__ = ["ChainPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities", "root_of"]
 
@@ -109,7 +110,7 @@ def inside(place: ChainPlace, step: Step, value: Any, steps: Sequence[Step], dat
     member = chosen(place.members, value)
     if is_group(member):
         info = fields(member).get(str(step))
-        return ChainPlace(info.annotation, info, unit_at(own_unit(info), steps, data)) if info else None
+        return ChainPlace(form_of_field(info, value), info, unit_at(own_unit(info), steps, data)) if info else None
     if get_origin(member) is tuple and isinstance(step, int):
         items = get_args(member)
         item = items[0] if Ellipsis in items else items[step] if 0 <= step < len(items) else None

@@ -19,6 +19,8 @@ from tmodes.kinds.links.material import LIBRARY
 __all__ = ["changed_places", "entered", "later_changes", "set_arm_paths", "steps_of"]
 
 LONGEST = 500
+MOST_LISTED = 20
+"""Keys or names listed in one message."""
 
 
 def set_arm_paths(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[str, Any]:
@@ -69,7 +71,7 @@ def _switch_contact(data: dict[str, Any], on: bool) -> None:
         data[here] = data.pop(there)
     if on and data.get("contact") is None:
         hint = "add the group `contact` to the sheet"
-        raise InputError("contact", "a robot that touches nothing", "a sheet with a contact", hint)
+        raise InputError("contact", "a switch, of a robot that touches nothing", "left out", hint)
 
 
 def entered(data: Any, steps: Sequence[Step], path: str) -> Any:
@@ -92,7 +94,9 @@ def steps_of(path: str, data: Any) -> list[Step]:
     Raises :class:`tmodes.errors.InputError` when nothing may stand there.
     """
     if not isinstance(path, str) or not 0 < len(path) <= LONGEST:
-        raise InputError(shown(path), "an unknown path", "the path of a value of the data sheet", "write one")
+        raise InputError(
+            shown(path), "an unknown path", "the path of a value of the data sheet", "write it like payload.mass"
+        )
     steps: list[Step] = []
     place: ChainPlace | None = root_of(data)
     value, words = data, robot_path(path, data).split(".")
@@ -138,17 +142,16 @@ def _unknown(
     where, *beyond = words
     if isinstance(value, (list, tuple)):
         known = [str(item.get("name") or k) if isinstance(item, Mapping) else str(k) for k, item in enumerate(value)]
-        expected = f"one of {', '.join(known[:12])}" if known else "an empty list"
+        look = "give the name of an item, or its number from 0"
     else:
         known = keys(chosen(place.members, value)) if place else []
-        expected = f"one of {', '.join(known)}" if known else "no further key"
+        look = "choose one of these keys" if known else "leave out what follows it"
     start = own_path(named(before, data), data)
     meant = nearest(where, known)
     found = ".".join(filter(None, (start, meant, *beyond))) if meant else _elsewhere(where, data)
     found = found if before else _in_other_letters(path, data) or found
-    look = f"look at `{start}` in the data sheet" if before else "look the path up in the data sheet"
-    hint = f"did you mean `{found}`?" if found else look
-    return InputError(path, "an unknown key", expected, hint)
+    expected = f"one of {', '.join(known[:MOST_LISTED])}" if known else f"no key inside `{start}`"
+    return InputError(path, "an unknown key", expected, f"did you mean `{found}`?" if found else look)
 
 
 def _in_other_letters(path: str, data: Any) -> str:

@@ -8,21 +8,18 @@ from typing import TYPE_CHECKING, Any
 
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import named, quantities
-from tmodes.io.sheet_plausible_motion import implausible_motion
-from tmodes.io.usual_ranges import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, oddity
+from tmodes.io.sheet_plausible_motion import DENSITY_OVER_MODULUS, FIRST_FREQUENCY, implausible_motion, oddity
+from tmodes.io.sheet_plausible_parts import implausible_inertia, implausible_motors, implausible_sag, masses_beyond
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.frames import Origin
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot
 
-__all__ = ["arm_notices", "implausible_arm"]
+__all__ = ["arm_notices", "implausible_arm", "notices_about"]
 
 SLENDERNESS = (5.0, 1000.0)
 """Range of the length of a beam over the height of its section [-]: thicker ones shear, thinner ones are threads."""
-
-SAG = 1.0
-"""Largest usual angle [rad] by which a beam sags under the weight of the bodies on its link."""
 
 CLAMPED_FREE = 1.8751040687119611
 """First root of cos x cosh x = -1: a clamped bare beam has 2 pi f = (x/L)^2 sqrt(EI/w)."""
@@ -30,17 +27,16 @@ CLAMPED_FREE = 1.8751040687119611
 
 def implausible_arm(arm: Robot) -> list[str]:
     """Sentences on numbers that look like a wrong unit, each with the likely factor; empty when all look right."""
-    beams = [(link.name, link.beam) for link in arm.links if link.beam]
+    beams, beyond = [(link.name, link.beam) for link in arm.links if link.beam], masses_beyond(arm)
     found = (
         sentence
         for name, beam in beams
         for sentence in (
-            *_beam(name, beam),
-            *_sag(arm, name, beam),
+            *_beam(arm, name, beam, beyond[name]),
             *(f"links.{name}.beam{notice}" for notice in beam.notices()),
         )
     )
-    return [*_ranges(arm), *found, *implausible_motion(arm)]
+    return [*_ranges(arm), *found, *implausible_motors(arm), *implausible_inertia(arm), *implausible_motion(arm)]
 
 
 def arm_notices(arm: Robot) -> list[str]:
@@ -65,22 +61,12 @@ def _ranges(arm: Robot) -> Iterator[str]:
             yield f"{named(steps, data)} {odd}"
 
 
-def _beam(name: str, beam: BendingSheet) -> Iterator[str]:
+def _beam(arm: Robot, name: str, beam: BendingSheet, beyond: float) -> Iterator[str]:
     """The first of what is strange about a beam: the others follow from it."""
     if not beam.section_pieces():
         return
-    yield from [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)][:1]
-
-
-def _sag(arm: Robot, name: str, beam: BendingSheet) -> Iterator[str]:
-    """A piece of the beam, clamped, under the weight of the bodies on the link: its chord turns by F L^2/3EI."""
-    mass, start, sag = sum(body.mass for body in arm.link(name).bodies), 0.0, 0.0
-    for piece in beam.section_pieces():
-        length, start = (piece.end - start) * beam.line_length, piece.end
-        sag = max(sag, mass * math.hypot(*arm.gravity) * length**2 / (3 * min(piece.start.bend_y, piece.start.bend_z)))
-    if sag > SAG:
-        likely = "masses in g (factor 0.001), lengths in mm (factor 0.001), or E in MPa or GPa (factor 1e+06 or 1e+09)"
-        yield f"links.{name}.beam sags by {sag:.3g} rad under the weight of {mass:.3g} kg; were {likely} meant?"
+    found = [*_slenderness(name, beam), *_material(name, beam), *_frequency(name, beam)]
+    yield from [*found, *implausible_sag(arm, name, beam, beyond)][:1]
 
 
 def _slenderness(name: str, beam: BendingSheet) -> Iterator[str]:
@@ -124,3 +110,8 @@ def _frequency(name: str, beam: BendingSheet) -> Iterator[str]:
         guess = f"was its {likely} meant?" if likely else "are its length, stiffness and mass in SI units?"
         usual = f"outside the usual {low:g} to {high:g} Hz"
         yield f"links.{name}.beam, clamped, swings at {frequency:.3g} Hz, {usual}; {guess}"
+
+
+def notices_about(sheet: Robot) -> list[str]:
+    """Sentences on numbers that look like a wrong unit, and on what was corrected when the sheet was read."""
+    return [*implausible_arm(sheet), *arm_notices(sheet)]

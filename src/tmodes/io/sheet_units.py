@@ -60,7 +60,7 @@ def _gain_unit(steps: Sequence[str | int], data: Any) -> str:
 
 def _slides(steps: Sequence[str | int], data: Any) -> bool:
     kind = str(at(_joint(steps, data), "type"))
-    return kind in JOINTS and any(each.slides for each in JOINTS.get(kind).coordinates)
+    return kind in JOINTS and any(each.slides for each in JOINTS[kind].coordinates)
 
 
 def _joint(steps: Sequence[str | int], data: Any) -> Any:

@@ -10,10 +10,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from tmodes.kinds.links.registry import link_sheets
-from tmodes.kinds.links.sheet import BendingSheet
-from tmodes.kinds.schema.kind import Kind
-from tmodes.kinds.schema.names import NameOf
+from tmodes.kinds.schema.names import names_allowed
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
 __all__ = [
@@ -37,9 +34,7 @@ def members_of(annotation: Any) -> list[Any]:
         return members_of(get_args(annotation)[0])
     if origin in {Union, UnionType}:
         return [member for one in get_args(annotation) if one is not NoneType for member in members_of(one)]
-    if inspect.isclass(annotation) and issubclass(annotation, Kind):
-        return list(annotation.members())
-    return [*link_sheets()] if annotation is BendingSheet else [annotation]
+    return list(annotation.members()) if is_group(annotation) else [annotation]
 
 
 def fields(member: Any) -> dict[str, FieldInfo]:
@@ -55,8 +50,8 @@ def is_group(member: Any) -> bool:
 
 
 def is_registered(member: Any) -> bool:
-    """True for the sheet of a kind of link, which is chosen among the registered ones."""
-    return inspect.isclass(member) and issubclass(member, BendingSheet)
+    """True for the sheet of a kind that a field of several words chooses among the registered ones."""
+    return is_group(member) and bool(member.chosen_by()[1])
 
 
 def own_unit(info: FieldInfo) -> str | None:
@@ -68,7 +63,7 @@ def own_unit(info: FieldInfo) -> str | None:
 def kind_of(member: Any) -> tuple[str, tuple[Any, ...], Any]:
     """The key that says which of several groups this is, its values here, and what it is when it is left out."""
     if is_registered(member):
-        return "model", tuple(map(str, member.words)), None
+        return (*member.chosen_by(), None)
     for name, info in fields(member).items():
         if get_origin(info.annotation) is Literal:
             return name, get_args(info.annotation)[:1], None if info.is_required() else info.default
@@ -96,9 +91,8 @@ def expected_kind(members: list[Any], info: FieldInfo | None) -> str:
 
 def choices(members: list[Any], info: FieldInfo | None) -> list[str]:
     """The words that a place allows, where it allows only some."""
-    of_kinds = [name for rule in (info.metadata if info else ()) if isinstance(rule, NameOf) for name in rule.names]
     enums = [member for member in members if inspect.isclass(member) and issubclass(member, Enum)]
-    return of_kinds or [str(choice.value) for member in enums for choice in member]
+    return names_allowed(info) or [str(choice.value) for member in enums for choice in member]
 
 
 def bounds(info: FieldInfo | None, annotation: Any) -> str:

@@ -108,7 +108,7 @@ def check_keys(record: Mapping[str, Any], must: Names, may: Names, which: str, s
     """Raise an InputError for a key that stands twice, is not known, or is missing."""
     if isinstance(record, _Repeated):
         name = shown(record.key)
-        raise InputError(f"{which}: {name}", "a key that stands twice", "each key once", "remove one", source)
+        raise InputError(f"{which}: {name}", "a key that stands twice", "given once", "remove one", source)
     for key in record:
         if key not in (*must, *may):
             close = nearest(key, (*must, *may))

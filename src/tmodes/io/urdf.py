@@ -8,23 +8,23 @@ misspelt is not. Format: http://wiki.ros.org/urdf/XML.
 from __future__ import annotations
 
 import os
-from collections.abc import Collection, Iterator, Sequence
+from collections.abc import Collection, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 from tmodes.errors import InputError, InputErrors
 from tmodes.io.mesh_paths import Folders, folders_of
-from tmodes.io.urdf_joint import joint_ends, joint_of
-from tmodes.io.urdf_link import body_of
-from tmodes.io.urdf_mass import massless
+from tmodes.io.urdf_joint import MOVING, joint_ends, joint_of
+from tmodes.io.urdf_link import body_of, says_massless
 from tmodes.io.urdf_sheet import name_of, sheet_of
-from tmodes.io.urdf_tree import UrdfJoint, tree_of
+from tmodes.io.urdf_tree import Tree, UrdfJoint, tree_of
 from tmodes.io.urdf_values import check_attributes, check_children, fault, text_at
+from tmodes.io.words import shown
 from tmodes.io.xml_file import Element, read_xml
 from tmodes.io.yaml_file import Positions
 
-__all__ = ["UrdfRobot", "read_urdf", "urdf_robot"]
+__all__ = ["UrdfRobot", "massless", "read_urdf", "urdf_robot"]
 
 MOST_ERRORS = 100
 TOP = {"link", "joint", "material", "gazebo", "transmission", "sensor", "ros2_control"}
@@ -82,7 +82,9 @@ def urdf_robot(robot: Element, folders: Folders, weighed: Collection[str] = ()) 
     for element in robot.children:
         _read(element, reading)
     if not reading.links and not reading.errors:
-        reading.errors.append(fault(robot, "the robot", "no link", "links and joints", "add <link> and <joint>"))
+        reading.errors.append(
+            fault(robot, "the robot", "no link", "made of links and joints", "add <link> and <joint>")
+        )
     reading.refuse()
     tree = tree_of(robot, reading.links, list(reading.joints.values()))
     reading.errors.extend(massless(tree, reading.links, reading.bodies, weighed))
@@ -152,3 +154,43 @@ def _files(link: Element) -> Iterator[tuple[str, str, str]]:
     for element in link.within():
         if element.tag in {"mesh", "texture"} and "filename" in element.attributes:
             yield element.attributes["filename"].strip(), element.tag, element.place
+
+
+HINT = "give it a mass and an inertia, make the joint fixed, or remove both"
+
+
+def massless(
+    tree: Tree, links: Mapping[str, Element], bodies: Mapping[str, dict[str, Any]], weighed: Collection[str] = ()
+) -> Iterator[InputError]:
+    """Moving links that weigh nothing with all that they carry, and those whose mass is said to be zero.
+
+    A link without ``<inertial>`` between two joints is only a frame (two axes that meet), and is right as long as
+    something with a mass hangs on it. A massless link on a fixed joint is right too. Links that are ``weighed`` get
+    their mass elsewhere.
+    """
+    own = {name: body["mass"] for name, body in bodies.items()} | dict.fromkeys(weighed, 1.0)
+    whole, rigid = _carried(tree, own)
+    for joint in tree.joints:
+        if joint.type not in MOVING:
+            continue
+        stated = says_massless(links[joint.child])
+        if whole[joint.child] == 0.0:
+            yield _weightless(joint, stated if stated is not None else links[joint.child])
+        elif stated is not None and rigid[joint.child] == 0.0:
+            hint = "give its mass, or remove its <inertial> if it is only a frame between two joints"
+            yield fault(stated, f"link {joint.child}: mass", "0 on a moving link", "a mass greater than 0 [kg]", hint)
+
+
+def _weightless(joint: UrdfJoint, element: Element) -> InputError:
+    got = f"no mass on the moving joint {shown(joint.name)}, neither its own nor of what it carries"
+    return fault(element, f"link {joint.child}: mass", got, "a mass greater than 0 [kg]", HINT)
+
+
+def _carried(tree: Tree, own: Mapping[str, float]) -> tuple[dict[str, float], dict[str, float]]:
+    """Mass [kg] of each link with all that hangs on it, and with what hangs on it by fixed joints alone."""
+    whole = {name: own.get(name, 0.0) for name in (tree.root, *(joint.child for joint in tree.joints))}
+    rigid = dict(whole)
+    for joint in reversed(tree.joints):
+        whole[joint.parent] += whole[joint.child]
+        rigid[joint.parent] += 0.0 if joint.type in MOVING else rigid[joint.child]
+    return whole, rigid

@@ -95,7 +95,7 @@ def _other_kind(element: Element, which: str, kind: str) -> InputError:
 def _end(element: Element, tag: str, which: str) -> str:
     end = only(element, tag, which)
     if end is None:
-        raise fault(element, which, f"no <{tag}>", "a parent and a child link", f'add <{tag} link="..."/>')
+        raise fault(element, which, f"no <{tag}>", "a joint with a parent and a child link", f'add <{tag} link="..."/>')
     return text_at(end, "link", f"{which}: {tag}")
 
 
@@ -135,7 +135,7 @@ def _range(element: Element, which: str) -> dict[str, float]:
     lower, upper = (_limit(element, name, which) for name in ("lower", "upper"))
     if lower > upper:
         got, hint = f"lower {lower:g} above upper {upper:g}", "exchange them, or correct a sign"
-        raise fault(element, f"{which}: limit", got, "lower not above upper", hint)
+        raise fault(element, f"{which}: limit", got, "a range from lower to upper", hint)
     return {name: value for name, value in (("lower", lower), ("upper", upper)) if abs(value) <= BOUNDLESS}
 
 

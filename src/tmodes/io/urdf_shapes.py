@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import InputError
-from tmodes.io.mesh_file import Triangles, read_mesh
-from tmodes.io.primitives import box, cylinder, sphere
+from tmodes.io.mesh_file import Triangles, box, cylinder, read_mesh, sphere
 from tmodes.io.urdf import UrdfRobot
 from tmodes.io.urdf_values import fault, number_at, only, origin_at, text_at, triple_at
 from tmodes.io.words import shown

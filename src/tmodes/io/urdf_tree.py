@@ -43,11 +43,17 @@ def tree_of(robot: Element, links: dict[str, Element], joints: list[UrdfJoint]) 
     roots = [name for name in links if name not in carried]
     if not roots:
         hint = "remove the joint that closes the cycle"
-        raise fault(robot, "the tree of links", f"a cycle: each of {_names(links)} is carried", "one root link", hint)
+        raise fault(
+            robot,
+            "the tree of links",
+            f"a cycle: each of {_names(links)} is carried",
+            "a tree with one root link",
+            hint,
+        )
     if len(roots) > 1:
         got = f"links that hang together with no joint: {_names(roots)}"
         hint = f"add the joints that carry them, or remove all of them but {shown(roots[0])}"
-        raise fault(links[roots[1]], "the tree of links", got, "one root link that all others hang on", hint)
+        raise fault(links[roots[1]], "the tree of links", got, "one tree with one root link", hint)
     tree = Tree(roots[0], tuple(_depth_first(roots[0], joints)))
     reached = set(tree.joints)
     if missing := [joint for joint in joints if joint not in reached]:
@@ -72,7 +78,7 @@ def _check_one_parent(joints: list[UrdfJoint]) -> None:
         if first := carrier.get(joint.child):
             got = f"two parents, {shown(first.parent)} by joint {first.name} and {shown(joint.parent)} by {joint.name}"
             hint = "remove one of the two joints: closed loops are not modelled"
-            raise fault(joint.element, f"link {joint.child}", got, "one joint that carries it", hint)
+            raise fault(joint.element, f"link {joint.child}", got, "carried by one joint", hint)
         carrier[joint.child] = joint
 
 

@@ -18,8 +18,7 @@ from tmodes.io.mesh_paths import Folders, folders_of
 from tmodes.io.urdf import UrdfRobot, urdf_robot
 from tmodes.io.words import nearest, shown
 from tmodes.io.xacro_expression import Value
-from tmodes.io.xacro_macro import Macro, macro_of, xacro_fault
-from tmodes.io.xacro_text import as_value, filled, is_true, typed
+from tmodes.io.xacro_text import Macro, as_value, filled, is_true, macro_of, typed, xacro_fault
 from tmodes.io.xml_file import MOST_ELEMENTS, Element, read_xml
 
 __all__ = ["expand_xacro", "read_xacro"]
@@ -178,11 +177,16 @@ class _Expansion:
 def _needed(element: Element, name: str) -> str:
     text = element.attributes.get(name, "").strip()
     if not text:
-        raise xacro_fault(element, f"no attribute `{name}`", f'{name}="..."', f'write {name}="..."')
+        raise xacro_fault(element, f"no attribute `{name}`", f'an element with {name}="..."', f'write {name}="..."')
     return text
 
 
 def _refuse_others(element: Element, known: set[str]) -> None:
     if others := sorted(element.attributes.keys() - known):
         got = f"the attribute {shown(others[0])}"
-        raise xacro_fault(element, got, f"only {', '.join(sorted(known))}", "write it without, or expand it with ROS")
+        raise xacro_fault(
+            element,
+            got,
+            f"an element with no attribute but {', '.join(sorted(known))}",
+            "write it without, or expand it with ROS",
+        )

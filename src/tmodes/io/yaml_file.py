@@ -201,7 +201,7 @@ class _Builder:
             if event.value in pairs:
                 first = self.positions[here]
                 hint = "keep one of the two lines"
-                raise self.error(_line(event), here, f"a second time (first in line {first})", "each key once", hint)
+                raise self.error(_line(event), here, f"a second one (the first in line {first})", "written once", hint)
             self.positions[here] = _line(event)
             pairs[event.value] = self._node(next(events), events, here, depth + 1)
         return pairs

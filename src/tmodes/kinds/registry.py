@@ -1,40 +1,141 @@
-"""Members of a package of kinds by name: those of tmodes, and those that a user registers.
+"""Kinds by name: for each family one registry, with the members of tmodes and those that a user registers.
 
-A kind is found only after its module has been imported: by the user's script, or by
-:func:`tmodes.kinds.schema.kind.load_entry_points`. A data sheet names kinds and never causes an import.
+A member is a class below the contract of its family, or an object of it. A kind is found only after its module has
+been imported: by the user's script, or on request (:func:`use`). A data sheet names kinds and never causes an import.
 """
 
 from __future__ import annotations
 
 import hashlib
-import marshal
+import importlib
+import inspect
+import runpy
 import sys
+from collections.abc import Callable, Iterable, Iterator, Mapping
 from difflib import get_close_matches
 from functools import cached_property
+from importlib.metadata import entry_points
 from pathlib import Path
-from typing import ClassVar, Generic, TypeVar
+from typing import Any, ClassVar, TypeVar
 
-__all__ = ["NamedKind", "Registry", "UnknownKindError"]
+from tmodes.errors import InputError
+
+__all__ = ["ENTRY_POINTS", "REGISTRIES", "NamedKind", "Registry", "UnknownKindError", "source_digest", "use"]
+
+ENTRY_POINTS = "tmodes.kinds"
+"""Group of the entry points by which installed packages offer kinds."""
+
+Member = TypeVar("Member")
+Given = TypeVar("Given")
 
 
-class UnknownKindError(KeyError):
+class UnknownKindError(InputError, KeyError):
     """A name that no registered kind has."""
 
-    def __str__(self) -> str:
-        return str(self.args[0])
+
+class Registry(Mapping[str, Member]):
+    """The members of one family by name, in the order in which they were registered."""
+
+    def __init__(
+        self,
+        noun: str,
+        contract: type[Any],
+        *,
+        names: Callable[[Any], Iterable[str]] = lambda member: (member.name,),
+        made: Callable[[Any], Member] = lambda given: given,
+        reserved: tuple[str, ...] = (),
+        check: Callable[[Any], None] = lambda member: None,
+        hint: str = "register a kind of your own before it is named, by your script or by --use",
+        replaces: bool = False,
+    ) -> None:
+        """``names`` of a member, ``made`` of what is registered; ``reserved`` names; ``check`` refuses a member.
+
+        ``hint`` where a name is not known; ``replaces``: a later member takes the place of one with its name.
+        """
+        self.noun, self.contract, self.reserved, self.hint = noun, contract, reserved, hint
+        self._names, self._made, self._check, self._replaces = names, made, check, replaces
+        self._members: dict[str, Member] = {}
+        REGISTRIES[noun] = self
+
+    def register(self, given: Given) -> Given:
+        """Add a kind, as a decorator of its class, or an object; the same class again (a cell run twice) replaces it.
+
+        Raises :class:`tmodes.errors.InputError` for what is not of the contract, has no name, or one that is taken.
+        """
+        cls = given if isinstance(given, type) else type(given)
+        where = f"{self.noun} {cls.__qualname__}"
+        if not issubclass(cls, self.contract):
+            hint = f"derive it from {self.contract.__module__}.{self.contract.__qualname__}"
+            raise InputError(where, f"a class that is no {self.contract.__name__}", self.contract.__name__, hint)
+        member = self._made(given)
+        names = [name for name in self._names(member) if name]
+        if not names:
+            raise InputError(where, "no name", "the name of the kind", "give it one, as the contract says")
+        for name in names:
+            known = self._members.get(name)
+            free = known is None or self._replaces or self._same(known, member)
+            if name in self.reserved or not free:
+                by = f", by {_class_of(known).__module__}" if known is not None else ""
+                hint = f"choose another name than {', '.join((*self.reserved, *self.names))}"
+                raise InputError(where, f"`{name}`, which is taken{by}", f"a name that no {self.noun} has", hint)
+        self._check(member)
+        self._members |= dict.fromkeys(names, member)
+        return given
+
+    def _same(self, one: Any, other: Any) -> bool:
+        """Whether two members are of the same class; of objects of the contract itself, whether they are equal."""
+        first, second = _class_of(one), _class_of(other)
+        same = (first.__module__, first.__qualname__) == (second.__module__, second.__qualname__)
+        return same and (first is not self.contract or one == other)
+
+    def unregister(self, name: str) -> None:
+        """Remove a kind, with all of its names."""
+        gone = self._members[name]
+        self._members = {each: member for each, member in self._members.items() if member is not gone}
+
+    def __getitem__(self, name: str) -> Member:
+        """The kind of a name; raises :class:`UnknownKindError`."""
+        if name not in self._members:
+            known = (*self.reserved, *self.names)
+            close = get_close_matches(name, known, n=1)
+            hint = f"did you mean `{close[0]}`?" if close else self.hint
+            raise UnknownKindError(self.noun, f"`{name}`", f"one of {', '.join(known)}", hint)
+        return self._members[name]
+
+    def __iter__(self) -> Iterator[str]:
+        return iter(self._members)
+
+    def __len__(self) -> int:
+        return len(self._members)
+
+    def __hash__(self) -> int:
+        return id(self)
+
+    @property
+    def names(self) -> tuple[str, ...]:
+        """Names of all kinds."""
+        return tuple(self._members)
+
+    @property
+    def members(self) -> tuple[Member, ...]:
+        """All kinds, each once."""
+        return tuple(dict.fromkeys(self._members.values()))
+
+
+REGISTRIES: dict[str, Registry[Any]] = {}
+"""The registries of all families that are imported, by their nouns."""
 
 
 class NamedKind:
     """A stateless object that holds all that one kind of joint, drive, ... is; two of one class are equal."""
 
-    name: ClassVar[str]
+    name: ClassVar[str] = ""
     """The word in data sheets."""
 
     @cached_property
     def key(self) -> str:
         """The name, for code that is compiled once and cached; of a kind from outside with a digest of its source."""
-        module = type(self).__module__
-        return self.name if module.startswith("tmodes.") else f"{self.name} {_digest(type(self))}"
+        return f"{self.name} {source_digest(type(self))}".rstrip()
 
     def __eq__(self, other: object) -> bool:
         return type(self) is type(other)
@@ -49,60 +150,63 @@ class NamedKind:
         return f"<{type(self).__name__} {self.name}>"
 
 
-def _digest(cls: type) -> str:
-    """Of the file that defines a class, or of its compiled methods where it has no file (a notebook)."""
-    path = getattr(sys.modules.get(cls.__module__), "__file__", None)
-    if path and Path(path).is_file():
-        return hashlib.sha256(Path(path).read_bytes()).hexdigest()[:16]
-    codes = [each.__code__ for each in vars(cls).values() if hasattr(each, "__code__")]
-    return hashlib.sha256(b"".join(map(marshal.dumps, codes))).hexdigest()[:16]
+def use(*names: str) -> list[str]:
+    """Load kinds from outside, so that data sheets of this process can name them; the names that were loaded.
+
+    ``names``: entry points of the group ``tmodes.kinds`` that installed packages offer, modules, or Python files; none:
+    all entry points. This runs their code; only a person asks for it, never a sheet or a result.
+
+    Raises :class:`tmodes.errors.InputError` for a name that is none of these.
+    """
+    offered = {point.name: point for point in entry_points(group=ENTRY_POINTS)}
+    for name in names or tuple(offered):
+        if name in offered:
+            offered[name].load()
+        elif name.endswith(".py") and Path(name).is_file():
+            _run(Path(name).resolve())
+        else:
+            _import(name, offered)
+    return list(names or offered)
 
 
-Member = TypeVar("Member", bound=NamedKind)
+def _run(file: Path) -> None:
+    """Import a file as a module under its own name, once."""
+    if file.stem not in sys.modules:
+        sys.path.insert(0, str(file.parent))
+        try:
+            importlib.import_module(file.stem)
+        finally:
+            sys.path.remove(str(file.parent))
+    elif Path(getattr(sys.modules[file.stem], "__file__", None) or "").resolve() != file:
+        runpy.run_path(str(file), run_name=file.stem)
 
 
-class Registry(Generic[Member]):
-    """The members of one package of kinds, in the order in which they were registered."""
+def _import(name: str, offered: Iterable[str]) -> None:
+    try:
+        importlib.import_module(name)
+    except ModuleNotFoundError as error:
+        if error.name and not name.startswith(error.name):
+            raise
+        known = ", ".join(offered) or "none is installed"
+        expected = f"an entry point of the group {ENTRY_POINTS} ({known}), a module, or a Python file"
+        raise InputError("kinds", repr(name), expected, "check the spelling and the path") from error
 
-    def __init__(self, noun: str, contract: type[Member]) -> None:
-        self.noun, self.contract = noun, contract
-        self._members: dict[str, Member] = {}
 
-    def register(self, cls: type[Member]) -> type[Member]:
-        """Add a kind, as a decorator of its class; the same class again replaces it (a cell run twice).
+def source_digest(cls: type[Any]) -> str:
+    """Digest of the source of a class and its bases outside of tmodes, for keys of compiled code; empty for our own."""
+    known = ("tmodes.", "pydantic", "builtins", "abc", "typing")
+    outside = [base for base in cls.__mro__ if not base.__module__.startswith(known)]
+    return hashlib.sha256("\n".join(map(_source, outside)).encode()).hexdigest()[:16] if outside else ""
 
-        Raises :class:`TypeError` for a class that is not of the contract, :class:`ValueError` for a name that is taken.
-        """
-        if not issubclass(cls, self.contract):
-            raise TypeError(f"{cls.__name__} is not a {self.contract.__name__}")
-        known = self._members.get(cls.name)
-        same = known is not None and type(known).__qualname__ == cls.__qualname__
-        if known is not None and not (same and type(known).__module__ == cls.__module__):
-            raise ValueError(f"the {self.noun} kind `{cls.name}` is already registered, by {type(known).__module__}")
-        self._members[cls.name] = cls()
-        return cls
 
-    def unregister(self, name: str) -> None:
-        """Remove a kind."""
-        del self._members[name]
+def _class_of(member: Any) -> type[Any]:
+    return member if isinstance(member, type) else type(member)
 
-    def get(self, name: str) -> Member:
-        """The kind of a name; raises :class:`UnknownKindError`."""
-        if name not in self._members:
-            close = get_close_matches(name, self._members, n=1)
-            hint = f"did you mean `{close[0]}`?" if close else "register it before the data sheet is read"
-            raise UnknownKindError(f"unknown {self.noun} kind `{name}`; known: {', '.join(self.names)}; {hint}")
-        return self._members[name]
 
-    def __contains__(self, name: str) -> bool:
-        return name in self._members
-
-    @property
-    def names(self) -> tuple[str, ...]:
-        """Names of all kinds."""
-        return tuple(self._members)
-
-    @property
-    def members(self) -> tuple[Member, ...]:
-        """All kinds."""
-        return tuple(self._members.values())
+def _source(member: type[Any]) -> str:
+    """Source of the module of a class, else the byte code of its functions."""
+    try:
+        return inspect.getsource(sys.modules[member.__module__])
+    except (OSError, TypeError, KeyError):
+        functions = [value for value in vars(member).values() if inspect.isfunction(value)]
+        return repr([(f.__code__.co_code, f.__code__.co_consts, f.__code__.co_names) for f in functions])

@@ -75,7 +75,7 @@ def _positioned(pair: RobotPair) -> set[str]:
 def _run(regime: RunSetup) -> dict[str, Any]:
     """Where its state holds what, how it starts, what its sheet says of that, and drives that follow exactly."""
     layout, names = regime.model.layout, regime.model.coordinates
-    info, noise = regime.arm.initial, {drive.noise for drive in regime.planned.plan.drives}
+    info, plan = regime.arm.initial, regime.planned.plan
     return {
         "state": {name: [part.start, part.stop] for name, part in layout._asdict().items()},
         "start": regime.start,
@@ -84,7 +84,7 @@ def _run(regime: RunSetup) -> dict[str, Any]:
             [driver.coordinate, driver.plan.signal] for driver in regime.model.loop.drivers if driver.plan.servo is None
         ],
         "signals": len(regime.planned.each),
-        "moving": [k for k in range(len(regime.planned.each)) if k not in noise],
+        "moving": [k for k in range(len(regime.planned.each)) if k not in plan.aside],
     }
 
 

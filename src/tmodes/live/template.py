@@ -5,8 +5,7 @@ from __future__ import annotations
 import re
 from typing import Any
 
-from tmodes.io.sheet_write import arm_to_yaml
-from tmodes.io.yaml_text import scalar_text
+from tmodes.io.sheet_write import arm_to_yaml, scalar_text
 from tmodes.live.map import LiveMap
 from tmodes.sheet import Robot
 

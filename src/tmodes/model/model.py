@@ -14,7 +14,7 @@ from tmodes.equations.recursion.parts import Parts
 from tmodes.errors import InputError
 from tmodes.model.differentiated import DifferentiatedModel
 from tmodes.model.evaluator import Rows
-from tmodes.model.point_motion import PointMotion
+from tmodes.model.passes import PointMotion
 
 __all__ = ["Model", "PointMotion"]
 
@@ -175,7 +175,7 @@ class Model(DifferentiatedModel):
         found = self.passes.inertia(still, rows.v, self.passes.at_rest(gravity=0.0), None)
         if "base_force" not in found:
             got, hint = f"the equations `{self.chain.equations}`", "take `equations: recursion`"
-            raise InputError("momentum", got, "equations that tell the reaction of the base", hint)
+            raise InputError("momentum", got, "asked of equations that give the reaction of the base", hint)
         info = found["base_force"]
         placed = self.chain.base
         linear, about_base = info[:, 3:] @ placed.rotation.T, info[:, :3] @ placed.rotation.T

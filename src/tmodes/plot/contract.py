@@ -24,13 +24,13 @@ class Figure(ABC):
     An instance is called as ``figure(result, ax=None)`` and returns its axes, lettered a), b), ...
     """
 
-    name: ClassVar[str]
+    name: ClassVar[str] = ""
     """Name of the figure and of its files, an identifier."""
 
-    title: ClassVar[str]
+    title: ClassVar[str] = ""
     """Title in a few words."""
 
-    caption: ClassVar[str]
+    caption: ClassVar[str] = ""
     """What to look at, in one or two sentences."""
 
     needs: ClassVar[Mapping[str, str]] = {}

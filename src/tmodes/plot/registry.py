@@ -2,30 +2,22 @@
 
 from __future__ import annotations
 
-from typing import TypeVar
-
 from tmodes.errors import InputError
+from tmodes.kinds.registry import Registry
 from tmodes.plot.contract import Figure
 
 __all__ = ["FIGURES", "register"]
 
-FIGURES: dict[str, Figure] = {}
-"""Every figure by its name, in the order of the report."""
 
-F = TypeVar("F", bound=Figure)
+def _has_words(figure: Figure) -> None:
+    if not figure.name.isidentifier():
+        raise InputError("figure name", repr(figure.name), "an identifier such as 'joint_power'", "set another `name`")
+    if not (figure.title and figure.caption):
+        hint = "set the class's `title` and `caption`"
+        raise InputError(f"figure {figure.name}", "a class without title or caption", "a class with both", hint)
 
 
-def register(figure: F) -> F:
-    """Add a figure to :data:`FIGURES`, after those that are there; returns it.
+FIGURES: Registry[Figure] = Registry("figure", Figure, check=_has_words)
+"""Every figure, in the order of the report."""
 
-    Raises :class:`tmodes.errors.InputError` for a name that is taken or is no identifier, and for missing words.
-    """
-    name = getattr(figure, "name", "")
-    if not (isinstance(name, str) and name.isidentifier()):
-        raise InputError("figure name", repr(name), "an identifier such as 'joint_power'", "set the class's `name`")
-    if name in FIGURES:
-        raise InputError("figure name", repr(name), "a name that no figure has", "choose another name")
-    if not (getattr(figure, "title", "") and getattr(figure, "caption", "")):
-        raise InputError(f"figure {name}", "no title or caption", "both", "set the class's `title` and `caption`")
-    FIGURES[name] = figure
-    return figure
+register = FIGURES.register

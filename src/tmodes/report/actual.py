@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import json
 from weakref import WeakKeyDictionary
 
 from tmodes.errors import TmodesError
@@ -22,12 +21,10 @@ class Actual:
     """
 
     def __init__(self, result: Result) -> None:
-        from tmodes.io.sheet_check import sheet_from_data
-
         self.missing, data = "", result.data
         self.drawn = [str(name) for name in data["link"].values] if "link" in data.dims else []
         try:
-            self.robot: Robot = sheet_from_data(json.loads(data.attrs["robot_real"]))
+            self.robot: Robot = result.actual
             self.model = Model(self.robot.chain())
             self.names = [*self.drawn, *carriers(data, self.model.chain, self.drawn)]
             _ = self.model.passes  # unknown equations are found here

@@ -39,6 +39,7 @@ def _drafts(result: Result) -> Iterator[Draft]:
     yield from _contact(data)
     yield from _deformations(data)
     yield from _joints(data)
+    yield from _controllers(data)
     yield from energy_charts(data)
     yield from run_spectra(result)
 
@@ -123,6 +124,18 @@ def _chunks(name: str, title: str, unit: str, data: Any, groups: Sequence[tuple[
         more = f", {first + 1} to {first + len(part)} of {len(groups)}" if len(groups) > _TOGETHER else ""
         lines = tuple(line for group in part for line in group)
         yield Draft(f"{name}_{first}", f"{title}{more}", "motors", unit, data["time"].values, lines)
+
+
+def _controllers(data: Any) -> Iterator[Draft]:
+    """The own states of the controllers, by unit."""
+    if "controller_states" not in data:
+        return
+    units = [str(unit).replace("*", " ") for unit in data["controller_state_unit"].values]
+    names = [str(name).replace(".controller.", ": ") for name in data["controller_state"].values]
+    for unit in dict.fromkeys(units):
+        own = [k for k, one in enumerate(units) if one == unit]
+        lines = [(line_of(data, ("controller_states", k), names[k], "real"),) for k in own]
+        yield from _chunks(f"controller_states_{unit}", "States of the controllers", unit, data, lines)
 
 
 def _place(data: Any, drive: str) -> tuple[str, int]:

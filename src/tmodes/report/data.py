@@ -73,9 +73,8 @@ def _title(result: Result) -> str:
 def _run(result: Result, name: str, charts: list[dict[str, Any]], *, light: bool) -> dict[str, Any]:
     data = result.data
     times, missing = np.asarray(data["time"].values, dtype=float), actual(result).missing
-    unknown = (
-        [f"shown by what the result holds alone, because its robot cannot be rebuilt: {missing}"] if missing else []
-    )
+    unknown = [f"shown by what the result holds alone, because its robot cannot be rebuilt: {missing}"]
+    unknown = unknown if missing and not any(missing in one for one in result.warnings) else []
     frames = scene_frames(times, int(np.prod(data["line"].shape[1:])) if "line" in data else 0)
     return {
         "name": name,

@@ -13,8 +13,7 @@ from tmodes.compile.cache import source_digest
 from tmodes.compile.native import host
 from tmodes.errors import ResultFileError
 from tmodes.io.atomic import FolderLock, check_writable, remove_orphans
-from tmodes.io.checkpoint import run_identity
-from tmodes.io.journal import RunJournal
+from tmodes.io.checkpoint import RunJournal, run_identity
 from tmodes.io.sheet_check import sheet_data
 from tmodes.plot import drawings, save_figures
 from tmodes.report.meshes import with_shapes

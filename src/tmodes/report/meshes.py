@@ -95,7 +95,9 @@ def kept_meshes(data: Any) -> list[Kept]:
     try:
         return _kept(data)
     except (KeyError, TypeError, ValueError, AttributeError) as error:
-        raise file_error("result, attribute meshes", "no list of surfaces", "what a run wrote", "run again") from error
+        raise file_error(
+            "result, attribute meshes", "no list of surfaces", "a list that a run wrote", "run again"
+        ) from error
 
 
 def _kept(data: Any) -> list[Kept]:

@@ -17,9 +17,9 @@ from tmodes.io.filipovic2010.coordinates import COORDINATES, to_robot
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.result.assemble import Assembly
 from tmodes.simulation.motion_run import RunData, gathered
+from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.trajectory import Trajectory
 
 if TYPE_CHECKING:
     from xarray import Dataset

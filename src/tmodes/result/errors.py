@@ -12,8 +12,8 @@ from tmodes.analysis.figure_errors import Figure, at_worst, disturbed_rows, even
 from tmodes.result.lines import load_series
 from tmodes.result.series import Variables, motion_series
 from tmodes.simulation.motion_run import RunData, gathered
+from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import RunSetup
-from tmodes.simulation.trajectory import Trajectory
 
 __all__ = ["summary_errors"]
 

@@ -10,7 +10,7 @@ from tmodes.errors import InputError
 from tmodes.integrate.settings import refuse_too_large
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import Command
-from tmodes.simulation.trajectory import sample_times
+from tmodes.simulation.parts import sample_times
 
 __all__ = ["movable_joints", "ready_to_run", "result_bytes"]
 
@@ -48,7 +48,9 @@ def ready_to_run(arm: Robot) -> Robot:
             f"add for each joint that moves an item such as {shown}, or command: position with a controller, or "
             f"command: {command}; or add `initial: {{coordinates: {{{name}: 0.3}}}}` to let it run freely"
         )
-        raise InputError("drives", f"nothing, so that no joint of {_few(movable)} moves", "what moves the joints", hint)
+        raise InputError(
+            "drives", f"nothing, so that no joint of {_few(movable)} moves", "a list of what moves the joints", hint
+        )
     return arm.with_({"drives": [_free(name, has_motor) for name, has_motor in movable]})
 
 

@@ -16,7 +16,9 @@ from typing import TYPE_CHECKING, Any, Self
 
 from tmodes import upward
 from tmodes.io.atomic import file_error
+from tmodes.kinds.registry import UnknownKindError
 from tmodes.result import record
+from tmodes.result.absent import absent_kinds
 from tmodes.result.assemble import Assembly, frequencies_of_sheet
 from tmodes.result.earlier import assembly_2010
 from tmodes.result.summary import summarise_result
@@ -27,6 +29,8 @@ if TYPE_CHECKING:
     from xarray import Dataset
 
 __all__ = ["Result", "assemble_result", "load_result"]
+
+_NOTICE = "{}; until then the series are shown without what needs the robot's model"
 
 
 class Result:
@@ -77,9 +81,23 @@ class Result:
         return live.ending[1] if (live := self._live) else record.text_of(self.data, "message")
 
     @property
+    def name(self) -> str:
+        """The name of the robot that ran."""
+        return live.known.name if (live := self._live) else str(record.from_json(self.data, "robot").get("name", ""))
+
+    @property
     def robot(self) -> Robot:
-        """The robot that ran, as it is known; from a file, rebuilt from its data sheet and checked again."""
+        """The robot that ran, as it is known; from a file, rebuilt from its data sheet and checked again.
+
+        Raises :class:`tmodes.kinds.registry.UnknownKindError` where it names a kind that is not registered here; all
+        series and the figures that need no model are there without it.
+        """
         return live.known if (live := self._live) else self._sheet("robot")
+
+    @property
+    def actual(self) -> Robot:
+        """The robot as it really ran, its ``real`` factors taken; raises as :attr:`robot`."""
+        return live.run.arm if (live := self._live) else self._sheet("robot_real")
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
@@ -95,7 +113,7 @@ class Result:
 
     @cached_property
     def _frequencies_again(self) -> dict[str, list[dict[str, Any]]]:
-        return frequencies_of_sheet(self._sheet("robot_real"))
+        return frequencies_of_sheet(self.actual)
 
     @property
     def settling(self) -> dict[str, Any] | None:
@@ -109,8 +127,15 @@ class Result:
 
     @property
     def warnings(self) -> tuple[str, ...]:
-        """What the run has to say about itself, as sentences."""
-        return tuple(live.warnings if (live := self._live) else record.from_json(self.data, "warnings"))
+        """What the run has to say about itself, as sentences; of a file also which of its kinds are absent here."""
+        if live := self._live:
+            return tuple(live.warnings)
+        return (*record.from_json(self.data, "warnings"), *(_NOTICE.format(one) for one in self._absent))
+
+    @cached_property
+    def _absent(self) -> list[UnknownKindError]:
+        """Kinds that the robot names and that are not registered in this process."""
+        return absent_kinds(record.from_json(self.data, "robot_real" if "robot_real" in self.data.attrs else "robot"))
 
     @property
     def statistics(self) -> dict[str, Any]:
@@ -149,6 +174,7 @@ class Result:
     def load(cls, path: str | os.PathLike[str]) -> Self:
         """Read a result back, whole and checked.
 
+        A result whose robot names a kind that is not registered here opens, with a warning that names it.
         Raises :class:`tmodes.errors.ResultFileError` when the file is damaged, foreign, or of another version.
         """
         return cls.of(record.read_record(path), path)
@@ -178,6 +204,8 @@ class Result:
     def _sheet(self, name: str) -> Robot:
         from tmodes.io.sheet_check import sheet_from_data
 
+        if absent := absent_kinds(record.from_json(self.data, name)):
+            raise absent[0]
         return sheet_from_data(record.from_json(self.data, name))
 
 

@@ -8,8 +8,8 @@ from tmodes.result.ready import ready_to_run
 from tmodes.result.result import Result, assemble_result
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.callback import Controller
+from tmodes.simulation.parts import Journal
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.simulation.trajectory import Journal
 
 __all__ = ["run"]
 

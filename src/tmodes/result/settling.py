@@ -13,8 +13,9 @@ from tmodes.integrate.registry import integrator
 from tmodes.kinds.signals.registry import merge
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.motion_run import RunData, tip_positions
+from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import RunSetup
-from tmodes.simulation.trajectory import Trajectory, integrate
+from tmodes.simulation.trajectory import integrate
 
 __all__ = ["BAND", "settling"]
 

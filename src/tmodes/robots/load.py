@@ -84,7 +84,7 @@ def urdf_of(name_or_path: str | os.PathLike[str], *, roots: Roots = (), trust_pa
 def _refuse_without_model(data: dict[str, Any], roots: Roots) -> None:
     """A published sheet that stands on a model of another package says which, where that is not installed."""
     if "urdf" in data and not roots and not installed_models():
-        got, expected = f"a robot of the package {MODELS}, which is not installed", f"the package {MODELS}"
+        got, expected = f"a robot of the package {MODELS}, which is not installed", "a robot whose package is installed"
         raise InputError("robot", got, expected, "install it: pip install 'tmodes[robots]'")
 
 

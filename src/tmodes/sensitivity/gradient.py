@@ -17,8 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
-from tmodes.sensitivity.changes import Changes
-from tmodes.sensitivity.differences import Change
+from tmodes.sensitivity.changes import Change, Changes
 from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.lowering import Lowered, lowered
 from tmodes.sensitivity.quantities import Quantities
@@ -109,7 +108,7 @@ def forward_sensitivities(
     done = replay.recording
     lowering = Changes(sheet, here)
     changes = {path: lowering.along(path) for path in paths}
-    none = Change(np.zeros_like(here.parameters.vector), np.zeros_like(here.start), np.zeros_like(done.rows))
+    none = Change(np.zeros_like(here.parameters), np.zeros_like(here.start), np.zeros_like(done.rows))
     changes |= {
         name: none._replace(start=_direction(name, way, here.start.size)) for name, way in (start or {}).items()
     }

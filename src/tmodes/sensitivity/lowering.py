@@ -22,7 +22,6 @@ from tmodes.simulation.plan import Planned, planned
 from tmodes.simulation.recording import MOST_BYTES, record
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.trajectory import Numbers
 
 __all__ = ["Lowered", "lowered", "replanned", "rows_of", "structure"]
 
@@ -39,7 +38,7 @@ class Lowered:
 
     model: LoopModel
     rates: Any
-    parameters: Numbers
+    parameters: Array
     schedule: Schedule
     start: Array
     settings: Integration
@@ -63,7 +62,7 @@ class Lowered:
                 "whose force jumps there; expected a force without jumps. End the run before, or set "
                 "contact.damping and contact.preload to 0"
             )
-        return Replay(self.rates, self.parameters.vector, done, len(self.model.coordinates))
+        return Replay(self.rates, self.parameters, done, len(self.model.coordinates))
 
 
 def lowered(sheet: Robot) -> Lowered:

@@ -52,7 +52,12 @@ def _points(arm: Any) -> Iterator[Issue]:
     for index, point in enumerate(arm.points):
         yield from _point(arm, f"points.{index}", point)
         if point.name in names:
-            yield Issue(f"points.{index}.name", f"the name `{point.name}` again", "each name once", "rename the point")
+            yield Issue(
+                f"points.{index}.name",
+                f"the name `{point.name}` again",
+                "a name that no other point has",
+                "rename the point",
+            )
         names.append(point.name)
     for index, load in enumerate(arm.loads):
         yield from _unknown(f"loads.{index}.point", load.point, names, "add it under `points`")
@@ -64,7 +69,7 @@ def _point(arm: Any, path: str, point: TipSheet) -> Iterator[Issue]:
     yield from _unknown(f"{path}.link", point.link, [joint.child for joint in arm.joints])
     if point.at is not None and arm.link(point.link).beam is None:
         hint = "remove `at`, and give the position in the link's frame"
-        yield Issue(f"{path}.at", f"{point.at:g}", "no station: the link has no beam", hint)
+        yield Issue(f"{path}.at", f"{point.at:g}", "left out: the link has no beam", hint)
 
 
 def _drives(arm: Any) -> Iterator[Issue]:

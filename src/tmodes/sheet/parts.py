@@ -2,8 +2,6 @@
 
 from __future__ import annotations
 
-from collections.abc import Mapping
-from difflib import get_close_matches
 from enum import StrEnum
 from typing import Annotated, Any, Self, Union
 
@@ -11,8 +9,7 @@ from pydantic import Field, SerializeAsAny, field_validator, model_validator
 
 from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.links.body import BodySheet
-from tmodes.kinds.links.registry import link_sheets, link_words, sheet_of
-from tmodes.kinds.links.sheet import BendingSheet
+from tmodes.kinds.links.registry import LINKS, BendingSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, quantity, refuse
 from tmodes.kinds.signals.registry import Signal
@@ -36,7 +33,7 @@ _Name = Annotated[str, Field(min_length=1, max_length=100)]
 _Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 
-_AnyBeam = Union[(*link_sheets(), None)]
+_AnyBeam = Union[(*LINKS.members, None)]
 """For the JSON Schema: the sheets of tmodes' own kinds."""
 
 
@@ -53,16 +50,7 @@ class LinkSheet(DataSheet):
     @classmethod
     def _beam_of_its_kind(cls, value: Any) -> Any:
         """The sheet that the word ``model`` chooses among the registered kinds."""
-        if value is None or isinstance(value, BendingSheet):
-            return value
-        word = value.get("model") if isinstance(value, Mapping) else None
-        sheet = sheet_of(word) if isinstance(word, str) else link_sheets()[0]
-        if sheet is None:
-            expected = f"one of {', '.join(link_words())}"
-            close = get_close_matches(str(word), link_words(), 1)
-            hint = f"did you mean `{close[0]}`?" if close else "a kind of your own is registered before it is used"
-            refuse([Issue("model", repr(word), expected, hint)])
-        return (sheet or BendingSheet).model_validate(value)
+        return None if value is None else BendingSheet.of(value)
 
     @model_validator(mode="after")
     def _stations_are_on_a_beam(self) -> Self:
@@ -70,7 +58,7 @@ class LinkSheet(DataSheet):
             hint = "remove `at` and give the center in the link's frame"
             refuse(
                 [
-                    Issue(f"bodies.{index}.at", f"{body.at:g}", "no station: the link has no beam", hint)
+                    Issue(f"bodies.{index}.at", f"{body.at:g}", "left out: the link has no beam", hint)
                     for index, body in enumerate(self.bodies)
                     if body.at is not None
                 ]
@@ -153,7 +141,7 @@ class DriveSheet(DataSheet):
         for name in ("controller", "noise"):
             if not self.command.is_controlled and getattr(self, name) is not None:
                 got = f"a {name} with the command `{self.command}`"
-                refuse([Issue(name, got, f"no {name}", "remove it, or take the command `position`")])
+                refuse([Issue(name, got, "left out", "remove it, or take the command `position`")])
         return self
 
 

@@ -63,7 +63,9 @@ def _twice(group: str, names: Sequence[str]) -> Iterator[Issue]:
     for index, name in enumerate(names):
         if name in names[:index]:
             got = f"the name `{name}` a second time"
-            yield Issue(f"{group}.{index}.name", got, f"each name of the {group} once", "rename one of them")
+            yield Issue(
+                f"{group}.{index}.name", got, f"a name that none of the other {group} has", "rename one of them"
+            )
 
 
 def _two_parents(joints: Sequence[JointSheet]) -> Iterator[Issue]:

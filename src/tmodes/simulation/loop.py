@@ -4,51 +4,41 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
-from typing import Any, Unpack
+from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.compile.lanes import lane_kernels
-from tmodes.compile.loops import loops
+from tmodes.compile.loops.loops import lane_loop, schedule_loop
+from tmodes.compile.native import Library
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.loop.plan import LoopPlan, StateLayout
-from tmodes.integrate.method import EULER, IMPLICIT, JACOBIAN
+from tmodes.integrate.method import EULER, EXPLICIT, JACOBIAN
 from tmodes.integrate.registry import integrator
-from tmodes.integrate.settings import Integration
 from tmodes.model.evaluator import derivatives, evaluate
-from tmodes.simulation.batch.result import BatchRun
-from tmodes.simulation.batch.simulate import How, Schedules, simulate_lanes
 
-__all__ = ["LoopModel", "LoopNumbers", "Loops"]
+__all__ = ["LoopModel", "Loops"]
 
 Array = NDArray[np.float64]
 
 
-@dataclass(frozen=True, eq=False)
-class LoopNumbers:
-    """All numbers of an arm and of what moves it, as the compiled code reads them."""
-
-    vector: Array
-
-
 @dataclass(frozen=True)
 class Loops:
-    """The native time loops of an arm by the name of their method, each kind compiled when it is first asked for."""
+    """The native time loops of an arm by the name of their method, each compiled when it is first asked for."""
 
     loop: ClosedLoop
 
     def __getitem__(self, method: str) -> Any:
         """The function of a method; KeyError for a name that is none."""
-        count, loop = self.loop.parts.size, self.loop
-        asks = integrator(method).asks
-        if asks in (IMPLICIT, EULER):
-            rate = loop.euler_rate if asks == EULER else loop.implicit_rate
-            return loops.implicit_loops("arm implicit loops", rate, 2 * count, count)[method]
+        loop, asks, more = self.loop, integrator(method).asks, {}
+        count, rate = loop.parts.size, "rate"
+        if asks != EXPLICIT:
+            more["pairs"] = count
         if asks == JACOBIAN:
-            columns = loop.layout.works.start
-            return loops.rosenbrock_loop("arm rosenbrock", loop.rate, 2 * count, count, columns)[method]
-        return loops.schedule_loops("arm loops", loop.rate, guarded=2 * count)[method]
+            more["columns"] = loop.layout.works.start
+        elif asks != EXPLICIT:
+            rate = "euler_rate" if asks == EULER else "implicit_rate"
+        return schedule_loop(getattr(loop, rate), 2 * count, method, **more)[method]
 
 
 @dataclass(frozen=True, eq=False)
@@ -76,19 +66,18 @@ class LoopModel:
         return self.loop.layout
 
     @cached_property
-    def numbers(self) -> LoopNumbers:
-        """The numbers of the plan's chain, drives, loads and contact."""
-        return LoopNumbers(self.loop.parts.numbers.vector)
+    def numbers(self) -> Array:
+        """The numbers of the plan's chain, drives, loads and contact, as the compiled code reads them."""
+        return self.loop.parts.numbers.vector
 
     @cached_property
-    def loops(self) -> Any:
+    def loops(self) -> Loops:
         """The native time loop of each method, by its name."""
         return Loops(self.loop)
 
-    @cached_property
-    def lane_loops(self) -> Any:
-        """The native loop over arms side by side of each explicit method."""
-        return lane_kernels.schedule_lane_loops("arm lane loops", self.loop.rate, guarded=2 * len(self.coordinates))
+    def lane_loop(self, method: str) -> Library:
+        """The native loop over arms side by side of a method with a tableau."""
+        return lane_loop(self.loop.rate, 2 * len(self.coordinates), method)
 
     @property
     def batch_widths(self) -> dict[str, int]:
@@ -96,16 +85,11 @@ class LoopModel:
         parameters, size = self.loop.rate.parameters, self.layout.size
         return {"parameters": parameters, "states": size, "schedules": self.plan.row_size}
 
-    def simulate_batch(
-        self, parameters: ArrayLike, schedules: Schedules, states: ArrayLike, settings: Integration, **how: Unpack[How]
-    ) -> BatchRun:
-        """Many robots of this structure at once, as :func:`tmodes.simulation.batch.simulate.simulate_lanes` reports."""
-        return simulate_lanes(self, parameters, schedules, states, settings, **how)
-
-    def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: LoopNumbers | None = None) -> Array:
+    def rate(self, time: ArrayLike, state: ArrayLike, row: ArrayLike, parameters: Array | None = None) -> Array:
         """Derivative of the state by time, (n, size) [the state's units over s]."""
         blocks = self._blocks(time, state, row)
-        return evaluate((parameters or self.numbers).vector, self.loop.rate, blocks, len(blocks["time"]))["rate"]
+        numbers = self.numbers if parameters is None else parameters
+        return evaluate(numbers, self.loop.rate, blocks, len(blocks["time"]))["rate"]
 
     def observe(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> dict[str, Array]:
         """What is shown of n instants.
@@ -116,7 +100,7 @@ class LoopModel:
         ``base`` (n, 24); ``powers`` (n, works) [W].
         """
         blocks = self._blocks(time, state, row)
-        found = evaluate(self.numbers.vector, self.loop.observe, blocks, len(blocks["time"]))
+        found = evaluate(self.numbers, self.loop.observe, blocks, len(blocks["time"]))
         return found | {"drives": found["drives"].reshape(len(found["drives"]), -1, 4)}
 
     def jacobian(self, time: float, state: Array, row: Array) -> Array:
@@ -124,7 +108,7 @@ class LoopModel:
         m = self.layout.works.start
         blocks = self._blocks(np.full(m, time), np.tile(state, (m, 1)), np.tile(row, (m, 1)))
         directions = {"state": np.eye(m, self.layout.size)}
-        return derivatives(self.numbers.vector, self.loop.rate, blocks, directions, m)["rate"][:, :m].T
+        return derivatives(self.numbers, self.loop.rate, blocks, directions, m)["rate"][:, :m].T
 
     def _blocks(self, time: ArrayLike, state: ArrayLike, row: ArrayLike) -> dict[str, Array]:
         times = np.asarray(time, dtype=float).reshape(-1, 1)

@@ -14,9 +14,9 @@ from tmodes.equations.loop.plan import BROUGHT_IN, WORKS
 from tmodes.model.evaluator import Rows
 from tmodes.model.model import Model, PointMotion
 from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.parts import ErrorEstimate, Trajectory
 from tmodes.simulation.plan import Planned
 from tmodes.simulation.start import RunSetup
-from tmodes.simulation.trajectory import ErrorEstimate, Trajectory
 
 if TYPE_CHECKING:
     from tmodes.sheet import Robot

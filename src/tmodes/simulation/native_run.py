@@ -11,9 +11,9 @@ from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.endings import Lost, chattered, used_up
+from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.method_change import COUNTED, MethodChange
-from tmodes.simulation.parts import ErrorEstimate, Moving, Numbers, Trajectory, sample_times
+from tmodes.simulation.parts import ErrorEstimate, Lost, Trajectory, chattered, sample_times, used_up
 
 __all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
 
@@ -31,8 +31,8 @@ class NativeRun:
 
     def __init__(
         self,
-        model: Moving,
-        parameters: Numbers,
+        model: LoopModel,
+        parameters: Array,
         schedule: Schedule,
         state: Array,
         settings: Integration,
@@ -43,7 +43,7 @@ class NativeRun:
 
         ``samples``: where the samples are written, (samples, size), C-ordered; by default an array of its own.
         """
-        self.first, self.parameters, self.model = settings, parameters, model
+        self.first, self.parameters, self.model = settings, np.ascontiguousarray(parameters), model
         self.change = MethodChange(settings, otherwise)
         self.parts = self.change.kept
         self.times = sample_times(settings)
@@ -110,7 +110,7 @@ class NativeRun:
             "looks": self.looks,
         }  # fmt: skip
         given: dict[str, Any] = {
-            "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters.vector, "knots": self.knots,
+            "memory": self.memory, "y": self.state, "k1": self.slope, "p": self.parameters, "knots": self.knots,
             "rows": self.rows, "times": self.times, "out": self.samples, "errors": self.errors,
             "errors_out": self.errors_out, "seen": self.seen, "segments": len(self.rows), "samples": len(self.times),
             "options": np.array([chosen[name] for name in OPTIONS], dtype=float),

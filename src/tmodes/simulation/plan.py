@@ -164,7 +164,7 @@ def _touch(arm: Robot, chain: Chain, names: list[str]) -> TouchPlan | None:
     if sheet.moving_mass > 0:
         got, hint = f"{sheet.moving_mass:g} kg", "remove `mass`, or take a law that holds the point"
         if sheet.unilateral:
-            raise InputError("contact.mass", got, "no mass of a surface that only pushes", hint)
+            raise InputError("contact.mass", got, "0 for a surface that only pushes", hint)
         if info.s < 1 and chain.nodes[info.node].link.has_stations:
             raise InputError("contact.mass", "a mass at a point inside a beam", "a point at the tip of a link", hint)
     touch = Touch(sheet)

@@ -14,8 +14,8 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration, refuse_stops
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import NativeRun
-from tmodes.simulation.parts import Moving, Numbers
 
 __all__ = ["MOST_BYTES", "Recording", "record"]
 
@@ -54,8 +54,8 @@ class Recording:
 
 
 def record(
-    model: Moving,
-    parameters: Numbers,
+    model: LoopModel,
+    parameters: Array,
     schedule: Schedule,
     state: Array,
     settings: Integration,

@@ -19,11 +19,11 @@ from tmodes.sheet import Robot, RobotPair
 from tmodes.sheet.parts import Command
 from tmodes.simulation.callback import Controller, driven_by, run_with_controller
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
+from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.quantities import arm_stops
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
-from tmodes.simulation.stops import Instants, Stops
-from tmodes.simulation.trajectory import STOPPED, Journal, Trajectory
+from tmodes.simulation.stops import STOPPED, Instants, Stops
 from tmodes.simulation.warnings import jumps, run_warnings, start_warnings
 
 __all__ = ["simulate_motion"]

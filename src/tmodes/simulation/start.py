@@ -16,11 +16,11 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import Integration
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
-from tmodes.simulation.error_estimate import with_error
 from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow, Planned, initial_value, planned, starts_at_rest
 from tmodes.simulation.stops import Stops
-from tmodes.simulation.trajectory import Journal, Trajectory, integrate
+from tmodes.simulation.trajectory import integrate, with_error
 
 __all__ = ["RunSetup", "first_state", "run_setup", "run_trajectory"]
 

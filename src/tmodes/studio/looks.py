@@ -45,7 +45,7 @@ class Shelf:
         try:
             return Path(tempfile.mkdtemp(prefix="tmodes-upload-", dir=self._place))
         except OSError as error:
-            expected, hint = "room in the temporary folder", "free some space"
+            expected, hint = "files that fit in the temporary folder", "free some space"
             raise InputError("files", str(error.strerror), expected, hint) from None
 
     def keep(self, room: Path, main: Path, roots: Sequence[Path]) -> str:

@@ -63,7 +63,7 @@ def _place() -> Iterator[Path]:
         try:
             place = until_stopped.enter_context(own_folder())
         except OSError as error:
-            got, expected = str(error.strerror), "room in the temporary folder"
+            got, expected = str(error.strerror), "a folder with room"
             raise InputError("the temporary folder", got, expected, "free some space, or set TMPDIR") from None
         yield place
 

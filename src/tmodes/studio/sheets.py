@@ -68,7 +68,7 @@ def sheet_yaml(sheet: Robot) -> str:
 
 def info_sheet(sheet: Robot) -> dict[str, Any]:
     """What the page gets of a right sheet: its data, units by path, sliders, and what looks implausible."""
-    from tmodes.io.notices import notices_about
+    from tmodes.io.sheet_plausible import notices_about
     from tmodes.studio.sliders import info_sliders
 
     data = plain_sheet(sheet)

@@ -8,8 +8,9 @@ import pytest
 from arm.statics.test_elements import geared, on_joint
 from tmodes.analysis.statics.compliance import LOADS, point_compliance, springs_of
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, Node
+from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.model.model import Model
 
 STIFFNESS, BENDING, TORSION, LENGTH = 300.0, 7.5, 5.0, 1.2

@@ -11,8 +11,9 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.model_validity import run_warnings
 from tmodes.analysis.range import link_angles, link_ranges
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.chain.chain import Chain, Joint, Node, Segment
+from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.segment import Segment
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 
-from arm.cli.command import tmodes
+from command import tmodes
 
 
 def test_tables_and_json_agree():

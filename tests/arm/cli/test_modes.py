@@ -12,7 +12,7 @@ import pytest
 from scipy.optimize import brentq
 
 from arm.analysis.sheets import clamped_sheet, locked_sheet
-from arm.cli.command import tmodes
+from command import tmodes
 
 
 def test_json():

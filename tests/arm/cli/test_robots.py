@@ -9,7 +9,7 @@ import sys
 
 import pytest
 
-from arm.cli.command import tmodes
+from command import tmodes
 
 
 def test_list():

@@ -9,8 +9,8 @@ import signal
 
 import pytest
 
-from arm.cli.command import tmodes
 from arm.see.runs import SHEETS
+from command import tmodes
 from disturbed import running
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.result import load_result

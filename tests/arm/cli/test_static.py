@@ -7,7 +7,7 @@ import json
 import numpy as np
 import pytest
 
-from arm.cli.command import tmodes
+from command import tmodes
 
 ARM = "spong1987"
 

@@ -6,7 +6,7 @@ import numpy as np
 
 from arm.oracle.robots import arms
 from tmodes.compile.ir import kernels
-from tmodes.compile.lanes.wide import Wide
+from tmodes.compile.ir.arithmetic import Wide
 from tmodes.model.model import Model
 
 

@@ -38,7 +38,7 @@ def landing() -> Any:
 
 def rate_of(sheet: Any) -> tuple[Any, Any]:
     model = LoopModel(planned(sheet).plan)
-    return model.loop.rate, model.numbers.vector
+    return model.loop.rate, model.numbers
 
 
 def forward_of(chain: Any) -> tuple[Any, Any]:

@@ -7,8 +7,9 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tmodes.chain.chain import Beam, Placement
+from tmodes.frame import Placement
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.strain import Beam
 from tmodes.sheet import Robot
 
 __all__ = ["chain_frames", "mass_matrix", "matrix", "sheet_frames"]

@@ -25,11 +25,11 @@ def test_a_sheet_is_handed_on_as_it_is(tmp_path: Path) -> None:
         ("arm", b"x", "a file with the ending ''"),
         ("arm.urdf", b"", "an empty file"),
         ("arm.xml", b"", "an empty file"),
-        ("arm.xml", b"<sdf/>", "the root element: got <sdf>"),
+        ("arm.xml", b"<sdf/>", "the root element must be <robot>, got <sdf>"),
         ("arm.URDF", b"<robot/>", "got no link"),
         ("arm.urdf", b'<robot><link name="a"/></robot>', "got no joint"),
         ("arm.yaml", b"\xff", "not UTF-8"),
-        ("arm.yaml", b"urdf: 5", "urdf: got 5"),
+        ("arm.yaml", b"urdf: 5", "urdf must be the path of a URDF, got 5"),
         ("arm.xacro", b"<robot", "broken XML"),
     ],
 )

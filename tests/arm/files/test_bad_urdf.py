@@ -67,17 +67,17 @@ CASES = {
     "negative mass": (
         FORE_MASS,
         '<mass value="-1"/>',
-        "bad.urdf:13: link fore: mass: got -1, expected a mass greater than 0",
+        "bad.urdf:13: link fore: mass must be a mass greater than 0 [kg], got -1",
     ),
     "zero mass of a moving end": (
         FORE_MASS,
         '<mass value="0"/>',
-        "bad.urdf:13: link fore: mass: got 0 with moments of inertia",
+        "bad.urdf:13: link fore: mass must be a mass greater than 0 [kg], got 0 with moments of inertia",
     ),
     "no mass and no inertia": (
         FORE_MASS + "\n      " + FORE_INERTIA,
         '<mass value="0"/>\n<inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/>',
-        "bad.urdf:13: link fore: mass: got no mass on the moving joint 'elbow'",
+        "bad.urdf:13: link fore: mass must be a mass greater than 0 [kg], got no mass on the moving joint 'elbow'",
     ),
     "triangle inequality": (
         'izz="0.01" ixy="0" ixz="0"',
@@ -87,46 +87,58 @@ CASES = {
     "indefinite inertia": (
         'izz="0.01" ixy="0"',
         'izz="0.01" ixy="0.03"',
-        "bad.urdf:14: link fore: inertia: got principal moments -0.02",
+        "bad.urdf:14: link fore: inertia must be moments of a rigid body: none is negative, got principal",
     ),
-    "mass nan": (FORE_MASS, '<mass value="nan"/>', "bad.urdf:13: link fore: mass: got 'nan' (not a number)"),
+    "mass nan": (
+        FORE_MASS,
+        '<mass value="nan"/>',
+        "bad.urdf:13: link fore: mass must be a finite number of at most 1e+12, got 'nan' (not a number)",
+    ),
     "mass 1e400": (
         FORE_MASS,
         '<mass value="1e400"/>',
-        "bad.urdf:13: link fore: mass: got '1e400', which no double can hold",
+        "bad.urdf:13: link fore: mass must be a finite number of at most 1e+12, got '1e400', which no double can hold",
     ),
     "mass 1e300": (FORE_MASS, '<mass value="1e300"/>', "bad.urdf:13: link fore: mass"),
     "mass inf": (FORE_MASS, '<mass value="inf"/>', "bad.urdf:13: link fore: mass"),
-    "mass heavy": (FORE_MASS, '<mass value="heavy"/>', "bad.urdf:13: link fore: mass: got the text 'heavy'"),
+    "mass heavy": (
+        FORE_MASS,
+        '<mass value="heavy"/>',
+        "bad.urdf:13: link fore: mass must be a finite number of at most 1e+12, got the text 'heavy'",
+    ),
     "decimal comma": (FORE_MASS, '<mass value="1,5"/>', "write a decimal point instead of the comma: 1.5"),
     "mass as text": (
         FORE_MASS,
         "<mass>1.0</mass>",
-        "bad.urdf:13: link fore: mass: got <mass> without the attribute `value`",
+        'bad.urdf:13: link fore: mass must be value="a number", got <mass> without the attribute `value`',
     ),
-    "no mass element": (FORE_MASS, "", "link fore: mass: got <inertial> without <mass>"),
-    "no inertia element": (FORE_INERTIA, "", "link fore: inertia: got <inertial> without <inertia>"),
+    "no mass element": (FORE_MASS, "", "link fore: mass must be a mass [kg], got <inertial> without <mass>"),
+    "no inertia element": (
+        FORE_INERTIA,
+        "",
+        "link fore: inertia must be <inertia ixx=... izz=...>, got <inertial> without <inertia>",
+    ),
     "a moment missing": ('izz="0.01" ixy="0"', 'ixy="0"', "link fore: inertia izz"),
     "two masses": (FORE_MASS, FORE_MASS * 2, "a second <mass> (first in line 13)"),
     "duplicate link": (
         '<link name="fore">',
         '<link name="upper">',
-        "bad.urdf:11: link upper: got a second link of this name (first in line 4)",
+        "bad.urdf:11: link upper must be one link of each name, got a second link of this name (first in line 4)",
     ),
     "duplicate joint": (
         'name="elbow"',
         'name="shoulder"',
-        "bad.urdf:23: joint shoulder: got a second joint of this name (first in line 17)",
+        "bad.urdf:23: joint shoulder must be one joint of each name, got a second joint of this name (first in line",
     ),
     "nameless link": (
         '<link name="fore">',
         "<link>",
-        "bad.urdf:11: a link's name: got <link> without the attribute `name`",
+        'bad.urdf:11: a link\'s name must be name="...", got <link> without the attribute `name`',
     ),
     "disconnected link": (
         "</robot>",
         '<link name="lost"/>\n</robot>',
-        "bad.urdf:31: the tree of links: got links that hang together with no joint",
+        "bad.urdf:31: the tree of links must be one tree with one root link, got links that hang together",
     ),
     "unknown parent": (
         '<parent link="upper"/>',
@@ -136,28 +148,48 @@ CASES = {
     "two parents": (
         "</robot>",
         joint("second", "ground", "fore"),
-        "bad.urdf:31: link fore: got two parents, 'upper' by joint elbow and 'ground' by second",
+        "bad.urdf:31: link fore must be carried by one joint, got two parents, 'upper' by joint elbow and 'ground'",
     ),
-    "cycle of all": ("</robot>", joint("back", "fore", "ground"), "the tree of links: got a cycle"),
+    "cycle of all": (
+        "</robot>",
+        joint("back", "fore", "ground"),
+        "the tree of links must be a tree with one root link, got a cycle",
+    ),
     "cycle apart from the root": (
         "</robot>",
         '<link name="a"/><link name="b"/>' + joint("ab", "a", "b").removesuffix("</robot>") + joint("ba", "b", "a"),
         "a cycle apart from the root, among 'b', 'a'",
     ),
-    "self-loop": ('<child link="fore"/>', '<child link="upper"/>', "joint elbow: got 'upper' on itself"),
+    "self-loop": (
+        '<child link="fore"/>',
+        '<child link="upper"/>',
+        "joint elbow must be a joint between two links, got 'upper' on itself",
+    ),
     "zero axis": (
         '<axis xyz="0 1 0"/>',
         '<axis xyz="0 0 0"/>',
-        "bad.urdf:27: joint elbow: axis: got a zero axis, expected a direction",
+        "bad.urdf:27: joint elbow: axis must be a direction, got a zero axis",
     ),
-    "short axis": ('<axis xyz="0 1 0"/>', '<axis xyz="0 1"/>', "bad.urdf:27: joint elbow: axis: got 2 words"),
-    "axis nan": ('<axis xyz="0 1 0"/>', '<axis xyz="0 nan 0"/>', "bad.urdf:27: joint elbow: axis: got 'nan'"),
+    "short axis": (
+        '<axis xyz="0 1 0"/>',
+        '<axis xyz="0 1"/>',
+        'bad.urdf:27: joint elbow: axis must be xyz="x y z", got 2 words',
+    ),
+    "axis nan": (
+        '<axis xyz="0 1 0"/>',
+        '<axis xyz="0 nan 0"/>',
+        "bad.urdf:27: joint elbow: axis must be a finite number of at most 1e+12, got 'nan'",
+    ),
     "lower above upper": (
         'lower="-2" upper="2"',
         'lower="2" upper="-2"',
-        "bad.urdf:28: joint elbow: limit: got lower 2 above upper -2",
+        "bad.urdf:28: joint elbow: limit must be a range from lower to upper, got lower 2 above upper -2",
     ),
-    "negative effort": ('upper="2" effort="10"', 'upper="2" effort="-10"', "joint elbow: effort: got -10"),
+    "negative effort": (
+        'upper="2" effort="10"',
+        'upper="2" effort="-10"',
+        "joint elbow: effort must be a limit not less than 0, got -10",
+    ),
     "negative dry friction": ('friction="0.1"', 'friction="-0.3"', "joint elbow: friction must be"),
     "floating joint": (
         'name="elbow" type="revolute"',
@@ -166,7 +198,11 @@ CASES = {
     ),
     "planar joint": ('name="elbow" type="revolute"', 'name="elbow" type="planar"', "got a planar joint"),
     "misspelt type": ('name="elbow" type="revolute"', 'name="elbow" type="revolut"', "Did you mean revolute?"),
-    "no child": ('<child link="fore"/>', "", "joint elbow: got no <child>"),
+    "no child": (
+        '<child link="fore"/>',
+        "",
+        "joint elbow must be a joint with a parent and a child link, got no <child>",
+    ),
     "misspelt link": (
         '<link name="ground"/>',
         '<lnk name="ground"/>',
@@ -188,9 +224,13 @@ CASES = {
     "quaternion in origin": (
         'xyz="0.5 0 0" rpy="0 0 0.1"',
         'xyz="0.5 0 0" quat="1 0 0 0"',
-        "joint elbow: origin: got the attribute 'quat'",
+        "joint elbow: origin must be xyz and rpy, got the attribute 'quat'",
     ),
-    "truncated": (GOOD[700:], "", "bad.urdf:25: the file: got broken XML (unclosed token inside <joint> of line 23)"),
+    "truncated": (
+        GOOD[700:],
+        "",
+        "bad.urdf:25: the file must be well-formed XML, got broken XML (unclosed token inside <joint> of line 23)",
+    ),
     "mimic of nothing": (
         "<dynamics",
         '<mimic joint="sholder"/><dynamics',
@@ -199,7 +239,7 @@ CASES = {
     "mimic of itself": ("<dynamics", '<mimic joint="elbow"/><dynamics', "'elbow', which mimics 'elbow' itself"),
     "mesh that climbs": ("</robot>", MESH + joint("j", "fore", "m"), "which climbs with `..`"),
     "xacro in a urdf": ("</robot>", '<xacro:if value="1"/></robot>', "save the file with the ending .xacro"),
-    "another root": ("robot", "model", "the root element: got <model>"),
+    "another root": ("robot", "model", "the root element must be <robot>, got <model>"),
 }
 
 
@@ -265,7 +305,7 @@ def test_a_zero_mass_that_is_said_is_refused_also_in_the_middle(tmp_path: Path) 
     zero = '<mass value="0"/>\n      <inertia ixx="0" iyy="0" izz="0" ixy="0" ixz="0" iyz="0"/>'
     start, end = GOOD.index('<mass value="2.0"/>'), GOOD.index("</inertial>")
     message = said(GOOD[:start] + zero + GOOD[end:], tmp_path)
-    assert message.startswith("bad.urdf:7: link upper: mass: got 0 on a moving link")
+    assert message.startswith("bad.urdf:7: link upper: mass must be a mass greater than 0 [kg], got 0 on a moving link")
 
 
 def test_a_negative_damping_is_read_and_reported(tmp_path: Path) -> None:

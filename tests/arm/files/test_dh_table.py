@@ -86,7 +86,7 @@ def test_a_row_holds_what_a_joint_and_a_link_hold(tmp_path: Path) -> None:
         ("convention: standard\n", "rows is missing"),
         ("convention: standard\nrows: []\n", "rows must be"),
         ("convention: standard\nrows:\n  - {a: 0, alpha: 0, d: 0}\n", "table.yaml:4: rows.0.theta is missing"),
-        ("convention: standard\nrows:\n  - 5\n", "rows.0: got 5"),
+        ("convention: standard\nrows:\n  - 5\n", "rows.0 must be a group with a, alpha, d, theta, got 5"),
         ("convention: standard\nrows:\n  - {a: 0, alpha: 0, d: 0, theta: 0, alhpa: 1}\n", "Did you mean `alpha`?"),
         ("convention: standard\njoints: []\nrows: [{a: 0, alpha: 0, d: 0, theta: 0}]\n", "joints next to `rows`"),
     ],

@@ -10,13 +10,13 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from arm.files.frames import chain_frames, matrix, sheet_frames
-from tmodes.chain.chain import Beam
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.io.elasticity_beam import section_axes
 from tmodes.io.sheet_check import sheet_from_data
 from tmodes.io.sheet_files import read_arm_data
 from tmodes.io.urdf import read_urdf
 from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.links.strain import Beam
 from tmodes.sheet import Robot
 
 INERTIAL = """<inertial><origin xyz="0.1 0.02 0.2" rpy="0.3 -0.4 0.5"/><mass value="2.4"/>
@@ -210,13 +210,13 @@ REFUSED = {
     ),
     "keep what": (
         UPPER.format(f"{BEAM}, {GIVEN}", "    keep_inertial: maybe\n"),
-        "bent.yaml:5: links.upper.keep_inertial: got 'maybe'",
+        "bent.yaml:5: links.upper.keep_inertial must be rigid or replaced, got 'maybe'",
         "write one of the two",
     ),
     "keep without a beam": ("links: {upper: {keep_inertial: rigid}}\n", "got a link without `beam`", "remove it"),
     "no end": (
         f"links: {{hand: {{beam: {{{BEAM}, {GIVEN}}}}}}}\n",
-        "links.hand.beam.to: got a link that carries no joint",
+        "links.hand.beam.to must be the point where the beam ends, got a link that carries no joint",
         "write `to",
     ),
     "no direction": (
@@ -240,9 +240,13 @@ REFUSED = {
         "links.upper.beam.to must be",
         "three numbers",
     ),
-    "joints as list": ("joints: [1]\n", "bent.yaml:2: joints: got a list of 1", "groups by name"),
-    "beam as text": ("links: {upper: {beam: steel}}\n", "links.upper.beam: got 'steel'", "a group"),
-    "kind": ("kind: arm\n", "bent.yaml:2: kind: got 'arm'", "remove the line"),
+    "joints as list": (
+        "joints: [1]\n",
+        "bent.yaml:2: joints must be groups by name, got a list of 1",
+        "groups by name",
+    ),
+    "beam as text": ("links: {upper: {beam: steel}}\n", "links.upper.beam must be a group, got 'steel'", "a group"),
+    "kind": ("kind: arm\n", "bent.yaml:2: kind must be elasticity, or no kind, got 'arm'", "remove the line"),
 }
 
 
@@ -260,7 +264,7 @@ def test_refused_with_line_and_hint(text: str, words: str, hint: str, tmp_path: 
 def test_the_urdf_lies_in_the_folder(name: str, tmp_path: Path) -> None:
     path = file_of(tmp_path, "")
     path.write_text(f"name: a\nurdf: {name}\n")
-    with pytest.raises(InputError, match=r"bent\.yaml:2: urdf: got"):
+    with pytest.raises(InputError, match=r"bent\.yaml:2: urdf must be .*, got .*; "):
         read_arm_data(path)
 
 

@@ -77,7 +77,7 @@ def test_found_inside(home: Path, name: str, roots: tuple[str, ...], found: str 
 def test_refused(home: Path, name: str) -> None:
     with pytest.raises(InputError) as caught:
         find(home, name)
-    assert str(caught.value).startswith("arm.urdf:3: link a: mesh: got ")
+    assert str(caught.value).startswith("arm.urdf:3: link a: mesh must be")
 
 
 def test_trust_opens_paths_but_fetches_nothing(home: Path) -> None:

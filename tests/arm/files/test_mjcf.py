@@ -111,14 +111,14 @@ def test_a_passive_spring_is_an_elastic_gear_with_a_locked_motor(tmp_path: Path)
 @pytest.mark.parametrize(
     ("text", "words"),
     [
-        (SPRING.format('type="ball"', ""), "joint 'j': got a ball joint"),
-        (SPRING.format('type="free"', ""), "joint 'j': got a free joint (a free-flying base)"),
+        (SPRING.format('type="ball"', ""), "joint 'j' must be hinge or slide, got a ball joint"),
+        (SPRING.format('type="free"', ""), "joint 'j' must be hinge or slide, got a free joint (a free-flying base)"),
         (SPRING.format('stiffness="4" armature="0.1"', ""), "a spring next to an armature"),
         (SPRING.format('stiffness="4"', '<actuator><motor joint="j"/></actuator>'), "a spring next to an actuator"),
         (SPRING.format("", '<equality><joint joint1="j"/></equality>'), "a model with equality constraints"),
         (SPRING.format("", '<tendon><fixed><joint joint="j" coef="1"/></fixed></tendon>'), "a model with tendons"),
         (SPRING.format('axiss="1"', ""), "a model that MuJoCo refuses"),
-        ("<mujoco/>", "the model: got no body"),
+        ("<mujoco/>", "the model must be bodies and joints, got no body"),
     ],
 )
 def test_what_is_no_arm_is_refused(text: str, words: str, tmp_path: Path) -> None:
@@ -160,5 +160,5 @@ def test_refused_before_mujoco_opens_it(inside: str, tmp_path: Path) -> None:
 
 def test_without_mujoco_it_is_said_what_to_install(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setitem(__import__("sys").modules, "mujoco", None)
-    with pytest.raises(InputError, match="an MJCF without MuJoCo"):
+    with pytest.raises(InputError, match="got no MuJoCo; install it with"):
         read_arm_data(written(tmp_path))

@@ -148,7 +148,10 @@ def expand(inside: str, folder: Path) -> Element:
 
 
 REFUSED = {
-    "unknown macro": ("<xacro:leg/>", "<xacro:leg>: got <xacro:leg>, expected a macro"),
+    "unknown macro": (
+        "<xacro:leg/>",
+        "<xacro:leg> must be a macro, or property, arg, macro, include, if, unless, insert_block, got <xacro:leg>",
+    ),
     "misspelt command": ('<xacro:proprty name="a" value="1"/>', "Did you mean <xacro:property>?"),
     "unknown name": ('<a x="${lenght}"/>', "unknown name 'lenght'"),
     "python": ('<a x="${__import__(1)}"/>', "which is not arithmetic"),
@@ -159,7 +162,10 @@ REFUSED = {
     "condition": ('<xacro:if value="maybe"><a/></xacro:if>', "got the condition 'maybe'"),
     "missing parameter": ('<xacro:macro name="m" params="a b:=1"/><xacro:m/>', "got no value for a"),
     "unknown parameter": ('<xacro:macro name="m" params="side"/><xacro:m sid="1"/>', "Did you mean 'side'?"),
-    "missing block": ('<xacro:macro name="m" params="*b"/><xacro:m/>', "got 0 elements inside, expected 1"),
+    "missing block": (
+        '<xacro:macro name="m" params="*b"/><xacro:m/>',
+        "called with 1 elements, one for each block (b), got 0 elements inside",
+    ),
     "unknown block": ('<xacro:insert_block name="b"/>', "unknown block 'b'"),
     "scope": ('<xacro:property name="a" value="1" scope="global"/>', "got the attribute 'scope'"),
     "without prefix": ('<property name="a" value="1"/>', "write <xacro:property>"),
@@ -216,5 +222,5 @@ def test_escapes_defaults_and_outer_names(tmp_path: Path) -> None:
 def test_a_xacro_is_a_urdf_after_all(tmp_path: Path) -> None:
     path = tmp_path / "bad.xacro"
     path.write_text('<robot name="r">\n<link name="a"><inertial>\n<mass value="${-1}"/></inertial></link></robot>')
-    with pytest.raises(TmodesError, match=r"bad\.xacro:3: link a: mass: got -1"):
+    with pytest.raises(TmodesError, match=r"bad\.xacro:3: link a: mass must be .*, got -1"):
         read_arm_data(path)

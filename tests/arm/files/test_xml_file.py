@@ -37,7 +37,7 @@ def test_elements_know_their_lines_and_children() -> None:
 
 @pytest.mark.parametrize("content", [BOMB, EXTERNAL], ids=["entity bomb", "external entity"])
 def test_no_document_type(content: bytes) -> None:
-    assert said(content).startswith("bad.urdf:2: the file: got a document type (<!DOCTYPE)")
+    assert said(content).startswith("bad.urdf:2: the file must be plain elements, got a document type (<!DOCTYPE)")
 
 
 @pytest.mark.parametrize(
@@ -47,17 +47,23 @@ def test_no_document_type(content: bytes) -> None:
         (b" \n ", "an empty file"),
         (
             b'<robot>\n<link name="a">\n',
-            "bad.urdf:3: the file: got broken XML (no element found inside <link> of line 2)",
+            "bad.urdf:3: the file must be well-formed XML, got broken XML (no element found inside <link> of line 2)",
         ),
-        (b'<robot>\n<link name="a', "bad.urdf:2: the file: got broken XML (unclosed token inside <robot> of line 1)"),
-        (b"<robot>\n</link>", "bad.urdf:2: the file: got broken XML (mismatched tag inside <robot> of line 1)"),
+        (
+            b'<robot>\n<link name="a',
+            "bad.urdf:2: the file must be well-formed XML, got broken XML (unclosed token inside <robot> of line 1)",
+        ),
+        (
+            b"<robot>\n</link>",
+            "bad.urdf:2: the file must be well-formed XML, got broken XML (mismatched tag inside <robot> of line 1)",
+        ),
         (b"<robot/><robot/>", "junk after document element"),
         (b'<robot name="a" name="b"/>', "duplicate attribute"),
         (b"<robot>&unknown;</robot>", "undefined entity"),
         (bytes(range(256)), "broken XML"),
         (b'<?xml version="1.0" encoding="klingon"?><robot/>', "bad.urdf"),
-        (b"<a>" * 5_000, "got 101 levels of elements, expected at most 100"),
-        (b"<r>" + b"<a/>" * 200_001 + b"</r>", "elements, expected at most 200000"),
+        (b"<a>" * 5_000, "must be at most 100, got 101 levels of elements"),
+        (b"<r>" + b"<a/>" * 200_001 + b"</r>", "must be at most 200000, got 200001 elements"),
         (b'<r a="' + b"x" * 20_001 + b'"/>', "20001 characters in one attribute"),
         (b"<r " + b" ".join(b'a%d="1"' % i for i in range(101)) + b"/>", "101 attributes of one element"),
     ],

@@ -12,9 +12,11 @@ from arm.oracle.robots import arms
 from arm.random_chains import random_chain, random_state
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import held_shape
-from tmodes.chain.chain import Body, Chain, Link, Point, Segment
+from tmodes.chain.chain import Chain, Point
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body, Link
+from tmodes.kinds.links.segment import Segment
 from tmodes.model.model import Model
 
 S = np.linspace(0, 1, 21)
@@ -266,7 +268,8 @@ def test_segment_line() -> None:
 
 def test_segment_in_balance_carries_what_bends_it() -> None:
     """In equilibrium the moment of a tip force is the mode's own all along."""
-    from tmodes.chain.chain import Joint, Node, Segment
+    from tmodes.chain.chain import Joint, Node
+    from tmodes.kinds.links.segment import Segment
 
     node = Node("mode", -1, Joint("wall", joint_kind("fixed")), Segment(0.5, 800.0, 800.0, bodies=(Body(0.2),)))
     model = Model(Chain("mode", (node,), np.zeros(3)))

@@ -9,8 +9,10 @@ import numpy as np
 
 from arm.oracle.motion import Motion
 from arm.oracle.rotation import vee
-from tmodes.chain.chain import Axis, Beam, Friction, Gear, Motor, Node, Segment
+from tmodes.chain.chain import Axis, Friction, Gear, Motor, Node
 from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.links.segment import Segment
+from tmodes.kinds.links.strain import Beam
 
 __all__ = ["elastic_gear", "elastic_link", "gravity", "kinetic", "lost", "momentum"]
 

@@ -20,7 +20,7 @@ from numpy.polynomial import Legendre, Polynomial
 from numpy.typing import NDArray
 
 from arm.oracle.rotation import exponential
-from tmodes.chain.chain import Beam
+from tmodes.kinds.links.strain import Beam
 
 __all__ = ["DIRECTIONS", "Line", "Station", "basis", "counts", "gauss"]
 

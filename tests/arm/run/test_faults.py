@@ -13,9 +13,10 @@ from tmodes.errors import InputErrors
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
+from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import RunSetup, run_setup
-from tmodes.simulation.trajectory import Trajectory, integrate
+from tmodes.simulation.trajectory import integrate
 
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")
 BREAK = 0.0537

@@ -12,9 +12,9 @@ from tmodes.compile.loops.tableau import difference_weights
 from tmodes.errors import CompileError
 from tmodes.sheet import Robot
 from tmodes.simulation import trajectory
+from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
-from tmodes.simulation.trajectory import Trajectory
 
 FINE = {"method": "dormand_prince", "relative_tolerance": 1e-12, "absolute_tolerance": 1e-14}
 

@@ -10,8 +10,8 @@ import pytest
 from arm.run.sheets import arm
 from tmodes.sheet import Robot
 from tmodes.simulation.native_run import NativeRun
+from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import run_setup, run_trajectory
-from tmodes.simulation.trajectory import Trajectory
 
 JUMPS = (0.1234, 0.3217)
 METHODS = ("dormand_prince", "dop853", "rk4", "extrapolation", "midpoint", "rosenbrock")

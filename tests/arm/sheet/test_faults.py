@@ -33,9 +33,9 @@ KEYS = [
     (lambda d: d.update(points=[{"name": "tip", "link": "fore"}]), "points.tip.name", "rename the point"),
     (lambda d: d["links"][1].pop("name"), "links.1.name is missing", "add the line `name: ...`"),
     (lambda d: d.pop("joints"), "joints is missing", "add the line `joints: ...`"),
-    (lambda d: d.update(kind="robot"), "kind: got 'robot', expected 'arm'", ""),
-    (lambda d: d.update(format=2), "format: got 2, newer than this program, expected at most 1", "update tmodes"),
-    (lambda d: d.update(format=True), "format: got true", "write `format: 1`"),
+    (lambda d: d.update(kind="robot"), "kind must be 'arm', got 'robot'", ""),
+    (lambda d: d.update(format=2), "format must be at most 1, got 2, newer than this program", "update tmodes"),
+    (lambda d: d.update(format=True), "format must be the number 1, got true", "write `format: 1`"),
 ]
 
 
@@ -61,7 +61,11 @@ VALUES = [
     (lambda d: d["joints"][0].update(type=1), "joints.shoulder.type", ""),
     (lambda d: d["joints"][0].update(name=5), "joints.0.name", ""),
     (lambda d: d["joints"][0].update(name="a\x1b[2J"), "control characters", ""),
-    (lambda d: d["joints"][0].update(gear=4700), "joints.shoulder.gear: got 4700, expected a group with the keys", ""),
+    (
+        lambda d: d["joints"][0].update(gear=4700),
+        "joints.shoulder.gear must be a group with the keys stiffness, torque_limits, damping, backlash, got 4700",
+        "",
+    ),
     (lambda d: d.update(joints={"shoulder": {}}), "joints must be a list of 0 to 500 items, got a group of 1 keys", ""),
     (lambda d: d.update(name=""), "name must be", "text of 1 to 100 characters"),
     (lambda d: d["links"][0]["beam"].update(section="tube"), "links.upper.beam.section", ""),
@@ -138,7 +142,9 @@ def test_units_of_drives_follow_the_command() -> None:
     assert found.signal.value == pytest.approx(math.pi / 4)
     assert arm_of(drive("torque", "30 N*cm")).drives[0].signal.value == pytest.approx(0.3)
     assert "in rad" in problem(drive("prescribed", "3 V"))
-    assert "drives.0.command: got voltage without an electric motor" in problem(drive("voltage", "3 V"))
+    assert "drives.0.command must be a motor with a resistance, got voltage without an electric motor" in problem(
+        drive("voltage", "3 V")
+    )
 
 
 DRIVES = [
@@ -152,7 +158,11 @@ DRIVES = [
     ({"joint": "shoulder"}, "effort on a joint behind an elastic gear"),
     ({"signal": {"type": "ramp"}}, "drives.0.signal.type must be one of constant, expression, noise"),
     ({"signal": {"value": 1}}, "drives.0.signal.type is missing"),
-    ({"signal": 5}, "drives.0.signal: got 5"),
+    (
+        {"signal": 5},
+        "drives.0.signal must be a group of the kind constant, expression, noise, "
+        "quintic, sine, step, table, sum, trapezoid, got 5",
+    ),
 ]
 
 
@@ -168,13 +178,13 @@ def test_a_locked_joint_is_not_driven() -> None:
     one = {"joint": "elbow", "command": "effort", "signal": {"type": "constant", "value": 1}}
     data = sheet(drives=[one])
     data["joints"][1]["state"] = "locked"
-    assert "drives.0.joint: got `elbow`, which does not move" in problem(data)
+    assert "drives.0.joint must be an active joint, got `elbow`, which does not move" in problem(data)
 
 
 HUGE = [
     (lambda d: d.update(joints=d["joints"] * 251), "joints must be a list of 0 to 500 items"),
     (lambda d: d["links"][1].update(bodies=[body()] * 201), "links.fore.bodies"),
-    (lambda d: d.update(points=[0] * 300_000), "the data sheet: got more than 200000 values"),
+    (lambda d: d.update(points=[0] * 300_000), "the data sheet must be at most 200000, got more than 200000 values"),
 ]
 
 
@@ -189,7 +199,7 @@ def test_too_many_coordinates_are_counted_before_anything_is_made() -> None:
     joints = [joint(f"j{k}", f"l{k}") for k in range(60)]
     links = [{"name": f"l{k}", "beam": beam(functions={"twist": 11, "bend_y": 12, "bend_z": 12})} for k in range(60)]
     said = problem(sheet(joints=joints, links=links))
-    assert "got 2160 coordinates (60 joints, 0 motors, 2100 of the links), expected at most 2000" in said
+    assert "must be at most 2000, got 2160 coordinates (60 joints, 0 motors, 2100 of the links)" in said
 
 
 def test_five_hundred_joints_are_read_in_bounded_time() -> None:

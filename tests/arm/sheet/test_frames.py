@@ -160,7 +160,7 @@ def test_a_row_of_the_paper_with_a_beam_is_as_long_as_the_beam() -> None:
     found = points(arm_of(data).chain(), {"j": 0.1})["tip"]
     np.testing.assert_allclose(found, rz(0.4) @ along(0.5, 0), atol=1e-15)
     data["joints"][0]["dh"]["a"] = 0.6
-    assert "joints.j.dh.a: got 0.6, expected the length of the beam `rod`, 0.5 [m]" in problem(data)
+    assert "joints.j.dh.a must be the length of the beam `rod`, 0.5 [m], got 0.6" in problem(data)
 
 
 def test_a_row_of_the_paper_lies_in_a_plane() -> None:

@@ -43,7 +43,7 @@ def test_an_unknown_name() -> None:
 def test_another_kind(tmp_path: Path) -> None:
     path = tmp_path / "x.yaml"
     path.write_text("format: 1\nkind: car\n")
-    with pytest.raises(InputError, match=r"x\.yaml:2: kind: got 'car'"):
+    with pytest.raises(InputError, match=r"x\.yaml:2: kind must be arm, got 'car'"):
         load(path)
 
 

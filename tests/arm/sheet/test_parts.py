@@ -9,7 +9,8 @@ import pytest
 from scipy.integrate import quad
 
 from arm.sheet.cases import SECTION, arm_of, at, beam, body, changed, one_link, problem, sheet
-from tmodes.chain.chain import Beam, RigidLink
+from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.links.strain import Beam
 
 INERTIAS = [
     ({"xx": 1, "yy": 1, "zz": 3}, "triangle inequality"),
@@ -22,13 +23,14 @@ INERTIAS = [
 @pytest.mark.parametrize(("inertia", "rule"), INERTIAS)
 def test_an_inertia_that_no_mass_can_have(inertia, rule: str) -> None:
     said = problem(one_link({"bodies": [{"name": "box", "mass": 1, "inertia": inertia}]}))
-    assert said.startswith("links.rod.bodies.box.inertia: got an inertia with the principal moments ")
+    assert said.startswith("links.rod.bodies.box.inertia must be one whose ")
+    assert ", got an inertia with the principal moments " in said
     assert rule in said
 
 
 def test_the_principal_moments_are_reported() -> None:
     said = problem(one_link({"bodies": [{"mass": 1, "inertia": {"xx": 1, "yy": 1, "zz": 1, "xy": 2}}]}))
-    assert "principal moments -1, 1, 3," in said
+    assert "principal moments -1, 1, 3;" in said
 
 
 @pytest.mark.parametrize(
@@ -46,7 +48,9 @@ def test_a_mass_that_is_none(mass) -> None:
 @pytest.mark.parametrize("mass", [0, 1e-300])
 def test_a_joint_that_moves_no_mass(mass) -> None:
     """A body may be without mass, like a tip that carries no payload; what a joint moves may not."""
-    assert "joints.pivot: got `rod`, a link that has no" in problem(one_link({"bodies": [{"mass": mass}]}))
+    assert "joints.pivot must be a joint that moves mass, got `rod`, a link that has no" in problem(
+        one_link({"bodies": [{"mass": mass}]})
+    )
 
 
 def test_the_axes_of_an_inertia_are_turned() -> None:
@@ -238,7 +242,10 @@ BEAMS = [
     ({"material": "steel"}, "next to given stiffnesses"),
     ({"section": None}, "beam.section"),
     ({"pieces": [{"end": 0.6, "section": SECTION}]}, "next to `pieces`"),
-    ({"section": None, "pieces": [{"end": 0.5, "section": SECTION}]}, "pieces.0.end: got 0.5, expected the length 0.6"),
+    (
+        {"section": None, "pieces": [{"end": 0.5, "section": SECTION}]},
+        "pieces.0.end must be the length 0.6 [m], got 0.5",
+    ),
     ({"section": None, "pieces": [{"end": 0.6, "section": SECTION}] * 2}, "pieces.1.end"),
     ({"taper": {"section": {"shape": "round", "diameter": 0.1}}}, "another shape"),
     ({"taper": {"section": {"bending_stiffness": math.inf, "mass_per_length": 1}}}, "infinite at one end"),
@@ -274,7 +281,9 @@ def test_a_beam_rigid_in_some_pieces_only() -> None:
 
 def test_a_body_between_the_ends_of_segments() -> None:
     link = {"beam": beam(model="segments", segments=4), "bodies": [body(at=0.3)]}
-    assert "links.rod.bodies.0.at: got 0.3, expected an end of one of the 4 segments" in problem(one_link(link))
+    assert "links.rod.bodies.0.at must be an end of one of the 4 segments: a multiple of 1/4, got 0.3" in problem(
+        one_link(link)
+    )
     link["bodies"] = [body(at=0.75), body(at=0)]
     assert problem(one_link(link)) == ""
 

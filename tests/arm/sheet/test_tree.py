@@ -14,7 +14,7 @@ def said(*joints, links=LINKS, **more) -> str:
 
 
 def test_an_empty_robot() -> None:
-    assert "joints: got an empty robot, expected at least one joint" in said(links=[])
+    assert "joints must be at least one joint, got an empty robot" in said(links=[])
 
 
 def test_a_disconnected_link_is_named() -> None:
@@ -23,7 +23,10 @@ def test_a_disconnected_link_is_named() -> None:
 
 def test_a_link_with_two_parents_names_the_joints() -> None:
     info = said(joint("j", "a"), joint("k", "b"), joint("l", "a", parent="b"), links=LINKS[:2])
-    assert "joints.l.child: got `a`, which has 2 parents: the joints j, l" in info
+    assert (
+        "joints.l.child must be a link that no other joint carries, got `a`, which has 2 parents: the joints j, l"
+        in info
+    )
 
 
 def test_a_cycle_names_its_links() -> None:
@@ -40,7 +43,9 @@ def test_a_cycle_with_a_tail() -> None:
 
 
 def test_a_self_loop() -> None:
-    assert "joints.j.parent: got `a`, the link that it carries" in said(joint("j", "a", parent="a"), links=LINKS[:1])
+    assert "joints.j.parent must be another link, got `a`, the link that it carries" in said(
+        joint("j", "a", parent="a"), links=LINKS[:1]
+    )
 
 
 def test_an_unknown_parent() -> None:
@@ -50,8 +55,8 @@ def test_an_unknown_parent() -> None:
 
 def test_names_twice() -> None:
     info = said(joint("j", "a"), joint("j", "b"), links=[*LINKS[:2], LINKS[0]])
-    assert "joints.j.name: got the name `j` a second time" in info
-    assert "links.a.name: got the name `a` a second time" in info
+    assert "joints.j.name must be a name that none of the other joints has, got the name `j` a second time" in info
+    assert "links.a.name must be a name that none of the other links has, got the name `a` a second time" in info
 
 
 def test_the_base_is_the_ground() -> None:
@@ -66,23 +71,23 @@ def test_an_axis_without_direction(axis) -> None:
 
 def test_a_fixed_joint_has_no_axis_and_no_motor() -> None:
     info = said(joint("j", "a", type="fixed", motor={"inertia": 1, "side": "joint"}), links=LINKS[:1])
-    assert "joints.j.axis: got an axis of a fixed joint" in info
-    assert "joints.j.motor: got a motor on a fixed joint" in info
+    assert "joints.j.axis must be left out, got an axis of a fixed joint" in info
+    assert "joints.j.motor must be left out: the joint does not move, got a motor on a fixed joint" in info
 
 
 def test_limits_in_order() -> None:
     info = said(joint("j", "a", limits={"lower": 1, "upper": "-60 deg"}), links=LINKS[:1])
-    assert "expected at most `upper`, -1.04" in info
+    assert "joints.j.limits.lower must be at most `upper`, -1.04" in info
 
 
 def test_a_massless_end_that_moves_is_named() -> None:
     info = said(joint("j", "a"), joint("k", "b"), links=LINKS[:1])
-    assert "joints.k: got `b`, a link that has no mass and is moved by `k`" in info
+    assert "joints.k must be a joint that moves mass, got `b`, a link that has no mass and is moved by `k`" in info
     assert "joints.j" not in info
 
 
 def test_a_massless_link_between_others_is_right() -> None:
-    assert said(joint("j", "a"), joint("k", "b"), links=[LINKS[1]]) == ""
+    assert said(joint("j", "a"), joint("k", "b", axis=[1, 0, 0]), links=[LINKS[1]]) == ""
     assert said(joint("j", "a"), {**joint("k", "b"), "type": "fixed", "axis": None}, links=LINKS[:1]) == ""
 
 
@@ -100,7 +105,7 @@ def test_a_point_mass_on_an_oblique_axis() -> None:
     origin = {"position": [0.3, 0.1, 0.2], "rpy": [0.5, 0.6, 0.7]}
     links = [LINKS[0], {"name": "b", "bodies": [{"mass": 1, "center": [2, 4, 6]}]}]
     info = said(joint("j", "a"), joint("k", "b", origin=origin, axis=[1, 2, 3]), links=links)
-    assert "joints.k: got `b`, a link that has no inertia about the axis of `k`" in info
+    assert "joints.k must be a joint that moves mass, got `b`, a link that has no inertia about the axis of `k`" in info
     assert "joints.j" not in info
 
 
@@ -116,7 +121,10 @@ def test_a_mass_brought_back_to_an_axis_by_a_fixed_joint(x: float, right: bool) 
     fixed = {"name": "k", "type": "fixed", "child": "b", "origin": origin}
     info = said(joint("j", "a"), fixed, links=[{"name": "b", "bodies": [{"mass": 1, "center": [x, 0, 0]}]}])
     assert (info == "") == right
-    assert right or "joints.j: got `a`, a link that has no inertia about the axis of `j`" in info
+    assert (
+        right
+        or "joints.j must be a joint that moves mass, got `a`, a link that has no inertia about the axis of `j`" in info
+    )
 
 
 def test_a_rotor_behind_a_rigid_gear_is_inertia_enough() -> None:
@@ -135,4 +143,18 @@ def test_a_name_that_a_part_of_a_link_has_already() -> None:
         data["links"][0]["beam"].update(model="segments", segments=2)
         data["links"][1]["name"] = data["joints"][1]["child"] = "upper.2"
 
-    assert "links: got `upper.2`, also the name of a part of a link" in problem(changed(named))
+    assert (
+        "links must be links whose names no part of a link has, got `upper.2`, also the name of a part of a link"
+        in problem(changed(named))
+    )
+
+
+@pytest.mark.parametrize(("place", "mass", "right"), [(0.0, 0, False), (0.0, 1, True), (0.5, 0, True)])
+def test_joints_that_move_one_mass_alike_are_refused(place: float, mass: float, right: bool) -> None:
+    """Two hinges about one axis, a link without mass between them: the mass matrix is singular in every position."""
+    links = [
+        {"name": name, "bodies": [{"mass": size, "center": [0.2, 0, 0]}]} for name, size in (("a", mass), ("b", 1))
+    ]
+    info = said(joint("j", "a"), joint("k", "b", origin={"position": [place, 0, 0]}), links=links)
+    assert (info == "") == right
+    assert right or "got `b`, a link that moves with `k` only as it does with the joints before; give `b`" in info

@@ -8,8 +8,9 @@ import numpy as np
 
 from arm.statics.exact import Load as ExactLoad
 from tmodes.analysis.statics.equilibrium import Load
-from tmodes.chain.chain import Beam, BeamPiece, Chain, Joint, Node
+from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.model.model import Model
 
 __all__ = ["clamped", "loads_of"]

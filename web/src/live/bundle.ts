@@ -54,12 +54,12 @@ export interface Affine {
 
 /** How one run of a robot starts: `reported` coordinates by its sheet, `exact` ones by signals (coordinate, signal). */
 export interface RunInfo {
-  state: { q: [number, number]; v: [number, number]; currents: [number, number]; works: [number, number] };
+  state: Record<"q" | "v" | "currents" | "controls" | "works", [number, number]>;
   start: Numbers;
   info: number[];
   exact: [number, number][];
   signals: number;
-  /** Those of the signals that move the robot; noise is none. */
+  /** Those of the signals that move the robot; noise and the clocks of controllers move nothing. */
   moving: number[];
 }
 

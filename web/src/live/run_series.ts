@@ -93,6 +93,11 @@ export function seriesOf(bundle: Bundle, real: Regime, { model, points, energy }
   if (drives)
     Object.assign(series, { wanted: drive(3), effort: drive(0), gear_torque: shaped(model.gear, count, drives) });
   if (drives && bundle.electric) Object.assign(series, { voltage: drive(1), current: drive(2) });
+  const states = range(...real.info.state.controls);
+  if (states.length) {
+    const own = columns(real.run.states.subarray(0, count * width), width, states);
+    series.controller_states = shaped(own, count, states.length);
+  }
   if (bundle.contactPoint < 0) return series;
   const contact = (which: number[]) => columns(model.contact, 6, which);
   return {

@@ -8,11 +8,14 @@ from dataclasses import replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Axis, Chain, Joint, Node, Placement, RigidLink
+from tmodes.chain.chain import Axis, Chain, Joint, Node
 from tmodes.errors import InputError
+from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
+from tmodes.sheet.robot import RECURSION
 
 __all__ = ["SEGMENTS", "driven", "input_mix", "moved_chain", "rungs", "whole_chain"]
 
@@ -36,7 +39,7 @@ def rungs(arm: Robot, finest: int) -> Iterator[tuple[str, Robot]]:
 
 
 def _with_beams(arm: Robot, model: str, count: int | None) -> Robot:
-    """The arm with another model of every beam; its numbers have been checked, and stay."""
+    """The robot with another model of every beam, by the recursion: a system's energies are those of its own links."""
 
     def changed(link: LinkSheet) -> LinkSheet:
         if link.beam is None:
@@ -47,7 +50,7 @@ def _with_beams(arm: Robot, model: str, count: int | None) -> Robot:
             raise InputError(f"links.{link.name}.beam", link.beam.description, expected, hint)
         return link.model_copy(update={"beam": beam})
 
-    return arm.model_copy(update={"links": tuple(changed(link) for link in arm.links)})
+    return arm.model_copy(update={"links": tuple(map(changed, arm.links)), "equations": RECURSION})
 
 
 def whole_chain(arm: Robot) -> Chain:

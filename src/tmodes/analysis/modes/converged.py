@@ -54,7 +54,7 @@ def frequency_errors(
     for k, other in zip(first, second, strict=True):
         exact = fine_modes[other].frequency_Hz
         if alike[k, other] > ALIKE and exact > 0 and modes[k].frequency_Hz > 0:
-            found[int(k)] = modes[k].frequency_Hz / exact - 1
+            found[int(k)] = float(modes[k].frequency_Hz / exact - 1)
     return found
 
 

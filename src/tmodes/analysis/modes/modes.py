@@ -154,7 +154,7 @@ def _eigenvalues(
 
 
 def _controlled(mode: ArmMode, value: complex) -> ArmMode:
-    return replace(mode, frequency_Hz=abs(value) / (2 * np.pi)) if mode.damped_frequency_Hz else mode
+    return replace(mode, frequency_Hz=float(abs(value)) / (2 * np.pi)) if mode.damped_frequency_Hz else mode
 
 
 def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:

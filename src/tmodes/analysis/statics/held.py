@@ -30,7 +30,10 @@ def free_coordinates(model: Model, held: Mapping[str, float], free: Sequence[str
     both = sorted({*held} & {*free})
     if both:
         raise InputError(
-            f"free: {both[0]}", "a coordinate that is also held", "either", "take it out of one of the two"
+            f"free: {both[0]}",
+            "a coordinate that is also held",
+            "held or free, not both",
+            "take it out of one of the two",
         )
     still = {model.coordinates[k] for k in driven(model)} | {*held}
     names = enumerate(model.coordinates)

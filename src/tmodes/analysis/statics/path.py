@@ -38,6 +38,9 @@ SMALLEST = 1e-9
 LITTLE = 1e-3
 """Load factor with which the path begins where springs hold the unloaded arm nowhere."""
 
+SOFT = 1e-9
+"""Stiffness over the largest one below which a coordinate counts as one without a spring."""
+
 LOOSE = 1e7
 """Change [rad, m] per load factor of an arm that its springs hold nowhere."""
 
@@ -129,7 +132,13 @@ def _first(system: StaticSystem, q: Array) -> Station:
     root = descend(system, q, LITTLE)
     if root is None:
         stiffness = np.abs(np.diagonal(system.stiffness(q, 0.0)[system.block]))
-        loose = system.model.coordinates[system.free[int(stiffness.argmin())]]
+        softest = int(stiffness.argmin())
+        loose = system.model.coordinates[system.free[softest]]
+        if stiffness[softest] > SOFT * stiffness.max():
+            raise SimulationError(
+                f"static equilibrium: none was found near the start, where springs hold every coordinate (the softest "
+                f"is {loose}, {stiffness[softest]:.3g} N*m/rad or N/m); check masses, loads and the contact's preload"
+            )
         raise SimulationError(
             f"static equilibrium: coordinate {loose} has no spring and does not come to rest; hold it, or give it a "
             "spring"

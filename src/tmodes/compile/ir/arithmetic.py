@@ -1,61 +1,23 @@
 """What a number is in compiled code: a double, a vector of lanes, or a value with its derivative.
 
-One straight-line program becomes the code of each of them: many robots side by side, or exact derivatives, cost no
-second set of equations.
+One straight-line program becomes the code of each, so that lanes and derivatives need no second set of equations.
 """
 
 from __future__ import annotations
 
-from abc import ABC, abstractmethod
 from collections.abc import Callable, Sequence
 from typing import Any, NamedTuple
 
+import llvmlite.binding as llvm
 from llvmlite import ir
 
-from tmodes.compile.ir.emit import F64, at, number, whole
+from tmodes.compile.ir.emit import F64, at, number, spread, whole
 from tmodes.compile.ir.trigonometry import sine_and_cosine, sines_and_cosines
 
-__all__ = ["Arithmetic", "Derivative", "Double", "Lanes"]
+__all__ = ["Derivative", "Double", "Lanes", "Wide"]
 
 _FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
 _SIDE_BY_SIDE = 8  # sines that go at once: where a vector holds fewer, as two halves
-
-
-class Arithmetic(ABC):
-    """How numbers of one kind are kept and reckoned with; ``stride`` doubles each."""
-
-    stride: int
-    name: str
-    unrolls = True
-    """Whether small schedules become one program."""
-
-    def __init__(self, module: Any) -> None:
-        self.module = module
-
-    @abstractmethod
-    def load(self, b: Any, base: Any, index: int) -> Any:
-        """Number ``index`` of a block."""
-
-    @abstractmethod
-    def store(self, b: Any, value: Any, base: Any, index: int) -> None:
-        """Keep a number in a block."""
-
-    @abstractmethod
-    def constant(self, value: float) -> Any:
-        """A number known beforehand."""
-
-    @abstractmethod
-    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
-        """Sine and cosine."""
-
-    def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Sine and cosine of several angles."""
-        return [self.turn(b, angle) for angle in angles]
-
-    @abstractmethod
-    def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
-        """The result of an operation of a program."""
-
 
 _PLAIN: dict[str, Callable[..., Any]] = {
     "add": lambda b, x, y, _: b.fadd(x, y, flags=_FUSE),
@@ -70,12 +32,19 @@ _PLAIN: dict[str, Callable[..., Any]] = {
 }
 
 
-class Double(Arithmetic):
-    """One double."""
+class Double:
+    """One double; other kinds of numbers override how they are kept and computed with. ``stride`` doubles each."""
 
     stride = 1
     name = "double"
     kind: Any = F64
+    unrolls = True
+    """Whether small schedules become one program."""
+    packs = False
+    """Whether blocks of a workspace share their room (:class:`tmodes.compile.ir.calls.Layout`)."""
+
+    def __init__(self, module: Any) -> None:
+        self.module = module
 
     def load(self, b: Any, base: Any, index: int) -> Any:
         """Number ``index`` of a block."""
@@ -86,7 +55,7 @@ class Double(Arithmetic):
         b.store(value, self._place(b, base, index), align=8)
 
     def _place(self, b: Any, base: Any, index: int) -> Any:
-        return at(b, base, index * self.stride)
+        return b.bitcast(at(b, base, index * self.stride), self.kind.as_pointer())
 
     def constant(self, value: float) -> Any:
         """A number known beforehand."""
@@ -94,11 +63,15 @@ class Double(Arithmetic):
 
     def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
         """Sine and cosine."""
-        pair = b.call(sine_and_cosine(self.module), [angle])
+        alone = self.stride == 1
+        function = sine_and_cosine(self.module) if alone else sines_and_cosines(self.module, self.stride)
+        pair = b.call(function, [angle])
         return b.extract_value(pair, 0), b.extract_value(pair, 1)
 
     def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Sine and cosine of several angles, eight at a time: to the bit those of each alone."""
+        """Sine and cosine of several angles, single ones eight at a time: to the bit those of each alone."""
+        if self.stride > 1:
+            return [self.turn(b, angle) for angle in angles]
         found: list[tuple[Any, Any]] = []
         for start in range(0, len(angles), _SIDE_BY_SIDE):
             found += self._turn_together(b, angles[start : start + _SIDE_BY_SIDE])
@@ -112,20 +85,25 @@ class Double(Arithmetic):
         for lane, angle in enumerate(angles):
             packed = b.insert_element(packed, angle, whole(lane))
         pair = b.call(sines_and_cosines(self.module, lanes), [packed])
-        both = [b.extract_value(pair, k) for k in range(2)]
+        sines, cosines = (b.extract_value(pair, k) for k in range(2))
         places = [whole(lane) for lane in range(len(angles))]
-        return [(b.extract_element(both[0], place), b.extract_element(both[1], place)) for place in places]
+        return [(b.extract_element(sines, place), b.extract_element(cosines, place)) for place in places]
 
     def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
         """The result of an operation of a program."""
         if kind in ("sqrt", "fabs"):
-            return b.call(self._intrinsic(kind), [x])
+            return self.call(b, kind, x)
         if kind in _PLAIN:
             return _PLAIN[kind](b, x, y, self.constant)
         return self._condition(b, kind, x, y)
 
-    def _intrinsic(self, kind: str) -> Any:
-        return self.module.declare_intrinsic(f"llvm.{kind}", [self.kind])
+    def call(self, b: Any, kind: str, *values: Any) -> Any:
+        """An LLVM intrinsic: ``sqrt``, ``minnum``, ..."""
+        name = f"llvm.{kind}.{'' if self.stride == 1 else f'v{self.stride}'}f64"
+        function = self.module.globals.get(name)
+        if function is None:
+            function = ir.Function(self.module, ir.FunctionType(self.kind, [self.kind] * len(values)), name)
+        return b.call(function, list(values))
 
     def _condition(self, b: Any, kind: str, x: Any, y: Any) -> Any:
         """Truth values are the numbers 1 and 0."""
@@ -145,27 +123,39 @@ class Lanes(Double):
     stride = 4
     name = "lanes"
     kind: Any = ir.VectorType(F64, 4)
+    packs = True
 
     def constant(self, value: float) -> Any:
         """A number known beforehand."""
         return ir.Constant(self.kind, [value] * self.stride)
 
-    def _intrinsic(self, kind: str) -> Any:
-        name = f"llvm.{kind}.v{self.stride}f64"  # llvmlite names the intrinsics of single numbers only
-        known = self.module.globals.get(name)
-        return known or ir.Function(self.module, ir.FunctionType(self.kind, [self.kind]), name)
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:
+        """A vector from the numbers of its lanes; from one alone: that in all lanes."""
+        if len(doubles) == 1:
+            return self.spread(b, doubles[0])
+        vector = self.constant(0.0)
+        for lane, value in enumerate(doubles):
+            vector = b.insert_element(vector, value, whole(lane))
+        return vector
 
-    def _place(self, b: Any, base: Any, index: int) -> Any:
-        return b.bitcast(at(b, base, index * self.stride), self.kind.as_pointer())
+    def parts(self, b: Any, value: Any) -> list[Any]:
+        """The doubles of a number."""
+        return [b.extract_element(value, whole(lane)) for lane in range(self.stride)]
 
-    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
-        """Sine and cosine."""
-        pair = b.call(sines_and_cosines(self.module, self.stride), [angle])
-        return b.extract_value(pair, 0), b.extract_value(pair, 1)
+    def spread(self, b: Any, value: Any) -> Any:
+        """A double in all lanes."""
+        return spread(b, value, self.kind)
 
-    def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Sine and cosine of several angles."""
-        return [self.turn(b, angle) for angle in angles]
+
+class Wide(Lanes):
+    """As many lanes as a vector of this processor holds: eight doubles where it has AVX-512, else four.
+
+    What a lane computes does not depend on how many are next to it.
+    """
+
+    stride = 8 if dict(llvm.get_host_cpu_features()).get("avx512f") else 4
+    name = f"wide{stride}"
+    kind: Any = ir.VectorType(F64, stride)
 
 
 class _Pair(NamedTuple):
@@ -187,7 +177,7 @@ _SLOPES: dict[str, Callable[[Any, Any, Any], Any]] = {
 """Slope of a function of one number: of (its value, the number)."""
 
 
-class Derivative(Arithmetic):
+class Derivative(Double):
     """A value with its derivative in one direction: forward differentiation, exact."""
 
     stride = 2
@@ -206,6 +196,14 @@ class Derivative(Arithmetic):
         """Keep a number in a block."""
         self._plain.store(b, value.value, base, 2 * index)
         self._plain.store(b, number(0.0) if value.slope is None else value.slope, base, 2 * index + 1)
+
+    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:  # noqa: ARG002
+        """A value and its derivative; a value alone does not change."""
+        return _Pair(doubles[0], doubles[1] if len(doubles) > 1 else None)
+
+    def parts(self, b: Any, value: Any) -> list[Any]:  # noqa: ARG002
+        """The doubles of a number."""
+        return [*value]
 
     def constant(self, value: float) -> Any:
         """A number known beforehand."""

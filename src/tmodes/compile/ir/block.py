@@ -3,24 +3,25 @@
 from __future__ import annotations
 
 import hashlib
-from collections.abc import Callable, Sequence
+from collections.abc import Iterable, Sequence
 from dataclasses import dataclass
 from functools import lru_cache, partial
-from typing import Any
+from typing import Any, NamedTuple
 
 from llvmlite import ir
 
-from tmodes.compile.ir.arithmetic import Arithmetic
-from tmodes.compile.ir.calls import write_calls
-from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, store, whole
+from tmodes.compile.ir.arithmetic import Double
+from tmodes.compile.ir.calls import Layout, write_calls
+from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, declare, whole
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.ir.program import BlockProgram, Instruction
+from tmodes.compile.ir.rows import copy_numbers, give_rows, take_parameters, take_rows
 from tmodes.compile.ir.unroll import Unrolled, pays, unrolled
 from tmodes.compile.ir.values import write_values
-from tmodes.compile.loops.rows import copy_rows, spread_parameters
 
 __all__ = [
-    "ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_program", "write_rate", "write_samples",
+    "Main", "ScheduleRate", "kernel_symbol", "write_kernel", "write_main", "write_program", "write_rate",
+    "write_samples",
 ]  # fmt: skip
 
 
@@ -34,12 +35,12 @@ def _symbol(info: str) -> str:
     return f"kernel_{hashlib.sha256(info.encode()).hexdigest()[:32]}"
 
 
-def write_kernel(module: Any, kernel: Any, arithmetic: Arithmetic) -> None:
+def write_kernel(module: Any, kernel: Any, arithmetic: Double) -> None:
     """The exported function of a kernel: pointers to the input blocks, then to the output blocks, never overlapping."""
     write_program(module, kernel_symbol(kernel, arithmetic.name), kernel_program(kernel), arithmetic)
 
 
-def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Arithmetic) -> None:
+def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Double) -> None:
     """The same of a kernel's program."""
     labels = [f"i{k}" for k in range(program.inputs)] + [f"o{k}" for k in range(program.outputs)]
     function = declare(module, name, VOID, [(label, POINTER) for label in labels])
@@ -55,32 +56,44 @@ def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Ari
     b.ret_void()
 
 
-def write_main(
-    module: Any, schedule: Any, arithmetic: Arithmetic, name: str, offset: Callable[[Any], int] | None = None
-) -> Any:
-    """The private function ``name(workspace)`` of a schedule: all its calls, to kernels of other libraries, or none.
+class Main(NamedTuple):
+    """The private ``function(workspace)`` of a schedule; ``memory`` says where a block begins, and how large it is."""
 
-    ``offset`` says where a block begins; by default it is the schedule's own. Of a schedule that is unrolled, as none
-    with other offsets is, :func:`call_prepare` must be called for new parameters.
-    """
-    if offset is None and arithmetic.unrolls and pays(schedule):
-        return _write_unrolled(module, unrolled(schedule), arithmetic, name)
+    function: Any
+    memory: Any
+
+    def prepare(self, b: Any, workspace: Any) -> None:
+        """After new parameters: compute what follows from them, where a schedule is unrolled."""
+        prepare = b.function.module.globals.get(f"{self.function.name}.prepare")
+        if prepare is not None:
+            b.call(prepare, [workspace])
+
+    def blocks(self, slots: Iterable[Any]) -> list[tuple[int, int]]:
+        """Offsets and sizes of blocks, in numbers."""
+        return [(self.memory.offset(slot), slot.size) for slot in slots]
+
+
+def write_main(module: Any, schedule: Any, numbers: Double, name: str) -> Main:
+    """All calls of a schedule, to kernels of other libraries; or none, where it is unrolled."""
+    if numbers.unrolls and pays(schedule):
+        return Main(_write_unrolled(module, unrolled(schedule), numbers, name), schedule)
+    memory = Layout(schedule) if numbers.packs else schedule
     main = declare(module, name, VOID, [("workspace", POINTER)], private=True)
     main.attributes.add("noinline")  # loops call it from many places, and the time is in the kernels
     b = ir.IRBuilder(main.append_basic_block("entry"))
-    symbols = partial(kernel_symbol, arithmetic=arithmetic.name)
-    write_calls(b, schedule, arithmetic, main.args[0], symbols, offset or schedule.offset)
+    symbols = partial(kernel_symbol, arithmetic=numbers.name)
+    write_calls(b, schedule, numbers, main.args[0], symbols, memory.offset)
     b.ret_void()
-    return main
+    return Main(main, memory)
 
 
-def _write_unrolled(module: Any, code: Unrolled, arithmetic: Arithmetic, name: str) -> Any:
+def _write_unrolled(module: Any, code: Unrolled, arithmetic: Double, name: str) -> Any:
     parts = (f"{name}.prepare", code.prepare, code.prepared), (name, code.main, code.results)
     return [_write_program(module, *part, arithmetic) for part in parts][-1]
 
 
 def _write_program(
-    module: Any, name: str, program: Sequence[Instruction], results: Sequence[tuple[int, int]], arithmetic: Arithmetic
+    module: Any, name: str, program: Sequence[Instruction], results: Sequence[tuple[int, int]], arithmetic: Double
 ) -> Any:
     """The private function ``name(workspace)`` of one program on a workspace."""
     function = declare(module, name, VOID, [("workspace", POINTER)], private=True)
@@ -94,46 +107,48 @@ def _write_program(
     return function
 
 
-def call_prepare(b: Any, main: Any, workspace: Any) -> None:
-    """After new parameters: what follows from them, where a schedule is unrolled."""
-    prepare = b.function.module.globals.get(f"{main.name}.prepare")
-    if prepare is not None:
-        b.call(prepare, [workspace])
-
-
-def write_samples(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> None:
+def write_samples(module: Any, schedule: Any, numbers: Double, name: str) -> None:
     """The exported ``name(n, each, parameters, workspace, in, out)``: the schedule at n samples, row by row.
 
     A row holds the inputs, or the outputs, one after the other; ``each`` not zero: every sample has parameters of its
     own. Of ``derivative`` each input row is followed by the row of its direction and each output row by that of its
-    derivatives. Lanes: :func:`tmodes.compile.lanes.lane_rows.write_lane_samples`.
+    derivatives. Of lanes n counts groups of them, and a row is followed by those of the other lanes.
     """
-    main = write_main(module, schedule, arithmetic, f"{name}.main")
+    main = write_main(module, schedule, numbers, f"{name}.main")
     labels = [("n", I64), ("each", I64), ("p", POINTER), ("workspace", POINTER), ("in", POINTER), ("out", POINTER)]
     function = declare(module, name, VOID, labels)
     count, each, parameters, workspace, source, target = function.args
     b = ir.IRBuilder(function.append_basic_block("entry"))
-    width = arithmetic.stride
-    taken = [(schedule.offset(slot), slot.size) for slot in schedule.inputs.values()]
-    given = [(schedule.offset(slot), slot.size) for slots in schedule.outputs.values() for slot in slots]
-    spread_parameters(b, parameters, workspace, schedule.parameters, width)
-    call_prepare(b, main, workspace)
+    taken = main.blocks(schedule.inputs.values())
+    given = main.blocks(slot for slots in schedule.outputs.values() for slot in slots)
+    width, own, rows = numbers.stride, [(0, schedule.parameters)], numbers.stride if numbers.packs else 1
+
+    def take_own(row: Any, count: int) -> None:
+        if numbers.stride == 1:
+            take_parameters(b, numbers, row, workspace, schedule.parameters)
+        else:
+            take_rows(b, numbers, row, workspace, own, count)
+
+    has_own = b.icmp_signed("!=", each, whole(0))
+    with b.if_then(b.not_(has_own)):
+        take_own(parameters, 1)
+        main.prepare(b, workspace)
     with counted(b, count, "sample") as sample:
-        with b.if_then(b.icmp_signed("!=", each, whole(0))):
-            start = at(b, parameters, b.mul(sample, whole(schedule.parameters)))
-            spread_parameters(b, start, workspace, schedule.parameters, width)
-            call_prepare(b, main, workspace)
-        row = b.mul(sample, whole(schedule.input_size * width))
-        copy_rows(b, at(b, source, row), workspace, taken, width, into=True)
-        b.call(main, [workspace])
-        row = b.mul(sample, whole(schedule.output_size * width))
-        copy_rows(b, at(b, target, row), workspace, given, width, into=False)
+        with b.if_then(has_own):
+            start = at(b, parameters, b.mul(sample, whole(schedule.parameters * rows)))
+            take_own(start, rows)
+            main.prepare(b, workspace)
+        row = at(b, source, b.mul(sample, whole(schedule.input_size * width)))
+        take_rows(b, numbers, row, workspace, taken, width)
+        b.call(main.function, [workspace])
+        row = at(b, target, b.mul(sample, whole(schedule.output_size * width)))
+        give_rows(b, numbers, row, workspace, given)
     b.ret_void()
 
 
 @dataclass(frozen=True)
 class ScheduleRate:
-    """A schedule as the right-hand side of the time loops: the counterpart of :class:`tmodes.compile.ir.lower.Lowered`.
+    """A schedule as the right-hand side of the time loops; sizes count numbers, which may be vectors of lanes.
 
     ``step_offset``: where in the held memory the length of an implicit step is put; ``gate_offset``: where two numbers
     stand that are both positive while a force acts that starts and ends; None where there is none. ``call_from``: as
@@ -152,46 +167,45 @@ class ScheduleRate:
     sampled: ScheduleRate | None = None
 
 
-def write_rate(module: Any, schedule: Any, arithmetic: Arithmetic, name: str) -> ScheduleRate:
+def write_rate(module: Any, schedule: Any, numbers: Double, name: str) -> ScheduleRate:
     """Functions ``prepare(parameters, held)`` and ``call(time, state, row, held, out)`` for the time loops.
 
     The schedule has the inputs ``time`` (1), ``state``, ``row`` and, where its steps may be implicit, ``step`` (1) and
     ``start``; its outputs are the rate of the state. ``held`` is its workspace.
     """
-    main = write_main(module, schedule, arithmetic, f"{name}.main")
+    main, inputs = write_main(module, schedule, numbers, f"{name}.main"), schedule.inputs
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
     b = ir.IRBuilder(prepare.append_basic_block("entry"))
-    spread_parameters(b, prepare.args[0], prepare.args[1], schedule.parameters, 1)
-    if "step" in schedule.inputs:
-        store(b, ir.Constant(F64, 0.0), prepare.args[1], schedule.offset(schedule.inputs["step"]))
-    call_prepare(b, main, prepare.args[1])
+    take_parameters(b, numbers, prepare.args[0], prepare.args[1], schedule.parameters)
+    step = main.memory.offset(inputs["step"]) if "step" in inputs else None
+    if step is not None:
+        numbers.store(b, numbers.constant(0.0), prepare.args[1], step)
+    main.prepare(b, prepare.args[1])
     b.ret_void()
-    call = _write_call(module, schedule, main, f"{name}.call", ("state", "row"))
-    apart = ("state", "start", "row")
-    call_from = _write_call(module, schedule, main, f"{name}.call_from", apart) if "start" in schedule.inputs else None
-    row, step = schedule.inputs["row"].size, schedule.inputs.get("step")
-    offset = schedule.offset(step) if step else None
-    gate = schedule.offset(schedule.gate) if schedule.gate else None
-    sampled = write_rate(module, schedule.sampled, arithmetic, f"{name}.sampled") if schedule.sampled else None
-    return ScheduleRate(prepare, call, schedule.workspace, schedule.output_size, row, offset, gate, call_from, sampled)
+    write = partial(_write_call, module, schedule, main, numbers)
+    call = write(f"{name}.call", ("state", "row"))
+    call_from = write(f"{name}.call_from", ("state", "start", "row")) if "start" in inputs else None
+    gate = main.memory.offset(schedule.gate) if schedule.gate else None
+    sampled = write_rate(module, schedule.sampled, numbers, f"{name}.sampled") if schedule.sampled else None
+    sizes = (main.memory.workspace, schedule.output_size, inputs["row"].size)
+    return ScheduleRate(prepare, call, *sizes, step, gate, call_from, sampled)
 
 
-def _write_call(module: Any, schedule: Any, main: Any, name: str, taken: tuple[str, ...]) -> Any:
+def _write_call(module: Any, schedule: Any, main: Main, numbers: Double, name: str, taken: tuple[str, ...]) -> Any:
     """The private function ``name(time, taken..., held, out)``; springs start from the state where nothing is given."""
-    kinds = [("time", F64), *((label, POINTER) for label in (*taken, "held", "out"))]
+    kinds = [("time", numbers.kind), *((label, POINTER) for label in (*taken, "held", "out"))]
     call = declare(module, name, VOID, kinds, private=True)
     call.attributes.add("noinline")
     time, *pointers, held, out = call.args
     b = ir.IRBuilder(call.append_basic_block("entry"))
-    store(b, time, held, schedule.offset(schedule.inputs["time"]))
+    numbers.store(b, time, held, main.memory.offset(schedule.inputs["time"]))
     sources = dict(zip(taken, pointers, strict=True))
     if "start" in schedule.inputs:
         sources.setdefault("start", sources["state"])
     for label, source in sources.items():
-        slot = schedule.inputs[label]
-        copy_rows(b, source, held, [(schedule.offset(slot), slot.size)], 1, into=True)
-    b.call(main, [held])
-    blocks = [(schedule.offset(slot), slot.size) for slots in schedule.outputs.values() for slot in slots]
-    copy_rows(b, out, held, blocks, 1, into=False)
+        copy_numbers(b, numbers, source, held, main.blocks([schedule.inputs[label]]), into=True)
+    b.call(main.function, [held])
+    blocks = main.blocks(slot for slots in schedule.outputs.values() for slot in slots)
+    copy_numbers(b, numbers, out, held, blocks, into=False)
     b.ret_void()
     return call

@@ -134,7 +134,8 @@ class _Writer:
 
     def __init__(self, module: Any, function: Any, writing: _Writing) -> None:
         self.b: Any = ir.IRBuilder(function.append_basic_block("entry"))
-        self.plain, self.wide = Double(module), _Wide(module) if writing.lanes > 1 else Double(module)
+        self.plain: Double = Double(module)
+        self.wide: Any = _Wide(module) if writing.lanes > 1 else Double(module)
         self.blocks, self.angles, self.keeps = writing.blocks, writing.angles, writing.keeps
         self.kinds = [self.wide if block.sloped else self.plain for block in self.blocks]
         self.spread_values: dict[int, Any] = {}
@@ -201,8 +202,5 @@ class _Writer:
         if isinstance(value, ir.Constant):
             return self.wide.constant(value.constant)
         if id(value) not in self.spread_values:
-            empty = ir.Constant(self.wide.kind, ir.Undefined)
-            first = self.b.insert_element(empty, value, ir.Constant(ir.IntType(32), 0))
-            mask = ir.Constant(ir.VectorType(ir.IntType(32), LANES), [0] * LANES)
-            self.spread_values[id(value)] = self.b.shuffle_vector(first, empty, mask)
+            self.spread_values[id(value)] = self.wide.spread(self.b, value)
         return self.spread_values[id(value)]

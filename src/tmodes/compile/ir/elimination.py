@@ -13,7 +13,7 @@ import numpy as np
 from llvmlite import ir
 from numpy.typing import NDArray
 
-from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, store, whole
+from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, spread, store, whole
 from tmodes.compile.ir.kernels import native_functions
 
 __all__ = ["BLOCK", "aligned", "eliminate", "padded", "write_elimination"]
@@ -88,17 +88,17 @@ def write_elimination(module: Any, name: str, *, private: bool = False) -> Any:
 def _less(b: Any, rows: Any, width: Any, what: tuple[Any, Any, Any], blocks: tuple[Any, Any]) -> None:
     """Row i less a share of row k, from one block to another."""
     i, k, share = what
-    spread = _spread(b, share)
+    wide = spread(b, share, _WIDE)
     with counted(b, b.sub(blocks[1], blocks[0]), "block") as step:
         block = b.add(blocks[0], step)
         here, there = _place(b, rows, width, i, block), _place(b, rows, width, k, block)
-        term = b.fmul(spread, b.load(there, align=8, typ=_WIDE), flags=("contract",))
+        term = b.fmul(wide, b.load(there, align=8, typ=_WIDE), flags=("contract",))
         b.store(b.fsub(b.load(here, align=8, typ=_WIDE), term, flags=("contract",)), here, align=8)
 
 
 def _scale(b: Any, rows: Any, width: Any, k: Any, blocks: tuple[Any, Any]) -> None:
     """Row k over its pivot."""
-    inverse = _spread(b, b.fdiv(number(1.0), load(b, rows, b.add(b.mul(k, width), k))))
+    inverse = spread(b, b.fdiv(number(1.0), load(b, rows, b.add(b.mul(k, width), k))), _WIDE)
     with counted(b, b.sub(blocks[1], blocks[0]), "block") as step:
         here = _place(b, rows, width, k, b.add(blocks[0], step))
         b.store(b.fmul(b.load(here, align=8, typ=_WIDE), inverse), here, align=8)
@@ -106,9 +106,3 @@ def _scale(b: Any, rows: Any, width: Any, k: Any, blocks: tuple[Any, Any]) -> No
 
 def _place(b: Any, rows: Any, width: Any, row: Any, block: Any) -> Any:
     return b.bitcast(at(b, rows, b.add(b.mul(row, width), b.mul(block, whole(BLOCK)))), _WIDE.as_pointer())
-
-
-def _spread(b: Any, value: Any) -> Any:
-    empty = ir.Constant(_WIDE, ir.Undefined)
-    first = b.insert_element(empty, value, ir.Constant(ir.IntType(32), 0))
-    return b.shuffle_vector(first, empty, ir.Constant(ir.VectorType(ir.IntType(32), BLOCK), [0] * BLOCK))

@@ -8,7 +8,10 @@ from typing import Any
 
 from llvmlite import ir
 
-__all__ = ["F64", "I64", "POINTER", "VOID", "at", "counted", "declare", "load", "number", "scratch", "store", "whole"]
+__all__ = [
+    "F64", "I64", "POINTER", "VOID", "at", "counted", "declare", "load", "number", "scratch", "spread", "store",
+    "whole",
+]  # fmt: skip
 
 F64 = ir.DoubleType()
 I64 = ir.IntType(64)
@@ -56,6 +59,13 @@ def store(builder: Any, value: Any, base: Any, index: Any) -> None:
 def scratch(builder: Any, size: int, name: str) -> Any:
     """An array of doubles on the stack of the function; call it in the entry block."""
     return builder.alloca(F64, size=whole(max(size, 1)), name=name)
+
+
+def spread(builder: Any, value: Any, kind: Any) -> Any:
+    """A double in all lanes of a kind of vector."""
+    empty, first = ir.Constant(kind, ir.Undefined), ir.IntType(32)
+    places = ir.Constant(ir.VectorType(first, kind.count), [0] * kind.count)
+    return builder.shuffle_vector(builder.insert_element(empty, value, ir.Constant(first, 0)), empty, places)
 
 
 @contextmanager

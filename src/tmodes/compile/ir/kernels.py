@@ -14,7 +14,7 @@ from tmodes.compile.native import Library, host, to_object
 
 __all__ = [
     "arithmetic_of", "called", "kernels_of", "library", "native_functions", "row_function",
-    "sample_functions", "sample_module", "schedule_function", "schedule_module",
+    "schedule_function", "schedule_module",
 ]  # fmt: skip
 
 
@@ -69,31 +69,6 @@ def _without_collector() -> Iterator[None]:
             gc.enable()
 
 
-def sample_functions(name: str, key: str, make: Callable[[], Mapping[str, Any]], inputs: Mapping[str, int]) -> Library:
-    """Functions over many samples; ``make`` gives a CasADi function for each name, parameters last.
-
-    ``inputs`` holds the number of inputs of each, parameters not counted.
-    """
-    # Called for some thousand samples: ten times quicker to compile is worth more here than quicker to run.
-    write = partial(sample_module, name, make, inputs)
-    return library(name, key, write, {label: count + 3 for label, count in inputs.items()}, level=0)
-
-
-def sample_module(name: str, make: Callable[[], Mapping[str, Any]], inputs: Mapping[str, int]) -> Any:
-    """The IR of :func:`sample_functions`."""
-    from llvmlite import ir
-
-    from tmodes.compile.ir.lower import lower
-    from tmodes.compile.ir.program import straight_line
-    from tmodes.compile.loops.sample_loop import write_sample_loop
-
-    module = ir.Module(name)
-    for label, function in make().items():
-        program = straight_line(function, invariant=inputs[label])
-        write_sample_loop(module, label, lower(module, program))
-    return module
-
-
 def kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
     """The libraries of all kernels that a schedule calls, by symbol; each is made once, whatever schedule needs it."""
     from tmodes.compile.ir.block import kernel_symbol
@@ -103,10 +78,10 @@ def kernels_of(schedule: Any, arithmetic: str) -> dict[str, Library]:
 
 
 def called(schedule: Any, arithmetic: str) -> dict[str, Library]:
-    """The same of a schedule as it is written: one that is unrolled calls nothing."""
+    """The same of a schedule as it is written, if any: one that is unrolled calls nothing."""
     from tmodes.compile.ir.unroll import pays
 
-    unrolled = arithmetic_of(arithmetic).unrolls and pays(schedule)
+    unrolled = not schedule or (arithmetic_of(arithmetic).unrolls and pays(schedule))
     return {} if unrolled else kernels_of(schedule, arithmetic)
 
 
@@ -128,8 +103,7 @@ def _kernel(symbol: str, kernel: Any, arithmetic: str) -> Library:
 
 def arithmetic_of(name: str) -> Any:
     """The kind of numbers of a name: ``double``, ``lanes`` or ``derivative``."""
-    from tmodes.compile.ir.arithmetic import Derivative, Double, Lanes
-    from tmodes.compile.lanes.wide import Wide
+    from tmodes.compile.ir.arithmetic import Derivative, Double, Lanes, Wide
 
     return {kind.name: kind for kind in (Double, Lanes, Wide, Derivative)}[name]
 
@@ -148,13 +122,10 @@ def schedule_module(schedule: Any, arithmetic: str, symbol: str) -> Any:
     """The IR of the function of :func:`schedule_function`, called ``symbol``."""
     from llvmlite import ir
 
-    from tmodes.compile.ir.arithmetic import Lanes
     from tmodes.compile.ir.block import write_samples
-    from tmodes.compile.lanes.lane_rows import write_lane_samples
 
-    module, kind = ir.Module(symbol), arithmetic_of(arithmetic)
-    write = write_lane_samples if issubclass(kind, Lanes) else write_samples
-    write(module, schedule, kind(module), symbol)
+    module = ir.Module(symbol)
+    write_samples(module, schedule, arithmetic_of(arithmetic)(module), symbol)
     return module
 
 

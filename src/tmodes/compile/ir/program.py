@@ -1,4 +1,4 @@
-"""A CasADi function as a straight-line program in single assignment form, parted by what changes during a run."""
+"""A CasADi function as a straight-line program in single assignment form."""
 
 from __future__ import annotations
 
@@ -11,10 +11,7 @@ import casadi as ca
 
 from tmodes.errors import CompileError
 
-__all__ = [
-    "READ", "BlockProgram", "Instruction", "Program", "block_program", "needed", "straight_line",
-    "with_shared_inverses",
-]  # fmt: skip
+__all__ = ["READ", "BlockProgram", "Instruction", "block_program", "needed", "with_shared_inverses"]
 
 READ = ("constant", "input")
 """Kinds of values that are not computed."""
@@ -41,57 +38,6 @@ class Instruction(NamedTuple):
     args: tuple[int, ...] = ()
     source: tuple[int, int] = (0, 0)
     value: float = 0.0
-
-
-@dataclass
-class Program:
-    """Straight-line program: ``values`` in order of evaluation, ``outputs`` as (position, index of value).
-
-    ``sizes`` holds the length of each argument. The argument ``invariant`` does not change during a run: values that
-    follow from it alone are computed once, before the loop (``held``, in the order of their slots).
-    """
-
-    name: str
-    sizes: tuple[int, ...]
-    invariant: int
-    output_size: int
-    values: list[Instruction] = field(default_factory=list)
-    outputs: list[tuple[int, int]] = field(default_factory=list)
-    fixed: list[bool] = field(default_factory=list)
-
-    @property
-    def held(self) -> list[int]:
-        """Invariant values that the changing part reads, constants aside."""
-        used = {arg for index, value in enumerate(self.values) if not self.fixed[index] for arg in value.args}
-        used |= {index for _, index in self.outputs}
-        return sorted(index for index in used if self.fixed[index] and self.values[index].opcode != "constant")
-
-
-def straight_line(function: ca.Function, invariant: int) -> Program:
-    """Read a function of several vectors and one output vector; ``invariant`` is the index of the parameters.
-
-    Raises :class:`CompileError` for an operation that has no native form.
-    """
-    sizes = tuple(function.nnz_in(k) for k in range(function.n_in()))
-    program = Program(function.name(), sizes, invariant, function.nnz_out(0))
-    registers: dict[int, int] = {}
-    for k in range(function.n_instructions()):
-        operation = function.instruction_id(k)
-        into, reads = function.instruction_output(k), function.instruction_input(k)
-        if operation == ca.OP_OUTPUT:
-            program.outputs.append((into[1], registers[reads[0]]))
-            continue
-        instruction = _instruction(function, k, registers)
-        registers[into[0]] = len(program.values)
-        program.values.append(instruction)
-        program.fixed.append(_is_fixed(program, instruction))
-    return program
-
-
-def _is_fixed(program: Program, instruction: Instruction) -> bool:
-    if instruction.opcode == "input":
-        return instruction.source[0] == program.invariant
-    return all(program.fixed[arg] for arg in instruction.args)
 
 
 def _instruction(function: ca.Function, k: int, registers: dict[int, int]) -> Instruction:

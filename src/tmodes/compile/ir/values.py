@@ -5,14 +5,14 @@ from __future__ import annotations
 from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
-from tmodes.compile.ir.arithmetic import Arithmetic
+from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.program import READ, Instruction
 
 __all__ = ["early_angles", "order_of_evaluation", "write_values"]
 
 
 def write_values(
-    b: Any, program: Sequence[Instruction], arithmetic: Arithmetic, read: Callable[[int, int], Any]
+    b: Any, program: Sequence[Instruction], arithmetic: Double, read: Callable[[int, int], Any]
 ) -> dict[int, Any]:
     """All values of a program by index; ``read`` gives an element of an argument."""
     writer = _Writer(b, program, arithmetic, read)
@@ -29,7 +29,7 @@ class _Writer:
     """Writes values where they are first needed, and so keeps few waiting."""
 
     def __init__(
-        self, b: Any, program: Sequence[Instruction], arithmetic: Arithmetic, read: Callable[[int, int], Any]
+        self, b: Any, program: Sequence[Instruction], arithmetic: Double, read: Callable[[int, int], Any]
     ) -> None:
         self.b, self.program, self.arithmetic, self.read = b, program, arithmetic, read
         self.values: dict[int, Any] = {}

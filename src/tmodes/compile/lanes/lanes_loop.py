@@ -6,19 +6,19 @@ no bit of a run depends on its neighbours.
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from functools import reduce
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
 from typing import Any
 
 from llvmlite import ir
 
+from tmodes.compile.ir.arithmetic import Wide
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, store, whole
-from tmodes.compile.ir.lower import Lowered
-from tmodes.compile.lanes.wide import Wide
+from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.time_loop import CELLS, Status
 
-__all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_OPTIONS", "WIDTH", "LanesLoop"]
+__all__ = ["LANE_ARGUMENTS", "LANE_CELLS", "LANE_OPTIONS", "WIDTH", "LanesLoop", "due_samples", "write_sample"]
 
 WIDTH = Wide.stride
 """Runs side by side."""
@@ -43,33 +43,32 @@ run is whose.
 _INTEGERS = ("knot_stride", "row_stride", "samples")
 
 
-class LanesLoop:
-    """Arguments, a vector for each cell, scratch arrays in ``work``, and the blocks ``again`` and ``leave``."""
+class LanesLoop(Frame):
+    """A vector for each cell, arrays in ``work``, and the blocks ``again`` and ``leave``."""
 
-    def __init__(
-        self, module: Any, name: str, rate: Lowered | ScheduleRate, scratch_arrays: Sequence[str], guarded: int
-    ) -> None:
+    def __init__(self, module: Any, name: str, rate: ScheduleRate, scratch_arrays: Sequence[str], guarded: int) -> None:
         """``guarded``: how many of the first components of the state are watched for divergence."""
-        self.module, self.rate, self.guarded, self.size = module, rate, guarded, rate.size
-        self.lanes = Wide(module)
         kinds = [(label, I64 if label in _INTEGERS else POINTER) for label in LANE_ARGUMENTS]
-        self.function = declare(module, name, VOID, kinds)
-        self.argument = dict(zip(LANE_ARGUMENTS, self.function.args, strict=True))
-        self.builder = ir.IRBuilder(self.function.append_basic_block("entry"))
-        self.cell = {label: self._vector(label) for label in (*LANE_CELLS, "start", "end", "total")}
-        self.done = self.builder.alloca(F64, name="done")
+        self.lanes = Wide(module)
+        super().__init__(name, rate, self.lanes, kinds, guarded)
+        b = self.builder
+        self.cell = {label: self.local(label) for label in (*LANE_CELLS, "start", "end", "total")}
+        self.done = b.alloca(F64, name="done")
         self._lay_out(scratch_arrays)
-        self.builder.call(rate.prepare, [self.argument["p"], self.array["held"]])
+        b.call(rate.prepare, [self.argument["p"], self.array["held"]])
         for slot, label in enumerate(LANE_CELLS):
-            self.put(label, self.lanes.load(self.builder, self.argument["memory"], slot))
+            self.put(label, self.numbers.load(b, self.argument["memory"], slot))
         if rate.sampled is not None:
-            self.builder.call(rate.sampled.prepare, [self.argument["p"], self.array["sampling"]])
-        self.builder.store(number(0.0), self.done)
+            b.call(rate.sampled.prepare, [self.argument["p"], self.array["sampling"]])
+        b.store(number(0.0), self.done)
         self.enter_segments()
         self.again, self.leave = self.block("again"), self.block("leave")
-        self.builder.branch(self.again)
-        self._write_leave()
-        self.builder.position_at_end(self.again)
+        b.branch(self.again)
+        b.position_at_end(self.leave)
+        for slot, label in enumerate(LANE_CELLS):
+            self.numbers.store(b, self.get(label), self.argument["memory"], slot)
+        b.ret_void()
+        b.position_at_end(self.again)
         self._end_runs()
         self._sample()
 
@@ -81,13 +80,9 @@ class LanesLoop:
         after = b.fadd(self.get("segment"), self.constant(1.0))
         new = b.and_(self.running(), b.fcmp_ordered(">", after, self.get("sampled")))
         with b.if_then(self.any(new), likely=False):
-            arrays = (self.array[label] for label in ("y", "row", "sampling", "after"))
-            b.call(sampled.call, [self.get("t"), *arrays])
+            self.call(sampled, self.get("t"), "y", "after", "sampling")
             self.copy_where(new, "y", "after")
             self.put("sampled", after, new)
-
-    def _vector(self, label: str) -> Any:
-        return self.builder.alloca(self.lanes.kind, name=label)
 
     def _lay_out(self, scratch_arrays: Sequence[str]) -> None:
         """The arrays inside ``work``; an exported function ``NAME.work`` says how many numbers they need."""
@@ -95,7 +90,7 @@ class LanesLoop:
         sizes |= dict.fromkeys(scratch_arrays, self.size)
         if self.rate.sampled is not None:
             sizes |= {"sampling": self.rate.sampled.held_size, "after": self.size}
-        self.array, start = {"y": self.argument["y"], "k1": self.argument["k1"]}, 0
+        start = 0
         for label, size in sizes.items():
             self.array[label] = at(self.builder, self.argument["work"], start * WIDTH)
             start += size
@@ -106,27 +101,14 @@ class LanesLoop:
 
     def _end_runs(self) -> None:
         """Lanes whose last segment is behind are finished; leave when none may go on."""
-        b: Any = self.builder
-        segments = self.lanes.load(b, self.argument["segments"], 0)
-        over = b.and_(self._unended(), b.fcmp_ordered(">=", self.get("segment"), segments))
+        b = self.builder
+        over = b.and_(self._unended(), b.fcmp_ordered(">=", self.get("segment"), self._segments()))
         self.put("status", self.constant(float(Status.FINISHED)), over)
-        enough = b.fcmp_ordered(">=", b.load(self.done, typ=F64), self.single_option("chunk"))
+        enough = b.fcmp_ordered(">=", b.load(self.done, typ=F64), self._single_option("chunk"))
         on = self.block("on")
         b.cbranch(b.or_(enough, b.not_(self.any(self.running()))), self.leave, on)
         b.position_at_end(on)
         b.store(b.fadd(b.load(self.done, typ=F64), number(1.0)), self.done)
-
-    def block(self, name: str) -> Any:
-        """A new basic block."""
-        return self.function.append_basic_block(name)
-
-    def constant(self, value: float) -> Any:
-        """The same number in all lanes."""
-        return self.lanes.constant(value)
-
-    def get(self, label: str) -> Any:
-        """Values of a cell."""
-        return self.builder.load(self.cell[label], typ=self.lanes.kind)
 
     def put(self, label: str, value: Any, where: Any = None) -> None:
         """Set a cell, or only the lanes ``where``."""
@@ -137,24 +119,12 @@ class LanesLoop:
         """Add to the lanes ``where`` of a cell."""
         self.put(label, self.builder.fadd(self.get(label), self.constant(amount)), where)
 
-    def single_option(self, label: str) -> Any:
-        """Value of an option."""
+    def _single_option(self, label: str) -> Any:
         return load(self.builder, self.argument["options"], LANE_OPTIONS.index(label))
 
     def option(self, label: str) -> Any:
         """Value of an option in all lanes."""
-        value, b = self.single_option(label), self.builder
-        places = [whole(lane) for lane in range(WIDTH)]
-        return reduce(lambda vector, place: b.insert_element(vector, value, place), places, self.constant(0.0))
-
-    def call(self, kind: str, *values: Any) -> Any:
-        """Call of an LLVM intrinsic on lanes."""
-        name = f"llvm.{kind}.v{WIDTH}f64"  # llvmlite names the intrinsics of single numbers only
-        function = self.module.globals.get(name)
-        if function is None:
-            info = ir.FunctionType(self.lanes.kind, [self.lanes.kind] * len(values))
-            function = ir.Function(self.module, info, name)
-        return self.builder.call(function, list(values))
+        return self.lanes.spread(self.builder, self._single_option(label))
 
     def any(self, condition: Any) -> Any:
         """Whether a condition holds in any lane."""
@@ -167,7 +137,7 @@ class LanesLoop:
 
     def running(self) -> Any:
         """Lanes that are neither over nor failed nor out of steps."""
-        b: Any = self.builder
+        b = self.builder
         tried = b.fadd(self.get("steps"), self.get("rejected"))
         return b.and_(self._unended(), b.fcmp_ordered("<", tried, self.option("most")))
 
@@ -175,29 +145,38 @@ class LanesLoop:
         """Give running lanes a status where the condition holds."""
         self.put("status", self.constant(float(status)), self.builder.and_(self.running(), condition))
 
-    def load(self, label: str, i: Any) -> Any:
-        """Component i of an array of lanes."""
-        return self.lanes.load(self.builder, self._component(label, i), 0)
+    def row(self) -> Any:
+        """The rows of the present segments, side by side."""
+        return self.array["row"]
 
-    def store(self, value: Any, label: str, i: Any) -> None:
-        """Set component i of an array of lanes."""
-        self.lanes.store(self.builder, value, self._component(label, i), 0)
+    def segment(self) -> tuple[Any, Any]:
+        """Times at which the present segment of each lane's input starts and ends."""
+        return self.get("start"), self.get("end")
 
-    def _component(self, label: str, i: Any) -> Any:
-        return at(self.builder, self.array[label], self.builder.mul(i, whole(WIDTH)))
+    def _segments(self) -> Any:
+        return self.numbers.load(self.builder, self.argument["segments"], 0)
+
+    def take(self, where: Any, time_after: Any, last: Any) -> Any:
+        """Take the step to ``new`` in the lanes ``where``; those of them that enter a segment (``last``)."""
+        b = self.builder
+        self.copy_where(where, "y", "new")
+        self.put("t", time_after, where)
+        self.count("steps", where)
+        over = b.and_(where, last)
+        self.count("segment", over)
+        with b.if_then(self.any(over), likely=False):
+            self.enter_segments()
+        return over
 
     def enter_segments(self) -> None:
         """Bring the row and the knots of each lane's segment; a run that is over keeps its last one."""
-        b: Any = self.builder
-        segments = self.lanes.load(b, self.argument["segments"], 0)
-        last = b.fsub(segments, self.constant(1.0))
-        index = self.call("minnum", self.get("segment"), last)
+        b = self.builder
+        index = self.intrinsic("minnum", self.get("segment"), b.fsub(self._segments(), self.constant(1.0)))
         for lane in range(WIDTH):
-            piece = b.fptosi(b.extract_element(index, whole(lane)), I64)
-            self._enter_segment(lane, piece)
+            self._enter_segment(lane, b.fptosi(b.extract_element(index, whole(lane)), I64))
 
     def _enter_segment(self, lane: int, piece: Any) -> None:
-        b: Any = self.builder
+        b = self.builder
         row = at(b, self.argument["rows"], b.mul(self.argument["row_stride"], whole(lane)))
         row = at(b, row, b.mul(piece, whole(self.rate.row)))
         with counted(b, self.rate.row, "row") as j:
@@ -209,36 +188,55 @@ class LanesLoop:
 
     def evaluate(self, time: Any, state: str, into: str) -> None:
         """Right-hand side at a state array, into an array; every lane is computed, whether it runs or not."""
-        arrays = (self.array[label] for label in (state, "row", "held", into))
-        self.builder.call(self.rate.call, [time, *arrays])
-
-    def combine(self, into: str, weights: dict[str, Any], base: str = "y") -> None:
-        """``into = base + sum weights[a] a`` for whole arrays."""
-        b: Any = self.builder
-        with counted(b, self.size) as i:
-            total = self.load(base, i)
-            for label, weight in weights.items():
-                term = b.fmul(weight, self.load(label, i), flags=("contract",))
-                total = b.fadd(total, term, flags=("contract",))
-            self.store(total, into, i)
+        self.call(self.rate, time, state, into)
 
     def copy_where(self, condition: Any, into: str, source: str) -> None:
         """``into = source`` in the lanes where the condition holds."""
         with counted(self.builder, self.size) as i:
             self.store(self.builder.select(condition, self.load(source, i), self.load(into, i)), into, i)
 
-    def within_bounds(self, label: str) -> Any:
-        """Where every guarded component is finite and below the bound (not-a-number is not)."""
-        b: Any = self.builder
-        good: Any = ir.Constant(ir.VectorType(ir.IntType(1), WIDTH), [1] * WIDTH)
-        bound = self.option("bound")
-        for i in range(self.guarded):
-            good = b.and_(good, b.fcmp_ordered("<", self.call("fabs", self.load(label, whole(i))), bound))
-        return good
 
-    def _write_leave(self) -> None:
-        b = self.builder
-        b.position_at_end(self.leave)
-        for slot, label in enumerate(LANE_CELLS):
-            self.lanes.store(b, self.get(label), self.argument["memory"], slot)
-        b.ret_void()
+@contextmanager
+def due_samples(loop: LanesLoop, who: Any, until: Any) -> Iterator[tuple[Any, Any]]:
+    """As long as samples of the lanes ``who`` are due: yields in which lanes, and their times."""
+    b: Any = loop.builder
+    check, write, done = loop.block("sample_check"), loop.block("sample_write"), loop.block("sample_done")
+    b.branch(check)
+    b.position_at_end(check)
+    left, time = _next_samples(loop)
+    due = b.and_(b.and_(who, left), b.fcmp_ordered("<=", time, until))
+    b.cbranch(loop.any(due), write, done)
+    b.position_at_end(write)
+    yield due, time
+    loop.count("sample", due)
+    b.branch(check)
+    b.position_at_end(done)
+
+
+def _next_samples(loop: LanesLoop) -> tuple[Any, Any]:
+    """In which lanes a sample is left, and its time; the last time where none is."""
+    b: Any = loop.builder
+    time = left = None
+    for lane in range(WIDTH):
+        index = b.fptosi(b.extract_element(loop.get("sample"), whole(lane)), I64)
+        some = b.icmp_signed("<", index, loop.argument["samples"])
+        value = load(b, loop.argument["times"], b.select(some, index, whole(0)))
+        time = b.insert_element(loop.constant(0.0) if time is None else time, value, whole(lane))
+        none = ir.Constant(ir.VectorType(ir.IntType(1), WIDTH), [0] * WIDTH)
+        left = b.insert_element(none if left is None else left, some, whole(lane))
+    return left, time
+
+
+def write_sample(loop: LanesLoop, due: Any, value_of: Any) -> None:
+    """Write ``value_of(i)`` of all components into the next sample of the lanes ``due``."""
+    b: Any = loop.builder
+    with counted(b, loop.size) as i:
+        loop.store(value_of(i), "shown", i)
+    for lane in range(WIDTH):
+        with b.if_then(b.extract_element(due, whole(lane))):
+            index = b.fptosi(b.extract_element(loop.get("sample"), whole(lane)), I64)
+            place = b.fptosi(load(b, loop.argument["places"], lane), I64)
+            index = b.add(index, b.mul(loop.argument["samples"], place))
+            target = at(b, loop.argument["out"], b.mul(index, whole(loop.size)))
+            with counted(b, loop.size) as i:
+                store(b, load(b, loop.array["shown"], b.add(b.mul(i, whole(WIDTH)), whole(lane))), target, i)

@@ -9,9 +9,8 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
-from tmodes.compile.ir.emit import F64, counted, load, number, store
-from tmodes.compile.ir.lower import Lowered
-from tmodes.compile.loops.step_control import ExplicitMethod, StepControl, mean_square
+from tmodes.compile.ir.emit import F64, counted, number, store
+from tmodes.compile.loops.step_control import ExplicitMethod, StepControl
 from tmodes.compile.loops.stiffness import StiffnessTest
 from tmodes.compile.loops.time_loop import TimeLoop
 from tmodes.integrate.dop853 import DENSE, ERROR_3, ERROR_5, STAGES, A, C
@@ -31,10 +30,10 @@ _STIFFNESS = StiffnessTest(slopes=(_END, _K[STAGES - 1]), states=("new", "probe"
 _METHOD = ExplicitMethod(_CONTROL, _STIFFNESS, _END)
 
 
-def write_dop853_loop(module: Any, name: str, lowered: Lowered | ScheduleRate, guarded: int) -> None:
+def write_dop853_loop(module: Any, name: str, lowered: ScheduleRate, guarded: int) -> None:
     """Write the loop: steps end exactly on the knots, where the first stage is evaluated again."""
     loop = TimeLoop(module, name, lowered, (*_K[1:], "probe", "new", "local", "between"), guarded)
-    gate, step = _METHOD.begin(loop, lowered.gate_offset)
+    gate, step = _METHOD.begin(loop)
     time, h = step.time, step.h
     for stage in range(1, STAGES + 1):
         # The last two states stay where the test of stiffness finds them: "probe" and "new".
@@ -55,7 +54,7 @@ def _weighted(loop: TimeLoop, i: Any, weights: dict[int, float]) -> Any:
     b = loop.builder
     total: Any = number(0.0)
     for stage, weight in weights.items():
-        total = b.fadd(total, b.fmul(number(weight), load(b, loop.array[_K[stage]], i)))
+        total = b.fadd(total, b.fmul(number(weight), loop.load(_K[stage], i)))
     return total
 
 
@@ -65,11 +64,11 @@ def _error(loop: TimeLoop, h: Any) -> tuple[Any, Any]:
 
     def fifth(i: Any) -> Any:
         value = _weighted(loop, i, ERROR_5)
-        store(b, value, loop.array["local"], i)
+        loop.store(value, "local", i)
         return value
 
-    e5 = mean_square(loop, fifth, "y", "new")
-    e3 = mean_square(loop, lambda i: _weighted(loop, i, ERROR_3), "y", "new")
+    e5 = loop.mean_square(fifth, "y", "new")
+    e3 = loop.mean_square(lambda i: _weighted(loop, i, ERROR_3), "y", "new")
     both = b.fadd(b.fmul(e5, e5), b.fmul(number(0.01), b.fmul(e3, e3)))
     share = b.select(b.fcmp_ordered("==", both, number(0.0)), number(0.0), b.fdiv(e5, loop.intrinsic("sqrt", both)))
     return b.fmul(b.fmul(h, e5), share), share
@@ -88,7 +87,7 @@ def _with_dense_error(loop: TimeLoop, error: Any, time: Any, h: Any, time_after:
         for stage in range(STAGES + 1, len(A)):
             _stage(loop, stage, time, h, "between")
         largest = b.fmul(h, number(_LAST_TERM / _DENSE))
-        dense = mean_square(loop, lambda i: b.fmul(largest, _weighted(loop, i, DENSE[-1])), "y", "new")
+        dense = loop.mean_square(lambda i: b.fmul(largest, _weighted(loop, i, DENSE[-1])), "y", "new")
         b.store(loop.intrinsic("maxnum", error, dense), worst)
     return b.load(worst, typ=F64)
 
@@ -98,10 +97,10 @@ def _write_samples(loop: TimeLoop, time: Any, h: Any, time_after: Any) -> None:
     with loop.due_samples(time_after) as target:
         change, weights = _dense(b, b.fdiv(b.fsub(loop.sample_time(), time), h), h)
         with counted(b, loop.size) as i:
-            before = load(b, loop.array["y"], i)
-            value = b.fadd(before, b.fmul(change, b.fsub(load(b, loop.array["new"], i), before)))
+            before = loop.load("y", i)
+            value = b.fadd(before, b.fmul(change, b.fsub(loop.load("new", i), before)))
             for stage, weight in weights.items():
-                value = b.fadd(value, b.fmul(weight, load(b, loop.array[_K[stage]], i)))
+                value = b.fadd(value, b.fmul(weight, loop.load(_K[stage], i)))
             store(b, value, target, i)
 
 

@@ -109,5 +109,5 @@ class _Due:
         loop, b = self.loop, self.b
         errors = loop.sample_row("errors_out")
         with counted(b, loop.size) as i:
-            store(b, load(b, loop.array["errors"], i), errors, i)
+            store(b, loop.load("errors", i), errors, i)
         loop.add("sample", 1.0)

@@ -10,27 +10,27 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
-from tmodes.compile.loops.extrapolation_dense import DenseOutput
-from tmodes.compile.loops.extrapolation_rows import PairedRows, constants
-from tmodes.compile.loops.gate import Gate
-from tmodes.compile.loops.motion_norm import MotionNorm
-from tmodes.compile.loops.rows_rate import RowsRate
-from tmodes.compile.loops.step_control import add_local_errors, power
-from tmodes.compile.loops.tableau import limit_weights, spread_weights, steady_weights
-from tmodes.compile.loops.time_loop import Status, TimeLoop
+import numpy as np
+from llvmlite import ir
 
-__all__ = ["ROWS", "write_extrapolation_loop"]
+from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
+from tmodes.compile.loops.extrapolation_rows import PairedRows, constants
+from tmodes.compile.loops.frame import MotionNorm
+from tmodes.compile.loops.gate import Gate
+from tmodes.compile.loops.rows_rate import RowsRate
+from tmodes.compile.loops.step_control import ImplicitControl, add_local_errors
+from tmodes.compile.loops.tableau import difference_weights, limit_weights, spread_weights, steady_weights
+from tmodes.compile.loops.time_loop import AdaptiveStep, TimeLoop
+
+__all__ = ["ROWS", "DenseOutput", "write_extrapolation_loop"]
 
 ROWS = 8
 """Rows of the tableau."""
 
-_FIRST_STEP = 1e-4
-_SAFETY, _SMALLEST, _LARGEST = 0.9, 0.1, 6.0
 _CAUTION = 2.0
 """What the local error is taken times: vibrations that hardly decay gather those of all steps."""
 
-_EXPONENT = 1.0 / (ROWS - 1)
+_CONTROL = ImplicitControl(exponent=1.0 / (ROWS - 1), smallest=0.1, first=1e-4)
 """The local error, by which the combination of order 6 differs from the limit of order 8, goes with h^7."""
 
 
@@ -49,7 +49,7 @@ class _Writer:
     def __init__(self, loop: TimeLoop, rate: RowsRate, pairs: int) -> None:
         self.loop, self.b = loop, loop.builder
         self.paired = PairedRows(loop, rate, pairs, ROWS)
-        self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop, rate.gate_offset)
+        self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop)
         self.dense = DenseOutput(loop, self.paired)
         steady, limit = steady_weights(), limit_weights(ROWS)
         weights = {"new": steady, "apart": {row: steady[row] - limit[row] for row in limit}}
@@ -63,41 +63,72 @@ class _Writer:
         """One attempt of a step, from the block ``again`` back to it."""
         loop, b = self.loop, self.b
         self.gate.begin("y", "slope")
-        with b.if_then(b.fcmp_ordered("<=", loop.get("h"), number(0.0)), likely=False):
-            loop.put("h", loop.intrinsic("minnum", number(_FIRST_STEP), b.fsub(loop.knot(1), loop.knot(0))))
-        time, wanted = loop.get("t"), loop.get("h")
-        h, last, time_after = loop.step_until(loop.knot(1))
-        self.paired.take(time, h)
+        step = _CONTROL.begin(loop)
+        self.paired.take(step.time, step.h)
         with counted(b, loop.size, "combined") as i:
             for label, table in self.tables.items():
-                store(b, self.paired.weighted(table, whole(0), i), loop.array[label], i)
-        error = self.norm.of_error(lambda i: load(b, loop.array["apart"], i), "new", "y", h)
-        loop.add("done", 1.0)
-        error = b.fmul(error, number(_CAUTION))
-        # An error that is no number must stay one: the step is then shortened most.
-        floor = b.select(b.fcmp_ordered("<", error, number(1e-10)), number(1e-10), error)
-        factor = b.fdiv(number(_SAFETY), power(loop, floor, _EXPONENT))
-        accepted, rejected = loop.block("accepted"), loop.block("rejected")
-        b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)
-        b.position_at_end(rejected)
-        loop.reject(h, factor, _SMALLEST)
-        b.position_at_end(accepted)
-        self._accept(h, wanted, factor, last, time_after)
+                loop.store(self.paired.weighted(table, whole(0), i), label, i)
+        error = self.norm.of_error(lambda i: loop.load("apart", i), "new", "y", step.h)
+        grown = _CONTROL.judge(loop, step, b.fmul(error, number(_CAUTION)))
+        self._accept(step, grown)
 
-    def _accept(self, h: Any, wanted: Any, factor: Any, last: Any, time_after: Any) -> None:
-        loop, b = self.loop, self.b
-        loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-        if self.gate.offset is not None:
-            loop.evaluate(time_after, "new", "slope")
+    def _accept(self, step: AdaptiveStep, grown: Any) -> None:
+        loop = self.loop
+        if self.gate.exists:
+            loop.evaluate(step.time_after, "new", "slope")
             loop.add("passes", 1.0)
-            self.gate.meet(h)
+            self.gate.meet(step.h)
         add_local_errors(loop, "apart", number(1.0))
-        self.dense.write_samples("y", "new", h, time_after)
-        loop.copy("y", "new")
-        grown = b.fmul(h, loop.intrinsic("minnum", factor, number(_LARGEST)))
-        # A step cut short by a knot says little about the next: keep the longer wish.
-        loop.put("h", b.select(last, loop.intrinsic("maxnum", grown, wanted), grown))
-        loop.put("t", time_after)
-        loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(last, F64)))
-        loop.count_step(h, last)
-        b.branch(loop.again)
+        self.dense.write_samples("y", "new", step.h, step.time_after)
+        loop.take(step, grown)
+        self.b.branch(loop.again)
+
+
+class DenseOutput:
+    """Gives the motion between both ends of a step, by the states of all rows."""
+
+    def __init__(self, loop: TimeLoop, paired: PairedRows) -> None:
+        self.loop, self.paired, self.rows, self.b = loop, paired, paired.rows, loop.builder
+        with self.b.goto_entry_block():
+            self.terms = self.b.alloca(F64, size=whole((self.rows + 1) * loop.size), name="terms")
+        lines = [spread_weights(difference_weights(self.rows, order), self.rows) for order in range(1, self.rows)]
+        self.table = constants(loop, "differences", np.stack(lines))
+
+    def write_samples(self, start: str, end: str, h: Any, time_after: Any) -> None:
+        """Write the samples of a step that went from array ``start`` to ``end``."""
+        b, loop = self.b, self.loop
+        with b.if_then(loop.sample_due(time_after)):
+            self._find_terms(start, end)
+            with loop.due_samples(time_after) as target:
+                back = b.fdiv(b.fsub(loop.sample_time(), time_after), h)
+                with counted(b, loop.size, "value") as i:
+                    store(b, self._value(end, i, back), target, i)
+
+    def _find_terms(self, start: str, end: str) -> None:
+        """Coefficients of the powers of the time from the end over h; the last makes the polynomial meet the start."""
+        b, n = self.b, self.loop.size
+        with counted(b, n, "component") as i:
+            missing = self.loop.local("missing")
+            b.store(b.fsub(load(b, self.loop.array[start], i), load(b, self.loop.array[end], i)), missing)
+            with counted(b, self.rows - 1, "order") as k:
+                order = b.add(k, whole(1))
+                total = self.paired.weighted(self.table, k, i)
+                store(b, total, self.terms, b.add(b.mul(order, whole(n)), i))
+                b.store(b.fsub(b.load(missing, typ=F64), b.fmul(self._sign(order), total)), missing)
+            last = b.fmul(self._sign(whole(self.rows)), b.load(missing, typ=F64))
+            store(b, last, self.terms, b.add(whole(self.rows * n), i))
+
+    def _sign(self, power: Any) -> Any:
+        """(-1)^power."""
+        odd = self.b.trunc(power, ir.IntType(1))
+        return self.b.select(odd, number(-1.0), number(1.0))
+
+    def _value(self, end: str, i: Any, back: Any) -> Any:
+        """Horner's scheme from the highest power down."""
+        b, n = self.b, self.loop.size
+        total = self.loop.local("horner")
+        b.store(number(0.0), total)
+        with counted(b, self.rows, "power") as k:
+            term = load(b, self.terms, b.add(b.mul(b.sub(whole(self.rows), k), whole(n)), i))
+            b.store(b.fmul(back, b.fadd(b.load(total, typ=F64), term)), total)
+        return b.fadd(load(b, self.loop.array[end], i), b.load(total, typ=F64))

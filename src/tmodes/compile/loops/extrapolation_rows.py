@@ -16,7 +16,7 @@ from llvmlite import ir
 from numpy.typing import ArrayLike
 
 from tmodes.compile.ir.arithmetic import Lanes
-from tmodes.compile.ir.emit import F64, POINTER, at, counted, load, whole
+from tmodes.compile.ir.emit import F64, POINTER, at, counted, whole
 from tmodes.compile.loops.rows_rate import RowsRate
 from tmodes.compile.loops.tableau import LANES, passes_of, schedule_of
 from tmodes.compile.loops.time_loop import TimeLoop
@@ -48,7 +48,7 @@ class PairedRows:
         with self.b.goto_entry_block():
             self.kept = self._vectors(self.slots * loop.size, "kept")
             self.slope = self._vectors(loop.size, "slopes")
-        loop.held.align = _LINE
+        loop.array["held"].align = _LINE
         self.tables = {label: constants(loop, label, table) for label, table in self._info().items()}
 
     def _vectors(self, count: int, name: str) -> Any:
@@ -69,13 +69,13 @@ class PairedRows:
         """All steps of all rows over h from the array ``y``."""
         b, lanes, loop, passes = self.b, self.lanes, self.loop, self.slots - 1
         with counted(b, loop.size, "start") as i:
-            lanes.store(b, self._splat(load(b, loop.array["y"], i)), self._vector(self.kept, i), 0)
-        wide_h, wide_time = self._splat(h), self._splat(time)
+            lanes.store(b, lanes.spread(b, loop.load("y", i)), self._vector(self.kept, i), 0)
+        wide_h, wide_time = lanes.spread(b, h), lanes.spread(b, time)
         with counted(b, passes, "pass") as p:
             length, share, begins = (self._at(table, p) for table in self.tables.values())
             step, end = b.fdiv(wide_h, length), b.fadd(wide_time, b.fmul(wide_h, share))
             self._expect(p, step, b.fcmp_ordered("!=", begins, lanes.constant(0.0)))
-            b.call(self.rate.call_rows, [end, step, loop.row(), loop.held, self.slope])
+            b.call(self.rate.call_rows, [end, step, loop.row(), loop.array["held"], self.slope])
             self._advance(p, step)
         loop.add("evaluations", float(len(schedule_of(self.rows))))
         loop.add("passes", float(passes))
@@ -83,7 +83,9 @@ class PairedRows:
     def _expect(self, p: Any, step: Any, begins: Any) -> None:
         """What the recursion reads: where steps are expected to end, and the same for springs to start from."""
         b, n = self.b, self.pairs
-        moved, start = (at(b, self.loop.held, offset) for offset in (self.rate.state_offset, self.rate.start_offset))
+        moved, start = (
+            at(b, self.loop.array["held"], offset) for offset in (self.rate.state_offset, self.rate.start_offset)
+        )
         with counted(b, n, "expect") as i:
             paired = b.add(i, whole(n))
             place, rate = (self._begun(p, k, begins) for k in (i, paired))
@@ -129,12 +131,6 @@ class PairedRows:
         found = b.load(total, typ=lanes.kind)
         parts = [b.extract_element(found, whole(lane)) for lane in range(LANES)]
         return b.fadd(b.fadd(parts[0], parts[1]), b.fadd(parts[2], parts[3]))
-
-    def _splat(self, value: Any) -> Any:
-        vector = self.lanes.constant(0.0)
-        for lane in range(LANES):
-            vector = self.b.insert_element(vector, value, whole(lane))
-        return vector
 
     def _vector(self, base: Any, index: Any) -> Any:
         return at(self.b, base, self.b.mul(index, whole(LANES)))

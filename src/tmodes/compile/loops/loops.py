@@ -1,120 +1,35 @@
-"""The native time loops around a right-hand side, each compiled when its method is first asked for."""
+"""The native time loops around a schedule of rates, each compiled when its method is first asked for."""
 
 from __future__ import annotations
 
-from collections.abc import Callable
-from dataclasses import dataclass
 from functools import partial
 from typing import Any
 
 from tmodes.compile.ir.kernels import arithmetic_of, called, kernels_of, library
 from tmodes.compile.native import Library
-from tmodes.integrate.method import EULER, EXPLICIT, IMPLICIT, JACOBIAN
+from tmodes.integrate.method import EULER, JACOBIAN
 from tmodes.integrate.registry import integrator, integrators
 
-__all__ = [
-    "implicit_loops", "loop_arithmetic", "loop_methods", "program_loop_module", "rosenbrock_loop",
-    "schedule_loop_module", "schedule_loops", "time_loops",
-]  # fmt: skip
+__all__ = ["goes_side_by_side", "lane_loop", "loop_arithmetic", "schedule_loop", "schedule_loop_module"]
 
 
-@dataclass(frozen=True)
-class _Loops:
-    """The native time loops around one right-hand side by the name of their method, each made at its first use.
+def schedule_loop(schedule: Any, guarded: int, method: str, **more: Any) -> Library:
+    """The loop of a method around a schedule of time, state and row that gives their rate, by the method's name.
 
-    ``asks``: what methods may ask of it, of :mod:`tmodes.integrate.method`.
+    ``guarded``: how many of the first components of the state are watched for divergence. Implicit steps take a
+    schedule that has the inputs ``step`` and ``start`` too, and ``pairs``: the state begins with so many coordinates
+    and as many rates. A Rosenbrock method takes ``columns`` as well: the first numbers of the state, by which its
+    Jacobian is.
     """
-
-    asks: tuple[str, ...]
-    library: Callable[[str], Library]
-
-    def __getitem__(self, method: str) -> Any:
-        """The function of a method; KeyError for one that is not among them."""
-        if method not in loop_methods(*self.asks):
-            raise KeyError(method)
-        return self.library(method)[method]
-
-
-def loop_methods(*asks: str) -> list[str]:
-    """The methods that ask no more of the equations than this."""
-    return [name for name, one in integrators().items() if one.asks in asks]
-
-
-def _writer(method: str) -> Any:
-    """What writes the loop of a method: its own, or that of all tableaus."""
-    from tmodes.compile.loops.dop853_loop import write_dop853_loop
-    from tmodes.compile.loops.explicit_loop import write_explicit_loop
-    from tmodes.compile.loops.extrapolation_loop import write_extrapolation_loop
-    from tmodes.compile.loops.midpoint_loop import write_midpoint_loop
-    from tmodes.compile.loops.rosenbrock_loop import write_rosenbrock_loop
-
-    tableau = integrator(method).tableau
-    if tableau is not None:
-        return partial(write_explicit_loop, tableau=tableau)
-    return {
-        "dop853": write_dop853_loop, "extrapolation": write_extrapolation_loop, "midpoint": write_midpoint_loop,
-        "rosenbrock": write_rosenbrock_loop,
-    }[method]  # fmt: skip
-
-
-def time_loops(name: str, key: str, make: Callable[[], Any], guarded: int) -> Any:
-    """The native time loops, by their methods, around one right-hand side of (time, state, row, parameters).
-
-    Methods: the explicit ones.
-    """
-    from tmodes.compile.loops.time_loop import ARGUMENTS
-
-    def made(method: str) -> Library:
-        write = partial(program_loop_module, make, guarded, method, method)
-        return library(f"{name} {integrator(method).key}", key, write, {method: len(ARGUMENTS)}, level=3)
-
-    return _Loops((EXPLICIT,), made)
-
-
-def program_loop_module(make: Callable[[], Any], guarded: int, method: str, symbol: str) -> Any:
-    """The IR of an explicit loop, called ``symbol``, around one right-hand side."""
-    from llvmlite import ir
-
-    from tmodes.compile.ir.lower import lower
-    from tmodes.compile.ir.program import straight_line
-
-    module = ir.Module(symbol)
-    _writer(method)(module, symbol, lower(module, straight_line(make(), invariant=3)), guarded)
-    return module
-
-
-def schedule_loops(name: str, schedule: Any, guarded: int) -> Any:
-    """The explicit time loops, by their methods, around a schedule of time, state and row that gives their rate.
-
-    Methods: the explicit ones.
-    """
-    return _Loops((EXPLICIT,), lambda method: _schedule_loop(name, schedule, guarded, method))
-
-
-def implicit_loops(name: str, schedule: Any, guarded: int, pairs: int) -> Any:
-    """The loops of implicit steps around a schedule that has the inputs ``step`` and ``start`` too.
-
-    The state begins with ``pairs`` coordinates and as many rates. Methods: those of implicit steps.
-    """
-    return _Loops((IMPLICIT, EULER), lambda method: _schedule_loop(name, schedule, guarded, method, pairs=pairs))
-
-
-def rosenbrock_loop(name: str, schedule: Any, guarded: int, pairs: int, columns: int) -> Any:
-    """The loop of a Rosenbrock method, with the exact Jacobian by the first ``columns`` numbers of the state."""
-    more = {"pairs": pairs, "columns": columns}
-    return _Loops((JACOBIAN,), lambda method: _schedule_loop(f"{name} {columns}", schedule, guarded, method, **more))
-
-
-def _schedule_loop(name: str, schedule: Any, guarded: int, method: str, **more: Any) -> Library:
     from tmodes.compile.loops.time_loop import ARGUMENTS
 
     def imports() -> dict[str, Library]:
         slopes = kernels_of(schedule, "derivative") if integrator(method).asks == JACOBIAN else {}
-        sampling = called(schedule.sampled, "double") if schedule.sampled else {}
-        return called(schedule, loop_arithmetic(method)) | slopes | sampling
+        return called(schedule, loop_arithmetic(method)) | called(schedule.sampled, "double") | slopes
 
     write = partial(schedule_loop_module, schedule, guarded, method, method, **more)
-    return library(f"{name} {integrator(method).key}", schedule.key, write, {method: len(ARGUMENTS)}, 1, imports)
+    name = f"loop {more} {integrator(method).key}"
+    return library(name, schedule.key, write, {method: len(ARGUMENTS)}, 1, imports)
 
 
 def loop_arithmetic(method: str) -> str:
@@ -137,3 +52,52 @@ def schedule_loop_module(schedule: Any, guarded: int, method: str, symbol: str, 
     needed = {"schedule": schedule} if integrator(method).asks == JACOBIAN else {}
     _writer(method)(module, symbol, rate, guarded, **needed, **more)
     return module
+
+
+def _writer(method: str) -> Any:
+    """What writes the loop of a method: its own, or that of all tableaus."""
+    from tmodes.compile.loops.dop853_loop import write_dop853_loop
+    from tmodes.compile.loops.explicit_loop import write_explicit_loop
+    from tmodes.compile.loops.extrapolation_loop import write_extrapolation_loop
+    from tmodes.compile.loops.midpoint_loop import write_midpoint_loop
+    from tmodes.compile.loops.rosenbrock_loop import write_rosenbrock_loop
+
+    tableau = integrator(method).tableau
+    if tableau is not None:
+        return partial(write_explicit_loop, tableau=tableau)
+    return {
+        "dop853": write_dop853_loop, "extrapolation": write_extrapolation_loop, "midpoint": write_midpoint_loop,
+        "rosenbrock": write_rosenbrock_loop,
+    }[method]  # fmt: skip
+
+
+def goes_side_by_side(method: str) -> bool:
+    """Whether a method has a loop over runs side by side: those with a tableau have."""
+    one = integrators().get(method)
+    return one is not None and one.tableau is not None
+
+
+def lane_loop(schedule: Any, guarded: int, method: str) -> Library:
+    """As :func:`schedule_loop`, of an explicit method over runs side by side.
+
+    ``METHOD.work`` gives how many numbers the loop works on.
+    """
+    from tmodes.compile.ir.arithmetic import Wide
+    from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS
+
+    def write() -> Any:
+        from llvmlite import ir
+
+        from tmodes.compile.ir.block import write_rate
+        from tmodes.compile.lanes.lanes_explicit import write_lanes_loop
+
+        module, tableau = ir.Module(method), integrator(method).tableau
+        assert tableau is not None  # noqa: S101
+        write_lanes_loop(module, method, write_rate(module, schedule, Wide(module), "rate"), guarded, tableau)
+        return module
+
+    def imports() -> dict[str, Library]:
+        return called(schedule, Wide.name) | called(schedule.sampled, Wide.name)
+
+    functions = {method: len(LANE_ARGUMENTS), f"{method}.work": 1}
+    return library(f"lane loop {integrator(method).key}", schedule.key, write, functions, 3, imports)

@@ -12,29 +12,30 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
-from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
-from tmodes.compile.loops.motion_norm import MotionNorm
+from tmodes.compile.ir.emit import F64, counted, number, store, whole
+from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.step_control import next_step, take_step
 from tmodes.compile.loops.time_loop import Status, TimeLoop
 from tmodes.errors import CompileError
 
-__all__ = ["ITERATIONS", "ImplicitStep", "refuse_explicit_only", "write_midpoint_loop"]
+__all__ = ["ITERATIONS", "write_midpoint_loop"]
 
 ITERATIONS = 40
 """Most iterations of a step; of those that converge at all few need more than ten."""
 
 
 def write_midpoint_loop(module: Any, name: str, lowered: ScheduleRate, guarded: int, *, pairs: int) -> None:
-    """Write the loop: each segment is parted into equal steps not longer than the option ``step``.
+    """Write the loop: each segment is divided into equal steps not longer than the option ``step``.
 
     Iterations end when two agree within the tolerances; where they do not, the run ends (``NOT_CONVERGED``). Samples
-    between steps stand on the parabola of constant acceleration. Raises :class:`CompileError` as
-    :func:`write_extrapolation_loop`.
+    between steps stand on the parabola of constant acceleration. Raises :class:`CompileError` for a schedule that has
+    no inputs for a step's length and its start.
     """
-    refuse_explicit_only(name, lowered)
+    if lowered.step_offset is None or lowered.call_from is None:
+        raise CompileError(f"{name}: the schedule has no inputs `step` and `start` for implicit steps")
     loop = TimeLoop(module, name, lowered, ("ahead", "start", "before", "slope", "new"), guarded)
     b, step = loop.builder, next_step(loop)
-    _Middle(loop, lowered, pairs).solve(b.fadd(step.time, b.fmul(step.h, number(0.5))), step.h)
+    _Middle(loop, pairs).solve(b.fadd(step.time, b.fmul(step.h, number(0.5))), step.h)
     _move(loop, pairs, step.h, loop.array["new"])
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
     until = b.fadd(step.time_after, b.fmul(step.h, number(1e-9)))
@@ -44,12 +45,11 @@ def write_midpoint_loop(module: Any, name: str, lowered: ScheduleRate, guarded: 
 
 
 class _Middle:
-    """Finds the state in the middle of a step; the last rates are left in ``slope``."""
+    """Finds the state in the middle of a step, ``ahead``; the last rates are left in ``slope``."""
 
-    def __init__(self, loop: TimeLoop, lowered: ScheduleRate, pairs: int) -> None:
+    def __init__(self, loop: TimeLoop, pairs: int) -> None:
         self.loop, self.pairs, self.b = loop, pairs, loop.builder
-        self.step, self.norm = ImplicitStep(loop, lowered, pairs), MotionNorm(loop, pairs)
-        self.round = loop.local("round")
+        self.norm, self.round = MotionNorm(loop, pairs), loop.local("round")
 
     def solve(self, middle: Any, h: Any) -> None:
         """Iterate until two middles agree within the tolerances."""
@@ -60,9 +60,9 @@ class _Middle:
         turn, done = loop.block("turn"), loop.block("solved")
         b.branch(turn)
         b.position_at_end(turn)
-        self.step.evaluate(middle, half, "slope")
+        self._evaluate(middle, half)
         loop.copy("before", "ahead")
-        self._put_middle(half)
+        self._advance(half)
         rounds = b.fadd(b.load(self.round, typ=F64), number(1.0))
         b.store(rounds, self.round)
         error = self.norm.of_difference("ahead", "before", "y", h)
@@ -76,65 +76,48 @@ class _Middle:
 
     def _predict(self, half: Any) -> None:
         """Springs start half a step on with the rates of the start; so does the first guess of the middle."""
-        b, n, array = self.b, self.pairs, self.loop.array
-        self.loop.copy("ahead", "y")
+        b, loop = self.b, self.loop
+        loop.copy("ahead", "y")
+        with counted(b, self.pairs, "pair") as i:
+            paired = b.add(i, whole(self.pairs))
+            rate = loop.load("y", paired)
+            moved = b.fadd(loop.load("y", i), b.fmul(half, rate))
+            loop.store(moved, "ahead", i)
+            loop.store(moved, "start", i)
+            loop.store(rate, "start", paired)
+
+    def _evaluate(self, time: Any, h: Any) -> None:
+        """Rates at ``ahead`` of springs that start from ``start``, with h D + h^2 K added to the masses."""
+        b, loop, rate = self.b, self.loop, self.loop.rate
+        held = loop.array["held"]
+        store(b, h, held, rate.step_offset)
+        states = [loop.array["ahead"], loop.array["start"]]
+        b.call(rate.call_from, [time, *states, loop.row(), held, loop.array["slope"]])
+        store(b, number(0.0), held, rate.step_offset)
+        loop.add("evaluations", 1.0)
+
+    def _advance(self, h: Any) -> None:
+        """``ahead`` is ``y`` moved on by h with its accelerations; coordinates follow the new rates."""
+        b, n, loop = self.b, self.pairs, self.loop
         with counted(b, n, "pair") as i:
             paired = b.add(i, whole(n))
-            rate = load(b, array["y"], paired)
-            moved = b.fadd(load(b, array["y"], i), b.fmul(half, rate))
-            store(b, moved, array["ahead"], i)
-            store(b, moved, array["start"], i)
-            store(b, rate, array["start"], paired)
-
-    def _put_middle(self, half: Any) -> None:
-        """The middle by the rates found: the coordinates follow its own rates."""
-        self.loop.copy("ahead", "y")
-        self.step.advance(half, "ahead", "slope")
+            rate = b.fadd(loop.load("y", paired), b.fmul(h, loop.load("slope", paired)))
+            loop.store(rate, "ahead", paired)
+            loop.store(b.fadd(loop.load("y", i), b.fmul(h, rate)), "ahead", i)
+        with counted(b, loop.size - 2 * n, "rest") as i:
+            place = b.add(i, whole(2 * n))
+            loop.store(b.fadd(loop.load("y", place), b.fmul(h, loop.load("slope", place))), "ahead", place)
 
 
 def _move(loop: TimeLoop, pairs: int, time: Any, place: Any) -> None:
     """``y`` moved on by ``time`` with the accelerations of the step, written to an address."""
-    b, y, slope = loop.builder, loop.array["y"], loop.array["slope"]
+    b = loop.builder
     with counted(b, pairs, "move") as i:
         paired = b.add(i, whole(pairs))
-        rate, change = load(b, y, paired), b.fmul(time, load(b, slope, paired))
+        rate, change = loop.load("y", paired), b.fmul(time, loop.load("slope", paired))
         store(b, b.fadd(rate, change), place, paired)
         mean = b.fadd(rate, b.fmul(number(0.5), change))
-        store(b, b.fadd(load(b, y, i), b.fmul(time, mean)), place, i)
+        store(b, b.fadd(loop.load("y", i), b.fmul(time, mean)), place, i)
     with counted(b, loop.size - 2 * pairs, "rest") as i:
         at = b.add(i, whole(2 * pairs))
-        store(b, b.fadd(load(b, y, at), b.fmul(time, load(b, slope, at))), place, at)
-
-
-def refuse_explicit_only(name: str, rate: ScheduleRate) -> None:
-    """Raise :class:`CompileError` for a schedule that has no place for a step's length or its start."""
-    if rate.step_offset is None or rate.call_from is None:
-        raise CompileError(f"{name}: the schedule has no inputs `step` and `start` for implicit steps")
-
-
-class ImplicitStep:
-    """Writes implicit evaluations; the loop has the arrays ``ahead`` (where all but springs is taken) and ``start``."""
-
-    def __init__(self, loop: TimeLoop, rate: ScheduleRate, pairs: int) -> None:
-        self.loop, self.rate, self.pairs, self.b = loop, rate, pairs, loop.builder
-
-    def evaluate(self, time: Any, h: Any, into: str) -> None:
-        """Rates at ``ahead`` of springs that start from ``start``, with h D + h^2 K added to the masses."""
-        loop, b = self.loop, self.b
-        store(b, h, loop.held, self.rate.step_offset)
-        states = [loop.array["ahead"], loop.array["start"]]
-        b.call(self.rate.call_from, [time, *states, loop.row(), loop.held, loop.array[into]])
-        store(b, number(0.0), loop.held, self.rate.step_offset)
-        loop.add("evaluations", 1.0)
-
-    def advance(self, h: Any, state: str, slope: str) -> None:
-        """``state`` moved on by h with its accelerations; coordinates follow the new rates."""
-        b, n, x, found = self.b, self.pairs, self.loop.array[state], self.loop.array[slope]
-        with counted(b, n, "pair") as i:
-            paired = b.add(i, whole(n))
-            rate = b.fadd(load(b, x, paired), b.fmul(h, load(b, found, paired)))
-            store(b, rate, x, paired)
-            store(b, b.fadd(load(b, x, i), b.fmul(h, rate)), x, i)
-        with counted(b, self.loop.size - 2 * n, "rest") as i:
-            place = b.add(i, whole(2 * n))
-            store(b, b.fadd(load(b, x, place), b.fmul(h, load(b, found, place))), x, place)
+        store(b, b.fadd(loop.load("y", at), b.fmul(time, loop.load("slope", at))), place, at)

@@ -68,7 +68,7 @@ class RateJacobian:
         """The derivatives of all outputs along one number of the workspace."""
         slope = b.add(b.mul(place, whole(2)), whole(1))
         store(b, number(1.0), held, slope)
-        b.call(self.main, [held])
+        b.call(self.main.function, [held])
         first = 0
         for slots in self.schedule.outputs.values():
             for slot in slots:

@@ -13,11 +13,11 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
 from tmodes.compile.ir.lu import lu_functions
+from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
-from tmodes.compile.loops.motion_norm import MotionNorm
 from tmodes.compile.loops.rate_jacobian import RateJacobian
-from tmodes.compile.loops.step_control import add_local_errors, power
-from tmodes.compile.loops.time_loop import Status, TimeLoop
+from tmodes.compile.loops.step_control import ImplicitControl, add_local_errors
+from tmodes.compile.loops.time_loop import TimeLoop
 from tmodes.errors import CompileError
 
 __all__ = ["MOST_STATES", "STAGE_RATES", "STAGE_STATES", "write_rosenbrock_loop"]
@@ -63,7 +63,7 @@ DENSE = (
 )  # fmt: skip
 """Weights of the u_j in the bow of the motion between both ends: (1 - s) s (B1 + s (B2 + s B3))."""
 
-_SAFETY, _SMALLEST, _LARGEST, _FIRST_STEP = 0.9, 0.2, 6.0, 1e-6
+_CONTROL = ImplicitControl(exponent=1 / 5, smallest=0.2, first=1e-6)
 _STAGES = tuple(f"u{i}" for i in range(1, 9))
 
 
@@ -81,16 +81,16 @@ def write_rosenbrock_loop(
             f"{MOST_STATES}; take extrapolation, which needs no Jacobian"
         )
     loop = TimeLoop(module, name, lowered, (*_STAGES, "probe", "by_time", "low", "new"), guarded)
-    _Writer(loop, RateJacobian(module, schedule, columns, f"{name}.jacobian"), lowered, pairs).write()
+    _Writer(loop, RateJacobian(module, schedule, columns, f"{name}.jacobian"), pairs).write()
 
 
 class _Writer:
     """Writes the body of the loop."""
 
-    def __init__(self, loop: TimeLoop, jacobian: RateJacobian, lowered: ScheduleRate, pairs: int) -> None:
+    def __init__(self, loop: TimeLoop, jacobian: RateJacobian, pairs: int) -> None:
         self.loop, self.b, self.jacobian, self.columns = loop, loop.builder, jacobian, jacobian.columns
         self.factor, self.solve = lu_functions(loop.module, self.columns)
-        self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop, lowered.gate_offset)
+        self.norm, self.gate = MotionNorm(loop, pairs), Gate(loop)
         m = self.columns
         sizes = {"slopes": jacobian.held_size, "by_state": loop.size * m, "matrix": m * m, "order": m}
         with self.b.goto_entry_block():
@@ -102,26 +102,21 @@ class _Writer:
         """One attempt of a step, from the block ``again`` back to it."""
         loop, b = self.loop, self.b
         self.gate.begin("y", "u1")
-        with b.if_then(b.fcmp_ordered("<=", loop.get("h"), number(0.0)), likely=False):
-            loop.put("h", loop.intrinsic("minnum", number(_FIRST_STEP), b.fsub(loop.knot(1), loop.knot(0))))
-        time, wanted = loop.get("t"), loop.get("h")
-        h, last, time_after = loop.step_until(loop.knot(1))
-        self._decompose(time, h)
+        step = _CONTROL.begin(loop)
+        self._decompose(step.time, step.h)
         for stage in range(len(_STAGES)):
-            self._stage(stage, time, h)
+            self._stage(stage, step.time, step.h)
         loop.combine("new", {"u8": number(1.0)}, base="probe")
         loop.copy("low", "probe")
-        error = self.norm.of_difference("new", "low", "y", h)
-        loop.add("done", 1.0)
-        # An error that is no number must stay one: the step is then shortened most.
-        floor = b.select(b.fcmp_ordered("<", error, number(1e-10)), number(1e-10), error)
-        factor = b.fdiv(number(_SAFETY), power(loop, floor, 1.0 / 5.0))
-        accepted, rejected = loop.block("accepted"), loop.block("rejected")
-        b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)
-        b.position_at_end(rejected)
-        loop.reject(h, factor, _SMALLEST)
-        b.position_at_end(accepted)
-        self._accept(h, wanted, factor, last, time, time_after)
+        grown = _CONTROL.judge(loop, step, self.norm.of_difference("new", "low", "y", step.h))
+        if self.gate.exists:
+            loop.evaluate(step.time_after, "new", "low")
+            self.gate.meet(step.h)
+        add_local_errors(loop, "u8", number(1.0))  # new less low, before the low one made room
+        with loop.due_samples(step.time_after) as target:
+            self._write_sample(b.fdiv(b.fsub(loop.sample_time(), step.time), step.h), target)
+        loop.take(step, grown)
+        b.branch(loop.again)
 
     def _decompose(self, time: Any, h: Any) -> None:
         """LU factors of 1/(h gamma) - J at the start of the step."""
@@ -160,24 +155,6 @@ class _Writer:
                 b.store(b.fadd(b.load(total, typ=F64), b.fmul(entry, load(b, u, j))), total)
             store(b, b.fmul(share, b.load(total, typ=F64)), u, place)
 
-    def _accept(self, h: Any, wanted: Any, factor: Any, last: Any, time: Any, time_after: Any) -> None:
-        loop, b = self.loop, self.b
-        loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
-        if self.gate.offset is not None:
-            loop.evaluate(time_after, "new", "low")
-            self.gate.meet(h)
-        add_local_errors(loop, "u8", number(1.0))  # new less low, before the low one made room
-        with loop.due_samples(time_after) as target:
-            self._write_sample(b.fdiv(b.fsub(loop.sample_time(), time), h), target)
-        loop.copy("y", "new")
-        grown = b.fmul(h, loop.intrinsic("minnum", factor, number(_LARGEST)))
-        # A step cut short by a knot says little about the next: keep the longer wish.
-        loop.put("h", b.select(last, loop.intrinsic("maxnum", grown, wanted), grown))
-        loop.put("t", time_after)
-        loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(last, F64)))
-        loop.count_step(h, last)
-        b.branch(loop.again)
-
     def _write_sample(self, share: Any, target: Any) -> None:
         """Between both ends at the share of the step: the chord and its bow."""
         loop, b = self.loop, self.b
@@ -185,11 +162,11 @@ class _Writer:
         bow = b.fmul(share, rest)
         powers = [bow, b.fmul(bow, share), b.fmul(b.fmul(bow, share), share)]
         with counted(b, loop.size, "value") as i:
-            ends = (b.fmul(rest, load(b, loop.array["y"], i)), b.fmul(share, load(b, loop.array["new"], i)))
+            ends = (b.fmul(rest, loop.load("y", i)), b.fmul(share, loop.load("new", i)))
             total = b.fadd(*ends)
             for stage, label in enumerate(_STAGES):
                 weight: Any = number(0.0)
                 for factor, row in zip(powers, DENSE, strict=True):
                     weight = b.fadd(weight, b.fmul(factor, number(row[stage])))
-                total = b.fadd(total, b.fmul(weight, load(b, loop.array[label], i)))
+                total = b.fadd(total, b.fmul(weight, loop.load(label, i)))
             store(b, total, target, i)

@@ -8,12 +8,9 @@ from typing import Any
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double, Lanes
-from tmodes.compile.ir.block import ScheduleRate, call_prepare, write_main, write_rate
-from tmodes.compile.ir.calls import I32, table_of
-from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
-from tmodes.compile.ir.unroll import pays
-from tmodes.compile.lanes.lanes_memory import Layout
-from tmodes.compile.loops.rows import spread_parameters
+from tmodes.compile.ir.block import ScheduleRate, write_main, write_rate
+from tmodes.compile.ir.emit import F64, POINTER, VOID, counted, declare, load, store, whole
+from tmodes.compile.ir.rows import copy_numbers, take_rows
 from tmodes.errors import CompileError
 
 __all__ = ["RowsRate", "write_rows_rate"]
@@ -47,34 +44,33 @@ class _Writer:
 
     def __init__(self, module: Any, schedule: Any, name: str) -> None:
         self.module, self.schedule, self.name, self.lanes = module, schedule, name, Lanes(module)
-        layout = None if pays(schedule) else Layout(schedule)
-        self.place, self.size = (layout.offset, layout.size) if layout else (schedule.offset, schedule.workspace)
-        self.main = write_main(module, schedule, self.lanes, f"{name}.main", layout.offset if layout else None)
-        self.outputs = [slot for slots in schedule.outputs.values() for slot in slots]
+        self.main = write_main(module, schedule, self.lanes, f"{name}.main")
+        self.outputs = self.main.blocks(slot for slots in schedule.outputs.values() for slot in slots)
 
     def written(self) -> RowsRate:
         """All functions."""
-        s, width = self.schedule, self.lanes.stride
+        s, memory, double = self.schedule, self.main.memory, Double(self.module)
         prepare, rows = self._prepare(), self._call_rows()
-        info = {label: self._offset(s.inputs[label]) for label in ("state", "start", "step")}
-        end = self.size * width
-        gate = end if s.gate else None
+        step, state, start = (self._offset(s.inputs[label]) for label in ("step", "state", "start"))
+        end = memory.workspace * self.lanes.stride
         call, sizes = self._call(rows, end), (end + 2, s.output_size, s.inputs["row"].size)
-        double = Double(self.module)
         sampled = write_rate(self.module, s.sampled, double, f"{self.name}.sampled") if s.sampled else None
-        return RowsRate(prepare, call, *sizes, info["step"], gate, None, sampled, rows, info["state"], info["start"])
+        return RowsRate(prepare, call, *sizes, step, end if s.gate else None, None, sampled, rows, state, start)
 
     def _offset(self, slot: Any) -> int:
-        return self.place(slot) * self.lanes.stride
+        return self.main.memory.offset(slot) * self.lanes.stride
+
+    def _function(self, name: str, kinds: list[tuple[str, Any]]) -> tuple[Any, Any]:
+        function = declare(self.module, f"{self.name}.{name}", VOID, kinds, private=True)
+        function.attributes.add("noinline")
+        return function, ir.IRBuilder(function.append_basic_block("entry"))
 
     def _prepare(self) -> Any:
-        kinds = [("parameters", POINTER), ("held", POINTER)]
-        prepare = declare(self.module, f"{self.name}.prepare", VOID, kinds, private=True)
-        b = ir.IRBuilder(prepare.append_basic_block("entry"))
+        prepare, b = self._function("prepare", [("parameters", POINTER), ("held", POINTER)])
         parameters, held = prepare.args
-        spread_parameters(b, parameters, held, self.schedule.parameters, self.lanes.stride, same=True)
-        self.lanes.store(b, self.lanes.constant(0.0), held, self.place(self.schedule.inputs["step"]))
-        call_prepare(b, self.main, held)
+        take_rows(b, self.lanes, parameters, held, [(0, self.schedule.parameters)], 1)
+        self.lanes.store(b, self.lanes.constant(0.0), held, self.main.memory.offset(self.schedule.inputs["step"]))
+        self.main.prepare(b, held)
         b.ret_void()
         return prepare
 
@@ -82,19 +78,13 @@ class _Writer:
         """``call_rows(times, steps, row, held, out)``."""
         lanes, inputs = self.lanes, self.schedule.inputs
         kinds = [("times", lanes.kind), ("steps", lanes.kind), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
-        call = declare(self.module, f"{self.name}.call_rows", VOID, kinds, private=True)
-        call.attributes.add("noinline")
+        call, b = self._function("call_rows", kinds)
         times, steps, row, held, out = call.args
-        b = ir.IRBuilder(call.append_basic_block("entry"))
-        lanes.store(b, times, held, self.place(inputs["time"]))
-        lanes.store(b, steps, held, self.place(inputs["step"]))
-        self._spread(b, row, held, inputs["row"])
-        b.call(self.main, [held])
-        places = [self.place(slot) + k for slot in self.outputs for k in range(slot.size)]
-        table = table_of(b, f"{self.name}.outputs", places)
-        with counted(b, len(places), "output") as i:
-            place = b.sext(b.load(b.gep(table, [i], source_etype=I32), typ=I32), I64)
-            lanes.store(b, lanes.load(b, self._vector(b, held, place), 0), self._vector(b, out, i), 0)
+        lanes.store(b, times, held, self.main.memory.offset(inputs["time"]))
+        lanes.store(b, steps, held, self.main.memory.offset(inputs["step"]))
+        take_rows(b, lanes, row, held, self.main.blocks([inputs["row"]]), 1)
+        b.call(self.main.function, [held])
+        copy_numbers(b, lanes, out, held, self.outputs, into=False)
         b.ret_void()
         return call
 
@@ -105,33 +95,15 @@ class _Writer:
         """
         lanes, inputs = self.lanes, self.schedule.inputs
         kinds = [("time", F64), ("state", POINTER), ("row", POINTER), ("held", POINTER), ("out", POINTER)]
-        call = declare(self.module, f"{self.name}.call", VOID, kinds, private=True)
-        call.attributes.add("noinline")
+        call, b = self._function("call", kinds)
         time, state, row, held, out = call.args
-        b = ir.IRBuilder(call.append_basic_block("entry"))
         found = b.alloca(F64, size=whole(self.schedule.output_size * lanes.stride))
         for label in ("state", "start"):
-            self._spread(b, state, held, inputs[label])
-        b.call(rows, [self.splat(b, time), lanes.constant(0.0), row, held, found])
+            take_rows(b, lanes, state, held, self.main.blocks([inputs[label]]), 1)
+        b.call(rows, [lanes.spread(b, time), lanes.constant(0.0), row, held, found])
         with counted(b, self.schedule.output_size) as i:
             store(b, load(b, found, b.mul(i, whole(lanes.stride))), out, i)
         for k in range(2 if self.schedule.gate else 0):
             store(b, load(b, held, self._offset(self.schedule.gate) + k * lanes.stride), held, gate + k)
         b.ret_void()
         return call
-
-    def splat(self, b: Any, value: Any) -> Any:
-        """The same number in all lanes."""
-        vector = self.lanes.constant(0.0)
-        for lane in range(self.lanes.stride):
-            vector = b.insert_element(vector, value, whole(lane))
-        return vector
-
-    def _spread(self, b: Any, source: Any, held: Any, slot: Any) -> None:
-        target = at(b, held, self._offset(slot))
-        with counted(b, slot.size, "spread") as k:
-            vector = self.splat(b, load(b, source, k))
-            self.lanes.store(b, vector, self._vector(b, target, k), 0)
-
-    def _vector(self, b: Any, base: Any, index: Any) -> Any:
-        return at(b, base, b.mul(index, whole(self.lanes.stride)))

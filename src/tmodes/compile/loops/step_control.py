@@ -1,7 +1,7 @@
-"""What steps share: fixed ones their lengths, adaptive explicit ones their first slope, error norm and next length.
+"""What steps share: fixed ones their lengths, adaptive ones how their error gives the length of the next.
 
-Step control (PI): E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I, section II.4, as in
-their codes DOPRI5 and DOP853.
+Step control (PI) of explicit methods: E. Hairer, S. P. Norsett, G. Wanner, Solving Ordinary Differential Equations I,
+section II.4, as in their codes DOPRI5 and DOP853.
 """
 
 from __future__ import annotations
@@ -12,14 +12,15 @@ from typing import Any, NamedTuple
 
 from llvmlite import ir
 
-from tmodes.compile.ir.emit import F64, counted, declare, load, number, store
+from tmodes.compile.ir.emit import F64, counted, declare, number
+from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.gate import Gate
 from tmodes.compile.loops.stiffness import StiffnessTest
-from tmodes.compile.loops.time_loop import Status, TimeLoop
+from tmodes.compile.loops.time_loop import AdaptiveStep, Status, TimeLoop
 from tmodes.compile.native import POWER
 
 __all__ = [
-    "ExplicitMethod", "StepControl", "add_local_errors", "mean_square", "next_step", "power", "take_step",
+    "ExplicitMethod", "ImplicitControl", "StepControl", "add_local_errors", "first_length", "next_step", "take_step",
 ]  # fmt: skip
 
 
@@ -44,71 +45,67 @@ class StepControl:
 
     def judge(self, loop: TimeLoop, h: Any, error: Any) -> None:
         """Try again with a shorter step where the error is beyond 1; go on otherwise."""
-        b: Any = loop.builder
         loop.add("done", 1.0)
-        accepted, rejected = loop.block("accepted"), loop.block("rejected")
-        b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)
-        b.position_at_end(rejected)
-        loop.reject(h, b.fdiv(number(self.safety), power(loop, error, self.exponent)), self.smallest)
-        b.position_at_end(accepted)
+        safety, b = number(self.safety), loop.builder
+        loop.judge(error, h, lambda: b.fdiv(safety, _power(loop, error, self.exponent)), self.smallest)
 
-    def accept(self, loop: TimeLoop, step: tuple[Any, Any, Any, Any], error: Any, slope: str) -> None:
-        """Take the step (wanted and taken length, whether it ends on a knot, time after it); ``slope``: at its end."""
-        b: Any = loop.builder
-        wanted, h, last, time_after = step
+    def accept(self, loop: TimeLoop, step: AdaptiveStep, error: Any, slope: str) -> None:
+        """Take the step; ``slope``: at its end."""
+        b = loop.builder
         error = loop.intrinsic("maxnum", error, number(1e-10))
         wish = number(self.safety)
         if self.beta:
-            wish = b.fmul(wish, power(loop, loop.get("old_error"), self.beta))
-        factor = b.fdiv(wish, power(loop, error, self.exponent))
+            wish = b.fmul(wish, _power(loop, loop.get("old_error"), self.beta))
+        factor = b.fdiv(wish, _power(loop, error, self.exponent))
         factor = loop.intrinsic("minnum", loop.intrinsic("maxnum", factor, number(self.smallest)), number(self.largest))
-        grown = b.fmul(h, factor)
-        # A step cut short by a knot says little about the next: keep the longer wish.
-        loop.put("h", b.select(last, loop.intrinsic("maxnum", grown, wanted), grown))
         loop.put("old_error", loop.intrinsic("maxnum", error, number(1e-4)))
-        loop.copy("y", "new")
         loop.copy("k1", slope)
-        loop.put("t", time_after)
-        loop.put("fresh", b.uitofp(last, F64))
-        loop.put("segment", b.fadd(loop.get("segment"), b.uitofp(last, F64)))
-        loop.count_step(h, last)
+        loop.put("fresh", b.uitofp(step.last, F64))
+        loop.take(step, b.fmul(step.h, factor))
 
 
-def first_stage(loop: TimeLoop) -> None:
-    """k1 where the last step did not leave it, and the first step's length (Hairer's rule of a hundredth)."""
-    b = loop.builder
-    with b.if_then(b.fcmp_ordered("!=", loop.get("fresh"), number(0.0)), likely=False):
-        loop.evaluate(loop.get("t"), "y", "k1")
-        loop.put("fresh", number(0.0))
+@dataclass(frozen=True)
+class ImplicitControl:
+    """The same of implicit methods: factor = 0.9 / error^exponent; ``first``: length of the first step [s]."""
+
+    exponent: float
+    smallest: float
+    first: float
+    largest: float = 6.0
+
+    def begin(self, loop: TimeLoop) -> AdaptiveStep:
+        """The step that comes, which ends on a knot where one comes."""
+        b = loop.builder
+        start, end = loop.segment()
         with b.if_then(b.fcmp_ordered("<=", loop.get("h"), number(0.0)), likely=False):
-            state, slope = _norm(loop, "y", "y"), _norm(loop, "k1", "y")
-            moving = b.and_(b.fcmp_ordered(">", state, number(1e-5)), b.fcmp_ordered(">", slope, number(1e-5)))
-            guess = b.select(moving, b.fmul(number(0.01), b.fdiv(state, slope)), number(1e-6))
-            loop.put("h", loop.intrinsic("minnum", guess, b.fsub(loop.knot(1), loop.knot(0))))
+            loop.put("h", loop.intrinsic("minnum", number(self.first), b.fsub(end, start)))
+        return _adaptive_step(loop, end)
+
+    def judge(self, loop: TimeLoop, step: AdaptiveStep, error: Any) -> Any:
+        """Try again with a shorter step, or go on; the length that the error allows the next one."""
+        loop.add("done", 1.0)
+        b, tiny = loop.builder, number(1e-10)
+        # An error that is no number must stay one: the step is then shortened most.
+        floor = b.select(b.fcmp_ordered("<", error, tiny), tiny, error)
+        factor = b.fdiv(number(0.9), _power(loop, floor, self.exponent))
+        loop.judge(error, step.h, lambda: factor, self.smallest)
+        loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)
+        return b.fmul(step.h, loop.intrinsic("minnum", factor, number(self.largest)))
 
 
-def _scale(loop: TimeLoop, i: Any, *states: str) -> Any:
-    """``atol`` + ``rtol`` times the larger of the states, for component i."""
-    b = loop.builder
-    largest: Any = number(0.0)
-    for state in states:
-        largest = loop.intrinsic("maxnum", largest, loop.intrinsic("fabs", load(b, loop.array[state], i)))
-    return b.fadd(loop.option("atol"), b.fmul(loop.option("rtol"), largest))
+def _adaptive_step(loop: TimeLoop, end: Any) -> AdaptiveStep:
+    time, wanted = loop.get("t"), loop.get("h")
+    return AdaptiveStep(time, wanted, *loop.step_until(end))
 
 
-def mean_square(loop: TimeLoop, value_of: Any, *states: str) -> Any:
-    """Root of the mean square of ``value_of(i)`` over the scale of each component."""
-    b = loop.builder
-    total = loop.cell["total"] = loop.cell.get("total") or loop.local("total")
-    b.store(number(0.0), total)
-    with counted(b, loop.size) as i:
-        ratio = b.fdiv(value_of(i), _scale(loop, i, *states))
-        b.store(b.fadd(b.load(total, typ=F64), b.fmul(ratio, ratio)), total)
-    return loop.intrinsic("sqrt", b.fdiv(b.load(total, typ=F64), number(float(loop.size))))
-
-
-def _norm(loop: TimeLoop, label: str, state: str) -> Any:
-    return mean_square(loop, lambda i: load(loop.builder, loop.array[label], i), state)
+def first_length(loop: Frame) -> Any:
+    """Length of the first step (Hairer's rule of a hundredth), by the state and its slope."""
+    b, least = loop.builder, loop.constant(1e-5)
+    state, slope = (loop.mean_square(lambda i, a=a: loop.load(a, i), "y") for a in ("y", "k1"))
+    moving = b.and_(b.fcmp_ordered(">", state, least), b.fcmp_ordered(">", slope, least))
+    guess = b.select(moving, b.fmul(loop.constant(0.01), b.fdiv(state, slope)), loop.constant(1e-6))
+    start, end = loop.segment()
+    return loop.intrinsic("minnum", guess, b.fsub(end, start))
 
 
 def add_local_errors(loop: TimeLoop, label: str, factor: Any) -> None:
@@ -116,27 +113,14 @@ def add_local_errors(loop: TimeLoop, label: str, factor: Any) -> None:
     b = loop.builder
     factor = loop.intrinsic("fabs", factor)
     with counted(b, loop.size) as i:
-        size = loop.intrinsic("fabs", load(b, loop.array[label], i))
-        total = b.fadd(load(b, loop.array["errors"], i), b.fmul(factor, size))
-        store(b, total, loop.array["errors"], i)
+        size = loop.intrinsic("fabs", loop.load(label, i))
+        loop.store(b.fadd(loop.load("errors", i), b.fmul(factor, size)), "errors", i)
 
 
-def power(loop: TimeLoop, base: Any, exponent: Any) -> Any:
-    """``base`` to the power ``exponent``, a number or a value."""
+def _power(loop: TimeLoop, base: Any, exponent: float) -> Any:
     module = loop.module
-    exponent = number(exponent) if isinstance(exponent, float) else exponent
     function = module.globals.get(POWER) or declare(module, POWER, F64, [("x", F64), ("y", F64)])
-    return loop.builder.call(function, [base, exponent])
-
-
-class AdaptiveStep(NamedTuple):
-    """A step of length h from ``time`` to ``time_after``; ``wanted``: its length if no knot had cut it (``last``)."""
-
-    time: Any
-    wanted: Any
-    h: Any
-    last: Any
-    time_after: Any
+    return loop.builder.call(function, [base, number(exponent)])
 
 
 @dataclass(frozen=True)
@@ -147,14 +131,16 @@ class ExplicitMethod:
     stiffness: StiffnessTest | None
     end: str
 
-    def begin(self, loop: TimeLoop, offset: int | None) -> tuple[Gate, AdaptiveStep]:
-        """The first stage of a step, which ends on a knot where one comes; ``offset``: where the gate's numbers are."""
-        gate = Gate(loop, offset)
+    def begin(self, loop: TimeLoop) -> tuple[Gate, AdaptiveStep]:
+        """The first stage of a step, which ends on a knot where one comes."""
+        b, gate = loop.builder, Gate(loop)
         gate.begin("y", "probe")
-        first_stage(loop)
-        time, wanted = loop.get("t"), loop.get("h")
-        h, last, time_after = loop.step_until(loop.knot(1))
-        return gate, AdaptiveStep(time, wanted, h, last, time_after)
+        with b.if_then(b.fcmp_ordered("!=", loop.get("fresh"), number(0.0)), likely=False):
+            loop.evaluate(loop.get("t"), "y", "k1")
+            loop.put("fresh", number(0.0))
+            with b.if_then(b.fcmp_ordered("<=", loop.get("h"), number(0.0)), likely=False):
+                loop.put("h", first_length(loop))
+        return gate, _adaptive_step(loop, loop.segment()[1])
 
     def end_with(
         self, loop: TimeLoop, gate: Gate, step: AdaptiveStep, errors: tuple[Any, Any], write: Callable[[], None]
@@ -170,7 +156,7 @@ class ExplicitMethod:
         gate.meet(step.h)
         add_local_errors(loop, "local", share)
         write()
-        self.control.accept(loop, (step.wanted, step.h, step.last, step.time_after), error, self.end)
+        self.control.accept(loop, step, error, self.end)
         if self.stiffness:
             self.stiffness.write(loop, step.h)
         loop.builder.branch(loop.again)
@@ -186,25 +172,22 @@ class FixedStep(NamedTuple):
     last: Any
 
 
-def next_step(loop: TimeLoop) -> FixedStep:
-    """The step that comes; its length is put into the cell ``h``."""
-    b = loop.builder
-    start, end = loop.knot(0), loop.knot(1)
+def next_step(loop: Frame) -> FixedStep:
+    """The step that comes: each segment is parted into equal steps not longer than the option ``step``."""
+    b, (start, end) = loop.builder, loop.segment()
     length = b.fsub(end, start)
-    ratio = b.fdiv(length, loop.option("step"))
-    steps = loop.intrinsic("maxnum", loop.intrinsic("ceil", b.fmul(ratio, number(1 - 1e-12))), number(1.0))
-    h = b.fdiv(length, steps)
-    time, count = loop.get("t"), b.fadd(loop.get("index"), number(1.0))
+    ratio = b.fmul(b.fdiv(length, loop.option("step")), loop.constant(1 - 1e-12))
+    steps = loop.intrinsic("maxnum", loop.intrinsic("ceil", ratio), loop.constant(1.0))
+    h, count = b.fdiv(length, steps), b.fadd(loop.get("index"), loop.constant(1.0))
     last = b.fcmp_ordered(">=", count, steps)
-    time_after = b.select(last, end, b.fadd(start, b.fmul(count, h)))
-    loop.put("h", h)
-    return FixedStep(h, time, time_after, count, last)
+    return FixedStep(h, loop.get("t"), b.select(last, end, b.fadd(start, b.fmul(count, h))), count, last)
 
 
 def take_step(loop: TimeLoop, step: FixedStep) -> None:
     """The state ``new`` is where the next step starts; back to the begin of the loop."""
     b = loop.builder
     loop.copy("y", "new")
+    loop.put("h", step.h)
     loop.put("t", step.time_after)
     loop.count_step(step.h, ir.Constant(ir.IntType(1), 0))
     loop.add("done", 1.0)

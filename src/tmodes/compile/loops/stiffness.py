@@ -12,7 +12,7 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from tmodes.compile.ir.emit import F64, I64, counted, load, number, whole
+from tmodes.compile.ir.emit import F64, I64, counted, number, whole
 from tmodes.compile.loops.time_loop import Status, TimeLoop
 
 __all__ = ["StiffnessTest"]
@@ -58,7 +58,7 @@ class StiffnessTest:
         total = loop.local(name)
         b.store(number(0.0), total)
         with counted(b, loop.size) as i:
-            apart = b.fsub(*(load(b, loop.array[label], i) for label in pair))
+            apart = b.fsub(*(loop.load(label, i) for label in pair))
             b.store(b.fadd(b.load(total, typ=F64), b.fmul(apart, apart)), total)
         return b.load(total, typ=F64)
 

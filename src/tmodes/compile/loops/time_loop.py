@@ -6,19 +6,18 @@ memory as if it had never stopped, so progress, interruption and checkpoints cha
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from contextlib import AbstractContextManager
 from enum import IntEnum
-from typing import Any
+from typing import Any, NamedTuple
 
-from llvmlite import ir
-
+from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.block import ScheduleRate
-from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, scratch, store, whole
-from tmodes.compile.ir.lower import Lowered
+from tmodes.compile.ir.emit import F64, I64, POINTER, at, counted, load, number, scratch, store, whole
 from tmodes.compile.loops.due_samples import due_samples, is_due
+from tmodes.compile.loops.frame import Frame
 
-__all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "Status", "TimeLoop"]
+__all__ = ["ARGUMENTS", "CELLS", "OPTIONS", "AdaptiveStep", "Status", "TimeLoop"]
 
 CELLS = (
     "t", "h", "segment", "index", "sample", "fresh", "old_error", "steps", "rejected", "evaluations", "status",
@@ -59,65 +58,63 @@ class Status(IntEnum):
     STOPPED_BY_CONDITION = 8
 
 
-class TimeLoop:
-    """The frame of a time loop: arguments, mutable cells, scratch arrays, and the blocks ``again`` and ``leave``."""
+class AdaptiveStep(NamedTuple):
+    """A step of length h from ``time`` to ``time_after``; ``wanted``: its length if no knot had cut it (``last``)."""
 
-    def __init__(
-        self, module: Any, name: str, lowered: Lowered | ScheduleRate, scratch_arrays: Sequence[str], guarded: int
-    ) -> None:
+    time: Any
+    wanted: Any
+    h: Any
+    last: Any
+    time_after: Any
+
+
+class TimeLoop(Frame):
+    """The loop of one run: mutable cells, scratch arrays, and the blocks ``again`` and ``leave``."""
+
+    def __init__(self, module: Any, name: str, rate: ScheduleRate, scratch_arrays: Sequence[str], guarded: int) -> None:
         """``guarded``: how many of the first components of the state are watched for divergence."""
-        self.module, self.lowered, self.guarded = module, lowered, guarded
-        self.size = lowered.size
         kinds = [(label, I64 if label in ("segments", "samples") else POINTER) for label in ARGUMENTS]
-        self.function = declare(module, name, VOID, kinds)
-        self.argument: dict[str, Any] = dict(zip(ARGUMENTS, self.function.args, strict=True))
-        self.builder = ir.IRBuilder(self.function.append_basic_block("entry"))
-        self.cell = {label: self.builder.alloca(F64, name=label) for label in (*CELLS, "done")}
-        self.array = {label: scratch(self.builder, self.size, label) for label in scratch_arrays}
-        self.array |= {"y": self.argument["y"], "k1": self.argument["k1"], "errors": self.argument["errors"]}
-        self.held = scratch(self.builder, lowered.held_size, "held")
-        self.builder.call(lowered.prepare, [self.argument["p"], self.held])
-        self._sampling = self._prepared()
+        super().__init__(name, rate, Double(module), kinds, guarded)
+        b = self.builder
+        self.cell = {label: self.local(label) for label in (*CELLS, "done", "total")}
+        self.array |= {label: scratch(b, self.size, label) for label in scratch_arrays}
+        self.array["errors"] = self.argument["errors"]
+        self.array["held"] = scratch(b, rate.held_size, "held")
+        b.call(rate.prepare, [self.argument["p"], self.array["held"]])
+        if rate.sampled is not None:
+            self.array["sampling"] = scratch(b, rate.sampled.held_size, "sampling")
+            self.array["after"] = scratch(b, self.size, "after")
+            b.call(rate.sampled.prepare, [self.argument["p"], self.array["sampling"]])
         for slot, label in enumerate(CELLS):
-            self.put(label, load(self.builder, self.argument["memory"], slot))
+            self.put(label, load(b, self.argument["memory"], slot))
         self.put("done", number(0.0))
         self.due = self.local("due")
         self.again, self.leave = self.block("again"), self.block("leave")
-        self.builder.branch(self.again)
-        self._write_leave()
-        self.builder.position_at_end(self.again)
-        self.stop_if(self.finished(), Status.FINISHED)
-        self.stop_if(self.builder.fcmp_ordered(">=", self.get("done"), self.option("chunk")), Status.RUNNING)
+        b.branch(self.again)
+        b.position_at_end(self.leave)
+        for slot, label in enumerate(CELLS):
+            store(b, self.get(label), self.argument["memory"], slot)
+        b.ret_void()
+        b.position_at_end(self.again)
+        over = b.icmp_signed(">=", self.integer("segment"), self.argument["segments"])
+        self.stop_if(over, Status.FINISHED)
+        self.stop_if(b.fcmp_ordered(">=", self.get("done"), self.option("chunk")), Status.RUNNING)
         self._sample()
-
-    def _prepared(self) -> Any:
-        """The memory of what sampled controllers compute; None without one."""
-        if (sampled := self.lowered.sampled) is None:
-            return None
-        held = scratch(self.builder, sampled.held_size, "sampling")
-        self.array["after"] = scratch(self.builder, self.size, "after")
-        self.builder.call(sampled.prepare, [self.argument["p"], held])
-        return held
 
     def _sample(self) -> None:
         """At the start of each segment, once: the state after the samples there."""
-        b, sampled = self.builder, self.lowered.sampled
+        b, sampled = self.builder, self.rate.sampled
         if sampled is None:
             return
         after = b.fadd(self.get("segment"), number(1.0))
         with b.if_then(b.fcmp_ordered(">", after, self.get("sampled")), likely=False):
-            b.call(sampled.call, [self.get("t"), self.array["y"], self.row(), self._sampling, self.array["after"]])
+            self.call(sampled, self.get("t"), "y", "after", "sampling")
             self.copy("y", "after")
             self.put("sampled", after)
 
-    def local(self, name: str) -> Any:
-        """A double on the stack of the function."""
-        with self.builder.goto_entry_block():
-            return self.builder.alloca(F64, name=name)
-
     def step_until(self, end: Any) -> tuple[Any, Any, Any]:
         """Length of the next step, whether it ends on ``end``, and the time after it; fails where it is too short."""
-        b: Any = self.builder
+        b = self.builder
         time, wanted = self.get("t"), self.get("h")
         last = b.fcmp_ordered(">=", b.fadd(time, b.fmul(number(1.0001), wanted)), end)
         h = b.select(last, b.fsub(end, time), wanted)
@@ -125,13 +122,28 @@ class TimeLoop:
         self.stop_if(b.not_(b.fcmp_ordered(">", h, smallest)), Status.STEP_TOO_SMALL)
         return h, last, b.select(last, end, b.fadd(time, h))
 
-    def reject(self, h: Any, factor: Any, smallest: float) -> None:
-        """Try again with a step of h times a factor; one that is not a number shrinks the step most."""
-        b: Any = self.builder
-        usable = b.fcmp_ordered(">", factor, number(smallest))
-        self.put("h", b.fmul(h, b.select(usable, factor, number(smallest))))
+    def judge(self, error: Any, h: Any, factor: Callable[[], Any], smallest: float) -> None:
+        """Where the error is beyond 1, or no number, try again with h times the factor, or shrunk the most."""
+        b = self.builder
+        accepted, rejected = self.block("accepted"), self.block("rejected")
+        b.cbranch(b.fcmp_ordered("<=", error, number(1.0)), accepted, rejected)
+        b.position_at_end(rejected)
+        share = factor()
+        usable = b.fcmp_ordered(">", share, number(smallest))
+        self.put("h", b.fmul(h, b.select(usable, share, number(smallest))))
         self.add("rejected", 1.0)
         b.branch(self.again)
+        b.position_at_end(accepted)
+
+    def take(self, step: AdaptiveStep, grown: Any) -> None:
+        """Take a step to ``new``; ``grown``: the length that its error allows the next one."""
+        b = self.builder
+        # A step cut short by a knot says little about the next: keep the longer wish.
+        self.put("h", b.select(step.last, self.intrinsic("maxnum", grown, step.wanted), grown))
+        self.copy("y", "new")
+        self.put("t", step.time_after)
+        self.put("segment", b.fadd(self.get("segment"), b.uitofp(step.last, F64)))
+        self.count_step(step.h, step.last)
 
     def due_samples(self, until: Any, end: Any = None) -> AbstractContextManager[Any]:
         """For each instant of a step to ``end`` (None: ``until``) that is to be written: yields where."""
@@ -139,20 +151,12 @@ class TimeLoop:
 
     def count_step(self, h: Any, cut: Any) -> None:
         """Count a step of length h; the smallest of all that were not ``cut`` short is kept."""
-        b: Any = self.builder
+        b = self.builder
         smallest = self.get("smallest")
         first = b.fcmp_ordered("==", smallest, number(0.0))
         least = b.select(first, h, self.intrinsic("minnum", smallest, h))
         self.put("smallest", b.select(cut, smallest, least))
         self.add("steps", 1.0)
-
-    def block(self, name: str) -> Any:
-        """A new basic block."""
-        return self.function.append_basic_block(name)
-
-    def get(self, label: str) -> Any:
-        """Value of a cell."""
-        return self.builder.load(self.cell[label], typ=F64)
 
     def put(self, label: str, value: Any) -> None:
         """Set a cell."""
@@ -170,15 +174,6 @@ class TimeLoop:
         """A cell as an int64."""
         return self.builder.fptosi(self.get(label), I64)
 
-    def finished(self) -> Any:
-        """Whether the last segment is behind."""
-        return self.builder.icmp_signed(">=", self.integer("segment"), self.argument["segments"])
-
-    def intrinsic(self, name: str, *values: Any) -> Any:
-        """Call of an LLVM intrinsic on doubles."""
-        kind = ir.FunctionType(F64, [F64] * len(values))
-        return self.builder.call(self.module.declare_intrinsic(f"llvm.{name}", [F64], kind), list(values))
-
     def stop_if(self, condition: Any, status: Status) -> None:
         """Leave the loop with a status where the condition holds."""
         stop, on = self.block(f"stop_{status.name.lower()}"), self.block("on")
@@ -190,44 +185,23 @@ class TimeLoop:
 
     def row(self) -> Any:
         """Address of the reference's row of the current segment."""
-        length = self.lowered.row
-        return at(self.builder, self.argument["rows"], self.builder.mul(self.integer("segment"), whole(length)))
+        return at(self.builder, self.argument["rows"], self.builder.mul(self.integer("segment"), whole(self.rate.row)))
 
-    def knot(self, ahead: int) -> Any:
-        """Time of the current segment's start (0) or end (1)."""
-        index = self.builder.add(self.integer("segment"), whole(ahead))
-        return load(self.builder, self.argument["knots"], index)
+    def segment(self) -> tuple[Any, Any]:
+        """Times at which the present segment of the input starts and ends."""
+        b, index = self.builder, self.integer("segment")
+        start, end = (load(b, self.argument["knots"], b.add(index, whole(ahead))) for ahead in range(2))
+        return start, end
 
     def evaluate(self, time: Any, state: str, into: str) -> None:
         """Right-hand side at a state array, into an array."""
-        row = self.row()
-        self.builder.call(self.lowered.call, [time, self.array[state], row, self.held, self.array[into]])
+        self.call(self.rate, time, state, into)
         self.add("evaluations", 1.0)
-
-    def combine(self, into: str, weights: dict[str, Any], base: str = "y") -> None:
-        """``into = base + sum weights[a] a`` for whole arrays."""
-        b: Any = self.builder
-        with counted(b, self.size) as i:
-            total = load(b, self.array[base], i)
-            for label, weight in weights.items():
-                term = b.fmul(weight, load(b, self.array[label], i), flags=("contract",))
-                total = b.fadd(total, term, flags=("contract",))
-            store(b, total, self.array[into], i)
 
     def copy(self, into: str, source: str) -> None:
         """``into = source`` for whole arrays."""
         with counted(self.builder, self.size) as i:
-            store(self.builder, load(self.builder, self.array[source], i), self.array[into], i)
-
-    def within_bounds(self, label: str) -> Any:
-        """Whether every guarded component is finite and below the bound (not-a-number is not)."""
-        b = self.builder
-        good: Any = ir.Constant(ir.IntType(1), 1)
-        bound = self.option("bound")
-        for i in range(self.guarded):
-            magnitude = self.intrinsic("fabs", load(b, self.array[label], i))
-            good = b.and_(good, b.fcmp_ordered("<", magnitude, bound))
-        return good
+            self.store(self.load(source, i), into, i)
 
     def sample_due(self, until: Any) -> Any:
         """Whether anything is to be written of a step that goes ``until`` then."""
@@ -242,9 +216,3 @@ class TimeLoop:
         """Where the next sample is written in an array of samples."""
         index = self.builder.mul(self.integer("sample"), whole(self.size))
         return at(self.builder, self.argument[label], index)
-
-    def _write_leave(self) -> None:
-        self.builder.position_at_end(self.leave)
-        for slot, label in enumerate(CELLS):
-            store(self.builder, self.get(label), self.argument["memory"], slot)
-        self.builder.ret_void()

@@ -5,41 +5,29 @@ A long kernel is a row of functions: LLVM's time for WebAssembly grows with the 
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterable, Mapping
+from collections.abc import Iterable
 from functools import partial
 from itertools import pairwise
 from typing import Any
 
 from llvmlite import ir
 
-from tmodes.compile.ir.arithmetic import Arithmetic
+from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.block import kernel_symbol, write_program
 from tmodes.compile.ir.emit import POINTER, VOID, declare, scratch
-from tmodes.compile.ir.kernels import arithmetic_of, sample_module, schedule_module
+from tmodes.compile.ir.kernels import arithmetic_of, schedule_module
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.ir.program import READ, BlockProgram, Instruction
 from tmodes.compile.ir.values import write_values
-from tmodes.compile.loops.loops import loop_arithmetic, program_loop_module, schedule_loop_module
+from tmodes.compile.loops.loops import loop_arithmetic, schedule_loop_module
 from tmodes.compile.wasm.wasm import Part
 from tmodes.integrate.method import JACOBIAN
 from tmodes.integrate.registry import integrator
 
-__all__ = ["each_once", "kernel_in_pieces", "program_loop", "sample_part", "schedule_loop", "schedule_samples"]
+__all__ = ["each_once", "kernel_in_pieces", "schedule_loop", "schedule_samples"]
 
 PIECE = 5000
 """Values of a kernel that make one function: shorter ones only make the code of usual beams longer."""
-
-
-def sample_part(key: str, make: Callable[[], Mapping[str, Any]], inputs: Mapping[str, int]) -> Part:
-    """Functions as of :func:`tmodes.compile.ir.kernels.sample_functions`, named by the labels of ``inputs``."""
-    symbols = tuple(inputs)
-    return Part(f"samples {key} {dict(inputs)}", partial(sample_module, "+".join(symbols), make, inputs), symbols)
-
-
-def program_loop(symbol: str, key: str, make: Callable[[], Any], guarded: int, method: str) -> Part:
-    """An explicit loop around one right-hand side, as of :func:`tmodes.compile.loops.loops.time_loops`."""
-    write = partial(program_loop_module, make, guarded, method, symbol)
-    return Part(f"loop {method} {guarded} {key}", write, (symbol,), level=1)
 
 
 def schedule_loop(symbol: str, schedule: Any, guarded: int, method: str, **more: Any) -> list[Part]:
@@ -49,8 +37,7 @@ def schedule_loop(symbol: str, schedule: Any, guarded: int, method: str, **more:
     simd = arithmetic == "lanes"
     loop = Part(f"loop {method} {guarded} {more} {schedule.key}", write, (symbol,), simd=simd, level=1)
     slopes = _kernels(schedule, "derivative") if integrator(method).asks == JACOBIAN else []
-    sampling = _called(schedule.sampled, "double") if schedule.sampled else []
-    return [loop, *_called(schedule, arithmetic), *sampling, *slopes]
+    return [loop, *_called(schedule, arithmetic), *_called(schedule.sampled, "double"), *slopes]
 
 
 def schedule_samples(symbol: str, schedule: Any, arithmetic: str = "double", piece: int = PIECE) -> list[Part]:
@@ -71,7 +58,7 @@ def each_once(parts: Iterable[Part]) -> list[Part]:
 def _called(schedule: Any, arithmetic: str, piece: int = PIECE) -> list[Part]:
     from tmodes.compile.ir.unroll import pays
 
-    unrolled = arithmetic_of(arithmetic).unrolls and pays(schedule)
+    unrolled = not schedule or (arithmetic_of(arithmetic).unrolls and pays(schedule))
     return [] if unrolled else _kernels(schedule, arithmetic, piece)
 
 
@@ -104,7 +91,7 @@ def kernel_in_pieces(kernel: Any, arithmetic: str, piece: int) -> Any:
 class _Pieces:
     """Cuts a program at equal distances; what is merely read is read again in each piece that needs it."""
 
-    def __init__(self, module: Any, name: str, program: BlockProgram, arithmetic: Arithmetic, piece: int) -> None:
+    def __init__(self, module: Any, name: str, program: BlockProgram, arithmetic: Double, piece: int) -> None:
         self.module, self.name, self.program, self.arithmetic = module, name, program, arithmetic
         values = program.values
         self.cuts = [*range(0, len(values), piece), len(values)]

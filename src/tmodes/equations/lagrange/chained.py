@@ -35,7 +35,7 @@ class ChainedSystem:
         self.points = _points(system, parts)
         placed = parts.chain.base
         if not (np.allclose(placed.rotation, np.eye(3)) and np.allclose(placed.position, 0)):
-            expected = f"no base: the system `{system.name}` stands in the world's axes"
+            expected = f"left out: the system `{system.name}` stands in the world's axes"
             raise InputError("base", "a placed base", expected, "remove `base`")
 
     @property
@@ -60,7 +60,7 @@ def _columns(system: System, parts: Parts) -> Any:
     matched = list(system.matches(names) if system.matches else system.coordinates)
     if missing := [name for name in names if name not in matched]:
         got = f"the coordinate `{missing[0]}`, which the system `{system.name}` has not"
-        expected = f"coordinates among {', '.join(system.coordinates)}"
+        expected = f"those of coordinates among {', '.join(system.coordinates)}"
         raise InputError("equations", got, expected, "name joints as the system's coordinates, or take its robot()")
     selected = np.zeros((len(matched), len(names)))
     for row, name in enumerate(matched):

@@ -7,26 +7,18 @@ from which the paper's follow by a constant map, Eq. (5). Motor, gear, control a
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
 from typing import Any
 
 import casadi as ca
 import numpy as np
 
-from tmodes.chain.chain import Chain
+from tmodes.equations.lagrange.filipovic2010_chain import COORDINATES, NUMBERS, matches, numbers
 from tmodes.equations.lagrange.system import System
-from tmodes.errors import InputError
 
 __all__ = ["CONSISTENT", "OWN", "PRINTED", "basis"]
 
-COORDINATES = ("joint", "azimuth1", "azimuth2", "elevation1", "elevation2")
-"""Coordinates of the robot: its joint, and the bending angles of both modes."""
-
 OWN = ("q", "delta", "gamma", "vt", "e")
 """The paper's coordinates but for the motor's."""
-
-_NUMBERS = ("l1", "l2", "m1", "m2", "j1", "j2", "c1", "c2", "b1", "b2")
-_MODES = 2
 
 
 def basis() -> Any:
@@ -178,47 +170,6 @@ def _planar_jacobian(a: Any, b: Any, angle: Any, bend: Any) -> Any:
     return ca.horzcat(ca.vertcat(-a * ca.sin(angle), a * ca.cos(angle)) + far, far)
 
 
-def _numbers(chain: Chain) -> Mapping[str, float]:
-    """Lengths, masses, inertias, springs and dampers of the robot's link and of what it carries at its tip.
-
-    Eq. (28) [stated]: mel2, Jel2 at the full length of mode 2 enter here. {test_slip_13_mass}
-    Eq. (30) [stated]: mel1, Jel1 at the full length of mode 1 enter here. {test_slip_13_mass}
-
-    Raises :class:`tmodes.errors.InputError` for a robot that is not one joint with one link of two modes.
-    """
-    link: Any = chain.nodes[-1].link
-    modes = getattr(link, "modes", ())
-    if len(chain.nodes) != 1 or len(modes) != _MODES:
-        expected = "one joint that carries one link of the kind `modes` with two modes"
-        raise InputError("equations", "another robot", expected, "take `equations: recursion`, which suits all robots")
-    mass = [modes[0].tip_mass, modes[1].tip_mass]
-    inertia = [modes[0].tip_inertia, modes[1].tip_inertia]
-    for s, body in link.bodies:
-        if s < 1.0 or np.any(body.center) or np.ptp(np.diag(body.inertia)) or not _is_diagonal(body.inertia):
-            expected = "bodies at the tip itself, with the same rotary inertia about all axes"
-            raise InputError("links", "another body on the link", expected, "take `equations: recursion`")
-        mass[1] += body.mass
-        inertia[1] += float(body.inertia[0, 0])
-    bends = [bool(np.isfinite(mode.bending_stiffness)) for mode in modes]
-    springs = [mode.tip_stiffness if free else 0.0 for mode, free in zip(modes, bends, strict=True)]
-    dampers = [mode.tip_damping if free else 0.0 for mode, free in zip(modes, bends, strict=True)]
-    values = (modes[0].length, modes[1].length, *mass, *inertia, *springs, *dampers)
-    return dict(zip(_NUMBERS, map(float, values), strict=True))
-
-
-def _is_diagonal(matrix: Any) -> bool:
-    return not np.any(matrix - np.diag(np.diag(matrix)))
-
-
-def _matches(names: Sequence[str]) -> list[str]:
-    """A robot's names of the coordinates: its joint is the one without a link's name before it."""
-    found = []
-    for own in COORDINATES:
-        there = [name for name in names if (name.endswith(f".{own}") if own != "joint" else "." not in name)]
-        found.append(there[0] if there else "")
-    return found
-
-
 def _system(name: str, title: str, *, printed: bool) -> System:
     translation = _planar if printed else _spatial
 
@@ -232,9 +183,9 @@ def _system(name: str, title: str, *, printed: bool) -> System:
         return _bent(_deformations(v), _levers(q, p, printed=printed), (p.b1, p.b2, p.b1, p.b2))
 
     return System(
-        name=name, title=title, coordinates=dict.fromkeys(COORDINATES, "rad"), parameters=dict.fromkeys(_NUMBERS, 0.0),
+        name=name, title=title, coordinates=dict.fromkeys(COORDINATES, "rad"), parameters=dict.fromkeys(NUMBERS, 0.0),
         kinetic=kinetic, gravity=_gravity, elastic=elastic, dissipation=dissipation, points=_points, lines=(),
-        numbers=_numbers, own=OWN, directions=basis(), contact_map=_planar_map if printed else None, matches=_matches,
+        numbers=numbers, own=OWN, directions=basis(), contact_map=_planar_map if printed else None, matches=matches,
     )  # fmt: skip
 
 

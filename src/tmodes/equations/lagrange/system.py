@@ -19,7 +19,7 @@ from __future__ import annotations
 
 import hashlib
 import keyword
-from collections.abc import Callable, Iterator, Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
 from dataclasses import dataclass, field
 from functools import cached_property
 from itertools import pairwise
@@ -31,11 +31,13 @@ from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
 from tmodes.equations.lagrange.as_sheet import system_robot
+from tmodes.equations.lagrange.members import Members
 from tmodes.equations.lagrange.terms import Energies, EquationTerms, equation_terms
 from tmodes.errors import InputError
+from tmodes.kinds.registry import Registry
 from tmodes.sheet.robot import RECURSION, Robot
 
-__all__ = ["GRAVITY", "ORIGIN", "Expressions", "Members", "System", "known_systems"]
+__all__ = ["GRAVITY", "ORIGIN", "SYSTEMS", "Expressions", "System"]
 
 Array = NDArray[np.float64]
 
@@ -46,32 +48,6 @@ ORIGIN = "origin"
 """Where the world's axes are, as ``lines`` name it."""
 
 UNITS = ("rad", "m")
-
-
-class Members:
-    """Symbols by name: ``q.cart``, ``q["cart"]``, or in order."""
-
-    def __init__(self, names: Sequence[str], values: Any, of: str) -> None:
-        self._values = {name: values[k] for k, name in enumerate(names)}
-        self._of = of
-
-    def __getitem__(self, name: str | int) -> Any:
-        if isinstance(name, int):
-            return [*self._values.values()][name]
-        if name not in self._values:
-            raise AttributeError(f"no {self._of} `{name}`; there are {', '.join(self._values)}")
-        return self._values[name]
-
-    def __getattr__(self, name: str) -> Any:
-        if name.startswith("_"):
-            raise AttributeError(name)
-        return self[name]
-
-    def __iter__(self) -> Iterator[Any]:
-        return iter(self._values.values())
-
-    def __len__(self) -> int:
-        return len(self._values)
 
 
 @dataclass(frozen=True)
@@ -93,9 +69,6 @@ class Expressions:
 
 
 Law = Callable[..., Any]
-
-_KNOWN: dict[str, System] = {}
-"""Systems by name, in this process."""
 
 
 @dataclass(frozen=True, eq=False)
@@ -155,7 +128,7 @@ class System:
         of a data sheet: drives, loads, contact, initial, integration, parameters, real, gravity, ... Raises
         :class:`tmodes.errors.InputErrors` for a wrong entry.
         """
-        _KNOWN[self.name] = self
+        SYSTEMS.register(self)
         return system_robot(self, self.expressions.points, joints or {}, **sheet)
 
     @property
@@ -263,6 +236,6 @@ def _point(name: str, value: Any) -> tuple[Any, Any]:
     return position, None if rotation is None else ca.SX(rotation)
 
 
-def known_systems() -> Mapping[str, System]:
-    """Systems that a robot was made of, or that were registered, by name."""
-    return _KNOWN
+_HINT = "call `robot()` of the system first, as its script does"
+SYSTEMS: Registry[System] = Registry("equations", System, reserved=(RECURSION,), hint=_HINT, replaces=True)
+"""Systems that a robot was made of in this process, and the published ones, by name."""

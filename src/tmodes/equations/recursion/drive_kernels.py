@@ -42,12 +42,13 @@ class DriveKernels:
     @property
     def size(self) -> int:
         """Numbers of its parameters."""
-        return 2 * FRICTION + 2 + (2 * self.ranges + 2 if self.ranges else 0)
+        return 2 * FRICTION + 2 + (2 * self.ranges + 2 if self.ranges else 0) + self.kind.own_numbers
 
     def _law(self, p: Any) -> DriveLaw:
         return DriveLaw(
-            p, ranges=self.ranges, dead_zone=self.dead_zone, dry_motor=self.dry_motor, dry_joint=self.dry_joint
-        )
+            p, ranges=self.ranges, dead_zone=self.dead_zone, dry_motor=self.dry_motor, dry_joint=self.dry_joint,
+            own=self.kind.own_numbers,
+        )  # fmt: skip
 
     def forward(self) -> Kernel:
         """(parameters, th, th', ga, ga', effort, feedback, h) -> (effort on the joint, own inertia, motor (3)).
@@ -164,7 +165,7 @@ def drive_numbers(joint: Joint, kind: DriveKind) -> list[float]:
     gear = joint.gear if kind.has_gear else None
     if gear:
         numbers += [*gear.stiffness, *_ends(gear), gear.damping, gear.backlash, gear.backlash_rounding]
-    return numbers
+    return [*numbers, *(joint.drive_parameters if kind.own_numbers else ())]
 
 
 def _packed(friction: Friction) -> list[float]:

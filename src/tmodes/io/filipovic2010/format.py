@@ -9,7 +9,7 @@ from typing import Annotated, Literal
 from pydantic import Field, model_validator
 
 from tmodes.integrate.settings import RobotIntegration
-from tmodes.kinds.links.modes_sheet import Mode
+from tmodes.kinds.links.registry import Mode
 from tmodes.kinds.schema.quantity import (
     DataSheet,
     Issue,

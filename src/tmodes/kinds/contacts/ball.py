@@ -6,7 +6,7 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from tmodes.kinds.contacts.surface import Meeting, Surface
+from tmodes.kinds.contacts.surface import SURFACES, Meeting, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.frames import Vector, list_of_numbers
@@ -15,7 +15,7 @@ from tmodes.kinds.schema.quantity import positive
 __all__ = ["Ball"]
 
 
-@Surface.register()
+@SURFACES.register
 class Ball(Surface):
     """A sphere; the arm is outside of it, or inside."""
 

@@ -2,7 +2,7 @@
 
 A law of a user's own is a class with the field ``law`` and two methods::
 
-    @Contact.register()
+    @CONTACTS.register
     class Soil(Contact):
         law: Literal["soil"] = Field(description="contact law")
         modulus: float = positive("N/m^1.5", "k", "Hertz stiffness")
@@ -28,7 +28,7 @@ from tmodes.kinds.contacts.surface import Surface
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.kind import Kind
 
-__all__ = ["Contact"]
+__all__ = ["CONTACTS", "Contact"]
 
 _OFF = 1e-3
 """Distance [m] from a surface that holds a point, from which on a run reports it."""
@@ -96,3 +96,7 @@ class Contact(Kind, family="contact law", key="law"):
             yield f"the point starts {depth:.3g} m inside of the surface, which pushes it with {normal:.3g} N"
         if not self.unilateral and abs(depth) > _OFF:
             yield f"the point starts {depth:.3g} m off the surface that holds it: a force of {normal:.3g} N at once"
+
+
+CONTACTS = Contact.registry
+"""The laws of tmodes, and what a user registers: ``@CONTACTS.register``."""

@@ -11,7 +11,7 @@ from typing import Any, ClassVar, Literal
 
 from pydantic import Field
 
-from tmodes.kinds.contacts.contract import Contact
+from tmodes.kinds.contacts.contract import CONTACTS, Contact
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.quantity import any_sign, dissipation, not_negative, positive
@@ -30,7 +30,7 @@ class FrictionLaw(StrEnum):
     MAGNITUDE = "magnitude"
 
 
-@Contact.register()
+@CONTACTS.register
 class DynamicEnvironment(Contact):
     """Mass, damping, preload and stiffness along the normal, and friction of the whole normal force.
 

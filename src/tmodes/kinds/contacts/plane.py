@@ -7,7 +7,7 @@ from typing import Any, Literal, Self
 
 from pydantic import Field, model_validator
 
-from tmodes.kinds.contacts.surface import Meeting, Surface
+from tmodes.kinds.contacts.surface import SURFACES, Meeting, Surface
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.frames import Vector, list_of_numbers
 from tmodes.kinds.schema.quantity import Issue, any_sign, positive, refuse
@@ -29,7 +29,7 @@ class _Flat(Surface):
         return Meeting(direction, v.dot(direction, place) - p[3], v.dot(direction, velocity), 0.0)
 
 
-@Surface.register()
+@SURFACES.register
 class Plane(_Flat):
     """A plane through a point; it pushes along its normal."""
 
@@ -59,7 +59,7 @@ class Plane(_Flat):
         return max(range(3), key=lambda k: abs(self.normal[k]))
 
 
-@Surface.register()
+@SURFACES.register
 class Wall(_Flat):
     """A vertical wall in front of the base."""
 

@@ -1,12 +1,12 @@
-"""The contact laws and surfaces that tmodes brings; ``Contact.register()`` and ``Surface.register()`` add more."""
+"""The contact laws and surfaces that tmodes brings; ``@CONTACTS.register`` and ``@SURFACES.register`` add more."""
 
 from __future__ import annotations
 
 from tmodes.kinds.contacts import ball, dynamic_environment, plane, spring_damper
-from tmodes.kinds.contacts.contract import Contact
-from tmodes.kinds.contacts.surface import Meeting, Surface
+from tmodes.kinds.contacts.contract import CONTACTS, Contact
+from tmodes.kinds.contacts.surface import SURFACES, Meeting, Surface
 
-__all__ = ["BUILT_IN", "Contact", "Meeting", "Surface"]
+__all__ = ["BUILT_IN", "CONTACTS", "SURFACES", "Contact", "Meeting", "Surface"]
 
 BUILT_IN = (plane, ball, spring_damper, dynamic_environment)
 """The modules whose members are registered."""

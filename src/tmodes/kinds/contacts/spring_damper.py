@@ -11,7 +11,7 @@ from typing import Any, ClassVar, Literal, Self
 
 from pydantic import Field, model_validator
 
-from tmodes.kinds.contacts.contract import Contact
+from tmodes.kinds.contacts.contract import CONTACTS, Contact
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.quantity import Issue, any_sign, dissipation, not_negative, positive, refuse
@@ -72,7 +72,7 @@ class SpringDamper(Contact):
         yield from super().start_notices(normal, depth)
 
 
-@Contact.register()
+@CONTACTS.register
 class Bilateral(SpringDamper):
     """The point is held to the surface, which pushes and pulls."""
 
@@ -81,7 +81,7 @@ class Bilateral(SpringDamper):
     law: Literal["bilateral"] = Field(description="contact law")
 
 
-@Contact.register()
+@CONTACTS.register
 class Unilateral(SpringDamper):
     """The surface only pushes."""
 

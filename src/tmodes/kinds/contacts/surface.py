@@ -8,7 +8,7 @@ from typing import Any
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.kind import Kind
 
-__all__ = ["SURFACE", "Meeting", "Surface"]
+__all__ = ["SURFACE", "SURFACES", "Meeting", "Surface"]
 
 SURFACE = 4
 """Numbers of a surface in compiled code: direction or center (3), distance or radius."""
@@ -58,3 +58,7 @@ class Surface(Kind, family="surface", key="type"):
     def steep_axis(self) -> int:
         """The axis of the world along which a page moves it; -1: it is not moved."""
         return -1
+
+
+SURFACES = Surface.registry
+"""Those of tmodes, and what a user registers: ``@SURFACES.register``."""

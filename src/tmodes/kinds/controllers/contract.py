@@ -2,7 +2,7 @@
 
 A controller of a user's own is a class with the field ``type`` and two methods::
 
-    @Controller.register()
+    @CONTROLLERS.register
     class LQR(Controller):
         sees_all: ClassVar[bool] = True
         type: Literal["lqr"] = Field(description="kind of controller")
@@ -32,7 +32,7 @@ from typing import Any, ClassVar
 
 from tmodes.kinds.schema.kind import Kind
 
-__all__ = ["Controller", "Measured", "OwnState"]
+__all__ = ["CONTROLLERS", "Controller", "Measured", "OwnState"]
 
 
 @dataclass(frozen=True)
@@ -141,3 +141,7 @@ class Controller(Kind, family="controller", key="type"):
         """Coordinates that it asks for by name and that the robot does not have."""
         del coordinates
         return []
+
+
+CONTROLLERS = Controller.registry
+"""Those of tmodes, and what a user registers: ``@CONTROLLERS.register``."""

@@ -6,13 +6,13 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from tmodes.kinds.controllers.contract import Controller, Measured
+from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured
 from tmodes.kinds.schema.quantity import not_negative
 
 __all__ = ["PD"]
 
 
-@Controller.register()
+@CONTROLLERS.register
 class PD(Controller):
     """Proportional-derivative control; gains in V/rad where the motor has a resistance, else in N*m/rad.
 

@@ -6,14 +6,14 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from tmodes.kinds.controllers.contract import Controller, Measured, OwnState
+from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured, OwnState
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.schema.quantity import not_negative, positive
 
 __all__ = ["PID"]
 
 
-@Controller.register()
+@CONTROLLERS.register
 class PID(Controller):
     """u = Kp e + Ki z + Kv e', z' = e; beyond ``limit`` the command is cut and z is held while e would drive it on.
 

@@ -1,11 +1,11 @@
-"""The controllers that tmodes brings; ``Controller.register()`` adds more."""
+"""The controllers that tmodes brings; ``@CONTROLLERS.register`` adds more."""
 
 from __future__ import annotations
 
 from tmodes.kinds.controllers import pd, pid, sampled_pid, state_feedback
-from tmodes.kinds.controllers.contract import Controller, Measured, OwnState
+from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured, OwnState
 
-__all__ = ["BUILT_IN", "Controller", "Measured", "OwnState"]
+__all__ = ["BUILT_IN", "CONTROLLERS", "Controller", "Measured", "OwnState"]
 
 BUILT_IN = (pd, pid, state_feedback, sampled_pid)
 """The modules whose members are registered."""

@@ -6,13 +6,13 @@ from typing import Any, Literal
 
 from pydantic import Field
 
-from tmodes.kinds.controllers.contract import Controller, Measured, OwnState
+from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured, OwnState
 from tmodes.kinds.schema.quantity import not_negative, positive
 
 __all__ = ["SampledPID"]
 
 
-@Controller.register()
+@CONTROLLERS.register
 class SampledPID(Controller):
     """u_k = Kp e_k + Ki z_k + Kv e'_k at t = k T, held until the next sample; z_k+1 = z_k + T e_k.
 

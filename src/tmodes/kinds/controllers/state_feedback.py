@@ -6,7 +6,7 @@ from typing import Annotated, Any, ClassVar, Literal
 
 from pydantic import Field
 
-from tmodes.kinds.controllers.contract import Controller, Measured
+from tmodes.kinds.controllers.contract import CONTROLLERS, Controller, Measured
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.schema.quantity import LARGEST
 
@@ -20,7 +20,7 @@ def _gains(unit: str, symbol: str, meaning: str) -> Any:
     return Field(default_factory=dict, description=f"{meaning} [{unit}]", json_schema_extra=extra)
 
 
-@Controller.register()
+@CONTROLLERS.register
 class StateFeedback(Controller):
     """u = u0 + sum of Kq (reference - q) + Kv (reference' - v) over coordinates by name.
 

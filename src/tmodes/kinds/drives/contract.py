@@ -10,9 +10,10 @@ from abc import abstractmethod
 from typing import Any, ClassVar, NamedTuple
 
 from tmodes.kinds.drives.laws import DriveLaw
-from tmodes.kinds.registry import NamedKind
+from tmodes.kinds.registry import NamedKind, Registry
+from tmodes.kinds.schema.quantity import DataSheet
 
-__all__ = ["Angles", "DriveKind", "Elastic", "Forward"]
+__all__ = ["DRIVES", "Angles", "DriveKind", "Elastic", "Forward"]
 
 
 class Angles(NamedTuple):
@@ -51,6 +52,8 @@ class DriveKind(NamedKind):
 
     summary: ClassVar[str]
     """What it does, in a few words."""
+    schema: ClassVar[type[DataSheet] | None] = None
+    """Further numbers that a data sheet gives under ``drive_parameters``; the law has them as ``law.own``."""
     has_motor: ClassVar[bool] = False
     """The motor has a coordinate of its own."""
     takes_effort: ClassVar[bool] = False
@@ -59,6 +62,11 @@ class DriveKind(NamedKind):
     """The joint's motion is an input; there are no forces."""
     has_gear: ClassVar[bool] = False
     """A gear's spring acts between joint and motor, or between joint and where the motor is locked."""
+
+    @property
+    def own_numbers(self) -> int:
+        """How many further numbers it has."""
+        return len(self.schema.model_fields) if self.schema else 0
 
     @property
     def is_driven(self) -> bool:
@@ -81,3 +89,7 @@ class DriveKind(NamedKind):
     @abstractmethod
     def elastic(self, law: DriveLaw, at: Angles) -> Elastic:
         """Forces of springs, dampers and friction, their energy and losses."""
+
+
+DRIVES: Registry[DriveKind] = Registry("drive", DriveKind, made=lambda kind: kind())
+"""Those of tmodes, and what a user registers: ``@DRIVES.register``."""

@@ -171,7 +171,7 @@ class GearSheet(DataSheet):
     def _limit_issues(self) -> Iterator[Issue]:
         wanted, limits = len(self.stiffness) - 1, self.torque_limits
         if len(limits) != wanted:
-            expected = f"{wanted}: one less than there are stiffnesses"
+            expected = f"a list of {wanted}, one less than there are stiffnesses"
             hint = "write the torque between each stiffness and the next"
             yield Issue("torque_limits", f"a list of {len(limits)}", expected, hint)
         if any(later <= earlier for earlier, later in pairwise(limits)):

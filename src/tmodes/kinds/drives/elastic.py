@@ -9,12 +9,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.kinds.drives.contract import Angles, DriveKind, Elastic, Forward
+from tmodes.kinds.drives.contract import DRIVES, Angles, DriveKind, Elastic, Forward
 from tmodes.kinds.drives.laws import DriveLaw
 
 __all__ = ["ElasticDrive"]
 
 
+@DRIVES.register
 class ElasticDrive(DriveKind):
     """The motor's effort is given."""
 

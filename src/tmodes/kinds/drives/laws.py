@@ -15,7 +15,8 @@ FRICTION = 5
 class DriveLaw:
     """The parameters of a drive by name, and the laws that they are in."""
 
-    def __init__(self, p: Any, *, ranges: int, dead_zone: bool, dry_motor: bool, dry_joint: bool) -> None:
+    def __init__(self, p: Any, *, ranges: int, dead_zone: bool, dry_motor: bool, dry_joint: bool, own: int = 0) -> None:
+        """``own``: how many numbers of the kind itself there are, the last of ``p``."""
         self._dead_zone, self._dry_motor, self._dry_joint = dead_zone, dry_motor, dry_joint
         self.inertia, self.rest = p[0], p[1]
         self._motor, self._joint = [p[2 + i] for i in range(5)], [p[7 + i] for i in range(5)]
@@ -25,6 +26,8 @@ class DriveLaw:
             self.stiffness = [p[12 + i] for i in range(r)]
             self.ends = [p[12 + r + i] for i in range(r - 1)]
             self.damping, self.backlash, self.rounding = p[11 + 2 * r], p[12 + 2 * r], p[13 + 2 * r]
+        first = 14 + 2 * r if r else 12
+        self.own = [p[first + k] for k in range(own)]
 
     def motor_friction(self, rate: Any) -> tuple[Any, Any]:
         """Torque and its derivative by the rate."""

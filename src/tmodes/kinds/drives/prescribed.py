@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.kinds.drives.contract import Angles, DriveKind, Elastic, Forward
+from tmodes.kinds.drives.contract import DRIVES, Angles, DriveKind, Elastic, Forward
 from tmodes.kinds.drives.laws import DriveLaw
 
 __all__ = ["Prescribed"]
 
 
+@DRIVES.register
 class Prescribed(DriveKind):
     """The joint's acceleration is an input."""
 

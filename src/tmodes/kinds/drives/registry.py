@@ -1,27 +1,16 @@
-"""The kinds of drives by name."""
+"""The kinds of drives that tmodes brings; ``@DRIVES.register`` adds more."""
 
 from __future__ import annotations
 
-from tmodes.kinds.drives.contract import DriveKind
-from tmodes.kinds.drives.effort import Effort
-from tmodes.kinds.drives.elastic import ElasticDrive
-from tmodes.kinds.drives.free import Free
-from tmodes.kinds.drives.prescribed import Prescribed
-from tmodes.kinds.drives.spring import Spring
-from tmodes.kinds.registry import Registry
+from tmodes.kinds.drives import effort, elastic, free, prescribed, spring
+from tmodes.kinds.drives.contract import DRIVES, Angles, DriveKind, Elastic, Forward
 
-__all__ = ["DRIVES", "drive_kind", "register"]
+__all__ = ["BUILT_IN", "DRIVES", "Angles", "DriveKind", "Elastic", "Forward", "drive_kind"]
 
-DRIVES: Registry[DriveKind] = Registry("drive", DriveKind)
-"""Effort, elastic, spring, free, prescribed, and what a user registers."""
-
-register = DRIVES.register
-"""Decorator of a user's kind of drive."""
-
-for _kind in (Effort, ElasticDrive, Spring, Free, Prescribed):
-    register(_kind)
+BUILT_IN = (effort, elastic, spring, free, prescribed)
+"""The modules whose members are registered."""
 
 
 def drive_kind(name: str) -> DriveKind:
     """The kind of a name; raises :class:`tmodes.kinds.registry.UnknownKindError`."""
-    return DRIVES.get(name)
+    return DRIVES[name]

@@ -18,10 +18,10 @@ from numpy.typing import NDArray
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.jets import Jet, jet
 from tmodes.kinds.kernel.spatial import Force
-from tmodes.kinds.registry import NamedKind
+from tmodes.kinds.registry import NamedKind, Registry
 from tmodes.kinds.schema.quantity import DataSheet
 
-__all__ = ["Coordinate", "JointKind"]
+__all__ = ["JOINTS", "Coordinate", "JointKind"]
 
 Array = NDArray[np.float64]
 
@@ -131,3 +131,7 @@ class JointKind(NamedKind):
 
 def _part(matrix: list[list[Jet]], name: str) -> v.Matrix:
     return [[getattr(x, name) for x in row] for row in matrix]
+
+
+JOINTS: Registry[JointKind] = Registry("joint", JointKind, made=lambda kind: kind())
+"""Those of tmodes, and what a user registers: ``@JOINTS.register``."""

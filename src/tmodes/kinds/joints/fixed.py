@@ -4,12 +4,13 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.kinds.joints.contract import Array, JointKind
+from tmodes.kinds.joints.contract import JOINTS, Array, JointKind
 from tmodes.kinds.kernel import vectors as v
 
 __all__ = ["Fixed"]
 
 
+@JOINTS.register
 class Fixed(JointKind):
     """No coordinate."""
 

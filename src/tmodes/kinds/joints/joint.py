@@ -12,10 +12,10 @@ from pydantic import ConfigDict, Field, SerializeAsAny, ValidationInfo, field_va
 from pydantic_core import PydanticKnownError
 
 from tmodes.kinds.drives.drive import FrictionSheet, GearSheet, MotorSheet
-from tmodes.kinds.joints.contract import JointKind
-from tmodes.kinds.joints.registry import JOINTS
+from tmodes.kinds.drives.registry import DRIVES
+from tmodes.kinds.joints.registry import JOINTS, JointKind
 from tmodes.kinds.schema.frames import DenavitHartenberg, Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.names import NameOf
+from tmodes.kinds.schema.names import NameOf, NumbersOf
 from tmodes.kinds.schema.quantity import DataSheet, Issue, any_sign, positive, refuse
 
 __all__ = ["JointSheet", "JointState", "JointType", "Limits", "MeasuredFrom"]
@@ -26,6 +26,9 @@ SHORTEST_AXIS = 1e-9
 
 JointType = Annotated[str, NameOf(JOINTS)]
 """The name of a registered kind of joint."""
+
+DriveName = Annotated[str, NameOf(DRIVES)]
+"""The name of a registered kind of drive."""
 
 
 class JointState(StrEnum):
@@ -80,8 +83,14 @@ class JointSheet(DataSheet):
     )
     axis: Vector | None = list_of_numbers("-", "e", "direction of the joint's axis, in its frame", default=None)
     dh: DenavitHartenberg | None = Field(default=None, description="Denavit-Hartenberg row for origin and axis")
-    parameters: SerializeAsAny[DataSheet] | None = Field(
+    parameters: Annotated[SerializeAsAny[DataSheet] | None, NumbersOf(JOINTS, "type")] = Field(
         default=None, validate_default=True, description="further numbers of its type; none: it has none"
+    )
+    drive: DriveName | None = Field(
+        default=None, description="kind of drive; none: by its state, its gear and the command"
+    )
+    drive_parameters: Annotated[SerializeAsAny[DataSheet] | None, NumbersOf(DRIVES, "drive")] = Field(
+        default=None, validate_default=True, description="further numbers of its kind of drive; none: it has none"
     )
     state: JointState = Field(default=JointState.ACTIVE, strict=False, description="active, locked, or free")
     locked_at: float = any_sign("rad|m", "q_0", "position at which it is locked", default=0.0, plausible=(-6.3, 6.3))
@@ -96,10 +105,16 @@ class JointSheet(DataSheet):
         """The parameters are those of the schema of the joint's kind."""
         if "type" not in info.data:
             return None
-        schema = JOINTS.get(info.data["type"]).schema
-        if schema is None and given is not None:
-            raise PydanticKnownError("none_required")
-        return None if schema is None else schema.model_validate({} if given is None else given)
+        return _checked(JOINTS[info.data["type"]].schema, given)
+
+    @field_validator("drive_parameters", mode="before")
+    @classmethod
+    def _parameters_of_drive(cls, given: Any, info: ValidationInfo) -> Any:
+        """Those of the schema of the drive's kind."""
+        if "drive" not in info.data:
+            return None
+        named = info.data["drive"]
+        return _checked(DRIVES[named].schema if named else None, given)
 
     @model_validator(mode="after")
     def _fits_together(self) -> Self:
@@ -110,7 +125,7 @@ class JointSheet(DataSheet):
         if not self.kind.has_axis or self.dh is not None:
             if self.axis is not None:
                 why = "a joint with `dh`, which moves along its z" if self.kind.has_axis else f"a {self.type} joint"
-                yield Issue("axis", f"an axis of {why}", "no axis", "remove the line `axis: ...`")
+                yield Issue("axis", f"an axis of {why}", "left out", "remove the line `axis: ...`")
         elif self.axis is None:
             yield Issue("axis", "nothing", f"the axis of a {self.type} joint", "add the line `axis: [0, 0, 1]`")
         elif (length := math.hypot(*self.axis)) < SHORTEST_AXIS:
@@ -130,22 +145,39 @@ class JointSheet(DataSheet):
             for name in ("motor", "gear", "friction", "limits"):
                 if getattr(self, name) is not None:
                     hint = f"remove `{name}`, or make the joint revolute or prismatic"
-                    yield Issue(name, f"a {name} on a {self.type} joint", "nothing: it does not move", hint)
+                    yield Issue(name, f"a {name} on a {self.type} joint", "left out: the joint does not move", hint)
         elif active and self.is_elastic and self.motor is None:
             hint = "add `motor`, write `state: locked`, or remove the gear"
             yield Issue("motor", "nothing", "a motor, because the joint has an elastic gear", hint)
+        yield from self._named_drive_issues()
         if active and self.locked_at:
             hint = "write `state: locked`, or give the position under `initial`"
             yield Issue("locked_at", repr(self.locked_at), "0 for an active joint", hint)
         for name in ("motor", "gear", "locked_at") if self.state is JointState.FREE else ():
             if getattr(self, name):
                 hint = f"remove `{name}`, or take another `state`"
-                yield Issue(name, f"`{name}` of a free joint", "none: nothing drives or holds it", hint)
+                yield Issue(name, f"`{name}` of a free joint", "left out: nothing drives or holds the joint", hint)
+
+    def _named_drive_issues(self) -> Iterator[Issue]:
+        if self.drive is None:
+            return
+        kind = DRIVES[self.drive]
+        if not self.is_active or not self.kind.moves:
+            yield Issue("drive", f"`{self.drive}` of a joint that is not driven", "none", "remove `drive`")
+        elif not kind.takes_effort:
+            hint = "write `state: locked` or `free`, or a drive with the command `prescribed`"
+            yield Issue("drive", f"`{self.drive}`, which takes no effort", "a drive that an effort moves", hint)
+        elif kind.has_gear != self.is_elastic:
+            got = "an elastic gear" if self.is_elastic else "no elastic gear"
+            expected = f"{'an' if kind.has_gear else 'no'} elastic gear of a joint with the drive `{self.drive}`"
+            yield Issue("gear", got, expected, "change the gear, or the drive")
+        elif kind.has_motor and self.motor is None:
+            yield Issue("motor", "nothing", f"a motor of the drive `{self.drive}`", "add `motor`")
 
     @property
     def kind(self) -> JointKind:
         """Its type with all that belongs to it."""
-        return JOINTS.get(self.type)
+        return JOINTS[self.type]
 
     @property
     def coordinates(self) -> list[str]:
@@ -160,7 +192,12 @@ class JointSheet(DataSheet):
     @property
     def numbers(self) -> tuple[float, ...]:
         """The parameters of its type."""
-        return tuple(float(x) for x in self.parameters.model_dump().values()) if self.parameters else ()
+        return _numbers(self.parameters)
+
+    @property
+    def drive_numbers(self) -> tuple[float, ...]:
+        """The parameters of its kind of drive."""
+        return _numbers(self.drive_parameters)
 
     @property
     def is_active(self) -> bool:
@@ -181,3 +218,14 @@ class JointSheet(DataSheet):
         """What was put right in reading its axis; empty when nothing was."""
         length = float(np.linalg.norm(self.axis)) if self.axis else 1.0
         return "" if abs(length - 1) <= 1e-12 else f"axis of length {length:.9g} taken as a direction of length 1"
+
+
+def _checked(schema: type[DataSheet] | None, given: Any) -> DataSheet | None:
+    """Further numbers by the schema of a kind, which may have none."""
+    if schema is None and given is not None:
+        raise PydanticKnownError("none_required")
+    return None if schema is None else schema.model_validate({} if given is None else given)
+
+
+def _numbers(given: DataSheet | None) -> tuple[float, ...]:
+    return tuple(float(x) for x in given.model_dump().values()) if given else ()

@@ -4,13 +4,14 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.kinds.joints.contract import Array, Coordinate, JointKind
+from tmodes.kinds.joints.contract import JOINTS, Array, Coordinate, JointKind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.spatial import Force
 
 __all__ = ["Prismatic"]
 
 
+@JOINTS.register
 class Prismatic(JointKind):
     """One distance [m] along the joint's axis."""
 

@@ -1,26 +1,16 @@
-"""The kinds of joints by name."""
+"""The kinds of joints that tmodes brings; ``@JOINTS.register`` adds more."""
 
 from __future__ import annotations
 
-from tmodes.kinds.joints.contract import JointKind
-from tmodes.kinds.joints.fixed import Fixed
-from tmodes.kinds.joints.prismatic import Prismatic
-from tmodes.kinds.joints.revolute import Revolute
-from tmodes.kinds.joints.universal import Universal
-from tmodes.kinds.registry import Registry
+from tmodes.kinds.joints import fixed, prismatic, revolute, universal
+from tmodes.kinds.joints.contract import JOINTS, Coordinate, JointKind
 
-__all__ = ["JOINTS", "joint_kind", "register"]
+__all__ = ["BUILT_IN", "JOINTS", "Coordinate", "JointKind", "joint_kind"]
 
-JOINTS: Registry[JointKind] = Registry("joint", JointKind)
-"""Revolute, prismatic, fixed, universal, and what a user registers."""
-
-register = JOINTS.register
-"""Decorator of a user's kind of joint."""
-
-for _kind in (Revolute, Prismatic, Fixed, Universal):
-    register(_kind)
+BUILT_IN = (revolute, prismatic, fixed, universal)
+"""The modules whose members are registered."""
 
 
 def joint_kind(name: str) -> JointKind:
     """The kind of a name; raises :class:`tmodes.kinds.registry.UnknownKindError`."""
-    return JOINTS.get(name)
+    return JOINTS[name]

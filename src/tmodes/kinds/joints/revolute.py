@@ -6,7 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.kinds.joints.contract import Array, JointKind
+from tmodes.kinds.joints.contract import JOINTS, Array, JointKind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.spatial import Force
@@ -14,6 +14,7 @@ from tmodes.kinds.kernel.spatial import Force
 __all__ = ["Revolute"]
 
 
+@JOINTS.register
 class Revolute(JointKind):
     """One angle [rad] about the joint's axis."""
 

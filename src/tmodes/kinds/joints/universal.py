@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.kinds.joints.contract import Coordinate, JointKind
+from tmodes.kinds.joints.contract import JOINTS, Coordinate, JointKind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
 from tmodes.kinds.kernel.spatial import Force
@@ -12,6 +12,7 @@ from tmodes.kinds.kernel.spatial import Force
 __all__ = ["Universal"]
 
 
+@JOINTS.register
 class Universal(JointKind):
     """An angle ``x`` [rad] about x of the joint frame, then an angle ``y`` [rad] about the turned y axis."""
 

@@ -118,7 +118,7 @@ class BeamData(BendingSheet):
             yield Issue("damping_time", "nothing", "a time [s], because the beam bends", hint)
         if self.model is BeamModel.SEGMENTS and any(self.rest_curvature):
             hint = "take the model `strain`, or leave the curvature out"
-            yield Issue("rest_curvature", "a curvature", "no curvature at rest for straight segments", hint)
+            yield Issue("rest_curvature", "a curvature", "left out: segments are straight", hint)
         most = max((self.functions or Functions()).model_dump().values()) + 2
         if self.model is BeamModel.STRAIN and len(self.pieces) * most > MOST_SECTIONS:
             got = f"{len(self.pieces)} pieces with {most - 2} functions, {len(self.pieces) * most} points"

@@ -18,7 +18,7 @@ from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.rigid_beam import rigid_body
 from tmodes.kinds.links.section import Round, Tube
 from tmodes.kinds.links.segment import Segment
-from tmodes.kinds.links.sheet import BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body
+from tmodes.kinds.links.sheet import LINKS, BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body
 from tmodes.kinds.links.strain import Beam
 from tmodes.kinds.schema.axes import bent_line
 from tmodes.kinds.schema.quantity import Issue
@@ -35,6 +35,7 @@ POISSON = (-1.0, 0.5)
 """Range of the Poisson ratio of an isotropic material [-]."""
 
 
+@LINKS.register
 class BeamSheet(BeamData):
     """A beam along x of its root frame."""
 

@@ -63,10 +63,10 @@ class Inertia(DataSheet):
         info = "an inertia with the principal moments " + ", ".join(f"{moment:.6g}" for moment in moments)
         hint = "check signs, units, and that it is about the center of mass"
         if broken == "sign":
-            yield Issue("", info, "principal moments that are not negative", hint)
+            yield Issue("", info, "one whose principal moments are not negative", hint)
         elif broken == "triangle":
             others = moments[0] + moments[1]
-            rule = f"the largest at most the sum of the others, {others:.6g} (triangle inequality)"
+            rule = f"one whose largest moment is at most the sum of the others, {others:.6g} (triangle inequality)"
             yield Issue("", info, rule, hint)
 
     def matrix(self) -> NDArray[np.float64]:

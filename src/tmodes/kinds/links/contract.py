@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.links.facts import LinkFacts
 from tmodes.kinds.links.line import CubicLine, LineOfLink
-from tmodes.kinds.schema.kind import source_digest
+from tmodes.kinds.registry import source_digest
 
 __all__ = ["Body", "ElasticForces", "Link", "LinkNumbers", "LinkStructure", "QuadraticStructure", "Row"]
 

@@ -20,8 +20,9 @@ from tmodes.kinds.links.line import LineOfLink
 from tmodes.kinds.links.modes_places import ModePlaces
 from tmodes.kinds.links.modes_sheet import Mode, shape_angle, shape_slope
 from tmodes.kinds.links.modes_structure import ModesStructure
+from tmodes.kinds.links.rigid import RigidLink
 
-__all__ = ["ModesLink"]
+__all__ = ["ModesLink", "RigidModesLink"]
 
 Array = NDArray[np.float64]
 
@@ -38,6 +39,11 @@ class ModesLink(Link):
 
     def __post_init__(self) -> None:
         object.__setattr__(self, "length", float(sum(mode.length for mode in self.modes)))
+
+    @property
+    def carried(self) -> tuple[tuple[float, Body], ...]:
+        """The bodies with their stations."""
+        return self.bodies
 
     @property
     def free(self) -> tuple[bool, ...]:
@@ -124,3 +130,11 @@ class ModesLink(Link):
         dampers = np.array([mode.tip_damping * mode.length**2 for mode in bending])
         structure = ModesStructure(self.free, tuple(mode for mode, _ in places))
         return LinkNumbers(structure, np.concatenate(table), springs, dampers)
+
+
+@dataclass(frozen=True, eq=False)
+class RigidModesLink(RigidLink):
+    """A link whose ``modes`` are all rigid: its bodies, and of what they were made; ``carried``: (s, body)."""
+
+    modes: tuple[Mode, ...] = ()
+    carried: tuple[tuple[float, Body], ...] = ()

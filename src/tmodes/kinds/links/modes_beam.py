@@ -15,11 +15,10 @@ from tmodes.kinds.links.beam_pieces import Piece, uniform_piece
 from tmodes.kinds.links.beam_sheet import BeamSheet, Functions, PieceSheet
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body
-from tmodes.kinds.links.modes import ModesLink
+from tmodes.kinds.links.modes import ModesLink, RigidModesLink
 from tmodes.kinds.links.modes_sheet import Mode
-from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.section import GivenSection
-from tmodes.kinds.links.sheet import BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body, straight
+from tmodes.kinds.links.sheet import LINKS, BendingSheet, LoweredLink, Spot, moved_body, placed, sheet_body, straight
 from tmodes.kinds.schema.frames import Origin
 
 __all__ = ["MOST_MODES", "ModesSheet"]
@@ -28,6 +27,7 @@ MOST_MODES = 12
 """Largest number of modes of a link."""
 
 
+@LINKS.register
 class ModesSheet(BendingSheet):
     """Modes from root to tip, as in the 2010 paper: their angles add up, their masses stand at their ends."""
 
@@ -83,8 +83,10 @@ class ModesSheet(BendingSheet):
             moved_body(Body(mode.tip_mass, np.zeros(3), mode.tip_inertia * np.eye(3)), self._at_rest(end))
             for end, mode in zip(self._ends, self.modes, strict=True)
         ]
-        link = RigidLink((*masses, *(sheet_body(one, self._at_rest(one.station)) for one in bodies)))
-        return LoweredLink((link,), rest, rest, lambda s: Spot(0, 1.0, self._at_rest(s)))
+        whole = (*masses, *(sheet_body(one, self._at_rest(one.station)) for one in bodies))
+        carried = tuple((one.station, sheet_body(one, self._mount(one.station))) for one in bodies)
+        link = RigidModesLink(whole, self.modes, carried)
+        return LoweredLink((link,), rest, rest, lambda s: Spot(0, 1.0, self._at_rest(s)), rigid=link)
 
     def element_stations(self, element: int, stations: Any) -> Any:
         """Places along all modes of places along one, whose line is drawn by itself."""

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from abc import abstractmethod
-from collections.abc import Callable, Iterator, Sequence
+from collections.abc import Callable, Iterator, Mapping, Sequence
 from dataclasses import dataclass, field
 from typing import Any, ClassVar, NamedTuple
 
@@ -13,10 +13,12 @@ from tmodes.frame import Placement
 from tmodes.kinds.links.beam_pieces import Piece
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body, Link
+from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.registry import Registry, UnknownKindError
 from tmodes.kinds.schema.frames import Origin
-from tmodes.kinds.schema.quantity import DataSheet, Issue
+from tmodes.kinds.schema.quantity import DataSheet, Issue, refuse
 
-__all__ = ["BendingSheet", "LoweredLink", "Spot", "moved_body", "placed", "sheet_body", "straight"]
+__all__ = ["LINKS", "BendingSheet", "LoweredLink", "Spot", "moved_body", "placed", "sheet_body", "straight"]
 
 
 class Spot(NamedTuple):
@@ -33,7 +35,8 @@ class LoweredLink:
 
     ``root``: frame of the first element in the link's frame, where it bends; ``at_root``: bodies there; ``tip``: the
     tip frame in the chain's tip frame of the last element; ``undeformed``: the tip frame in the link's frame, at rest;
-    ``spot``: the place of a station. A rigid element stands in the link's frame itself.
+    ``spot``: the place of a station. A rigid element stands in the link's frame itself; ``rigid``: the one that a
+    link becomes as a whole where no element bends, its bodies put into place.
     """
 
     links: tuple[Link, ...]
@@ -42,6 +45,7 @@ class LoweredLink:
     spot: Callable[[float], Spot]
     root: Placement = field(default_factory=Placement)
     at_root: tuple[Body, ...] = ()
+    rigid: RigidLink = field(default_factory=RigidLink)
 
     @property
     def bends(self) -> bool:
@@ -52,8 +56,32 @@ class LoweredLink:
 class BendingSheet(DataSheet):
     """What a person writes under ``beam:``; its field ``model`` has one of ``words``."""
 
-    words: ClassVar[tuple[str, ...]]
+    words: ClassVar[tuple[str, ...]] = ()
     """Words of the field ``model`` that mean this sheet."""
+
+    @classmethod
+    def members(cls) -> tuple[type[DataSheet], ...]:
+        """Of the contract, the sheets of all registered kinds."""
+        return LINKS.members if cls is BendingSheet else (cls,)
+
+    @classmethod
+    def chosen_by(cls) -> tuple[str, tuple[str, ...]]:
+        """The field ``model``."""
+        return "model", tuple(map(str, cls.words))
+
+    @classmethod
+    def of(cls, data: Any) -> BendingSheet:
+        """The sheet of the kind that plain data name, checked; without ``model`` the first."""
+        if isinstance(data, BendingSheet):
+            return data
+        word = data.get("model") if isinstance(data, Mapping) else None
+        if not isinstance(word, str):
+            return LINKS.members[0].model_validate(data)
+        try:
+            return LINKS[word].model_validate(data)
+        except UnknownKindError as error:
+            refuse([Issue("model", repr(word), error.expected, error.hint)])
+            raise
 
     @property
     @abstractmethod
@@ -140,3 +168,7 @@ def moved_body(body: Body, frame: Placement) -> Body:
 def straight(root: Origin | None, distance: float) -> Placement:
     """The frame at a distance [m] along a straight beam, in the link's frame."""
     return placed(root) @ Placement(position=np.array([distance, 0.0, 0.0]))
+
+
+LINKS: Registry[type[BendingSheet]] = Registry("link", BendingSheet, names=lambda sheet: sheet.words)
+"""The sheets of the kinds of bending links by the words of their field ``model``: ``@LINKS.register``."""

@@ -55,6 +55,16 @@ class DataSheet(BaseModel):
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False, ser_json_inf_nan="strings")
 
+    @classmethod
+    def members(cls) -> tuple[type[DataSheet], ...]:
+        """The sheets that may stand where this one is named: itself, or those of all registered kinds of a family."""
+        return (cls,)
+
+    @classmethod
+    def chosen_by(cls) -> tuple[str, tuple[str, ...]]:
+        """The key that names its kind, and its words there; empty where that is a field with one value, or none."""
+        return "", ()
+
     @field_validator("*", mode="after")
     @classmethod
     def _in_range_of_arithmetic(cls, value: Any, info: ValidationInfo) -> Any:

@@ -2,7 +2,7 @@
 
 A signal of a user's own is a class with the field ``type`` and one method::
 
-    @Signal.register()
+    @SIGNALS.register
     class Cosine(Signal):
         type: Literal["cosine"] = Field(description="kind of signal")
         frequency: float = positive("Hz", "f", "frequency")
@@ -23,7 +23,7 @@ from tmodes.kinds.schema.kind import Kind
 from tmodes.kinds.schema.quantity import any_sign, not_negative
 from tmodes.kinds.signals.schedule import Schedule
 
-__all__ = ["Signal", "delayed", "signal_time", "signal_value"]
+__all__ = ["SIGNALS", "Signal", "delayed", "signal_time", "signal_value"]
 
 
 class Signal(Kind, family="signal", key="type"):
@@ -60,3 +60,7 @@ def delayed(move: Schedule, delay: float, until: float, first: float | None = No
         held[0, 0] = pieces[0, 0] if first is None else first
         knots, pieces = np.append(0.0, knots), np.vstack([held, pieces])
     return Schedule(knots, pieces).until(until)
+
+
+SIGNALS = Signal.registry
+"""Those of tmodes, and what a user registers: ``@SIGNALS.register``."""

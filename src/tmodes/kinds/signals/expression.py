@@ -7,7 +7,7 @@ from typing import Literal, Self
 from pydantic import Field, model_validator
 
 from tmodes.kinds.schema.quantity import Issue, refuse
-from tmodes.kinds.signals.contract import Signal
+from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.fit import fitted
 from tmodes.kinds.signals.formula import FormulaError, parse_formula
 from tmodes.kinds.signals.schedule import Schedule
@@ -15,7 +15,7 @@ from tmodes.kinds.signals.schedule import Schedule
 __all__ = ["Expression"]
 
 
-@Signal.register()
+@SIGNALS.register
 class Expression(Signal):
     """A formula of the time t [s], such as ``0.2*sin(2*pi*t)*exp(-t)``."""
 

@@ -10,14 +10,14 @@ from pydantic import Field
 
 from tmodes.errors import InputError
 from tmodes.kinds.schema.quantity import any_sign, not_negative, positive
-from tmodes.kinds.signals.contract import Signal
+from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.fit import MOST_PIECES
 from tmodes.kinds.signals.schedule import Schedule
 
 __all__ = ["Noise", "normal_numbers"]
 
 
-@Signal.register()
+@SIGNALS.register
 class Noise(Signal):
     """Random values, normally distributed, two for each period of the highest frequency, joined by a cubic spline.
 

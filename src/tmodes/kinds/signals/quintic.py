@@ -8,13 +8,13 @@ import numpy as np
 from pydantic import Field
 
 from tmodes.kinds.schema.quantity import positive
-from tmodes.kinds.signals.contract import Signal, delayed, signal_time, signal_value
+from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed, signal_time, signal_value
 from tmodes.kinds.signals.schedule import Schedule
 
 __all__ = ["Quintic"]
 
 
-@Signal.register()
+@SIGNALS.register
 class Quintic(Signal):
     """From rest to rest, smooth up to the acceleration: 10 x^3 - 15 x^4 + 6 x^5."""
 

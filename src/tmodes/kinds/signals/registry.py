@@ -1,13 +1,13 @@
-"""The signals that tmodes brings; ``Signal.register()`` adds more."""
+"""The signals that tmodes brings; ``@SIGNALS.register`` adds more."""
 
 from __future__ import annotations
 
 from tmodes.kinds.signals import constant, expression, noise, quintic, sine, step, table, total, trapezoid
 from tmodes.kinds.signals.clock import Clock
-from tmodes.kinds.signals.contract import Signal
+from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.merge import MergedSchedule, merge
 
-__all__ = ["BUILT_IN", "Clock", "MergedSchedule", "Signal", "constant_signal", "merge", "quintic_move"]
+__all__ = ["BUILT_IN", "SIGNALS", "Clock", "MergedSchedule", "Signal", "constant_signal", "merge", "quintic_move"]
 
 BUILT_IN = (constant, step, trapezoid, quintic, sine, table, expression, noise, total)
 """The modules whose members are registered."""

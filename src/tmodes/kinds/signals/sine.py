@@ -7,14 +7,14 @@ from typing import Literal
 from pydantic import Field
 
 from tmodes.kinds.schema.quantity import any_sign, positive
-from tmodes.kinds.signals.contract import Signal, signal_value
+from tmodes.kinds.signals.contract import SIGNALS, Signal, signal_value
 from tmodes.kinds.signals.fit import fitted_sine
 from tmodes.kinds.signals.schedule import Schedule
 
 __all__ = ["Sine"]
 
 
-@Signal.register()
+@SIGNALS.register
 class Sine(Signal):
     """offset + amplitude sin(2 pi frequency t + phase)."""
 

@@ -7,13 +7,13 @@ from typing import Literal
 import numpy as np
 from pydantic import Field
 
-from tmodes.kinds.signals.contract import Signal, signal_time, signal_value
+from tmodes.kinds.signals.contract import SIGNALS, Signal, signal_time, signal_value
 from tmodes.kinds.signals.schedule import Schedule
 
 __all__ = ["Step"]
 
 
-@Signal.register()
+@SIGNALS.register
 class Step(Signal):
     """A jump from one value to another."""
 

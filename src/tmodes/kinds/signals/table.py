@@ -10,7 +10,7 @@ import numpy as np
 from pydantic import Field, model_validator
 
 from tmodes.kinds.schema.quantity import LARGEST, Issue, refuse
-from tmodes.kinds.signals.contract import Signal, delayed
+from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed
 from tmodes.kinds.signals.schedule import Schedule
 
 __all__ = ["Interpolation", "Table"]
@@ -28,7 +28,7 @@ class Interpolation(StrEnum):
     CUBIC = "cubic"
 
 
-@Signal.register()
+@SIGNALS.register
 class Table(Signal):
     """Values at given times; in a linear table, the same time twice is a jump."""
 

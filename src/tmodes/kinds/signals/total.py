@@ -8,7 +8,7 @@ import numpy as np
 from pydantic import Field
 
 from tmodes.errors import InputError
-from tmodes.kinds.signals.contract import Signal
+from tmodes.kinds.signals.contract import SIGNALS, Signal
 from tmodes.kinds.signals.merge import merge
 from tmodes.kinds.signals.schedule import Schedule
 
@@ -17,7 +17,7 @@ __all__ = ["Sum"]
 MOST_PARTS = 20
 
 
-@Signal.register()
+@SIGNALS.register
 class Sum(Signal):
     """The sum of signals, such as a move with noise on it."""
 

@@ -8,13 +8,13 @@ import numpy as np
 from pydantic import Field
 
 from tmodes.kinds.schema.quantity import positive
-from tmodes.kinds.signals.contract import Signal, delayed, signal_time, signal_value
+from tmodes.kinds.signals.contract import SIGNALS, Signal, delayed, signal_time, signal_value
 from tmodes.kinds.signals.schedule import Schedule
 
 __all__ = ["Trapezoid"]
 
 
-@Signal.register()
+@SIGNALS.register
 class Trapezoid(Signal):
     """From rest to rest with constant acceleration, constant speed and constant deceleration."""
 

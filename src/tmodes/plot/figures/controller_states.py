@@ -34,7 +34,7 @@ class ControllerStates(Figure):
         for panel, name in zip(axes, names, strict=True):
             one = data["controller_states"].sel(controller_state=name)
             unit = readable(str(one["controller_state_unit"].item()).replace("*", " "), one.values)
-            held = {"drawstyle": "steps-post"} if name.endswith(".command") else {}
+            held: dict[str, Any] = {"drawstyle": "steps-post"} if name.endswith(".command") else {}
             panel.plot(data["time"].values, unit.of(one.values), **REAL, **held)
             panel.axhline(0.0, color=QUIET, linewidth=0.5)
             panel.set_ylabel(f"[{unit.name}]")

@@ -3,6 +3,8 @@
 from __future__ import annotations
 
 import math
+from dataclasses import replace
+from math import prod
 from typing import Any
 
 import numpy as np
@@ -12,13 +14,12 @@ from tmodes.compile.lanes.lanes_loop import LANE_ARGUMENTS, LANE_CELLS, LANE_OPT
 from tmodes.compile.loops.time_loop import CELLS, Status
 from tmodes.integrate.settings import Integration
 from tmodes.simulation import native_run
-from tmodes.simulation.batch.alone import info, lane_run
-from tmodes.simulation.batch.memory import private
 from tmodes.simulation.batch.result import COUNTS
 from tmodes.simulation.batch.work import Work
-from tmodes.simulation.trajectory import BOUND, NativeRun, Trajectory
+from tmodes.simulation.native_run import BOUND, NativeRun
+from tmodes.simulation.parts import Trajectory
 
-__all__ = ["Room", "SideBySide"]
+__all__ = ["LINE", "Alone", "Room", "SideBySide", "info", "lane_run", "private"]
 
 Array = NDArray[np.float64]
 
@@ -30,7 +31,7 @@ class Room:
 
     def __init__(self, work: Work) -> None:
         method, size = work.settings.method, work.inputs.starts.shape[1]
-        library = work.model.lane_loops
+        library = work.model.lane_loop(method)
         self.loop, self.work = library[method], work
         self.memory, self.options = private(len(LANE_CELLS), WIDTH), private(len(LANE_OPTIONS))
         self.state, self.slope = private(size, WIDTH), private(size, WIDTH)
@@ -153,3 +154,69 @@ def _scratch_size(library: Any, method: str) -> int:
     size = np.zeros(1)
     library[f"{method}.work"](size.ctypes.data)
     return int(size[0])
+
+
+LINE = 128
+"""Bytes that processors fetch together: a line of the cache and its neighbour."""
+
+
+def private(*shape: int) -> NDArray[np.float64]:
+    """Zeros that begin on such a line and have their last one for themselves.
+
+    Vectors across two lines are slow to load, and a line that two threads write wanders between their cores.
+    """
+    item = np.dtype(np.float64).itemsize
+    lines = -(-prod(shape) * item // LINE) + 1
+    room = np.zeros(lines * LINE // item)
+    start = -(room.ctypes.data // item) % (LINE // item)
+    return room[start : start + prod(shape)].reshape(shape)
+
+
+class Alone:
+    """A lane by itself, advanced piece by piece."""
+
+    def __init__(self, work: Work, lane: int) -> None:
+        self.run = lane_run(work, lane)
+        if not np.isfinite(work.inputs.starts[lane]).all():
+            self.run.memory[CELLS.index("status")] = float(Status.DIVERGED)
+
+    def advance(self, steps: int) -> None:
+        """Do at most so many steps."""
+        self.run.advance(steps)
+
+    @property
+    def going(self) -> bool:
+        """Whether it may go on."""
+        tried = self.run.cell("steps") + self.run.cell("rejected")
+        return self.run.running and tried < self.run.settings.max_steps
+
+    @property
+    def times(self) -> float:
+        """How far it came [s]."""
+        return self.run.cell("t")
+
+    def ended(self, seconds: float) -> list[Trajectory]:
+        """The run as it stands, after so much time of computing [s]."""
+        return [info(self.run, seconds)]
+
+
+def lane_run(work: Work, lane: int) -> NativeRun:
+    """A lane as a run by itself, before its first step; its samples are those of the batch."""
+    inputs = work.inputs
+    numbers = inputs.parameters[lane]
+    return NativeRun(
+        work.model, numbers, inputs.schedule(lane), inputs.starts[lane], work.settings, work.states[work.places[lane]]
+    )
+
+
+def info(run: NativeRun, seconds: float) -> Trajectory:
+    """A run as it ended, or was left; samples that it does not have are no numbers."""
+    begun = np.isfinite(run.samples[0]).all()
+    run.samples[run.done if begun else 0 :] = np.nan
+    if not run.running:
+        ended = run.end()
+    elif reason := run.exhausted(seconds):
+        ended = run.trajectory("stopped", reason)
+    else:
+        ended = run.trajectory("interrupted", f"interrupted at t = {run.cell('t'):.6g} s; what was done is kept")
+    return ended if begun else replace(ended, times=ended.times[:0], states=ended.states[:0])

@@ -5,67 +5,27 @@ from __future__ import annotations
 import os
 from collections.abc import Callable, Sequence
 from pathlib import Path
-from typing import Any, Protocol, TypedDict
 
 import numpy as np
 from numpy.typing import ArrayLike
 
-from tmodes.compile.lanes.lane_kernels import goes_side_by_side
-from tmodes.compile.loops.loops import loop_methods
-from tmodes.errors import InputError
-from tmodes.integrate.method import EXPLICIT
+from tmodes.compile.loops.loops import goes_side_by_side
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration, refuse_stops
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.batch.result import BatchRun, gathered
-from tmodes.simulation.batch.store import load_batch, room_for, write_batch
+from tmodes.simulation.batch.result import BatchRun, gathered, load_batch, room_for, write_batch
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.batch.workers import run_all, thread_count
-from tmodes.simulation.trajectory import sample_times
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.parts import sample_times
 
-__all__ = ["Batched", "How", "Schedules", "prepare_loops", "simulate_lanes"]
-
-
-Schedules = Schedule | Sequence[Schedule]
-"""What moves each robot of a batch, or all of them."""
-
-
-class Batched(Protocol):
-    """What a model has that many runs can go of at once."""
-
-    @property
-    def coordinates(self) -> tuple[str, ...]:
-        """Names of the coordinates."""
-        ...
-
-    @property
-    def batch_widths(self) -> dict[str, int]:
-        """Numbers that compiled code reads of ``parameters``, of ``states`` and of a row of ``schedules``."""
-        ...
-
-    @property
-    def loops(self) -> Any:
-        """The native time loop of each method, by its name."""
-        ...
-
-    @property
-    def lane_loops(self) -> Any:
-        """Those over robots side by side."""
-        ...
-
-
-class How(TypedDict, total=False):
-    """How a batch runs, which changes no bit of it; the words are those of :func:`simulate_lanes`."""
-
-    threads: int | None
-    out: str | os.PathLike[str] | None
-    progress: Callable[[float], None]
+__all__ = ["prepare_loops", "simulate_lanes"]
 
 
 def simulate_lanes(
-    model: Batched,
+    model: LoopModel,
     parameters: ArrayLike,
-    schedules: Schedules,
+    schedules: Schedule | Sequence[Schedule],
     states: ArrayLike,
     settings: Integration,
     *,
@@ -82,8 +42,8 @@ def simulate_lanes(
     ``message``. ``out``: an empty folder for the samples, where they are too many for memory. ``progress`` is given the
     share that is done. Ctrl-C ends all with what they have (``interrupted``).
 
-    Raises :class:`tmodes.errors.InputError` for shapes that do not agree, for a method that the model does not have and
-    for what is too large, and :class:`tmodes.errors.ResultFileError` for a folder that cannot be written.
+    Raises :class:`tmodes.errors.InputError` for shapes that do not agree and for what is too large, and
+    :class:`tmodes.errors.ResultFileError` for a folder that cannot be written.
     """
     if settings.method == AUTO:
         settings = settings.chosen("dormand_prince")
@@ -102,12 +62,9 @@ def simulate_lanes(
     return load_batch(folder)
 
 
-def prepare_loops(model: Batched, method: str) -> None:
-    """Compile once, before the threads want the loops; refuses a method that the model has no loop of."""
-    loops = model.lane_loops if goes_side_by_side(method) else model.loops
-    try:
-        loops[method]
-    except KeyError:
-        expected = f"one of {', '.join(loop_methods(EXPLICIT))}"
-        hint = "this model has no implicit steps: take an explicit method"
-        raise InputError("integration.method", method, expected, hint) from None
+def prepare_loops(model: LoopModel, method: str) -> None:
+    """Compile once, before the threads want the loop."""
+    if goes_side_by_side(method):
+        model.lane_loop(method)
+    else:
+        model.loops[method]

@@ -4,7 +4,6 @@ from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
 from dataclasses import dataclass
-from typing import Any
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -12,17 +11,11 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.errors import InputError
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.loop import LoopModel
 
-__all__ = ["Inputs", "LaneNumbers", "Work", "inputs"]
+__all__ = ["Inputs", "Work", "inputs"]
 
 Array = NDArray[np.float64]
-
-
-@dataclass(frozen=True)
-class LaneNumbers:
-    """The numbers of one lane's robot, as its compiled code reads them."""
-
-    vector: Array
 
 
 @dataclass(frozen=True, eq=False)
@@ -53,7 +46,7 @@ class Work:
     ``states`` (all, samples, nx): where the samples of all runs are written; ``places`` (k,): which are these lanes'.
     """
 
-    model: Any
+    model: LoopModel
     inputs: Inputs
     settings: Integration
     times: Array
@@ -73,6 +66,7 @@ def inputs(
     ``widths``: how many numbers compiled code reads of ``parameters``, ``states`` and a row of ``schedules``. Raises
     :class:`tmodes.errors.InputError` where shapes do not agree.
     """
+    # One schedule for all lanes, or one for each: a question of number, not of the kind of signal.
     info = (schedules,) if isinstance(schedules, Schedule) else tuple(schedules)
     given = {"parameters": _rows(parameters, "parameters"), "states": _rows(states, "states")}
     found = {name: {rows.shape[1]} for name, rows in given.items()}

@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping
+from collections.abc import Callable, Hashable, Mapping, Sequence
 from dataclasses import dataclass
 from functools import partial
 from typing import Any
@@ -15,11 +15,11 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.simulate import Batched
+from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.motion_run import tip_positions
 from tmodes.simulation.start import run_setup
 
-__all__ = ["Lane", "changed_sheet", "lane_of"]
+__all__ = ["Columns", "Lane", "changed_sheet", "lane_of"]
 
 Array = NDArray[np.float64]
 
@@ -32,12 +32,70 @@ class Lane:
     """
 
     key: Hashable
-    model: Batched
+    model: LoopModel
     parameters: Array
     schedule: Schedule
     start: Array
     settings: Integration
     tip: Callable[[Array, Array], Array]
+
+    @property
+    def further(self) -> int:
+        """Numbers of a state that are neither coordinates nor rates."""
+        return len(self.start) - 2 * len(self.model.coordinates)
+
+
+@dataclass(frozen=True)
+class Columns:
+    """Columns of the states of a batch: all coordinates that any lane has, their rates, and ``further`` numbers."""
+
+    coordinates: tuple[str, ...]
+    further: int
+
+    @classmethod
+    def of_all(cls, lanes: Sequence[Lane], index: int) -> Columns:
+        """Those of these lanes, of which the last one is lane ``index`` of the batch.
+
+        Raises :class:`tmodes.errors.InputError` where something else than coordinates differs.
+        """
+        names: list[str] = []
+        for lane in lanes:
+            place = 0
+            for name in lane.model.coordinates:
+                if name not in names:
+                    names.insert(place, name)
+                place = names.index(name) + 1
+        first, last = lanes[0].further, lanes[-1].further
+        if first != last:
+            got = f"{last} numbers in the state of case {index} next to its coordinates, {first} in others"
+            hint = "vary what keeps them: no inductance of zero next to others"
+            raise InputError("vary", got, "the same currents and controllers in all cases", hint)
+        return cls(tuple(names), first)
+
+    @property
+    def width(self) -> int:
+        """Numbers of a state."""
+        return 2 * len(self.coordinates) + self.further
+
+    def have(self, lane: Lane) -> bool:
+        """Whether a lane has no other coordinate."""
+        return set(lane.model.coordinates) <= set(self.coordinates) and lane.further == self.further
+
+    def of(self, names: Sequence[str]) -> list[int]:
+        """Where the state of a lane with these coordinates is."""
+        count, own = len(self.coordinates), [self.coordinates.index(name) for name in names]
+        return [*own, *(count + k for k in own), *range(2 * count, self.width)]
+
+    def filled(self, states: Array, names: Sequence[str]) -> Array:
+        """States (..., own) of lanes with these coordinates, in the columns of the batch (..., width)."""
+        found = np.where(np.isnan(states[..., :1]), np.nan, np.zeros(self.width))
+        found[..., self.of(names)] = states
+        for k, name in enumerate(self.coordinates):
+            joint = name.removesuffix(".motor")
+            if name not in names and joint in names:
+                for start in (0, len(self.coordinates)):
+                    found[..., start + k] = found[..., start + self.coordinates.index(joint)]
+        return found
 
 
 def changed_sheet(sheet: Robot, changes: Mapping[str, Any], lane: int) -> Robot:
@@ -51,7 +109,7 @@ def changed_sheet(sheet: Robot, changes: Mapping[str, Any], lane: int) -> Robot:
 
 
 def _placed(error: InputError, lane: int) -> InputError:
-    return InputError(error.which, error.got, error.expected, error.hint, f"lane {lane} {error.where}".rstrip())
+    return InputError(error.which, error.got, error.expected, error.hint, f"case {lane} {error.where}".rstrip())
 
 
 def lane_of(real: Robot) -> Lane:
@@ -64,5 +122,5 @@ def lane_of(real: Robot) -> Lane:
     model, settings = regime.model, chosen_settings(real.integration, lambda: regime.spectrum)
     key = (model.loop.rate.key, model.coordinates, settings.method)
     schedule = regime.planned.schedule
-    start, numbers = regime.start, model.numbers.vector
+    start, numbers = regime.start, model.numbers
     return Lane(key, model, numbers, schedule, start, settings, partial(tip_positions, regime))

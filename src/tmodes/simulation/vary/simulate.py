@@ -13,13 +13,12 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import refuse_stops
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.result import BatchRun, gathered, not_begun
+from tmodes.simulation.batch.result import BatchRun, check_room, gathered, load_batch, not_begun, room_for, write_batch
 from tmodes.simulation.batch.simulate import prepare_loops
-from tmodes.simulation.batch.store import check_room, load_batch, room_for, write_batch
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.batch.workers import run_all, thread_count
-from tmodes.simulation.trajectory import sample_times
-from tmodes.simulation.vary.lanes import Lane, changed_sheet, lane_of
+from tmodes.simulation.parts import sample_times
+from tmodes.simulation.vary.lanes import Columns, Lane, changed_sheet, lane_of
 
 __all__ = ["Prepared", "prepared", "prepared_alone", "run_prepared", "simulate_batch"]
 
@@ -46,10 +45,12 @@ def simulate_batch(
     ``tips``: also where the tip was. ``threads``: None for one on each core. ``out``: a folder for the samples, where
     they are too many for memory. ``progress`` is given the stage and its share.
 
+    Lanes may differ in their coordinates, as with a rigid gear next to elastic ones: the batch has those of all lanes,
+    a motor without one of its own moves as its joint, and of a link they are zero.
+
     A lane that cannot start (``failed``) or cannot go on keeps what it had and disturbs no other: look at ``status``
     and ``message``. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers,
-    reporting their lane, and for lanes whose coordinates differ; :class:`tmodes.errors.SimulationError` where none can
-    start.
+    reporting their lane; :class:`tmodes.errors.SimulationError` where none can start.
     """
     return run_prepared(
         prepared(sheet, vary, out=out, progress=progress), tips=tips, threads=threads, progress=progress
@@ -64,6 +65,7 @@ class Prepared:
     """
 
     lanes: Sequence[Lane | str]
+    columns: Columns
     values: dict[str, Array]
     times: Array
     folder: Path | None
@@ -92,11 +94,11 @@ def run_prepared(
     batch: Prepared, *, tips: bool, threads: int | None = None, progress: Progress = lambda stage, share: None
 ) -> BatchRun:
     """Run lanes that were prepared; see :func:`simulate_batch`."""
-    lanes, count = batch.lanes, thread_count(threads)
-    with room_for((len(lanes), len(batch.times), _common_width(lanes)), batch.folder) as room:
-        done = replace(_run(lanes, batch.times, room, count, progress), values=batch.values)
+    count = thread_count(threads)
+    with room_for((len(batch.lanes), len(batch.times), batch.columns.width), batch.folder) as room:
+        done = replace(_run(batch, room, count, progress), values=batch.values)
         if tips:
-            done = replace(done, tips=_tips(done, lanes, progress))
+            done = replace(done, tips=_tips(done, batch, progress))
     if batch.folder is None:
         return done
     write_batch(done, batch.folder)
@@ -116,17 +118,16 @@ def _prepared(
         hint = "leave it out, or run the lane by itself (tmodes run)"
         raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", hint)
     lanes: list[Lane | str] = []
-    times, checked = sample_times(sheet.integration), False
+    times, columns = sample_times(sheet.integration), None
     for index, info in enumerate(changes):
-        lanes.append(_lane(sheet, info, index))
-        width = _common_width(lanes)
-        if width and not checked:
-            check_room((len(changes), len(times), width), folder)
-            checked = True
+        lanes.append(lane := _lane(sheet, info, index))
+        if isinstance(lane, Lane) and (columns is None or not columns.have(lane)):
+            columns = Columns.of_all([one for one in lanes if isinstance(one, Lane)], index)
+            check_room((len(changes), len(times), columns.width), folder)
         progress("preparing", (index + 1) / len(changes))
-    if not checked:
-        raise SimulationError(f"no lane can start; lane 0: {lanes[0]}")
-    return Prepared(lanes, values, times, folder)
+    if columns is None:
+        raise SimulationError(f"no case can start; case 0: {lanes[0]}")
+    return Prepared(lanes, columns, values, times, folder)
 
 
 def _checked(vary: Mapping[str, ArrayLike]) -> dict[str, Array]:
@@ -164,37 +165,26 @@ def _lane(sheet: Robot, changes: Changes, index: int) -> Lane | str:
         return str(error)
 
 
-def _common_width(lanes: Sequence[Lane | str]) -> int:
-    """Numbers of a state, the same in all lanes; 0 while no lane could start."""
-    ready = [(index, lane) for index, lane in enumerate(lanes) if isinstance(lane, Lane)]
-    if not ready:
-        return 0
-    first, last = ready[0], ready[-1]
-    info = [(lane.model.coordinates, len(lane.start)) for _, lane in (first, last)]
-    if info[0] != info[1]:
-        got = f"{info[0][1]} numbers in the state of lane {first[0]}, {info[1][1]} in that of lane {last[0]}"
-        hint = "vary what keeps the coordinates: no rigid elements next to elastic ones"
-        raise InputError("vary", got, "the same coordinates in all lanes", hint)
-    return len(first[1].start)
-
-
-def _run(lanes: Sequence[Lane | str], times: Array, room: Array, threads: int, progress: Progress) -> BatchRun:
+def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> BatchRun:
     """Run the lanes that could start, those of one structure together."""
     groups: dict[object, list[int]] = {}
     done = {}
-    for index, lane in enumerate(lanes):
+    for index, lane in enumerate(batch.lanes):
         if isinstance(lane, Lane):
             groups.setdefault(lane.key, []).append(index)
         else:
             done[index] = not_begun(room[index], lane)
-    works = [_work(lanes, members, times, room) for members in groups.values()]
+    works = [_work(batch, members, room) for members in groups.values()]
     done |= run_all(works, threads, lambda share: progress("running", share))
-    names = next((lane.model.coordinates for lane in lanes if isinstance(lane, Lane)), ())
-    return gathered(names, times, room, [done[index] for index in range(len(lanes))])
+    for work, members in zip(works, groups.values(), strict=True):
+        if work.states is not room:
+            room[members] = batch.columns.filled(work.states[members], work.model.coordinates)
+    return gathered(batch.columns.coordinates, batch.times, room, [done[index] for index in range(len(batch.lanes))])
 
 
-def _work(lanes: Sequence[Lane | str], members: list[int], times: Array, room: Array) -> Work:
-    group = [lane for lane in (lanes[index] for index in members) if isinstance(lane, Lane)]
+def _work(batch: Prepared, members: list[int], room: Array) -> Work:
+    """Lanes of one structure; those with other coordinates than the batch have a room of their own at first."""
+    group = [lane for lane in (batch.lanes[index] for index in members) if isinstance(lane, Lane)]
     model, settings = group[0].model, group[0].settings
     prepare_loops(model, settings.method)
     info = inputs(
@@ -204,14 +194,17 @@ def _work(lanes: Sequence[Lane | str], members: list[int], times: Array, room: A
         settings.duration,
         model.batch_widths,
     )
-    return Work(model, info, settings, times, room, np.array(members))
+    if model.coordinates != batch.columns.coordinates:
+        room = np.empty((len(room), len(batch.times), info.starts.shape[1]))  # of rows that nobody writes, no memory
+    return Work(model, info, settings, batch.times, room, np.array(members))
 
 
-def _tips(batch: BatchRun, lanes: Sequence[Lane | str], progress: Progress) -> Array:
-    tips = np.full((batch.size, len(batch.times), 3), np.nan)
-    for index, lane in enumerate(lanes):
-        run = batch.lane(index)
+def _tips(done: BatchRun, batch: Prepared, progress: Progress) -> Array:
+    tips = np.full((done.size, len(done.times), 3), np.nan)
+    for index, lane in enumerate(batch.lanes):
+        run = done.lane(index)
         if isinstance(lane, Lane) and len(run.times):
-            tips[index, : len(run.times)] = lane.tip(run.times, run.states)
-        progress("tips", (index + 1) / batch.size)
+            states = run.states[:, batch.columns.of(lane.model.coordinates)]
+            tips[index, : len(run.times)] = lane.tip(run.times, states)
+        progress("tips", (index + 1) / done.size)
     return tips
