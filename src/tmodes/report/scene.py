@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import elastic_line
-from tmodes.chain.line_names import node_of_line
+from tmodes.chain.chain import node_of_line
 from tmodes.model.model import Model
 from tmodes.report.actual import actual
 from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown

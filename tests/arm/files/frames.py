@@ -7,7 +7,7 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tmodes.chain.chain import Placement
+from tmodes.frame import Placement
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.strain import Beam
 from tmodes.sheet import Robot
