@@ -29,13 +29,11 @@ _PATHS = {
 """Beginnings of the sheet's paths, and of those of the same numbers in the robot; longer ones first."""
 
 
-_EQUATIONS: dict[str, str] = {}
-"""Equations by which a reading is computed, where they have another name."""
-
-
 def robot_change(path: str, value: Any) -> tuple[str, Any]:
-    """Path and value in the robot of a path and value of the sheet."""
-    return path, _EQUATIONS.get(value, value) if path == "reading" else value
+    """Path and value in the robot of a path and value of the sheet; a number has one factor, whatever its path."""
+    if path.startswith("real."):
+        return f"real.{own_path(path.removeprefix('real.'))}", value
+    return path, value
 
 
 def placed_path(path: str, data: Mapping[str, Any]) -> str:
@@ -82,7 +80,7 @@ def robot_data(data: Mapping[str, Any]) -> dict[str, Any]:
         "kind": "arm",
         "imported": NAME,
         **{key: data[key] for key in ("name", "title", "citation") if key in data},
-        "equations": _EQUATIONS.get(reading, reading),
+        "equations": reading,
         "gravity": data.get("gravity", 9.81),
         "joints": [_joint(data)],
         "links": [_link(data)],
