@@ -12,7 +12,7 @@ from tmodes.chain.chain import Axis, Chain, Joint, Node
 from tmodes.errors import InputError
 from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
-from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.links.registry import RigidLink
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 from tmodes.sheet.robot import RECURSION
