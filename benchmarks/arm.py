@@ -25,9 +25,10 @@ from tmodes.bench import peer_mujoco, peer_pinocchio
 from tmodes.bench.clock import now
 from tmodes.bench.missing import PeerMissing
 from tmodes.bench.rigid import RigidChain
-from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, Placement
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.compile.ir import kernels
 from tmodes.equations.recursion.forward import forward_dynamics
+from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.strain import Beam, BeamPiece

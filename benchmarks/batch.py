@@ -23,12 +23,15 @@ from typing import Any, NamedTuple
 
 import numpy as np
 
-from tmodes.chain.chain import Body, Chain, Joint, Node, Placement, RigidLink
+from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.compile.lanes.lanes_loop import WIDTH
 from tmodes.compile.native import processor
 from tmodes.equations.loop.plan import LoopPlan
+from tmodes.frame import Placement
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.robots.load import load
 from tmodes.simulation.batch.simulate import simulate_lanes

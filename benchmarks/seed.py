@@ -26,8 +26,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.bench.missing import PeerMissing
-from tmodes.compile.ir.c_text import c_text
-from tmodes.compile.ir.unroll import unrolled
+from tmodes.compile.ir.unroll import c_text, unrolled
 from tmodes.integrate.settings import Integration
 from tmodes.robots.load import load
 from tmodes.simulation.start import run_setup

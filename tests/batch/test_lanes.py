@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.result import load_batch
 from tmodes.simulation.batch.simulate import simulate_lanes
-from tmodes.simulation.batch.store import load_batch
 from tmodes.simulation.trajectory import integrate
 
 ROBOTS = pytest.mark.parametrize("lot", ["filipovic2010", "pendulum"], indirect=True)

@@ -15,8 +15,8 @@ import pytest
 
 from tmodes.errors import InputError, ResultFileError
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.simulation.batch.result import load_batch, room_for
 from tmodes.simulation.batch.simulate import simulate_lanes
-from tmodes.simulation.batch.store import load_batch, room_for
 
 
 def test_the_folder_holds_the_same_batch(lot, tmp_path):

@@ -10,7 +10,7 @@ import pytest
 import tmodes
 from arm.run.sheets import pendulum, torque
 from tmodes.errors import InputError, InputErrors, TmodesError
-from tmodes.simulation.batch.store import load_batch
+from tmodes.simulation.batch.result import load_batch
 from tmodes.simulation.simulate import simulate_motion
 
 SHORT = {"integration.duration": 0.02, "integration.output_step": 1e-3}

@@ -8,7 +8,7 @@ import numpy as np
 import pytest
 
 from command import tmodes
-from tmodes.simulation.batch.store import load_batch
+from tmodes.simulation.batch.result import load_batch
 from tmodes.simulation.vary.study import drawn, grid
 
 BATCH = ["batch", "filipovic2010", "--duration", "0.02"]

@@ -16,13 +16,11 @@ from tmodes.kinds.contacts.registry import CONTACTS, SURFACES, Contact, Surface
 from tmodes.kinds.kernel import functions as f
 from tmodes.kinds.kernel import vectors
 from tmodes.kinds.schema.quantity import not_negative, positive
-from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.batch.simulate import simulate_lanes
-from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
-from wasm.node import in_node
+from wasm.node import page_states
 
 
 @CONTACTS.register
@@ -149,18 +147,7 @@ def test_run(name, tmp_path):
     native = run_trajectory(setup)
     batch = simulate_lanes(model, np.array([model.numbers] * 3), setup.planned.schedule, setup.start, settings)
     assert np.abs(batch.states[1] - native.states).max() < 1e-9
-    module = live_module(ModelFunctions(setup.arm.pair(), (1.0,)), ["dormand_prince"])
-    schedule = setup.planned.schedule.until(settings.duration)
-    (page,) = in_node(module, [{"run": {
-        "loop": "real.dormand_prince", "parameters": model.numbers, "knots": schedule.knots,
-        "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,
-        "times": sample_times(settings), "settings": {
-            "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,
-            "absoluteTolerance": settings.absolute_tolerance, "step": settings.step, "maxSteps": settings.max_steps,
-        },
-    }}], tmp_path)  # fmt: skip
-    assert page["status"] == "finished"
-    assert np.abs(page["states"].reshape(native.states.shape) - native.states).max() < 1e-8
+    assert np.abs(page_states(setup, tmp_path) - native.states).max() < 1e-8
 
 
 def test_derivatives_through_a_soil():

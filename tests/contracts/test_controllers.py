@@ -57,9 +57,9 @@ def robot(controller, **more):
                integration=settings | more.pop("integration", {}), **more)  # fmt: skip
 
 
-def gains() -> list[float]:
-    """The gains of least cost: a Riccati equation of the linearised robot."""
-    model = Model(robot({"type": "pd", "position_gain": 0.0, "velocity_gain": 0.0}).chain())
+def gains(sheet: Any = None) -> list[float]:
+    """The gains of least cost: a Riccati equation of the linearised robot, whose first coordinate is driven."""
+    model = Model((sheet or robot({"type": "pd", "position_gain": 0.0, "velocity_gain": 0.0})).chain())
     n = model.nq
     mass, damping, stiffness = model.linearised(np.zeros(n))
     a, b = np.zeros((2 * n + 1, 2 * n + 1)), np.zeros((2 * n + 1, 1))

@@ -4,13 +4,15 @@ from __future__ import annotations
 
 import re
 from collections.abc import Iterator
+from functools import cache
 from typing import Any, ClassVar
 
 import numpy as np
 import pytest
 from matplotlib import figure as mpl_figure
 
-from arm.see.runs import SHEETS, result_of
+import tmodes
+from arm.see.runs import QUINTIC, SHEETS, result_of, sheet
 from tmodes import plot
 from tmodes.errors import InputError
 from tmodes.plot.panels import letter, panels, time_axis
@@ -18,7 +20,7 @@ from tmodes.plot.save import rendered
 from tmodes.plot.units import readable
 from tmodes.result import Result
 
-UNIT = re.compile(r"\[(n|µ|m|k|M)?(m|rad|rad/s|m/s|N|N·m|J|V|A|s|Hz|W|Pa|–)\]$")
+UNIT = re.compile(r"\[(n|µ|m|k|M)?(m|rad|rad/s|m/s|rad·s|N|N·m|J|V|A|s|Hz|W|Pa|–)\]$")
 
 
 class JointPower(plot.Figure):
@@ -78,10 +80,24 @@ def test_it_draws_or_reports_why_not(name: str, result: Result, caplog: pytest.L
     assert caplog.messages == []
 
 
+@cache
+def filling(name: str) -> Result:
+    """A result that can fill a figure: a swinging robot's, but for what its controllers do not have."""
+    if name != "controller_states":
+        return result_of("swinging")
+    gains = {"position_gain": 20.0, "integral_gain": 10.0, "velocity_gain": 4.0}
+    laws = [{"type": "pid", **gains}, {"type": "sampled_pid", **gains, "sample_time": 0.02}]
+    joints = [{"name": f"joint{k}", "type": "revolute", "child": f"link{k}", "axis": [0, 0, 1],
+               "motor": {"inertia": 0.2, "side": "joint"}} for k in range(2)]  # fmt: skip
+    drives = [{"joint": f"joint{k}", "command": "position", "signal": QUINTIC, "controller": laws[k]} for k in range(2)]
+    links = [{"name": f"link{k}", "bodies": [{"name": "body", "mass": 1.0, "center": [0.2, 0, 0]}]} for k in range(2)]
+    return tmodes.run(tmodes.Robot.from_data(sheet(joints=joints, links=links, drives=drives)))
+
+
 @pytest.mark.parametrize("name", NAMES)
 def test_nothing_overlaps(name: str) -> None:
     """Titles, labels and legends of all panels keep apart."""
-    result = result_of("swinging")
+    result = filling(name)
     axes = plot.FIGURES[name](result)
     axes[0].figure.canvas.draw()
     whole = axes[0].figure
@@ -98,7 +114,7 @@ def test_nothing_overlaps(name: str) -> None:
 
 @pytest.mark.parametrize("name", NAMES)
 def test_it_draws_on_the_axes_it_is_given(name: str) -> None:
-    result = result_of("swinging")
+    result = filling(name)
     count = len(plot.FIGURES[name](result))
     axes = mpl_figure.Figure(figsize=(6, 9)).subplots(count, 1, squeeze=False)
     assert plot.FIGURES[name](result, axes) == list(axes.ravel())
@@ -134,7 +150,7 @@ def test_the_figure_from_outside_shows_its_numbers() -> None:
 @pytest.mark.parametrize(("wrong", "words"), [
     ({"name": "tip_path"}, "a name that no figure has"),
     ({"name": "two words"}, "an identifier"),
-    ({"name": "unknown", "caption": ""}, "no title or caption"),
+    ({"name": "unknown", "caption": ""}, "without title or caption"),
 ])  # fmt: skip
 def test_a_wrong_figure_is_refused(wrong: dict[str, str], words: str) -> None:
     before = list(plot.FIGURES)

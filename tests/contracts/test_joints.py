@@ -13,13 +13,14 @@ from numpy.typing import NDArray
 from arm.oracle.pair import SPRUNG, Pair, assert_equations_agree, assert_parts_agree
 from arm.oracle.robots import GRAVITY, turned
 from arm.random_chains import random_body
-from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, Point, RigidLink
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, Point
 from tmodes.errors import InputError, TmodesError
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.contract import JointKind
 from tmodes.kinds.joints.registry import JOINTS, joint_kind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.kinds.schema.quantity import DataSheet, any_sign
 from tmodes.model.model import Model

@@ -18,15 +18,13 @@ from tmodes.kinds.links.registry import LINKS
 from tmodes.kinds.links.segment_link import segment_link
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.quantity import positive
-from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.model.model import Model
 from tmodes.report import write_report
 from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.batch.simulate import simulate_lanes
-from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
-from wasm.node import in_node
+from wasm.node import page_states
 
 
 @dataclass(frozen=True)
@@ -51,8 +49,7 @@ class TableStructure(LinkStructure):
 
     def elastic(self, stiffness: Any, damping: Any, q: Any, qd: Any) -> ElasticForces:
         over = [fmax(fabs(q[0]) - stiffness[i], 0.0) for i in range(self.knots)]
-        moment = sum(stiffness[self.knots + i] * x for i, x in enumerate(over))
-        energy = sum(stiffness[self.knots + i] * x * x / 2 for i, x in enumerate(over))
+        moment, energy = (sum(stiffness[self.knots + i] * x**n / n for i, x in enumerate(over)) for n in (1, 2))
         lost = damping[0] * qd[0]
         return ElasticForces([if_else(q[0] < 0, -moment, moment)], [lost], energy, lost * qd[0])
 
@@ -194,41 +191,24 @@ def test_run(word: str) -> None:
     assert np.abs(batch.states[1] - native.states).max() < 1e-9
 
 
-@pytest.mark.parametrize("word", ["table", "modes"])
-def test_page(word: str, tmp_path: Any) -> None:
-    """The same run in WebAssembly; the report shows the link."""
-    setup = run_setup(sheet(word, method="dormand_prince"))
-    settings, native = setup.arm.integration, run_trajectory(setup)
-    schedule = setup.planned.schedule.until(settings.duration)
-    module = live_module(ModelFunctions(setup.arm.pair(), (1.0,)), ["dormand_prince"])
-    (page,) = in_node(module, [{"run": {
-        "loop": "real.dormand_prince", "parameters": setup.model.numbers, "knots": schedule.knots,
-        "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,
-        "times": sample_times(settings), "settings": {
-            "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,
-            "absoluteTolerance": settings.absolute_tolerance, "step": settings.step, "maxSteps": settings.max_steps,
-        },
-    }}], tmp_path)  # fmt: skip
-    assert page["status"] == "finished"
-    assert np.abs(page["states"].reshape(native.states.shape) - native.states).max() < 1e-8
+def test_page(tmp_path: Any) -> None:
+    """The same run in WebAssembly."""
+    setup = run_setup(sheet("modes", method="dormand_prince"))
+    assert np.abs(page_states(setup, tmp_path) - run_trajectory(setup).states).max() < 1e-8
 
 
-@pytest.mark.parametrize(
-    ("word", "path"), [("table", "links.link.beam.damping"), ("modes", "links.link.beam.modes.1.bending_stiffness")]
-)
-def test_derivatives(word: str, path: str) -> None:
+def test_derivatives() -> None:
     """Of the end of a run by a number of the link: against differences of runs."""
-    given = sheet(word, duration=0.1, method="dop853")
+    path, value = "links.link.beam.modes.1.bending_stiffness", 2.0
+    given = sheet("modes", duration=0.1, method="dop853")
     slope = forward_sensitivities(given, [path]).by[path][-1]
-    value = float(BEAMS[word].get("damping", 2.0))
     ends = [simulate_motion(given.with_({path: value * (1 + s)})).q[-1] for s in (1e-4, -1e-4)]
     assert slope[: len(ends[0])] == pytest.approx((ends[0] - ends[1]) / (2e-4 * value), rel=1e-3, abs=1e-9)
 
 
-@pytest.mark.parametrize("word", ["table", "modes"])
-def test_report(word: str, tmp_path: Any) -> None:
+def test_report(tmp_path: Any) -> None:
     """The report of a run has the link's coordinates."""
-    given = sheet(word, duration=0.05)
+    given = sheet("modes", duration=0.05)
     path = write_report(tmodes.run(given), tmp_path / "report.html", figures={})
     assert f"link.{given.chain().nodes[0].link.coordinates[0]}" in path.read_text(encoding="utf-8")
 

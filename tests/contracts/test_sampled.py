@@ -14,14 +14,13 @@ from contracts.test_controllers import gains, robot
 from tmodes.analysis.modes.of_sheet import vibrations
 from tmodes.errors import InputError
 from tmodes.live.bundle import live_bundle, why_not_live
-from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.model.model import Model
 from tmodes.sensitivity.gradient import forward_sensitivities
 from tmodes.simulation.batch.simulate import simulate_lanes
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.simulate import simulate_motion
 from tmodes.simulation.start import run_setup, run_trajectory
-from wasm.node import in_node
+from wasm.node import page_states
 
 PERIOD, INERTIA, KP, KI, KV = 0.03, 0.5, 20.0, 10.0, 3.0
 LAW = {"type": "sampled_pid", "position_gain": KP, "integral_gain": KI, "velocity_gain": KV, "sample_time": PERIOD}
@@ -78,18 +77,7 @@ def test_side_by_side(method: str) -> None:
 def test_in_a_page(tmp_path: Any) -> None:
     """The module of the page samples at the same instants; the page's bundle is made."""
     setup = run_setup(motor(method="dormand_prince"))
-    settings, native = setup.arm.integration, run_trajectory(setup)
-    schedule = setup.planned.schedule.until(settings.duration)
-    module = live_module(ModelFunctions(setup.arm.pair(), (1.0,)), ["dormand_prince"])
-    (page,) = in_node(module, [{"run": {
-        "loop": "real.dormand_prince", "parameters": setup.model.numbers, "knots": schedule.knots,
-        "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,
-        "times": sample_times(settings), "settings": {
-            "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,
-            "absoluteTolerance": settings.absolute_tolerance, "step": settings.step, "maxSteps": settings.max_steps,
-        },
-    }}], tmp_path)  # fmt: skip
-    assert np.abs(page["states"].reshape(native.states.shape) - native.states).max() < 1e-12
+    assert np.abs(page_states(setup, tmp_path) - run_trajectory(setup).states).max() < 1e-12
     result = tmodes.run(motor())
     assert why_not_live(result) == ""
     assert live_bundle(result) is not None

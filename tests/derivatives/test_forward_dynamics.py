@@ -10,10 +10,13 @@ import pytest
 from numpy.typing import NDArray
 
 from arm.random_chains import random_chain, random_state
-from tmodes.chain.chain import Body, Chain, Joint, Motor, Node, Placement, RigidLink
+from tmodes.chain.chain import Chain, Joint, Motor, Node
 from tmodes.errors import InputError, SimulationError
+from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.segment import Segment
 from tmodes.model.model import Model
 

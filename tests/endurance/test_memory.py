@@ -8,9 +8,10 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.chain.chain import Body, Chain, Gear, Joint, Motor, Node, Placement, RigidLink
+from tmodes.chain.chain import Chain, Gear, Joint, Motor, Node
 from tmodes.compile.ir import kernels
 from tmodes.compile.loops.loops import schedule_loop
+from tmodes.frame import Placement
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
@@ -18,6 +19,8 @@ from tmodes.kinds.kernel.functions import sqrt
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Schedule as MotionSchedule
 from tmodes.kinds.kernel.schedule import Slot
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.model.model import Model
 from tmodes.simulation.trajectory import integrate

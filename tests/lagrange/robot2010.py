@@ -12,7 +12,7 @@ import numpy as np
 
 from oracle.parameters import with_equivalents
 from tmodes.analysis.line.line import elastic_line
-from tmodes.chain.chain import Body, Chain, Friction, Gear, Joint, Motor, Node, Point
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, Point
 from tmodes.equations.lagrange.filipovic2010 import basis
 from tmodes.equations.loop.contact_kernels import Touch
 from tmodes.equations.loop.control_kernels import Servo, Winding
@@ -20,6 +20,7 @@ from tmodes.equations.loop.plan import DrivePlan, LoopPlan, TouchPlan
 from tmodes.kinds.contacts.dynamic_environment import DynamicEnvironment
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.modes import ModesLink
 from tmodes.kinds.links.modes_sheet import Mode
 from tmodes.model.model import Model
@@ -43,7 +44,9 @@ def symbols(robot: Robot) -> dict[str, float]:
     joint, link, touch = robot.joints[0], robot.links[0], robot.contact or robot.contact_off
     motor, body, gear, beam = joint.motor, link.bodies[0], joint.gear, link.beam
     assert motor
+    assert motor.friction
     assert gear
+    assert body.inertia
     assert isinstance(touch, DynamicEnvironment)
     found: dict[str, Any] = {
         "g": float(np.linalg.norm(robot.gravity)), "R": motor.resistance, "CE": motor.back_emf_constant,

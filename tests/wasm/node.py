@@ -12,9 +12,12 @@ from typing import Any
 import numpy as np
 import pytest
 
+from tmodes.live.functions import ModelFunctions, live_module
 from tmodes.live.module import LiveModule
+from tmodes.simulation.parts import sample_times
+from tmodes.simulation.start import RunSetup
 
-__all__ = ["built_model", "in_node", "plain"]
+__all__ = ["built_model", "in_node", "page_states", "plain"]
 
 ROOT = Path(__file__).resolve().parents[2]
 SOURCE, ESBUILD = ROOT / "web/src/live/model.ts", ROOT / "web/node_modules/.bin/esbuild"
@@ -85,3 +88,20 @@ def in_node(module: LiveModule, jobs: list[dict[str, Any]], folder: Path) -> lis
     done = subprocess.run([node, "harness.mjs"], cwd=folder, capture_output=True, text=True, check=False, timeout=120)
     assert done.returncode == 0, done.stderr
     return [_filled(result) for result in json.loads(done.stdout)]
+
+
+def page_states(setup: RunSetup, folder: Path) -> np.ndarray:
+    """The states (n, size) of a run in WebAssembly, which reaches its end; of a robot that runs by `dormand_prince`."""
+    settings = setup.arm.integration
+    schedule = setup.planned.schedule.until(settings.duration)
+    module = live_module(ModelFunctions(setup.arm.pair(), (1.0,)), [settings.method])
+    (found,) = in_node(module, [{"run": {
+        "loop": f"real.{settings.method}", "parameters": setup.model.numbers, "knots": schedule.knots,
+        "rows": np.column_stack([schedule.knots[:-1], schedule.coefficients]), "state": setup.start,
+        "times": sample_times(settings), "settings": {
+            "duration": settings.duration, "relativeTolerance": settings.relative_tolerance,
+            "absoluteTolerance": settings.absolute_tolerance, "step": settings.step, "maxSteps": settings.max_steps,
+        },
+    }}], folder)  # fmt: skip
+    assert found["status"] == "finished"
+    return found["states"].reshape(-1, len(setup.start))

@@ -141,7 +141,7 @@ def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -
     directions = {"state": np.eye(count, n)}
     job = {
         "sample": "rest.rate",
-        "parameters": held.numbers.vector,
+        "parameters": held.numbers,
         "inputs": inputs,
         "directions": directions,
         "count": count,
@@ -153,7 +153,7 @@ def test_rest_is_where_nothing_accelerates(module: LiveModule, tmp_path: Path) -
     step = np.linalg.solve(slope[np.ix_(free, free)], accelerations[free])
     assert np.abs(step).max() < 1e-12
     blocks = {name: np.tile(values, (count, 1)) for name, values in inputs.items()}
-    native = derivatives(held.numbers.vector, held.loop.rate, blocks, directions, count)["rate"][:, held.layout.v].T
+    native = derivatives(held.numbers, held.loop.rate, blocks, directions, count)["rate"][:, held.layout.v].T
     _same(slope, native, 1e-10)
 
 

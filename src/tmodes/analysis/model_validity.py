@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.line.line import LinkLine, LinkLines
-from tmodes.chain.chain import Link
+from tmodes.kinds.links.contract import Link
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 

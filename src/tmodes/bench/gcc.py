@@ -20,8 +20,7 @@ import numpy as np
 from tmodes.bench.contender import Contender
 from tmodes.bench.missing import PeerMissing
 from tmodes.bench.ours import SAMPLES, Ours, found_in, repeated
-from tmodes.compile.ir.c_text import c_text
-from tmodes.compile.ir.unroll import unrolled
+from tmodes.compile.ir.unroll import c_text, unrolled
 
 __all__ = ["FLAGS", "PATIENCE", "build", "compiled", "contender"]
 

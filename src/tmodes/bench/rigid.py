@@ -10,8 +10,11 @@ from dataclasses import dataclass
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Body, Chain, Joint, Node, Placement, RigidLink
+from tmodes.chain.chain import Chain, Joint, Node
+from tmodes.frame import Placement
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.registry import RigidLink
 
 __all__ = ["CENTER", "GRAVITY", "INERTIA", "MASS", "TURNED", "RigidChain"]
 

@@ -24,23 +24,9 @@ from tmodes.frame import Placement
 from tmodes.kinds.drives.contract import DriveKind
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.contract import Coordinate, JointKind
-from tmodes.kinds.links.contract import Body, Link
-from tmodes.kinds.links.registry import RigidLink
+from tmodes.kinds.links.contract import Link
 
-__all__ = [
-    "Axis",
-    "Body",
-    "Chain",
-    "Friction",
-    "Gear",
-    "Joint",
-    "Link",
-    "Motor",
-    "Node",
-    "Placement",
-    "Point",
-    "RigidLink",
-]
+__all__ = ["Axis", "Chain", "Friction", "Gear", "Joint", "Motor", "Node", "Point", "line_before", "node_of_line"]
 
 Array = NDArray[np.float64]
 
@@ -208,3 +194,22 @@ class Chain:
     def tip(self) -> Point:
         """The point that is called the tip: the first of ``points``, else the end of the last node."""
         return self.points[0] if self.points else Point("tip", len(self.nodes) - 1)
+
+
+def node_of_line(chain: Chain, name: str) -> Node | None:
+    """The node whose link has a line of this name; None for a line that a system draws between its points."""
+    nodes = {node.name: node for node in chain.nodes}
+    return nodes[name] if name in nodes else nodes.get(name.rpartition(".")[0])
+
+
+def line_before(chain: Chain, name: str, lines: Sequence[str]) -> str | None:
+    """The one of ``lines`` on which a line stands, the nearest towards the base; None for the base."""
+    node = node_of_line(chain, name)
+    own = [line for line in lines if node_of_line(chain, line) is node]
+    if node is not None and name in own and own.index(name):
+        return own[own.index(name) - 1]
+    while node is not None and node.parent >= 0:
+        node = chain.nodes[node.parent]
+        if own := [line for line in lines if node_of_line(chain, line) is node]:
+            return own[-1]
+    return None

@@ -7,8 +7,10 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Axis, Body, Chain, Joint, Node, Placement
+from tmodes.chain.chain import Axis, Chain, Joint, Node
 from tmodes.chain.lowering import lowered
+from tmodes.frame import Placement
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.schema.axes import cross_matrix
 from tmodes.kinds.schema.quantity import Issue
 from tmodes.sheet import Robot

@@ -56,7 +56,7 @@ def batch(
     Each is the real robot under control, as of `tmodes run`, compared with the run of the sheet as it stands: the
     distance of their tips. Everything is checked before anything runs. A run that cannot go on is named, and disturbs
     no other. The folder of --out holds states.npy, tips.npy, times.npy and batch.json;
-    tmodes.simulation.batch.store.load_batch("FOLDER") reads them.
+    tmodes.simulation.batch.result.load_batch("FOLDER") reads them.
 
     Example, a gear whose stiffness is known to 20 %: tmodes batch filipovic2010
     --draw real.gear.stiffness=0.16:0.24 --runs 1000

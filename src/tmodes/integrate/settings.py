@@ -14,14 +14,7 @@ from tmodes.integrate.method import Integrator
 from tmodes.integrate.registry import AUTO, integrator, integrators
 from tmodes.kinds.schema.quantity import DataSheet, Issue, positive, refuse
 
-__all__ = [
-    "LEAST_TOLERANCE",
-    "MOST_BYTES",
-    "Integration",
-    "RobotIntegration",
-    "refuse_stops",
-    "refuse_too_large",
-]
+__all__ = ["LEAST_TOLERANCE", "MOST_BYTES", "Integration", "RobotIntegration", "refuse_stops", "refuse_too_large"]
 
 MOST_BYTES = 1_800_000_000
 """Size of the largest result on disk [bytes]; gathering it takes about three times that in memory."""
@@ -47,44 +40,25 @@ class Integration(DataSheet):
     duration: float = positive("s", "t_end", "simulated time", default=2.0, at_most=1e6, span=True)
     output_step: float = positive("s", "dt_out", "time between samples of the result", default=1e-3, span=True)
     line_points: int = positive(
-        "-",
-        "s",
-        "points of each mode at which the elastic line is kept, its ends included",
-        default=21,
-        at_most=1001,
-        smallest=2.0,
-        span=True,
-    )
+        "-", "s", "points of each mode at which the elastic line is kept, its ends included", default=21, at_most=1001,
+        smallest=2.0, span=True,
+    )  # fmt: skip
     relative_tolerance: float = positive(
-        "-",
-        "rtol",
-        "error allowed per step, relative (adaptive methods)",
-        default=1e-9,
-        at_most=1e-2,
-        smallest=1e-13,
+        "-", "rtol", "error allowed per step, relative (adaptive methods)", default=1e-9, at_most=1e-2, smallest=1e-13,
         span=True,
-    )
+    )  # fmt: skip
     absolute_tolerance: float = positive(
-        "rad",
-        "atol",
-        "error allowed per step, absolute (adaptive methods)",
-        default=1e-12,
-        at_most=1e-2,
-        smallest=1e-18,
-        span=True,
-    )
+        "rad", "atol", "error allowed per step, absolute (adaptive methods)", default=1e-12, at_most=1e-2,
+        smallest=1e-18, span=True,
+    )  # fmt: skip
     check_error: bool = Field(
         default=False,
         description="true: run again with a tenth of the tolerances (rk4, midpoint: half the step) for the error",
     )
     step: float = positive("s", "dt", "fixed step (rk4, midpoint)", default=2 / 37500, span=True)
     energy_tolerance: float = positive(
-        "-",
-        "etol",
-        "residual of the energy balance over the energy moved that is warned of",
-        default=1e-6,
-        span=True,
-    )
+        "-", "etol", "residual of the energy balance over the energy moved that is warned of", default=1e-6, span=True,
+    )  # fmt: skip
     stop: tuple[str, ...] = Field(
         default=(), strict=False, max_length=MOST,
         description="stop conditions, such as `[tip.z < 0 m]`: the run ends where the first of them triggers",

@@ -10,7 +10,7 @@ from collections.abc import Mapping, Sequence
 from typing import Any, get_args, get_origin
 
 from tmodes.errors import InputError
-from tmodes.io.forms import ROBOT, form_of, own_path, robot_change, robot_path, with_reach
+from tmodes.io.forms import ROBOT, form_of, own_path, robot_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, quantities, root_of
 from tmodes.io.sheet_units import at
 from tmodes.io.sheet_words import fields, is_group, members_of
@@ -41,8 +41,7 @@ def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple
     """
     changed = copy.deepcopy(dict(data))
     places = []
-    for given, wish in changes.items():
-        path, value = robot_change(given, wish, changed)
+    for path, value in changes.items():
         if path == "contact" and isinstance(value, bool) and form_of(changed) is ROBOT:
             _switch_contact(changed, value)
             continue

@@ -14,7 +14,7 @@ from tmodes.equations.recursion.parts import Parts
 from tmodes.errors import InputError
 from tmodes.model.differentiated import DifferentiatedModel
 from tmodes.model.evaluator import Rows
-from tmodes.model.point_motion import PointMotion
+from tmodes.model.passes import PointMotion
 
 __all__ = ["Model", "PointMotion"]
 

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from dataclasses import dataclass
 from functools import cached_property
+from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
@@ -15,7 +16,7 @@ from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule
 from tmodes.model.evaluator import Blocks, Rows, evaluate
 
-__all__ = ["ArmPasses"]
+__all__ = ["ArmPasses", "PointMotion"]
 
 Array = NDArray[np.float64]
 
@@ -111,3 +112,28 @@ class ArmPasses:
             size = 6 * len(self.parts.points)
             blocks["wrenches"] = rows.of(np.asarray(wrenches, dtype=float).reshape(-1, size), size)
         return blocks
+
+
+Array = NDArray[np.float64]
+
+_POINT = 24
+"""Numbers reported of a point: pose (15), rate (3), acceleration (6)."""
+
+
+class PointMotion(NamedTuple):
+    """Motion of the named points in world axes: (n, points, 3), rotation (n, points, 3, 3) [SI]."""
+
+    position: Array
+    rotation: Array
+    velocity: Array
+    rate: Array
+    acceleration: Array
+    angular_acceleration: Array
+
+    @classmethod
+    def of(cls, info: Array) -> PointMotion:
+        """From rows of the output ``points`` of the inertia pass."""
+        rows = info.reshape(len(info), -1, _POINT)
+        rotation = rows[..., :9].reshape(*rows.shape[:2], 3, 3)
+        parts = (rows[..., k : k + 3] for k in (12, 15, 18, 21))
+        return cls(rows[..., 9:12], rotation, *parts)

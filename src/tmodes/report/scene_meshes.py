@@ -7,8 +7,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Chain
-from tmodes.chain.line_names import line_before
+from tmodes.chain.chain import Chain, line_before
 from tmodes.report.meshes import Kept, kept_meshes
 from tmodes.sheet.topology import BASE
 

@@ -8,7 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.quasistatic import deflections, elastic_names
-from tmodes.chain.line_names import line_before
+from tmodes.chain.chain import line_before
 from tmodes.simulation.motion_run import RunData
 
 __all__ = ["Variables", "coordinate_units", "coordinates_of", "motion_series"]

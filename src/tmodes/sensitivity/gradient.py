@@ -17,8 +17,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.errors import InputError
-from tmodes.sensitivity.changes import Changes
-from tmodes.sensitivity.differences import Change
+from tmodes.sensitivity.changes import Change, Changes
 from tmodes.sensitivity.functional import Functional
 from tmodes.sensitivity.lowering import Lowered, lowered
 from tmodes.sensitivity.quantities import Quantities

@@ -1,19 +1,110 @@
-"""Quantities at the samples of a run, and their derivatives by the states, the parameters and the signals."""
+"""What is observed of a run at instants, with its derivatives."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
+from functools import cached_property
 from typing import NamedTuple
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.model.derivatives import Blocks
+from tmodes.errors import InputError
+from tmodes.kinds.kernel.schedule import Slot
+from tmodes.model.derivatives import Blocks, differentiated
+from tmodes.model.passes import ArmPasses
 from tmodes.sensitivity.lowering import Lowered
-from tmodes.sensitivity.outputs import RunOutputs
 from tmodes.simulation.recording import Recording
 
-__all__ = ["Quantities", "Weights"]
+__all__ = ["Quantities", "RunOutputs", "Weights"]
+
+Array = NDArray[np.float64]
+
+_OBSERVED = ("q", "v", "a", "drives", "gear", "contact", "base", "powers")
+_MOVED = ("q", "v", "base")
+"""What the motion of points follows from."""
+
+_POINT, _PARTS = 24, {"": slice(9, 12), "_velocity": slice(15, 18)}
+"""Numbers that are reported of a point, and where they have its position and its velocity."""
+
+_FROM = ("state", "row", "parameters")
+
+
+class RunOutputs:
+    """What is observed of an arm, and from that the motion of its points."""
+
+    def __init__(self, here: Lowered, instants: Blocks, names: tuple[str, ...]) -> None:
+        loop = here.model.loop
+        points = ["tip", *(f"points.{point.name}" for point in loop.parts.points)]  # the first point is the tip
+        places = {f"{name}{kind}": (max(k - 1, 0), kind) for k, name in enumerate(points) for kind in _PARTS}
+        _refuse_unknown(names, (*_OBSERVED, *places))
+        self.parameters, self._instants = here.parameters, instants
+        self._places = {name: places[name] for name in names if name in places}
+        self._plain = tuple(name for name in names if name not in places)
+        shown = tuple(dict.fromkeys((*self._plain, *(_MOVED if self._places else ()))))
+        self._of = differentiated(loop.observe, shown) if shown else None
+        self._points = (
+            differentiated(ArmPasses(loop.mechanics).schedule("inertia"), ["points"]) if self._places else None
+        )
+
+    @cached_property
+    def _seen(self) -> Blocks:
+        return self._of.values(self.parameters, self._instants) if self._of else {}
+
+    @cached_property
+    def _moved(self) -> Blocks:
+        return {name: self._seen[name] for name in _MOVED} | {"a": np.zeros_like(self._seen["q"])}
+
+    def info(self) -> Blocks:
+        """Values (n, numbers) by names."""
+        plain = {name: self._seen[name] for name in self._plain}
+        return plain | (self._parted(self._points.values(self.parameters, self._moved)) if self._points else {})
+
+    def back(self, weights: Blocks) -> Blocks:
+        """Derivatives of the sum of weights times values by state (n, size), row (n, row) and parameters."""
+        assert self._of is not None  # noqa: S101
+        mine = {name: weight for name, weight in weights.items() if name not in self._places}
+        own: Array = np.zeros_like(self.parameters)
+        if self._points:
+            found = self._points.back(self.parameters, self._moved, self._joined(weights), (*_MOVED, "parameters"))
+            own = found.pop("parameters")
+            mine |= {name: value + mine.get(name, 0.0) for name, value in found.items()}
+        info = self._of.back(self.parameters, self._instants, mine, _FROM)
+        return info | {"parameters": info["parameters"] + own}
+
+    def along(self, slopes: Blocks, change: Array) -> Blocks:
+        """Slopes of the values along those of state and row, and a change of the parameters."""
+        moved = self._of.along(self.parameters, self._instants, slopes, change=change) if self._of else {}
+        plain = {name: moved[name] for name in self._plain}
+        if not self._points:
+            return plain
+        ways = {name: moved[name] for name in _MOVED}
+        return plain | self._parted(self._points.along(self.parameters, self._moved, ways, change=change))
+
+    def _parted(self, info: Blocks) -> Blocks:
+        """Positions and velocities from what is reported of all points."""
+        points = info["points"].reshape(len(info["points"]), -1, _POINT)
+        return {name: points[:, k, _PARTS[kind]] for name, (k, kind) in self._places.items()}
+
+    def _joined(self, weights: Blocks) -> Blocks:
+        """Weights of positions and velocities as those of all that is reported of points."""
+        count, size = len(self._instants["time"]), sum(slot.size for slot in self._points_of())
+        points = np.zeros((count, size // _POINT, _POINT))
+        for name, (k, kind) in self._places.items():
+            points[:, k, _PARTS[kind]] += weights.get(name, 0.0)
+        return {"points": points.reshape(count, size)}
+
+    def _points_of(self) -> Sequence[Slot]:
+        assert self._points is not None  # noqa: S101
+        return self._points.outputs["points"]
+
+
+def _refuse_unknown(names: Sequence[str], known: Sequence[str]) -> None:
+    """Raise :class:`tmodes.errors.InputError` for a name that is not known."""
+    for name in names:
+        if name not in known:
+            raise InputError("quantities", repr(name), f"names among state, {', '.join(known)}", "correct the name")
+
 
 Array = NDArray[np.float64]
 

@@ -17,10 +17,9 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.equations.loop.control_kernels import WINDING, Servo
 from tmodes.errors import SimulationError
 from tmodes.integrate.settings import Integration
-from tmodes.simulation.endings import used_up
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.native_run import BOUND
-from tmodes.simulation.parts import Trajectory, sample_times
+from tmodes.simulation.parts import Trajectory, sample_times, used_up
 from tmodes.simulation.start import RunSetup
 from tmodes.simulation.stops import STOPPED, Instants, SetIn, Stops
 

@@ -11,10 +11,9 @@ from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.endings import Lost, chattered, used_up
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.method_change import COUNTED, MethodChange
-from tmodes.simulation.parts import ErrorEstimate, Trajectory, sample_times
+from tmodes.simulation.parts import ErrorEstimate, Lost, Trajectory, chattered, sample_times, used_up
 
 __all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]
 

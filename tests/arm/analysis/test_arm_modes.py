@@ -14,10 +14,11 @@ from arm.statics.test_elements import ROD, geared, on_joint
 from tmodes.analysis.modes.modes import MotorState, Servo, arm_modes
 from tmodes.analysis.modes.shapes import undamped_shapes
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.chain.chain import Body, Chain, Friction, Joint, Motor, Node
+from tmodes.chain.chain import Chain, Friction, Joint, Motor, Node
 from tmodes.errors import SimulationError
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.model.model import Model

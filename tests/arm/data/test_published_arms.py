@@ -213,9 +213,9 @@ def test_elasticity_over_a_urdf_holds_no_urdf(name):
 )
 def test_elasticity_over_the_urdf_is_an_arm(name, beams, gears, mass):
     """Where example-robot-data is installed: what bends, and the mass on the joints is the URDF's."""
-    from tmodes.chain.chain import RigidLink
     from tmodes.io.elasticity import read_elasticity
     from tmodes.kinds.drives.registry import drive_kind
+    from tmodes.kinds.links.rigid import RigidLink
     from tmodes.kinds.links.strain import Beam
 
     with resources.as_file(FOLDER / f"{name}.yaml") as path:

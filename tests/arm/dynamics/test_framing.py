@@ -10,12 +10,15 @@ import pytest
 from scipy.spatial.transform import Rotation
 
 from arm.random_chains import random_body, random_placement
-from tmodes.chain.chain import Body, Chain, Joint, Motor, Node, Placement, Point, RigidLink
+from tmodes.chain.chain import Chain, Joint, Motor, Node, Point
 from tmodes.compile.ir.ordering import kernel_function
 from tmodes.equations.recursion.framing import STRAIGHT, Framing, ScrewWay
 from tmodes.equations.recursion.screw_rates import rates_kernel
+from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.model.model import Model
 
 X, Z = np.array([1.0, 0.0, 0.0]), np.array([0.0, 0.0, 1.0])

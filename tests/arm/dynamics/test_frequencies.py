@@ -11,8 +11,11 @@ from scipy.linalg import eigh
 
 from arm.dynamics.exact_beams import bending, ritz_errors, rotating, torsion
 from arm.oracle.robots import piece
-from tmodes.chain.chain import Body, Chain, Joint, Node, Placement, RigidLink
+from tmodes.chain.chain import Chain, Joint, Node
+from tmodes.frame import Placement
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.strain import Beam
 from tmodes.model.model import Model

@@ -13,9 +13,10 @@ from arm.oracle.lagrange import Lagrangian
 from arm.oracle.pair import SPRUNG, Pair, assert_equations_agree, assert_near, assert_parts_agree
 from arm.oracle.robots import GRAVITY, arms, turned
 from arm.random_chains import random_body, random_state
-from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, RigidLink
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.model.model import Model
 
 RUBBED = Friction(0.3, 0.5, 0.2, 0.4, 1e-2)

@@ -15,11 +15,10 @@ from tmodes.bench.gcc import build
 from tmodes.bench.rigid import RigidChain
 from tmodes.chain.chain import Chain, Gear, Motor
 from tmodes.compile.ir import kernels
-from tmodes.compile.ir.c_text import c_text
 from tmodes.compile.ir.ordering import in_good_order, kernel_function, kernel_program
 from tmodes.compile.ir.program import READ, Instruction, block_program
 from tmodes.compile.ir.tracing import traced
-from tmodes.compile.ir.unroll import Unrolled
+from tmodes.compile.ir.unroll import Unrolled, c_text
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.model.model import Model

@@ -10,8 +10,9 @@ import pytest
 from numpy.typing import NDArray
 from scipy.linalg import eigh
 
-from tmodes.chain.chain import Body, Chain, Joint, Node, Point
+from tmodes.chain.chain import Chain, Joint, Node, Point
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.model.model import Model
 

@@ -6,7 +6,8 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.chain.chain import Chain, Joint, Node, Placement, Point
+from tmodes.chain.chain import Chain, Joint, Node, Point
+from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.strain import Beam, BeamPiece

@@ -12,9 +12,10 @@ from arm.oracle.robots import arms
 from arm.random_chains import random_chain, random_state
 from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import held_shape
-from tmodes.chain.chain import Body, Chain, Link, Point
+from tmodes.chain.chain import Chain, Point
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body, Link
 from tmodes.kinds.links.segment import Segment
 from tmodes.model.model import Model
 

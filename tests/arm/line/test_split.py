@@ -54,7 +54,9 @@ def test_held_shape_is_an_equilibrium_of_the_loads_and_the_gross_motion() -> Non
 
 def test_gear_deflection_is_output_less_input() -> None:
     """A mass on a horizontal arm behind a gear: xi = -m g l cos(q)/C, the motor's angle apart."""
-    from tmodes.chain.chain import Body, Placement, RigidLink
+    from tmodes.frame import Placement
+    from tmodes.kinds.links.contract import Body
+    from tmodes.kinds.links.rigid import RigidLink
 
     tilted = Placement(np.array([[1.0, 0, 0], [0, 0, -1.0], [0, 1.0, 0]]))
     joint = Joint(

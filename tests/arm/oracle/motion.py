@@ -11,9 +11,11 @@ import numpy as np
 
 from arm.oracle.line import DIRECTIONS, Line, counts
 from arm.oracle.rotation import about
-from tmodes.chain.chain import Body, Chain, Joint, Node, Placement
+from tmodes.chain.chain import Chain, Joint, Node
+from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.strain import Beam
 

@@ -7,8 +7,11 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.chain.chain import Body, Chain, Joint, Motor, Node, Placement, Point, RigidLink
+from tmodes.chain.chain import Chain, Joint, Motor, Node, Point
+from tmodes.frame import Placement
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 
 __all__ = ["chain_of", "model_of"]
 

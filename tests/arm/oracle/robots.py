@@ -8,9 +8,12 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.chain.chain import Body, Chain, Friction, Gear, Joint, Motor, Node, Placement, Point, RigidLink
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node, Point
+from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.strain import Beam, BeamPiece
 

@@ -11,9 +11,10 @@ from arm.oracle.lagrange import Lagrangian
 from arm.oracle.pinocchio_bridge import model_of
 from arm.oracle.robots import arms, piece, ur5, ur5_table
 from arm.random_chains import random_chain, random_state
-from tmodes.chain.chain import Body, Chain, Gear, Joint, Motor, Node
+from tmodes.chain.chain import Chain, Gear, Joint, Motor, Node
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.strain import Beam
 

@@ -10,8 +10,11 @@ import casadi as ca
 import numpy as np
 
 from arm.oracle.line import Line, counts
-from tmodes.chain.chain import Body, Chain, Friction, Joint, Node, Placement, RigidLink
+from tmodes.chain.chain import Chain, Friction, Joint, Node
+from tmodes.frame import Placement
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.strain import Beam, BeamPiece
 

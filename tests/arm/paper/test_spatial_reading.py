@@ -7,9 +7,10 @@ import pytest
 
 from lagrange.robot2010 import P
 from oracle.oracle import oracle
-from tmodes.chain.chain import Body, Chain, Friction, Gear, Joint, Motor, Node
+from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.segment import Segment
 from tmodes.model.model import Model
 

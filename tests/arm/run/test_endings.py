@@ -11,7 +11,7 @@ from arm.run.sheets import arm
 from tmodes.compile.loops.time_loop import Status
 from tmodes.result.record import STATUSES
 from tmodes.sheet import Robot
-from tmodes.simulation.endings import Lost
+from tmodes.simulation.parts import Lost
 from tmodes.simulation.simulate import simulate_motion
 
 G = 9.81

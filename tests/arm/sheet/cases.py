@@ -9,9 +9,11 @@ from typing import Any
 import numpy as np
 from scipy.spatial.transform import Rotation
 
-from tmodes.chain.chain import Chain, Placement, RigidLink
+from tmodes.chain.chain import Chain
 from tmodes.errors import InputErrors
+from tmodes.frame import Placement
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.strain import Beam
 from tmodes.sheet import Robot
 

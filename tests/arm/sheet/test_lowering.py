@@ -9,9 +9,9 @@ import pytest
 from scipy.integrate import quad_vec
 
 from arm.sheet.cases import SECTION, arm_of, at, beam, body, changed, joint, matrix, one_link, points, sheet, turned
-from tmodes.chain.chain import RigidLink
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.segment import Segment
 from tmodes.kinds.links.strain import Beam
 from tmodes.kinds.schema.axes import bent_line

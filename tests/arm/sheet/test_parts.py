@@ -9,7 +9,7 @@ import pytest
 from scipy.integrate import quad
 
 from arm.sheet.cases import SECTION, arm_of, at, beam, body, changed, one_link, problem, sheet
-from tmodes.chain.chain import RigidLink
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.strain import Beam
 
 INERTIAS = [

@@ -13,10 +13,13 @@ from tmodes.analysis.statics.held import free_coordinates
 from tmodes.analysis.statics.loads import acts_of
 from tmodes.analysis.statics.surface import surface_act
 from tmodes.analysis.statics.system import StaticSystem
-from tmodes.chain.chain import Body, Chain, Gear, Joint, Motor, Node, Placement, Point, RigidLink
+from tmodes.chain.chain import Chain, Gear, Joint, Motor, Node, Point
+from tmodes.frame import Placement
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
+from tmodes.kinds.links.rigid import RigidLink
 from tmodes.kinds.links.strain import Beam, BeamPiece  # fmt: skip
 from tmodes.model.model import Model
 

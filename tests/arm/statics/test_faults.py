@@ -8,9 +8,10 @@ import pytest
 from arm.statics.beams import clamped
 from arm.statics.test_elements import DOWN, ROD, geared, on_joint
 from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.chain.chain import Gear, Joint, RigidLink
+from tmodes.chain.chain import Gear, Joint
 from tmodes.errors import InputError, SimulationError
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.rigid import RigidLink
 
 
 @pytest.mark.parametrize(

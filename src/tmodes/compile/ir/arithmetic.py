@@ -19,7 +19,6 @@ __all__ = ["Derivative", "Double", "Lanes", "Wide"]
 _FUSE = ("contract",)  # a product and a sum may become one operation with one rounding; nothing else is rearranged
 _SIDE_BY_SIDE = 8  # sines that go at once: where a vector holds fewer, as two halves
 
-
 _PLAIN: dict[str, Callable[..., Any]] = {
     "add": lambda b, x, y, _: b.fadd(x, y, flags=_FUSE),
     "sub": lambda b, x, y, _: b.fsub(x, y, flags=_FUSE),
@@ -39,11 +38,10 @@ class Double:
     stride = 1
     name = "double"
     kind: Any = F64
-    suffix = "f64"
     unrolls = True
     """Whether small schedules become one program."""
     packs = False
-    """Whether blocks of a workspace share their room (:class:`tmodes.compile.ir.layout.Layout`)."""
+    """Whether blocks of a workspace share their room (:class:`tmodes.compile.ir.calls.Layout`)."""
 
     def __init__(self, module: Any) -> None:
         self.module = module
@@ -57,27 +55,23 @@ class Double:
         b.store(value, self._place(b, base, index), align=8)
 
     def _place(self, b: Any, base: Any, index: int) -> Any:
-        return at(b, base, index * self.stride)
+        return b.bitcast(at(b, base, index * self.stride), self.kind.as_pointer())
 
     def constant(self, value: float) -> Any:
         """A number known beforehand."""
         return number(value)
 
-    def packed(self, b: Any, doubles: Sequence[Any]) -> Any:  # noqa: ARG002
-        """A number from the doubles that it is made of; from one alone: that, whatever else may be in a number."""
-        return doubles[0]
-
-    def parts(self, b: Any, value: Any) -> list[Any]:  # noqa: ARG002
-        """The doubles of a number."""
-        return [value]
-
     def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
         """Sine and cosine."""
-        pair = b.call(sine_and_cosine(self.module), [angle])
+        alone = self.stride == 1
+        function = sine_and_cosine(self.module) if alone else sines_and_cosines(self.module, self.stride)
+        pair = b.call(function, [angle])
         return b.extract_value(pair, 0), b.extract_value(pair, 1)
 
     def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Sine and cosine of several angles, eight at a time: to the bit those of each alone."""
+        """Sine and cosine of several angles, single ones eight at a time: to the bit those of each alone."""
+        if self.stride > 1:
+            return [self.turn(b, angle) for angle in angles]
         found: list[tuple[Any, Any]] = []
         for start in range(0, len(angles), _SIDE_BY_SIDE):
             found += self._turn_together(b, angles[start : start + _SIDE_BY_SIDE])
@@ -91,9 +85,9 @@ class Double:
         for lane, angle in enumerate(angles):
             packed = b.insert_element(packed, angle, whole(lane))
         pair = b.call(sines_and_cosines(self.module, lanes), [packed])
-        both = [b.extract_value(pair, k) for k in range(2)]
+        sines, cosines = (b.extract_value(pair, k) for k in range(2))
         places = [whole(lane) for lane in range(len(angles))]
-        return [(b.extract_element(both[0], place), b.extract_element(both[1], place)) for place in places]
+        return [(b.extract_element(sines, place), b.extract_element(cosines, place)) for place in places]
 
     def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
         """The result of an operation of a program."""
@@ -105,7 +99,7 @@ class Double:
 
     def call(self, b: Any, kind: str, *values: Any) -> Any:
         """An LLVM intrinsic: ``sqrt``, ``minnum``, ..."""
-        name = f"llvm.{kind}.{self.suffix}"
+        name = f"llvm.{kind}.{'' if self.stride == 1 else f'v{self.stride}'}f64"
         function = self.module.globals.get(name)
         if function is None:
             function = ir.Function(self.module, ir.FunctionType(self.kind, [self.kind] * len(values)), name)
@@ -129,7 +123,6 @@ class Lanes(Double):
     stride = 4
     name = "lanes"
     kind: Any = ir.VectorType(F64, 4)
-    suffix = "v4f64"
     packs = True
 
     def constant(self, value: float) -> Any:
@@ -153,18 +146,6 @@ class Lanes(Double):
         """A double in all lanes."""
         return spread(b, value, self.kind)
 
-    def _place(self, b: Any, base: Any, index: int) -> Any:
-        return b.bitcast(at(b, base, index * self.stride), self.kind.as_pointer())
-
-    def turn(self, b: Any, angle: Any) -> tuple[Any, Any]:
-        """Sine and cosine."""
-        pair = b.call(sines_and_cosines(self.module, self.stride), [angle])
-        return b.extract_value(pair, 0), b.extract_value(pair, 1)
-
-    def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Sine and cosine of several angles."""
-        return [self.turn(b, angle) for angle in angles]
-
 
 class Wide(Lanes):
     """As many lanes as a vector of this processor holds: eight doubles where it has AVX-512, else four.
@@ -175,7 +156,6 @@ class Wide(Lanes):
     stride = 8 if dict(llvm.get_host_cpu_features()).get("avx512f") else 4
     name = f"wide{stride}"
     kind: Any = ir.VectorType(F64, stride)
-    suffix = f"v{stride}f64"
 
 
 class _Pair(NamedTuple):
@@ -236,10 +216,6 @@ class Derivative(Double):
         if slope is None:
             return _Pair(sine, None), _Pair(cosine, None)
         return _Pair(sine, self._times(b, cosine, slope)), _Pair(cosine, b.fneg(self._times(b, sine, slope)))
-
-    def turns(self, b: Any, angles: Sequence[Any]) -> list[tuple[Any, Any]]:
-        """Sine and cosine of several angles."""
-        return [self.turn(b, angle) for angle in angles]
 
     def operation(self, b: Any, kind: str, x: Any, y: Any = None) -> Any:
         """The result of an operation of a program."""

@@ -11,9 +11,8 @@ from typing import Any, NamedTuple
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double
-from tmodes.compile.ir.calls import write_calls
+from tmodes.compile.ir.calls import Layout, write_calls
 from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, declare, whole
-from tmodes.compile.ir.layout import Layout
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.ir.program import BlockProgram, Instruction
 from tmodes.compile.ir.rows import copy_numbers, give_rows, take_parameters, take_rows

@@ -1,21 +1,23 @@
 """The calls of a schedule: one by one, or, where they are many, as data and a loop.
 
-The data tell which kernel, and where its blocks begin in the workspace. So the code is as long as there are kinds of
+The data say which kernel, and where its blocks begin in the workspace. So the code is as long as there are kinds of
 kernels, and not calls: a thousand joints take no longer to compile than two hundred.
 """
 
 from __future__ import annotations
 
-from collections.abc import Callable
+from bisect import bisect_right
+from collections.abc import Callable, Iterable, Sequence
 from typing import Any
 
 import numpy as np
 from llvmlite import ir
+from numpy.typing import NDArray
 
 from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.emit import I64, POINTER, VOID, at, declare, whole
 
-__all__ = ["DIRECT", "I32", "table_of", "write_calls"]
+__all__ = ["DIRECT", "I32", "Layout", "needed_calls", "settled_calls", "table_of", "write_calls"]
 
 Symbols = Callable[[Any], str]
 _I8, I32 = ir.IntType(8), ir.IntType(32)
@@ -81,3 +83,121 @@ def _write_loop(b: Any, calls: list[tuple[str, list[int]]], workspace: Any) -> N
 
 def _next(b: Any, place: Any, count: int) -> Any:
     return b.gep(place, [whole(count)], source_etype=I32)
+
+
+class Layout:
+    """Places of the blocks: parameters first, then what changes, packed by first fit over the calls."""
+
+    def __init__(self, schedule: Any) -> None:
+        self._parameters = schedule.parameters
+        self._starts: list[int] = []
+        self._sizes: dict[int, int] = {}
+        for slot in [*schedule.inputs.values(), *(out for _, _, outs in schedule.calls for out in outs)]:
+            if slot.size:
+                self._starts.append(slot.start)
+                self._sizes[slot.start] = slot.size
+        self._starts.sort()
+        self._places: dict[int, int] = {}
+        self._free: list[tuple[int, int]] = []
+        self._end = 0
+        self._pack(schedule)
+
+    @property
+    def workspace(self) -> int:
+        """Numbers of the whole workspace."""
+        return self._parameters + self._end
+
+    def offset(self, slot: Any) -> int:
+        """Where a block, or a part of one, begins."""
+        if slot.region == "parameters" or not slot.size:
+            return slot.start if slot.region == "parameters" else 0
+        block = self._block(slot)
+        return self._parameters + self._places[block] + slot.start - block
+
+    def _block(self, slot: Any) -> int:
+        """Start, in the schedule, of the block that holds a slot."""
+        block = self._starts[bisect_right(self._starts, slot.start) - 1]
+        assert slot.start + slot.size <= block + self._sizes[block], f"{slot} in two blocks"  # noqa: S101
+        return block
+
+    def _blocks(self, slots: Iterable[Any]) -> list[int]:
+        return [self._block(slot) for slot in slots if slot.region == "changing" and slot.size]
+
+    def _pack(self, schedule: Any) -> None:
+        """Room for each block from the call that writes it to the last that reads it; outputs stay to the end."""
+        last: dict[int, int] = {}
+        for index, (_, inputs, outputs) in enumerate(schedule.calls):
+            last |= dict.fromkeys(self._blocks((*inputs, *outputs)), index)
+        kept = [slot for slots in schedule.outputs.values() for slot in slots]
+        kept += [schedule.gate] if schedule.gate else []
+        kept += [schedule.inputs["step"]] if "step" in schedule.inputs else []  # set once, before all calls
+        last |= dict.fromkeys(self._blocks(kept), len(schedule.calls))
+        for block in self._blocks(schedule.inputs.values()):
+            self._take(block)
+        for index, (_, inputs, outputs) in enumerate(schedule.calls):
+            for block in self._blocks(outputs):
+                self._take(block)
+            for block in {*self._blocks((*inputs, *outputs))}:
+                if last[block] == index:
+                    self._give_back(block)
+
+    def _take(self, block: int) -> None:
+        size = self._sizes[block]
+        for index, (start, room) in enumerate(self._free):
+            if room >= size:
+                self._places[block] = start
+                self._free[index : index + 1] = [(start + size, room - size)] if room > size else []
+                return
+        self._places[block] = self._end
+        self._end += size
+
+    def _give_back(self, block: int) -> None:
+        """Free the room of a block, joined with the free room next to it."""
+        self._free = sorted([*self._free, (self._places[block], self._sizes[block])])
+        joined = self._free[:1]
+        for start, room in self._free[1:]:
+            before, length = joined[-1]
+            if before + length == start:
+                joined[-1] = (before, length + room)
+            else:
+                joined.append((start, room))
+        self._free = joined
+
+
+Call = tuple[Any, tuple[Any, ...], tuple[Any, ...]]
+
+
+def needed_calls(schedule: Any, slots: Sequence[Any]) -> list[Call]:
+    """The calls that one of the blocks depends on, in their order."""
+    wanted, calls = _marked(schedule, slots), []
+    for call in reversed(schedule.calls):
+        _, inputs, outputs = call
+        if any(wanted[schedule.span(slot)].any() for slot in outputs):
+            calls.append(call)
+            for slot in inputs:
+                wanted[schedule.span(slot)] = True
+    return calls[::-1]
+
+
+def settled_calls(schedule: Any, calls: Sequence[Call]) -> set[int]:
+    """Identities of calls whose inputs are parameters, or come from such calls.
+
+    An output that depends on parameters alone is not known before its call, which may need more.
+    """
+    changing, settled = _marked(schedule, schedule.inputs.values()), set()
+    for call in calls:
+        _, inputs, outputs = call
+        if any(changing[schedule.span(slot)].any() for slot in inputs):
+            for slot in outputs:
+                changing[schedule.span(slot)] = True
+        else:
+            settled.add(id(call))
+    return settled
+
+
+def _marked(schedule: Any, slots: Iterable[Any]) -> NDArray[np.bool_]:
+    """Marks of a schedule's workspace, set in some blocks."""
+    marks = np.zeros(schedule.workspace, dtype=bool)
+    for slot in slots:
+        marks[schedule.span(slot)] = True
+    return marks

@@ -5,7 +5,6 @@ A. Griewank, A. Walther, Evaluating Derivatives (2008), chapter 3: tangents forw
 
 from __future__ import annotations
 
-from collections.abc import Sequence
 from dataclasses import dataclass, field
 from functools import lru_cache
 from typing import Any, NamedTuple
@@ -132,10 +131,6 @@ def _dense(sparsity: Any) -> NDArray[np.bool_]:
     rows, columns = sparsity.get_triplet()
     pattern[rows, columns] = True
     return pattern
-
-
-def _symbols(name: str, blocks: list[Any], used: Sequence[bool]) -> list[Any]:
-    return [ca.SX.sym(f"{name}{k}", blocks[k].numel()) if use else None for k, use in enumerate(used)]
 
 
 def _written(inputs: list[Any], outputs: list[Any], info: list[Elements]) -> Written:

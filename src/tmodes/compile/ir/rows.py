@@ -44,7 +44,7 @@ def take_parameters(b: Any, numbers: Double, row: Any, workspace: Any, size: int
         numbers.store(b, numbers.load(b, at(b, row, place), 0), at(b, workspace, place), 0)
 
 
-def take_rows(b: Any, numbers: Double, rows: Any, workspace: Any, blocks: Blocks, count: int) -> None:
+def take_rows(b: Any, numbers: Any, rows: Any, workspace: Any, blocks: Blocks, count: int) -> None:
     """Blocks of the workspace from ``count`` rows of doubles, one after the other: one for each part of a number.
 
     Each number is put together before it is stored: one that is loaded soon after its parts were stored is waited for.
@@ -59,7 +59,7 @@ def take_rows(b: Any, numbers: Double, rows: Any, workspace: Any, blocks: Blocks
         numbers.store(b, numbers.packed(b, doubles), at(b, workspace, place), 0)
 
 
-def give_rows(b: Any, numbers: Double, rows: Any, workspace: Any, blocks: Blocks) -> None:
+def give_rows(b: Any, numbers: Any, rows: Any, workspace: Any, blocks: Blocks) -> None:
     """Blocks of the workspace into rows of doubles, one for each part of a number."""
     if numbers.stride == 1:
         copy_numbers(b, numbers, rows, workspace, blocks, into=False)

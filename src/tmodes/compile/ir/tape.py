@@ -12,9 +12,9 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.compile.ir.calls import needed_calls, settled_calls
 from tmodes.compile.ir.derivative_kernels import ADD, NONE, STORE, Adjoint, Tangent
 from tmodes.compile.ir.derivative_program import Elements, reached, turned
-from tmodes.compile.ir.tape_calls import needed_calls, settled_calls
 from tmodes.compile.loops.tape_loop import Table
 
 __all__ = ["Tape"]
@@ -121,8 +121,8 @@ class Tape:
         table, depends = Table(), self._dependence(wanted)
         known = kept | (self._given(settled=True) if settled is not None else False)
         for place, slot in self._gathered() if settled is not True else ():
-            start = self.schedule.offset(slot)
-            block = slice(start, start + slot.size)
+            block = self.schedule.span(slot)
+            start = block.start
             if depends[block].any():
                 self._fill(table, known, block)
                 table.operation("gain" if known[block].any() else "move", start, place, slot.size)
@@ -135,9 +135,9 @@ class Tape:
 
     def _call_back(self, table: Table, call: Any, depends: Marks, known: Marks) -> None:
         kernel, inputs, outputs = call
-        blocks = [self._block(slot) for slot in outputs]
+        blocks = [self.schedule.span(slot) for slot in outputs]
         seeded = tuple(bool((known & depends)[block].any()) for block in blocks)
-        used = [bool(depends[self._block(slot)].any()) for slot in inputs]
+        used = [bool(depends[self.schedule.span(slot)].any()) for slot in inputs]
         if not any(seeded) or not any(used):
             return
         for block, seed in zip(blocks, seeded, strict=True):
@@ -145,7 +145,7 @@ class Tape:
                 self._fill(table, known, block, whole=True)
         modes = []
         for slot, use in zip(inputs, used, strict=True):
-            block = self._block(slot)
+            block = self.schedule.span(slot)
             modes.append(NONE if not use else ADD if known[block].any() else STORE)
             if use:
                 self._fill(table, known, block)
@@ -192,7 +192,7 @@ class Tape:
     ) -> None:
         moved = 0 if target is None else target - lanes * self.end
         for place, slot in self._gathered():
-            start, block = self.schedule.offset(slot), self._block(slot)
+            start, block = self.schedule.offset(slot), self.schedule.span(slot)
             if valued:
                 table.operation("move_values", place, start, slot.size)
             if marks[block].all() and lanes * start in done:
@@ -230,8 +230,4 @@ class Tape:
         return [self._angles[id(call)]] if turned(call[0]) else []
 
     def _elements(self, slot: Any, marks: Marks) -> Elements:
-        return tuple(np.flatnonzero(marks[self._block(slot)]).tolist())
-
-    def _block(self, slot: Any) -> slice:
-        start = self.schedule.offset(slot)
-        return slice(start, start + slot.size)
+        return tuple(np.flatnonzero(marks[self.schedule.span(slot)]).tolist())

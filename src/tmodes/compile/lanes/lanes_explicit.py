@@ -6,18 +6,22 @@ The method is that of :mod:`tmodes.compile.loops.explicit_loop`.
 from __future__ import annotations
 
 import math
+import struct
 from typing import Any
 
+from llvmlite import ir
+
+from tmodes.compile.ir.arithmetic import Lanes
 from tmodes.compile.ir.block import ScheduleRate
-from tmodes.compile.lanes import lanes_gate
+from tmodes.compile.ir.emit import I64
 from tmodes.compile.lanes.lanes_loop import LanesLoop, due_samples, write_sample
-from tmodes.compile.lanes.lanes_power import exponential, logarithm
 from tmodes.compile.loops.explicit_loop import adaptive_control, error_of, hermite, interpolation, slopes, stages
+from tmodes.compile.loops.gate import gate_change, gate_numbers
 from tmodes.compile.loops.step_control import StepControl, first_length, next_step
 from tmodes.compile.loops.time_loop import AdaptiveStep, Status
 from tmodes.integrate.method import Tableau
 
-__all__ = ["write_lanes_loop"]
+__all__ = ["exponential", "logarithm", "write_lanes_loop"]
 
 
 def write_lanes_loop(module: Any, name: str, rate: ScheduleRate, guarded: int, tableau: Tableau) -> None:
@@ -30,7 +34,7 @@ def write_lanes_loop(module: Any, name: str, rate: ScheduleRate, guarded: int, t
 def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
     """A rejected lane tries again while its neighbours go on."""
     b, control = loop.builder, adaptive_control(tableau)
-    lanes_gate.begin(loop, "y", "probe")
+    _begin_gate(loop, "y", "probe")
     _first_stage(loop)
     step = _step_until_knot(loop)
     running = loop.running()
@@ -43,7 +47,7 @@ def _write_adaptive(loop: LanesLoop, tableau: Tableau) -> None:
     good = b.and_(running, good)
     inside = loop.within_bounds("new")
     loop.end_where(b.and_(good, b.not_(inside)), Status.DIVERGED)
-    accepted = lanes_gate.meet(loop, step.h, b.and_(good, inside))
+    accepted = _meet_gate(loop, step.h, b.and_(good, inside))
     with due_samples(loop, accepted, step.time_after) as (due, wanted):
         weights = interpolation(loop, tableau, b.fdiv(b.fsub(wanted, step.time), step.h), step.h)
         write_sample(loop, due, lambda i: loop.weighted(weights, i))
@@ -129,3 +133,103 @@ def _write_fixed(loop: LanesLoop, tableau: Tableau) -> None:
         write_sample(loop, due, lambda i: b.select(between, loop.weighted(weights, i), loop.load("new", i)))
     loop.put("index", b.select(step.last, loop.constant(0.0), step.count), taken)
     loop.take(taken, step.time_after, step.last)
+
+
+_CELLS = ("gate0", "gate1")
+
+
+def _begin_gate(loop: LanesLoop, state: str, into: str) -> None:
+    """The gate at the start of the first steps, which all lanes take together; then it is in the memory."""
+    if loop.rate.gate_offset is None:
+        return
+    b = loop.builder
+    unknown = b.fcmp_ordered("==", loop.get("gate_known"), loop.constant(0.0))
+    with b.if_then(loop.any(unknown), likely=False):
+        loop.evaluate(loop.get("t"), state, into)
+        _keep(loop, unknown)
+        loop.put("gate_known", loop.constant(1.0))
+
+
+def _keep(loop: LanesLoop, where: Any) -> None:
+    for label, value in zip(_CELLS, gate_numbers(loop), strict=True):
+        loop.put(label, value, where)
+
+
+def _meet_gate(loop: LanesLoop, h: Any, accepted: Any) -> Any:
+    """Of the accepted lanes those whose gate did not change too early; the others try again with a shorter step.
+
+    A lane whose gate changes too often is over.
+    """
+    if loop.rate.gate_offset is None:
+        return accepted
+    b = loop.builder
+    changed, missed, shorter = gate_change(loop, [loop.get(label) for label in _CELLS], h)
+    missed = b.and_(accepted, missed)
+    loop.put("h", shorter, missed)
+    loop.count("rejected", missed)
+    met = b.and_(accepted, b.not_(missed))
+    changed = b.and_(met, changed)
+    with b.if_then(loop.any(changed), likely=False):
+        _count(loop, changed)
+    calm = b.fcmp_ordered("<=", loop.get("burst"), loop.option("most_events"))
+    loop.end_where(b.and_(met, b.not_(calm)), Status.CHATTERING)
+    met = b.and_(met, calm)
+    _keep(loop, met)
+    return met
+
+
+def _count(loop: LanesLoop, changed: Any) -> None:
+    """Count the changes of each lane, also among those that came within a short time."""
+    b, time = loop.builder, loop.get("t")
+    loop.count("events", changed)
+    later = b.fcmp_ordered(">", b.fsub(time, loop.get("burst_time")), loop.option("event_time"))
+    loop.put("burst", loop.constant(0.0), b.and_(changed, later))
+    loop.put("burst_time", time, b.and_(changed, later))
+    loop.count("burst", changed)
+
+
+_SHIFT, _ONE = 52, 1023 << 52
+_MAGIC = 1.5 * 2.0**52
+"""Added to a number below 2^51 it leaves the nearest whole number in the low bits."""
+_ROOT_HALF = struct.unpack("<q", struct.pack("<d", math.sqrt(0.5)))[0]
+"""Bits of the square root of 1/2."""
+
+
+def _whole(lanes: Lanes) -> Any:
+    return ir.VectorType(I64, lanes.stride)
+
+
+def _bits(lanes: Lanes, value: int) -> Any:
+    return ir.Constant(_whole(lanes), [value] * lanes.stride)
+
+
+def logarithm(b: Any, lanes: Lanes, x: Any) -> Any:
+    """Logarithm to base 2 of positive normal numbers; of others some finite number."""
+    bits = b.bitcast(x, _whole(lanes))
+    # The mantissa lies in [sqrt(1/2), sqrt(2)) when the exponent is taken at that boundary.
+    shifted = b.sub(bits, _bits(lanes, _ROOT_HALF))
+    exponent = b.and_(b.lshr(shifted, _bits(lanes, _SHIFT)), _bits(lanes, 0xFFF))
+    mantissa = b.bitcast(b.sub(bits, b.shl(exponent, _bits(lanes, _SHIFT))), lanes.kind)
+    # As a double: the whole number becomes the low bits of 2^52, or, where it is negative, of 2^52 + 2^12.
+    signed = b.xor(exponent, _bits(lanes, 0x800))
+    number = b.bitcast(b.or_(signed, _bits(lanes, (1023 + _SHIFT) << _SHIFT)), lanes.kind)
+    power = b.fsub(number, lanes.constant(2.0**_SHIFT + 0x800))
+    t = b.fdiv(b.fsub(mantissa, lanes.constant(1.0)), b.fadd(mantissa, lanes.constant(1.0)))
+    series = _polynomial(b, lanes, b.fmul(t, t), [2 / math.log(2) / (2 * k + 1) for k in range(6)])
+    return b.fadd(power, b.fmul(t, series))
+
+
+def exponential(b: Any, lanes: Lanes, x: Any) -> Any:
+    """2 to the power x, for |x| below 1000."""
+    moved = b.fadd(x, lanes.constant(_MAGIC))
+    share = b.fsub(x, b.fsub(moved, lanes.constant(_MAGIC)))
+    scale = b.add(b.shl(b.bitcast(moved, _whole(lanes)), _bits(lanes, _SHIFT)), _bits(lanes, _ONE))
+    series = _polynomial(b, lanes, share, [math.log(2) ** k / math.factorial(k) for k in range(9)])
+    return b.fmul(series, b.bitcast(scale, lanes.kind))
+
+
+def _polynomial(b: Any, lanes: Lanes, x: Any, coefficients: list[float]) -> Any:
+    value = lanes.constant(coefficients[-1])
+    for coefficient in reversed(coefficients[:-1]):
+        value = b.fadd(lanes.constant(coefficient), b.fmul(x, value))
+    return value

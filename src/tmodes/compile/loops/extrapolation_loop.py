@@ -15,8 +15,8 @@ from llvmlite import ir
 
 from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
 from tmodes.compile.loops.extrapolation_rows import PairedRows, constants
+from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
-from tmodes.compile.loops.motion_norm import MotionNorm
 from tmodes.compile.loops.rows_rate import RowsRate
 from tmodes.compile.loops.step_control import ImplicitControl, add_local_errors
 from tmodes.compile.loops.tableau import difference_weights, limit_weights, spread_weights, steady_weights

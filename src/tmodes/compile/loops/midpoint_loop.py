@@ -13,7 +13,7 @@ from typing import Any
 
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, counted, number, store, whole
-from tmodes.compile.loops.motion_norm import MotionNorm
+from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.step_control import next_step, take_step
 from tmodes.compile.loops.time_loop import Status, TimeLoop
 from tmodes.errors import CompileError

@@ -13,8 +13,8 @@ from typing import Any
 from tmodes.compile.ir.block import ScheduleRate
 from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
 from tmodes.compile.ir.lu import lu_functions
+from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
-from tmodes.compile.loops.motion_norm import MotionNorm
 from tmodes.compile.loops.rate_jacobian import RateJacobian
 from tmodes.compile.loops.step_control import ImplicitControl, add_local_errors
 from tmodes.compile.loops.time_loop import TimeLoop

@@ -2,13 +2,16 @@
 
 from __future__ import annotations
 
+from typing import Any
+
 from tmodes.equations.lagrange.chained import ChainedSystem
 from tmodes.equations.lagrange.motion import LagrangeDynamics, LagrangeWay
 from tmodes.equations.lagrange.schedules import elastic_schedule, forward_schedule, inertia_schedule
 from tmodes.equations.lagrange.system import System
+from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import Blocks
-from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.schedule import Schedule, Slot
 
 __all__ = ["LagrangeMechanics"]
 
@@ -49,14 +52,6 @@ class LagrangeMechanics:
         del posed
         return LagrangeWay(self.chained, blocks)
 
-    def dynamics(
-        self,
-        way: LagrangeWay,
-        effort: Slot,
-        given: Slot,
-        step: Slot,
-        start: tuple[Divisible, Slot],
-        feedback: Slot | None = None,
-    ) -> LagrangeDynamics:
+    def dynamics(self, way: Any, drives: Drives) -> LagrangeDynamics:
         """The system's rows, to be solved."""
-        return LagrangeDynamics(way, effort, given, step, start, feedback)
+        return LagrangeDynamics(way, drives)

@@ -9,8 +9,9 @@ import casadi as ca
 from tmodes.equations.lagrange.chained import ChainedSystem
 from tmodes.equations.lagrange.kernels import SystemKernels, entries, unpacked
 from tmodes.equations.lagrange.motion import LagrangeDynamics, LagrangeWay
-from tmodes.equations.recursion.ahead import ahead_kernel
+from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.elastic import elastic_of_drives
+from tmodes.equations.recursion.forward import ahead_kernel
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 
@@ -28,7 +29,7 @@ def forward_schedule(chained: ChainedSystem, *, loaded: bool = False) -> Schedul
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
     step = schedule.input("step", 1)
     (ahead,) = schedule.call(ahead_kernel(parts.size), way.q, way.v, step)
-    schedule.output("a", *LagrangeDynamics(way, effort, given, step, (ahead, way.v)).run())
+    schedule.output("a", *LagrangeDynamics(way, Drives(effort, given, step, (ahead, way.v))).run())
     return schedule
 
 

@@ -57,7 +57,7 @@ class Lines:
 def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False) -> Lines:
     """The lines at the places ``s`` (S,) along each link; ``loaded``: forces act on the points.
 
-    ``drawn`` adds further lines, see :meth:`tmodes.equations.contract.Mechanics.drawn`.
+    ``drawn`` adds further lines, see :meth:`tmodes.equations.recursion.mechanics.RecursiveMechanics.drawn`.
     """
     way = Passes(parts, posed=True, loaded=loaded)
     way.take_wrenches()

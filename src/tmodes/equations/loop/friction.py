@@ -9,29 +9,15 @@ from __future__ import annotations
 
 from collections.abc import Callable
 from dataclasses import dataclass, field
-from typing import Any, Protocol
+from typing import Any
 
-from tmodes.equations.contract import Dynamics, Way
-from tmodes.equations.loop.loop_parts import LoopParts
-from tmodes.equations.loop.plan import LoopPlan
+from tmodes.equations.loop.serving import Serving
+from tmodes.equations.mechanics import Dynamics
 from tmodes.equations.recursion.parts import AxisPart
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 
 __all__ = ["Solution", "contact_fold", "solved"]
-
-
-class Instant(Protocol):
-    """What is asked of the instant whose accelerations are solved for."""
-
-    plan: LoopPlan
-    loop: LoopParts
-    way: Way
-    mass_step: Slot
-
-    def call(self, kernel: Kernel, *blocks: Slot) -> tuple[Slot, ...]:
-        """Call a kernel."""
-        ...
 
 
 @dataclass(eq=False)
@@ -42,7 +28,7 @@ class Solution:
     see :meth:`Touch.share`; ``free``: the accelerations without the friction.
     """
 
-    instant: Instant
+    instant: Serving
     first: Dynamics
     accelerations: list[Slot]
     second: Dynamics | None = None
@@ -85,7 +71,7 @@ def _mean_kernel(size: int) -> Kernel:
     return Kernel(f"mean {size}", (1, size, size), (size,), build)
 
 
-def solved(instant: Instant, start: Callable[[], Dynamics]) -> Solution:
+def solved(instant: Serving, start: Callable[[], Dynamics]) -> Solution:
     """Solve the dynamics that ``start`` gives; twice where friction depends on the accelerations."""
     run = start()
     free = Solution(instant, run, run.run())
@@ -121,7 +107,7 @@ def contact_fold(solution: Solution, start: Callable[[], Dynamics]) -> Slot:
     return instant.call(plan.touch.fold(), pose, before, after, instant.loop.touch, solution.fold)[0]
 
 
-def _with_wrench(instant: Instant, start: Callable[[], Dynamics], wrench: Slot) -> Solution:
+def _with_wrench(instant: Serving, start: Callable[[], Dynamics], wrench: Slot) -> Solution:
     """The solution with another wrench on the point that touches."""
     assert instant.plan.touch is not None  # noqa: S101
     wrenches, point = instant.way.wrenches, instant.plan.touch.point

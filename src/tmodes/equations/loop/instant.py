@@ -8,11 +8,11 @@ from __future__ import annotations
 from collections.abc import Callable
 
 from tmodes.equations.loop.friction import solved
-from tmodes.equations.loop.load_kernels import load_kernel
 from tmodes.equations.loop.loop_parts import LoopParts
 from tmodes.equations.loop.serving import Serving
-from tmodes.equations.loop.signals_kernels import base_kernel
+from tmodes.equations.loop.signals_kernels import base_kernel, load_kernel
 from tmodes.equations.mechanics import Dynamics, Way
+from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.passes import Blocks
 from tmodes.kinds.kernel.schedule import Divisible, Slot
 from tmodes.kinds.kernel.spatial import FORCE
@@ -114,7 +114,7 @@ class Instant(Serving):
         moved = self.pack(*(given[name] for name in parts.given))
 
         def start() -> Dynamics:
-            begun = self.loop.mechanics.dynamics(self.way, effort, moved, self.step, self.start, feedback=swing)
+            begun = self.loop.mechanics.dynamics(self.way, Drives(effort, moved, self.step, self.start, swing))
             begun.followed = followed
             return begun
 

@@ -7,9 +7,9 @@ from typing import Any
 from tmodes.equations.loop.contact_kernels import CONTACT_OUTPUTS
 from tmodes.equations.loop.control_kernels import WINDING, needed_kernel
 from tmodes.equations.loop.instant import Instant
-from tmodes.equations.loop.load_kernels import power_kernel
 from tmodes.equations.loop.loop_parts import Driver
 from tmodes.equations.loop.plan import WORKS
+from tmodes.equations.loop.signals_kernels import power_kernel
 from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel import vectors as v

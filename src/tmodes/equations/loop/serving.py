@@ -5,6 +5,7 @@ from __future__ import annotations
 from tmodes.equations.loop.control_kernels import Servo, View
 from tmodes.equations.loop.loop_parts import Driver, LoopParts
 from tmodes.equations.loop.signals_kernels import replacing_kernel, signal_kernel
+from tmodes.equations.mechanics import Way
 from tmodes.equations.recursion.coordinates import packing_kernel
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
@@ -13,7 +14,13 @@ __all__ = ["Serving", "sampled_state"]
 
 
 class Serving:
-    """A schedule of (time, state, row, step), and its ``signals`` (3 each)."""
+    """A schedule of (time, state, row, step), and its ``signals`` (3 each).
+
+    ``way``: the outward pass; ``mass_step``: step of the mass of a surface that moves with a point.
+    """
+
+    way: Way
+    mass_step: Slot
 
     def __init__(self, loop: LoopParts, *, implicit: bool = False) -> None:
         """``implicit``: the input ``step`` may be other than zero."""

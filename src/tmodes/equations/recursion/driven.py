@@ -6,38 +6,27 @@ and an inertia of its own, and the motor behind an elastic gear follows from the
 
 from __future__ import annotations
 
-from typing import Any, Protocol
+from typing import Any, NamedTuple
 
-from tmodes.equations.recursion.coordinates import packing_kernel
-from tmodes.equations.recursion.parts import AxisPart, Parts
-from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.equations.recursion.coordinates import Coordinates, packing_kernel
+from tmodes.equations.recursion.parts import AxisPart
+from tmodes.kinds.kernel.schedule import Divisible, Slot
 
-__all__ = ["Driven", "DrivenWay"]
+__all__ = ["Driven", "Drives"]
 
 
-class DrivenWay(Protocol):
-    """What the drives read of the outward pass."""
+class Drives(NamedTuple):
+    """What drives a chain: ``effort`` of each drive, accelerations that are ``given``, length of an implicit ``step``.
 
-    parts: Parts
-    schedule: Schedule
-    v: Slot
-    none: dict[int, Slot]
+    ``start``: coordinates and rates from which springs, dampers and friction start; those of the outward pass place all
+    else. ``feedback`` (2 per effort): see :meth:`DriveKernels.forward`.
+    """
 
-    def angle(self, axis: AxisPart) -> tuple[Slot, Slot]:
-        """A coordinate of a joint and its rate."""
-        ...
-
-    def motor(self, axis: AxisPart) -> tuple[Slot, Slot]:
-        """Angle and rate of a motor."""
-        ...
-
-    def coupled_inputs(self) -> dict[int, tuple[Slot, Slot]]:
-        """Angle and rate at the input of each coupled gear, by the index of its motor."""
-        ...
-
-    def coupled_loads(self, torques: dict[int, Slot]) -> dict[int, Slot]:
-        """Load of all coupled gears on each motor, by the motor's index."""
-        ...
+    effort: Slot
+    given: Slot
+    step: Slot
+    start: tuple[Divisible, Slot]
+    feedback: Slot | None = None
 
 
 class Driven:
@@ -45,21 +34,9 @@ class Driven:
 
     way: Any
 
-    def __init__(
-        self,
-        way: DrivenWay,
-        effort: Slot,
-        given: Slot,
-        step: Slot,
-        start: tuple[Divisible, Slot],
-        feedback: Slot | None = None,
-    ) -> None:
-        """``start``: coordinates and rates from which springs, dampers and friction start; those of ``way`` place all.
-
-        ``feedback`` (2 per effort): see :meth:`DriveKernels.forward`.
-        """
-        self.way, self.effort, self.given, self.step, self.feedback = way, effort, given, step, feedback
-        self.start = start
+    def __init__(self, way: Coordinates, drives: Drives) -> None:
+        self.way = way
+        self.effort, self.given, self.step, self.start, self.feedback = drives
         self.followed: dict[int, Slot] = {}  # index of a motor that keeps a given motion -> its acceleration
         self.schedule, self.parts = way.schedule, way.parts
         self.motor_terms: dict[int, Slot] = {}

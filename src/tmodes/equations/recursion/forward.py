@@ -2,19 +2,20 @@
 
 from __future__ import annotations
 
-from tmodes.equations.recursion.ahead import Ahead
+from typing import Any
+
 from tmodes.equations.recursion.body_kernels import point_kernel, times_kernel
-from tmodes.equations.recursion.driven import Driven
+from tmodes.equations.recursion.driven import Driven, Drives
 from tmodes.equations.recursion.general_joint import GeneralJoint
 from tmodes.equations.recursion.hinge import Hinge
 from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.equations.recursion.screw import Screw
 from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["Recursion", "forward_dynamics"]
+__all__ = ["Ahead", "Recursion", "ahead_kernel", "forward_dynamics"]
 
 
 def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
@@ -29,7 +30,7 @@ def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
     step = schedule.input("step", 1)
     way.outwards()
-    schedule.output("a", *Recursion(way, effort, given, step, (Ahead(way, step), way.v)).run())
+    schedule.output("a", *Recursion(way, Drives(effort, given, step, (Ahead(way, step), way.v))).run())
     return schedule
 
 
@@ -42,17 +43,9 @@ class Recursion(Driven):
 
     way: Passes
 
-    def __init__(
-        self,
-        way: Passes,
-        effort: Slot,
-        given: Slot,
-        step: Slot,
-        start: tuple[Divisible, Slot],
-        feedback: Slot | None = None,
-    ) -> None:
+    def __init__(self, way: Passes, drives: Drives) -> None:
         """As :class:`Driven`."""
-        super().__init__(way, effort, given, step, start, feedback)
+        super().__init__(way, drives)
         self.hung: dict[int, tuple[Slot, Slot]] = {}
         self.on_base: list[tuple[Kernel, tuple[Slot, ...]]] = []
         self.roots: list[Slot] = []
@@ -158,3 +151,39 @@ class Recursion(Driven):
         rate = section.part(12, 3) if section else way.tip_rate
         kernel = point_kernel(on_section=section is not None)
         return self.schedule.call(kernel, pose, self.way.frame(section), rate, motion, self.parts.offsets[k])
+
+
+_GROUP = 8
+"""Motors or joints that go in one call; so the code is no longer for a longer arm."""
+
+
+class Ahead:
+    """Stands for the block of all coordinates; a call is added where a coordinate of its group is first asked for.
+
+    A group is some motors, some joints, or all coordinates of one link.
+    """
+
+    def __init__(self, way: Passes, step: Slot) -> None:
+        self.way, self.step = way, step
+        self.found: dict[int, Slot] = {}
+        motors, joints = way.parts.motors, way.parts.joints
+        firsts = [*motors[::_GROUP], *joints[::_GROUP], *(part.link.first for part in way.parts.nodes if part.link)]
+        self.firsts = sorted({*firsts, way.parts.size})
+
+    def part(self, start: int, size: int) -> Slot:
+        """A block of them, within one group."""
+        first = max(first for first in self.firsts if first <= start)
+        if first not in self.found:
+            count = min(other for other in self.firsts if other > first) - first
+            blocks = self.way.q.part(first, count), self.way.v.part(first, count), self.step
+            (self.found[first],) = self.way.schedule.call(ahead_kernel(count), *blocks)
+        return self.found[first].part(start - first, size)
+
+
+def ahead_kernel(size: int) -> Kernel:
+    """(q, v, h) -> q + h v."""
+
+    def build(q: Any, v: Any, step: Any) -> list[list[Any]]:
+        return [[q[i] + step[0] * v[i] for i in range(size)]]
+
+    return Kernel(f"ahead {size}", (size, size, 1), (size,), build, plain=True)

@@ -13,8 +13,9 @@ from dataclasses import dataclass, replace
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Body, Chain, Node
+from tmodes.chain.chain import Chain, Node
 from tmodes.frame import Placement
+from tmodes.kinds.links.contract import Body
 
 __all__ = ["STRAIGHT", "Framing", "ScrewWay", "moved_body"]
 

@@ -14,8 +14,7 @@ from tmodes.equations.recursion.hinge import HINGE, PLACEMENT, POSE
 from tmodes.kinds.joints.contract import JointKind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
-from tmodes.kinds.kernel.triangular import factor, forward_substitution
+from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, factor, forward_substitution
 
 __all__ = ["GeneralJoint", "held_numbers"]
 

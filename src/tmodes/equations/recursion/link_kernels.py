@@ -13,8 +13,16 @@ from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, body_bias, body_inertia
-from tmodes.kinds.kernel.triangular import factor, forward_substitution
+from tmodes.kinds.kernel.spatial import (
+    FORCE,
+    INERTIA,
+    Force,
+    Inertia,
+    body_bias,
+    body_inertia,
+    factor,
+    forward_substitution,
+)
 from tmodes.kinds.links.contract import LinkStructure, Row
 from tmodes.kinds.links.terms import LinkTerms, Section, frame_size
 

@@ -2,12 +2,15 @@
 
 from __future__ import annotations
 
+from typing import Any
+
+from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.elastic import elastic_forces
 from tmodes.equations.recursion.forward import Recursion, forward_dynamics
 from tmodes.equations.recursion.inertia import inertia_forces
 from tmodes.equations.recursion.parts import Parts
 from tmodes.equations.recursion.passes import Blocks, Passes
-from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.schedule import Schedule, Slot
 
 __all__ = ["RecursiveMechanics"]
 
@@ -43,14 +46,6 @@ class RecursiveMechanics:
         way.outwards()
         return way
 
-    def dynamics(
-        self,
-        way: Passes,
-        effort: Slot,
-        given: Slot,
-        step: Slot,
-        start: tuple[Divisible, Slot],
-        feedback: Slot | None = None,
-    ) -> Recursion:
+    def dynamics(self, way: Any, drives: Drives) -> Recursion:
         """The recursion inwards and outwards again."""
-        return Recursion(way, effort, given, step, start, feedback)
+        return Recursion(way, drives)

@@ -8,7 +8,7 @@ from functools import cached_property
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.chain.chain import Axis, Body, Chain, Joint, Link, Node, Point
+from tmodes.chain.chain import Axis, Chain, Joint, Node, Point
 from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.drive_kernels import DriveKernels, drive_kernels, drive_numbers
 from tmodes.equations.recursion.framing import STRAIGHT, Framing
@@ -18,6 +18,7 @@ from tmodes.equations.recursion.link_kernels import BendingLink
 from tmodes.equations.recursion.screw import Screw, screw_numbers
 from tmodes.kinds.kernel.schedule import Numbers, Slot
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA
+from tmodes.kinds.links.contract import Body, Link
 
 __all__ = ["LinkPart", "NodePart", "Parts", "packed_bodies"]
 

@@ -111,6 +111,11 @@ class Schedule:
         """Where a block begins in the workspace."""
         return slot.start + (self.parameters if slot.region == "changing" else 0)
 
+    def span(self, slot: Slot) -> slice:
+        """Where a block stands in the workspace."""
+        start = self.offset(slot)
+        return slice(start, start + slot.size)
+
     @property
     def input_size(self) -> int:
         """Numbers that the caller fills."""

@@ -7,33 +7,10 @@ from math import factorial
 from typing import Any
 
 __all__ = [
-    "Matrix",
-    "Vector",
-    "about",
-    "add",
-    "cross",
-    "dot",
-    "flat",
-    "identity",
-    "matmul",
-    "matvec",
-    "outer",
-    "rodrigues",
-    "scale",
-    "series",
-    "six",
-    "skew",
-    "slope_of_series",
-    "sub",
-    "symmetric",
-    "total",
-    "transpose",
-    "tri",
-    "turn",
-    "unit",
-    "vec",
-    "zero",
-]
+    "Matrix", "Vector", "about", "add", "cross", "dot", "flat", "identity", "matmul", "matvec", "outer", "rodrigues",
+    "scale", "series", "six", "skew", "slope_of_series", "sub", "symmetric", "total", "transpose", "tri", "turn",
+    "unit", "vec", "zero",
+]  # fmt: skip
 
 Vector = list[Any]
 Matrix = list[list[Any]]

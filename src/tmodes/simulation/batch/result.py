@@ -1,17 +1,27 @@
-"""BatchRun: what a batch of runs gave, lane by lane."""
+"""BatchRun: what a batch of runs gave, lane by lane; in memory, or in a folder whose files are whole or absent."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
-from dataclasses import dataclass, field
+import json
+import os
+from collections.abc import Iterator, Sequence
+from contextlib import contextmanager
+from dataclasses import dataclass, field, replace
 from pathlib import Path
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.errors import InputError
+from tmodes.integrate.settings import MOST_BYTES
+from tmodes.io.atomic import FolderLock, atomic_write, check_writable, file_error
 from tmodes.simulation.parts import Trajectory
 
-__all__ = ["COUNTS", "BatchRun", "gathered", "not_begun"]
+__all__ = [
+    "BATCH_FORMAT", "COUNTS", "BatchRun", "check_room", "gathered", "load_batch", "not_begun", "room_for",
+    "write_batch",
+]  # fmt: skip
 
 COUNTS = ("steps", "rejected", "evaluations")
 """Statistics of each lane."""
@@ -78,3 +88,125 @@ def gathered(
         tuple(run.message for run in runs),
         {name: np.array([int(run.statistics[name]) for run in runs], dtype=np.int64) for name in COUNTS},
     )
+
+
+Array = NDArray[np.float64]
+
+BATCH_FORMAT = 1
+"""Version of the files of a batch."""
+
+_STATES, _TIMES, _TIPS, _SUMMARY = "states.npy", "times.npy", "tips.npy", "batch.json"
+
+
+@contextmanager
+def room_for(shape: tuple[int, int, int], folder: Path | None) -> Iterator[Array]:
+    """An array for the samples: in memory, or a file of the folder, there under its name when the block ends well.
+
+    Raises :class:`tmodes.errors.InputError` for more than memory is meant for, and
+    :class:`tmodes.errors.ResultFileError` where the disk has no room, or a batch is there already.
+    """
+    check_room(shape, folder)
+    if folder is None:
+        yield np.empty(shape)
+        return
+    folder.mkdir(parents=True, exist_ok=True)
+    with FolderLock(folder):
+        _refuse_batch(folder)
+        with atomic_write(folder / _STATES) as path:
+            states = np.lib.format.open_memmap(path, mode="w+", dtype=np.float64, shape=shape)
+            _reserve(path)
+            yield states
+            states.flush()
+            del states
+
+
+def _reserve(path: Path) -> None:
+    """Take the disk's room for a file: to write into a map of a file whose disk is full ends the process."""
+    if hasattr(os, "posix_fallocate"):
+        with path.open("r+b") as file:
+            os.posix_fallocate(file.fileno(), 0, path.stat().st_size)
+
+
+def check_room(shape: tuple[int, int, int], folder: Path | None) -> None:
+    """Refuse, with numbers, more samples (lanes, samples, size) than there is room for; and to write over a batch."""
+    lanes, samples, size = shape
+    needed = 8 * lanes * samples * size
+    if folder is not None:
+        _refuse_batch(folder)
+        absent = [place for place in (folder, *folder.parents) if not place.exists()]
+        check_writable(folder, needed)
+        for place in absent:  # to ask leaves nothing behind
+            place.rmdir()
+    elif needed > MOST_BYTES:
+        raise InputError(
+            "simulate_batch",
+            f"{lanes} lanes of {samples} samples of {size} numbers, {needed / 1e9:.3g} GB",
+            f"at most {MOST_BYTES / 1e9:.3g} GB in memory",
+            "give a folder (out=), a longer output_step, or fewer lanes",
+        )
+
+
+def _refuse_batch(folder: Path) -> None:
+    if (there := folder / _SUMMARY).exists():
+        raise file_error(there, "a batch that is there", "a new folder", "choose another folder")
+
+
+def write_batch(batch: BatchRun, folder: Path) -> None:
+    """Write all but the samples, which are there; the description comes last, and only with it is a batch whole."""
+    for name, values in ((_TIMES, batch.times), (_TIPS, batch.tips)):
+        if values is not None:
+            with atomic_write(folder / name) as path, path.open("wb") as file:
+                np.save(file, values, allow_pickle=False)
+    info = {
+        "format": BATCH_FORMAT,
+        "shape": list(batch.states.shape),
+        "coordinates": list(batch.coordinates),
+        "samples": batch.counts.tolist(),
+        "status": list(batch.status),
+        "message": list(batch.message),
+        "statistics": {name: values.tolist() for name, values in batch.statistics.items()},
+        "values": {
+            path: [v if np.isfinite(v) else str(v) for v in values.tolist()] for path, values in batch.values.items()
+        },
+        "tips": batch.tips is not None,
+    }
+    with atomic_write(folder / _SUMMARY) as path:
+        path.write_text(json.dumps(info, allow_nan=False), encoding="utf-8")
+
+
+def load_batch(folder: str | os.PathLike[str]) -> BatchRun:
+    """A batch from its folder; the samples stay on disk and are read when they are used.
+
+    Raises :class:`tmodes.errors.ResultFileError` for what is not whole, is foreign, or does not fit together.
+    """
+    place = Path(folder)
+    hint = "give the folder of a batch that came to its end"
+    try:
+        info = json.loads((place / _SUMMARY).read_text(encoding="utf-8"))
+        states = np.load(place / _STATES, mmap_mode="r", allow_pickle=False)
+        times = np.load(place / _TIMES, allow_pickle=False)
+        if info["format"] != BATCH_FORMAT:
+            raise file_error(place / _SUMMARY, f"format {info['format']!r}", f"format {BATCH_FORMAT}", "update tmodes")
+        tips = np.load(place / _TIPS, mmap_mode="r", allow_pickle=False) if info["tips"] else None
+        batch = _batch(info, times, states, tips)
+    except (OSError, ValueError, KeyError, TypeError, AttributeError) as error:
+        got = getattr(error, "strerror", None) or str(error)
+        raise file_error(f"folder {place}", f"no whole batch: {got}", "a batch", hint) from error
+    return replace(batch, folder=place)
+
+
+def _batch(info: dict[str, Any], times: Array, states: Array, tips: Array | None) -> BatchRun:
+    shape = tuple(info["shape"])
+    lanes, samples = shape[:2]
+    if states.shape != shape or states.dtype != np.float64 or times.shape != (samples,):
+        raise ValueError(f"samples of shape {states.shape} at {times.shape} times, where {shape} are stated")
+    if tips is not None and tips.shape != (lanes, samples, 3):
+        raise ValueError(f"tips of shape {tips.shape}, where {(lanes, samples, 3)} are stated")
+    statistics = {name: np.array(info["statistics"][name], dtype=np.int64) for name in COUNTS}
+    values = {str(path): np.array(given, dtype=float) for path, given in info["values"].items()}
+    counts = np.array(info["samples"], dtype=np.int64)
+    columns = [info["status"], info["message"], counts, *statistics.values(), *values.values()]
+    if any(len(column) != lanes for column in columns):
+        raise ValueError(f"columns of {[len(column) for column in columns]} lanes, where {lanes} are stated")
+    names, status, message = (tuple(map(str, info[name])) for name in ("coordinates", "status", "message"))
+    return BatchRun(names, times, states, counts, status, message, statistics, values, tips)

@@ -13,8 +13,7 @@ from tmodes.compile.loops.loops import goes_side_by_side
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration, refuse_stops
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.batch.result import BatchRun, gathered
-from tmodes.simulation.batch.store import load_batch, room_for, write_batch
+from tmodes.simulation.batch.result import BatchRun, gathered, load_batch, room_for, write_batch
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.batch.workers import run_all, thread_count
 from tmodes.simulation.loop import LoopModel
