@@ -275,3 +275,18 @@ def test_text_that_can_not_be_data(robot):
     }
     with pytest.raises(InputErrors, match=r"gear.stiffness[\s\S]*payload.mass|payload.mass[\s\S]*gear.stiffness"):
         Robot.from_data(data | wrong)
+
+
+def test_singular_mass_matrix_names_the_coordinate():
+    """A point mass on two hinges whose first link has no mass, stretched: both hinges move it alike."""
+    joints = [{"name": name, "type": "revolute", "child": f"{name}_link", "axis": [0, 1, 0]} for name in ("j", "k")]
+    joints[1]["origin"] = {"position": [0.5, 0, 0]}
+    links = [{"name": "k_link", "bodies": [{"mass": 1, "center": [0.2, 0, 0]}]}]
+    sheet = {"format": 1, "kind": "arm", "name": "two", "gravity": 0.0}
+    sheet |= {"joints": joints, "links": links}
+    stretched, bent = (
+        Robot.from_data(sheet | {"initial": {"coordinates": {"j": 0.3, "k": angle}}}).with_(SHORT) for angle in (0, 0.5)
+    )
+    with pytest.raises(SimulationError, match=r"mass matrix at the start is singular: [jk] moves no mass in this pose"):
+        tmodes.run(stretched)
+    assert tmodes.run(bent).status == "finished"
