@@ -19,7 +19,7 @@ from numpy.typing import NDArray
 from tmodes.errors import InputError
 from tmodes.io.files import read_bytes
 from tmodes.io.filipovic2010.coordinates import COORDINATES
-from tmodes.io.words import nearest, shown, shown_path
+from tmodes.io.words import meant, shown, shown_path
 from tmodes.kinds.schema.quantity import LARGEST
 
 __all__ = ["ChainStates", "holds_phi", "read_phi_states", "read_states"]
@@ -177,8 +177,7 @@ def _check_keys(record: Mapping[str, Any], must: Names, may: Names, which: str, 
 
 
 def _unknown(which: str, got: str, name: str, names: Names, source: str) -> InputError:
-    close = nearest(name, names)
-    return InputError(which, got, f"one of {_few(names)}", f"did you mean `{close}`?" if close else "remove it", source)
+    return InputError(which, got, f"one of {_few(names)}", meant(name, names, "remove it"), source)
 
 
 def _few(names: Iterable[str]) -> str:
