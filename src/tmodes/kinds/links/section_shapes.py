@@ -10,7 +10,7 @@ from typing import Any, Literal, Self
 from pydantic import Field, model_validator
 
 from tmodes.kinds.links.material import Material
-from tmodes.kinds.links.section_numbers import Geometry, SectionNumbers
+from tmodes.kinds.links.section_given import Geometry, SectionNumbers
 from tmodes.kinds.links.section_torsion import i_beam_torsion, rectangle_torsion, thin_box_torsion
 from tmodes.kinds.schema.quantity import DataSheet, Issue, positive, refuse
 
