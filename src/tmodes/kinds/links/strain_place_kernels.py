@@ -49,7 +49,7 @@ class BeamKernels:
 
     @property
     def row(self) -> dict[str, int]:
-        """Tables of one place, as in :func:`tmodes.kinds.links.strain_place_numbers.place_tables`."""
+        """Tables of one place, as in :func:`tmodes.kinds.links.strain_places.place_tables`."""
         shape, g = self.shape, self.shape.points
         return self.interval | {
             "reach": g, "outboard": g, "levers": g * (g + 1) // 2, "turning": shape.rotary * g,
