@@ -18,8 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.chain.chain import Node
 from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
-from tmodes.kinds.links.line import LineOfLink
-from tmodes.kinds.links.line_place import layout
+from tmodes.kinds.links.line import LineOfLink, layout
 from tmodes.model.evaluator import Rows
 from tmodes.model.model import Model
 

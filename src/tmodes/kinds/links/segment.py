@@ -16,8 +16,7 @@ from tmodes.kinds.kernel.schedule import Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
 from tmodes.kinds.links.facts import ends
-from tmodes.kinds.links.line import POSE, LineOfLink, Moved
-from tmodes.kinds.links.line_place import PLACE, Shape, in_section, packed_place
+from tmodes.kinds.links.line import PLACE, POSE, LineOfLink, Moved, Shape, in_section, packed_place
 from tmodes.kinds.links.modes_sheet import shape_angle, shape_slope
 from tmodes.kinds.links.terms import Section
 

@@ -90,7 +90,7 @@ def is_ring(beam: BeamNumbers) -> bool:
 
 
 def stress_numbers(beam: BeamNumbers, s: Array) -> Array:
-    """(S, 8) of :class:`tmodes.kinds.links.line_place.Stressed`; (S, 0) where section or material are not known."""
+    """(S, 8) of :class:`tmodes.kinds.links.line.Stressed`; (S, 0) where section or material are not known."""
     if not (beam.young > 0 and min(beam.outer) > 0):
         return np.zeros((len(s), 0))
     same = np.tile([beam.young, beam.shear, *beam.outer], (len(s), 1))
