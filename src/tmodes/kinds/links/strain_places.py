@@ -17,7 +17,7 @@ from numpy.typing import NDArray
 
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.kinds.links.beam_functions import function_values, interval_integrals, pieces_at
-from tmodes.kinds.links.beam_numbers import BeamNumbers
+from tmodes.kinds.links.beam_pieces import BeamNumbers
 from tmodes.kinds.links.beam_tables import BeamTables, beam_tables, section_edges
 from tmodes.kinds.links.line import LineOfLink, Moved
 from tmodes.kinds.links.strain_place_kernels import BeamKernels
