@@ -13,14 +13,13 @@ from io_cases import bad_numbers, value_of
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.spectrum import Spectrum
 from tmodes.analysis.stability import step_size_verdict, step_times_eigenvalue
-from tmodes.analysis.validity import jam_warnings
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.integrate.settings import Integration
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.motion_run import gathered
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import run_setup, run_trajectory
-from tmodes.simulation.warnings import run_warnings
+from tmodes.simulation.warnings import jam_warnings, run_warnings
 
 RIGID = {
     "gear": {"gear.stiffness": math.inf},

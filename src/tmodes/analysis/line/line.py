@@ -109,6 +109,7 @@ class LinkLine:
     @property
     def is_point(self) -> bool:
         """Whether there is nothing to draw."""
+        # A word of the line itself, drawn by points of a system or along a link; no kind of link is asked.
         return self.kind != DRAWN and self.length <= _POINT_LIKE
 
     def largest(self, quantity: str, component: int | None = None) -> Largest | None:
