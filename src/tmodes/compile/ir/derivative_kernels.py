@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double, Lanes
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.derivative_program import Elements, Written, adjoint_program, tangent_program, turned
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, declare
 from tmodes.compile.ir.kernels import row_function
@@ -133,7 +134,7 @@ class _Writer:
     """Writes the operations of a program on numbers and on rows of lanes."""
 
     def __init__(self, module: Any, function: Any, writing: _Writing) -> None:
-        self.b: Any = ir.IRBuilder(function.append_basic_block("entry"))
+        self.b: Any = Builder(function.append_basic_block("entry"))
         self.plain: Double = Double(module)
         self.wide: Any = _Wide(module) if writing.lanes > 1 else Double(module)
         self.blocks, self.angles, self.keeps = writing.blocks, writing.angles, writing.keeps

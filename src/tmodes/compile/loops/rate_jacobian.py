@@ -7,10 +7,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from llvmlite import ir
-
 from tmodes.compile.ir.arithmetic import Derivative
 from tmodes.compile.ir.block import write_main
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, POINTER, VOID, counted, declare, load, number, store, whole
 
 __all__ = ["RateJacobian"]
@@ -32,7 +31,7 @@ class RateJacobian:
     def _write_prepare(self, module: Any, name: str) -> Any:
         labels = [("parameters", POINTER), ("held", POINTER)]
         function = declare(module, name, VOID, labels, private=True)
-        b = ir.IRBuilder(function.append_basic_block("entry"))
+        b = Builder(function.append_basic_block("entry"))
         with counted(b, self.schedule.workspace, "number") as k:
             self._put(b, function.args[1], k, number(0.0))
         with counted(b, self.schedule.parameters, "parameter") as k:
@@ -45,7 +44,7 @@ class RateJacobian:
         function = declare(module, name, VOID, [("time", F64), *pointers], private=True)
         function.attributes.add("noinline")
         time, state, row, held, by_state, by_time = function.args
-        b = ir.IRBuilder(function.append_basic_block("entry"))
+        b = Builder(function.append_basic_block("entry"))
         inputs = self.schedule.inputs
         places = {label: self.schedule.offset(slot) for label, slot in inputs.items()}
         for label, source in (("state", state), ("row", row)):
