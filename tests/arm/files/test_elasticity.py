@@ -86,8 +86,8 @@ def test_a_link_may_be_of_modes(tmp_path: Path) -> None:
     bent = read_arm_data(file_of(tmp_path, f"links: {{upper: {{beam: {{model: modes, modes: [{MODES}]}}}}}}\n"))[0]
     rigid = sheet_frames(read_urdf(tmp_path / "bent.urdf").data, ANGLES)
     np.testing.assert_allclose(chain_frames(bent, ANGLES)["turn"], rigid["hand"], atol=2e-15, rtol=0)
-    link = Robot.from_data(bent).chain().nodes[0].link
-    assert (link.kind, len(link.coordinates), link.length) == ("modes", 4, pytest.approx(1.3, abs=1e-15))
+    (link,) = (node.link for node in Robot.from_data(bent).chain().nodes if node.link.kind == "modes")
+    assert (len(link.coordinates), link.length) == (4, pytest.approx(1.3, abs=1e-15))
     beam = next(one for one in bent["links"] if one["name"] == "upper")["beam"]
     assert [mode["length"] * mode["mass_per_length"] for mode in beam["modes"]] == pytest.approx([1.2, 1.2])
     wrong = MODES.replace("{bending", "{length: 0.4, bending")
