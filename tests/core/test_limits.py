@@ -13,14 +13,13 @@ from io_cases import bad_numbers, value_of
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.spectrum import Spectrum
 from tmodes.analysis.stability import step_size_verdict, step_times_eigenvalue
-from tmodes.analysis.validity import jam_warnings
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.integrate.settings import Integration
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.motion_run import gathered
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import run_setup, run_trajectory
-from tmodes.simulation.warnings import run_warnings
+from tmodes.simulation.warnings import jam_warnings, run_warnings
 
 RIGID = {
     "gear": {"gear.stiffness": math.inf},
@@ -276,3 +275,18 @@ def test_text_that_can_not_be_data(robot):
     }
     with pytest.raises(InputErrors, match=r"gear.stiffness[\s\S]*payload.mass|payload.mass[\s\S]*gear.stiffness"):
         Robot.from_data(data | wrong)
+
+
+def test_singular_mass_matrix_names_the_coordinate():
+    """A point mass on two hinges whose first link has no mass, stretched: both hinges move it alike."""
+    joints = [{"name": name, "type": "revolute", "child": f"{name}_link", "axis": [0, 1, 0]} for name in ("j", "k")]
+    joints[1]["origin"] = {"position": [0.5, 0, 0]}
+    links = [{"name": "k_link", "bodies": [{"mass": 1, "center": [0.2, 0, 0]}]}]
+    sheet = {"format": 1, "kind": "arm", "name": "two", "gravity": 0.0}
+    sheet |= {"joints": joints, "links": links}
+    stretched, bent = (
+        Robot.from_data(sheet | {"initial": {"coordinates": {"j": 0.3, "k": angle}}}).with_(SHORT) for angle in (0, 0.5)
+    )
+    with pytest.raises(SimulationError, match=r"mass matrix at the start is singular: [jk] moves no mass in this pose"):
+        tmodes.run(stretched)
+    assert tmodes.run(bent).status == "finished"

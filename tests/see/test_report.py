@@ -204,6 +204,9 @@ def test_the_data_sheet_is_reported_with_units_and_symbols(texts: dict[str, str]
     assert "doi:10.2298/TAM1001049F" in text
     statistics = good.statistics["real"]
     assert all(f"{name} {statistics[name]}" in text for name in ("steps", "evaluations"))
+    versions = json.loads(good.data.attrs["versions"])
+    assert versions
+    assert all(f"{name} {version}" in text for name, version in versions.items())
 
 
 @pytest.mark.parametrize("stored", [float("inf"), "Infinity"])

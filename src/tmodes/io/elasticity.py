@@ -20,10 +20,10 @@ from typing import Any
 import numpy as np
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.elasticity_beam import give_mass, length_of, line_of, place_beam, riding_body
+from tmodes.io.elasticity_beam import give_mass, length_along, line_of, place_beam, riding_body
 from tmodes.io.mesh_paths import folders_of
 from tmodes.io.urdf import UrdfRobot, read_urdf
-from tmodes.io.words import nearest, shown, shown_path
+from tmodes.io.words import meant, shown, shown_path
 from tmodes.io.xacro import read_xacro
 from tmodes.io.yaml_file import Positions, nearest_line, read_yaml
 
@@ -174,13 +174,13 @@ class _Overlay:
         body = self.robot.bodies.get(link["name"])
         carried = [joint for joint in self.sheet["joints"] if joint["parent"] == link["name"]]
         mounted = "root_mount" in beam
-        if mounted and (beam.keys() & {"from", "to"} or "length" not in beam or keep == "rigid"):
+        if mounted and (beam.keys() & {"from", "to"} or not beam.keys() & {"length", "modes"} or keep == "rigid"):
             got, expected = "a beam with `root_mount`", "given by `length`, without `from`, `to` and riding inertial"
             raise InputError(f"{which}.beam", got, expected, "write `from` and `to` instead of `root_mount`")
         start, end = (np.zeros(3), np.zeros(3)) if mounted else line_of(f"{which}.beam", beam, carried)
         if not mounted:
-            place_beam(beam, start, end)
-        give_mass(which, beam, body, keep, length_of(f"{which}.beam.length", beam["length"]))
+            place_beam(f"{which}.beam", beam, start, end)
+        give_mass(which, beam, body, keep, length_along(f"{which}.beam", beam))
         link.pop("bodies", None)
         link["beam"] = beam
         if body and keep == "rigid":
@@ -200,8 +200,7 @@ class _Overlay:
             self._wrong(error.which, error.got, error.expected, error.hint)
 
     def _unknown(self, which: str, name: str, names: Iterable[str], expected: str) -> None:
-        close = nearest(name, names)
-        hint = f"did you mean {shown(close)}?" if close else "remove it"
+        hint = meant(name, names, "remove it")
         self._wrong(which, f"the unknown name {shown(name)}", expected, hint)
 
     def _wrong(self, which: str, got: str, expected: str, hint: str) -> None:

@@ -37,7 +37,9 @@ def placed_path(path: str, data: Mapping[str, Any]) -> str:
 
 
 def robot_path(path: str) -> str:
-    """The path in the robot of a path of the sheet; any other path is itself."""
+    """The path in the robot of a path of the sheet, where a number has one factor; any other path is itself."""
+    if path.startswith("real."):
+        return f"real.{own_path(path.removeprefix('real.'))}"
     return _replaced(path, _PATHS)
 
 

@@ -9,8 +9,7 @@ import numpy as np
 from tmodes.frame import Placement
 from tmodes.kinds.links.beam_choices import Basis, BeamModel, RotaryInertia
 from tmodes.kinds.links.beam_data import MOST_FUNCTIONS, BeamData, Functions, PieceSheet
-from tmodes.kinds.links.beam_numbers import BeamPiece
-from tmodes.kinds.links.beam_pieces import Piece
+from tmodes.kinds.links.beam_pieces import BeamPiece, Piece
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.material import Material, find_material
@@ -105,6 +104,8 @@ class BeamSheet(BeamData):
 
     def variant(self, model: str, count: int | None) -> BendingSheet | None:
         """The beam with another model; directions that do not bend stay so."""
+        if model not in [*BeamModel]:
+            return super().variant(model, count)
         given = self.functions or Functions(bend_y=1, bend_z=1)
         changes: dict[str, object] = {"model": BeamModel(model), "points": 0, "functions": given}
         if changes["model"] is BeamModel.SEGMENTS:
