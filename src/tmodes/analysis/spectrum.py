@@ -87,10 +87,7 @@ def damped_motions(mass: Array, damping: Array, stiffness: Array) -> tuple[Compl
     """Eigenvalues [1/s] and the coordinates' part of the eigenvectors of M q'' + D q' + K q = 0."""
     size = len(mass)
     dynamics = np.block(
-        [
-            [np.zeros((size, size)), np.eye(size)],
-            [-np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)],
-        ]
+        [[np.zeros((size, size)), np.eye(size)], [-np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)]]
     )
     eigenvalues, vectors = np.linalg.eig(dynamics)
     return eigenvalues.astype(complex), vectors[:size].astype(complex)

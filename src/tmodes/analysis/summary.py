@@ -13,14 +13,7 @@ from tmodes.analysis.energy import largest_flow
 if TYPE_CHECKING:
     from xarray import Dataset
 
-__all__ = [
-    "first_frequencies",
-    "info_deviation",
-    "info_energy",
-    "info_errors",
-    "info_settling",
-    "mean_over_time",
-]
+__all__ = ["first_frequencies", "info_deviation", "info_energy", "info_errors", "info_settling", "mean_over_time"]
 
 Array = NDArray[np.float64]
 

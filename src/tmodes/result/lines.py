@@ -113,18 +113,8 @@ def _stresses(stressed: list[LinkLine]) -> Variables:
     info = [line.stress for line in stressed if line.stress is not None]
     dims = ("time", "stressed_link", "s")
     return {
-        "stress": (
-            dims,
-            _stack([stress.mises_stress for stress in info]),
-            "Pa",
-            "largest von Mises stress",
-        ),
-        "strain": (
-            dims,
-            _stack([stress.strain for stress in info]),
-            "1",
-            "largest strain of the outer fibre",
-        ),
+        "stress": (dims, _stack([stress.mises_stress for stress in info]), "Pa", "largest von Mises stress"),
+        "strain": (dims, _stack([stress.strain for stress in info]), "1", "largest strain of the outer fibre"),
     }
 
 

@@ -44,10 +44,7 @@ class Result:
     """
 
     def __init__(
-        self,
-        data: Dataset | None = None,
-        timing: dict[str, float] | None = None,
-        assembly: Assembly | None = None,
+        self, data: Dataset | None = None, timing: dict[str, float] | None = None, assembly: Assembly | None = None
     ) -> None:
         if data is not None:
             self.__dict__["data"] = data
