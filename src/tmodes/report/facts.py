@@ -8,9 +8,9 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.summary import mean_over_time
 from tmodes.report.markup import Markup, tag
 from tmodes.report.quantity import written
+from tmodes.result.summary import mean_over_time
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "tracking_facts", "vibration_fact"]
 

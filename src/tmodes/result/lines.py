@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import LinkLine, LinkLines, elastic_line
-from tmodes.analysis.model_validity import run_warnings
 from tmodes.analysis.quasistatic import deflections, elastic_names, split_motion
+from tmodes.analysis.validity import run_warnings
 from tmodes.model.model import Model
 from tmodes.result.series import Variables
 from tmodes.simulation.motion_run import RunData

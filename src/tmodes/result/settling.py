@@ -8,10 +8,10 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.summary import info_settling
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.signals.registry import merge
 from tmodes.kinds.signals.schedule import Schedule
+from tmodes.result.summary import info_settling
 from tmodes.simulation.motion_run import RunData, tip_positions
 from tmodes.simulation.parts import Trajectory
 from tmodes.simulation.start import RunSetup
