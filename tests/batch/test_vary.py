@@ -41,6 +41,7 @@ def test_each_lane_is_the_run_of_its_sheet(robot):
     assert {path: numbers.tolist() for path, numbers in batch.values.items()} == vary
 
 
+@pytest.mark.parametrize("method", ["auto", "extrapolation"])
 def test_each_lane_is_the_run_of_its_arm(method):
     arm = swing(method=method)
     masses = [0.8, 1.0, 1.7]

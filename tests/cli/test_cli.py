@@ -136,7 +136,7 @@ def test_eval_where_the_equations_end(tmp_path):
         (["run", "filipovic201"], 2, ["filipovic2010", "Did you mean"]),
         (["run", "nowhere.yaml"], 2, ["nowhere.yaml", "check the path"]),
         (["run", "filipovic2010", "--set", "gear.stifness=5"], 2, ["gear.stiffness"]),
-        (["run", "filipovic2010", "--set", "gear.stiffness"], 2, ["path=value"]),
+        (["run", "filipovic2010", "--set", "gear.stiffness"], 2, ["--set must be PATH=VALUE, got 'gear.stiffness'"]),
         (["run", "filipovic2010", "--set", "gear.stiffness=0"], 2, ["gear.stiffness", "greater than 0", "check sign"]),
         (["run", "filipovic2010", "--set", "gear.stiffness=1e5 N"], 2, ["gear.stiffness"]),
         (["run", "filipovic2010", "--reading", "spatial"], 2, ["printed", "consistent"]),

@@ -11,7 +11,9 @@ import pytest
 from typer.testing import CliRunner
 
 from tmodes.cli.main import app
-from tmodes.compile import cache, cache_folder
+from tmodes.compile import cache
+
+TRIM = cache.trim
 
 
 @pytest.fixture
@@ -84,7 +86,7 @@ def test_what_was_used_last_stays(place: Path, monkeypatch: pytest.MonkeyPatch) 
         cache.save(f"key {number}", bytes(1000))
         os.utime(cache._entry(f"key {number}"), (number, number))  # type: ignore[arg-type]
     assert cache.load("key 0") is not None
-    assert cache_folder.trim(place, 5000) <= 5000
+    assert cache.trim(place, 5000) <= 5000
     left = [number for number in range(8) if cache.load(f"key {number}") is not None]
     assert left in ([0, 6, 7], [0, 5, 6, 7])
 
@@ -96,13 +98,13 @@ def test_folder_is_not_listed_at_each_save(place: Path, monkeypatch: pytest.Monk
     def counting(place: Path, limit: int) -> int:
         nonlocal listed
         listed += 1
-        return cache_folder.trim(place, limit)
+        return TRIM(place, limit)
 
     monkeypatch.setattr(cache, "trim", counting)
     monkeypatch.setattr(cache, "MAX_BYTES", limit)
     for number in range(saves):
         cache.save(f"key {number}", bytes(size))
-        assert sum(entry.size for entry in cache_folder.entries(place)) <= limit * 17 / 16 + 2 * size
+        assert sum(entry.size for entry in cache.entries(place)) <= limit * 17 / 16 + 2 * size
     assert 1 < listed <= 1 + saves * (size + 200) * 16 / limit
 
 

@@ -17,6 +17,7 @@ from tmodes.io.sheet_check import sheet_from_data as robot_from_data
 from tmodes.io.sheet_paths import set_arm_paths as set_paths
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots.load import load
+from tmodes.simulation.vary.lanes import changed_sheet
 
 
 def sheet() -> dict[str, Any]:
@@ -60,6 +61,35 @@ def test_each_number_keeps_its_path_in_the_robot(path: str) -> None:
     if isinstance(value, (int, float)):
         larger = value + 1 if isinstance(value, int) else 1.25 * value or 0.25
         assert value_of(robot.with_({path: larger}), path) == larger
+
+
+ALIKE = {
+    "gear.stiffness": ("joints.joint.gear.stiffness", 900.0),
+    "motor.friction": ("joints.joint.motor.friction.viscous", 0.3),
+    "payload.mass": ("links.link.bodies.payload.mass", 0.7),
+    "link.modes.0.damping_time": ("links.link.beam.modes.0.damping_time", 0.01),
+    "environment.stiffness": ("contact.stiffness", 50.0),
+    "controller.position_gain": ("drives.0.controller.position_gain", 9.0),
+    "reference.end": ("drives.0.signal.end", 0.5),
+    "reading": ("equations", "printed"),
+}
+"""Paths of the 2010 sheet, those of the same values in its robot, and another value."""
+
+
+@pytest.mark.parametrize("own", ALIKE)
+def test_paths_of_the_robot_mean_the_same_as_those_of_its_sheet(own: str) -> None:
+    """As changes of a file (`--set`), of a robot (`with_`), of the cases of a study, and as factors."""
+    general, value = ALIKE[own]
+    robot = load("filipovic2010")
+    wanted = robot.with_({own: value})
+    assert wanted != robot
+    assert (
+        robot.with_({general: value}) == load(robot.name, {own: value}) == load(robot.name, {general: value}) == wanted
+    )
+    assert changed_sheet(robot, {general: value}, 0) == changed_sheet(robot, {own: value}, 0) == wanted.pair().real
+    if own not in ("reading", "reference.end"):
+        factors = [load(robot.name, {f"real.{path}": 0.5}) for path in (own, general)]
+        assert factors[0] == factors[1] == robot.with_({f"real.{general}": 0.5})
 
 
 def test_the_environment_stays_at_the_undeformed_tip() -> None:
@@ -130,7 +160,7 @@ def test_assignment(text: str, value: Any) -> None:
 
 @pytest.mark.parametrize("text", ["", "gear.stiffness", "=3", "gear.stiffness=", "a=" + "9" * 3000])
 def test_no_assignment(text: str) -> None:
-    with pytest.raises(InputError, match="expected path=value"):
+    with pytest.raises(InputError, match="--set must be PATH=VALUE"):
         parse_assignment(text)
 
 

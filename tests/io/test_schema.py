@@ -4,11 +4,14 @@ from __future__ import annotations
 
 import json
 from collections.abc import Iterator
-from typing import Any
+from typing import Any, get_args
+
+import pytest
 
 from io_cases import SHEET
-from tmodes.io.forms import F2010
+from tmodes.io.forms import F2010, ROBOT, Form
 from tmodes.io.schema import json_schema
+from tmodes.io.sheet_words import fields, is_group, members_of, own_unit
 from tmodes.io.yaml_file import parse_yaml
 
 SCHEMA = json_schema(F2010)
@@ -26,6 +29,34 @@ def keys_of(node: dict[str, Any], path: str = "") -> Iterator[tuple[str, dict[st
         here = f"{path}.{key}" if path else key
         yield here, child
         yield from keys_of(child, here)
+
+
+def groups(member: Any, found: dict[str, Any]) -> dict[str, Any]:
+    """Every group of keys that a type leads to, by its name."""
+    for inner in members_of(member):
+        if is_group(inner) and inner.__name__ not in found:
+            found[inner.__name__] = inner
+            for info in fields(inner).values():
+                groups(info.annotation, found)
+        for argument in () if is_group(inner) else get_args(inner):
+            groups(argument, found)
+    return found
+
+
+@pytest.mark.parametrize("form", [F2010, ROBOT], ids=lambda form: form.name)
+def test_it_has_the_places_and_the_units_of_the_data_sheet(form: Form) -> None:
+    """In the same order, of both forms of data sheets and of every kind that is registered."""
+    schema = json_schema(form)
+    nodes = {name.rpartition("__")[2]: node for name, node in schema["$defs"].items()}
+    nodes[form.root.__name__] = schema
+    found = groups(form.root, {})
+    assert len(found) > (10 if form is F2010 else 40)
+    for name, group in found.items():
+        properties = nodes[name]["properties"]
+        assert list(properties) == list(fields(group)), name
+        assert {key: node.get("unit") for key, node in properties.items()} == {
+            key: own_unit(info) for key, info in fields(group).items()
+        }, name
 
 
 def test_it_knows_every_key_of_the_published_sheet_and_no_other() -> None:

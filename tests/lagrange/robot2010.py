@@ -44,7 +44,9 @@ def symbols(robot: Robot) -> dict[str, float]:
     joint, link, touch = robot.joints[0], robot.links[0], robot.contact or robot.contact_off
     motor, body, gear, beam = joint.motor, link.bodies[0], joint.gear, link.beam
     assert motor
+    assert motor.friction
     assert gear
+    assert body.inertia
     assert isinstance(touch, DynamicEnvironment)
     found: dict[str, Any] = {
         "g": float(np.linalg.norm(robot.gravity)), "R": motor.resistance, "CE": motor.back_emf_constant,

@@ -12,9 +12,10 @@ import tmodes
 from lagrange.robot2010 import close
 from lagrange.test_systems import double_pendulum
 from oracle import any_modes
-from tmodes.chain.chain import Body, Chain, Joint, Node
+from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.errors import InputError
 from tmodes.kinds.joints.registry import joint_kind
+from tmodes.kinds.links.contract import Body
 from tmodes.kinds.links.modes import ModesLink
 from tmodes.kinds.links.modes_sheet import Mode
 from tmodes.model.model import Model

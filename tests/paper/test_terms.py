@@ -24,7 +24,8 @@ READINGS = ("printed", "consistent")
 def energies(p, reading, phid=PHID) -> dict[str, float]:
     """Energies [J] and half of the losses [W] at PHI and given rates."""
     model, at = Model(chain(reading, p)), (TO_ROBOT @ PHI, TO_ROBOT @ phid)
-    return {**model.energies(*at), **{name: value / 2 for name, value in model.losses(*at).items()}}
+    half = {name: float(value) / 2 for name, value in model.losses(*at).items()}
+    return {name: float(value) for name, value in model.energies(*at).items()} | half
 
 
 def levers(reading):

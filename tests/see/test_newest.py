@@ -59,7 +59,7 @@ def test_a_chart_that_comes_into_sight_shows_the_newest_run(window: Any, robot: 
     page.locator(place).scroll_into_view_if_needed()
     page.wait_for_selector(f"{place} canvas")
     text = page.locator(f"{place} .plot-area").get_attribute("aria-label")
-    low, high = map(float, re.findall(r"kinetic real, from (-?[\d.]+) to (-?[\d.]+)", text)[0])
+    low, high = map(float, re.findall(r"kinetic actual, from (-?[\d.]+) to (-?[\d.]+)", text)[0])
     true = unit_of(window, place) * run(robot.with_({"payload.mass": 1.1})).data["energy"].values[:, 0]
     assert (low, high) == pytest.approx((true.min(), true.max()), rel=2e-3, abs=2e-3 * true.max())
 
@@ -71,7 +71,7 @@ def unit_of(window: Any, place: str) -> float:
 
 
 def test_the_file_of_a_chart_out_of_sight_has_the_newest_run(window: Any, robot: Any, tmp_path: Path) -> None:
-    page, place = window.page, "[data-chart=gear_torque]"
+    page, place = window.page, "[data-chart^=gear_torque]"
     page.evaluate("scrollTo(0, 0)")
     page.locator("[data-group=motors]").evaluate("(tab) => tab.click()")
     give(window, 1.2)
@@ -80,9 +80,9 @@ def test_the_file_of_a_chart_out_of_sight_has_the_newest_run(window: Any, robot:
         page.locator(f"{place} [title*=CSV]").evaluate("(button) => button.click()")
     given.value.save_as(tmp_path / "saved.csv")
     head, *rows = (tmp_path / "saved.csv").read_text(encoding="utf-8").splitlines()
-    column = next(k for k, name in enumerate(head.split('","')) if " real" in name and "original" not in name)
+    column = next(k for k, name in enumerate(head.split('","')) if " actual" in name and "original" not in name)
     values = np.array([float(row.split(",")[column]) for row in rows])
-    true = unit_of(window, place) * run(robot.with_({"payload.mass": 1.2})).data["gear_torque"].values
+    true = unit_of(window, place) * run(robot.with_({"payload.mass": 1.2})).data["gear_torque"].values[:, 0]
     assert values == pytest.approx(true, rel=1e-6, abs=1e-6 * np.abs(true).max())
 
 

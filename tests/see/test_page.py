@@ -99,7 +99,7 @@ def test_the_legend_switches_curves(window: Any) -> None:
     assert ink(window, "tip_deviation") != before
     label = window.page.locator("[data-chart=tip_deviation] .plot-area").get_attribute("aria-label")
     assert "Δx" not in label
-    assert "distance real, from " in label
+    assert "distance actual, from " in label
     window.page.keyboard.press("Enter")
     assert button.get_attribute("aria-pressed") == "true"
 
@@ -146,7 +146,7 @@ def test_data_and_sheet_can_be_saved(window: Any, good: Result) -> None:
     with window.page.expect_download() as given:
         window.page.locator("[data-chart=tip_deviation]").get_by_role("button", name="CSV").click()
     head, *rows = Path(given.value.path()).read_text(encoding="utf-8").splitlines()
-    assert head.split(",")[:2] == ['"time [s]"', '"distance real [mm]"']
+    assert head.split(",")[:2] == ['"time [s]"', '"distance actual [mm]"']
     last = [float(value) for value in rows[-1].split(",")]
     assert len(rows) == len(good.data["time"])
     assert last[:2] == pytest.approx([2.0, 1e3 * float(good.data["deviation"][-1])], rel=1e-6)

@@ -12,6 +12,7 @@ import pytest
 
 from result.synthetic import synthetic_result
 from see.looking import SIZES, Window, look
+from tmodes.plot.save import Drawing
 from tmodes.report.data import page_data
 from tmodes.report.viewer import viewer_document
 
@@ -113,7 +114,9 @@ def test_nothing_moves_by_itself(browser: Any, reports: dict[str, Path]) -> None
 def test_another_view_is_there_at_once_where_motion_is_not_wanted(browser: Any, reports: dict[str, Path]) -> None:
     page = look(browser, reports["good"]).page
     page.get_by_label("View", exact=True).select_option("top")
-    page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
+    page.evaluate(
+        "new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(() => setTimeout(done, 150))))"
+    )
     first = page.locator(".scene-view").screenshot()
     page.wait_for_timeout(500)
     assert page.locator(".scene-view").screenshot() == first
@@ -145,13 +148,15 @@ def test_runs_compared_have_their_charts_on_paper(browser: Any, compared: Path) 
     assert light[:, 3].min() > 100
 
 
-def test_on_paper_the_report_has_its_figures_two_to_a_page(browser: Any, reports: dict[str, Path]) -> None:
+def test_on_paper_the_report_has_its_figures_two_to_a_page(
+    browser: Any, reports: dict[str, Path], drawn_figures: dict[str, Drawing]
+) -> None:
     page = look(browser, reports["good"], (720, 1000)).page
     page.evaluate("dispatchEvent(new Event('beforeprint'))")
     page.emulate_media(media="print")
     assert page.locator("#viewer").is_hidden()
     heights = [one.bounding_box()["height"] for one in page.locator("#figures figure").all()]
-    assert len(heights) == 10
+    assert len(heights) == len(drawn_figures)
     assert max(heights) < 500  # of the 1030 px of a sheet of A4 within its margins
     page.context.close()
 

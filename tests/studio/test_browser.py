@@ -20,7 +20,8 @@ from tmodes.studio.door import door
 
 BUILT = Path(pack.__file__).parent / "web" / "studio.js"
 LAUNCH = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
-WAIT = 60_000
+WAIT = 120_000
+"""Milliseconds; the first run of a robot compiles its equations."""
 MASS = "links.0.bodies.0.mass"
 """Where the payload of the robot stands in its sheet."""
 

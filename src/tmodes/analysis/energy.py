@@ -5,7 +5,10 @@ from __future__ import annotations
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-__all__ = ["balance", "largest_flow"]
+__all__ = ["balance", "energy_lost", "energy_sentence", "largest_flow"]
+
+_ROUNDING = 1e-12
+"""A residual [J] that is rounding, however little energy was moved."""
 
 
 def balance(energy: ArrayLike, work: ArrayLike) -> NDArray[np.float64]:
@@ -21,3 +24,29 @@ def largest_flow(energy: ArrayLike, work: ArrayLike) -> float:
     """The energy moved [J]: the largest change of any kind of energy, or work of any kind, within the run."""
     energy = np.asarray(energy)
     return float(max(np.abs(energy - energy[0]).max(), np.abs(work).max()))
+
+
+def energy_lost(residual: NDArray[np.float64], moved: float, tolerance: float) -> int | None:
+    """First sample whose residual [J] is more than ``tolerance`` of the energy moved [J]; None where none is."""
+    return _first_beyond(np.abs(residual), moved, tolerance)
+
+
+def _first_beyond(off: NDArray[np.float64], moved: float, tolerance: float) -> int | None:
+    beyond = np.flatnonzero(off > max(tolerance * moved, _ROUNDING))
+    return int(beyond[0]) if len(beyond) else None
+
+
+def energy_sentence(
+    times: NDArray[np.float64], residual: NDArray[np.float64], moved: float, tolerance: float, hint: str
+) -> str:
+    """A residual [J] beyond ``tolerance`` of the energy moved [J], in words, with its fix; empty within it."""
+    off = np.abs(residual)
+    first = _first_beyond(off, moved, tolerance)
+    if first is None:
+        return ""
+    worst = float(off.max())
+    return (
+        f"the energy balance is off first at t = {float(times[first]):.4g} s, by {worst:.2g} J at worst, "
+        f"{worst / moved if moved else np.inf:.1e} of the energy moved ({moved:.3g} J): the integration is too "
+        f"coarse; {hint}"
+    )

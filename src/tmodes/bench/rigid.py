@@ -14,7 +14,7 @@ from tmodes.chain.chain import Chain, Joint, Node
 from tmodes.frame import Placement
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.contract import Body
-from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.links.registry import RigidLink
 
 __all__ = ["CENTER", "GRAVITY", "INERTIA", "MASS", "TURNED", "RigidChain"]
 

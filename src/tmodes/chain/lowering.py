@@ -17,7 +17,7 @@ from tmodes.kinds.drives.registry import drive_kind
 from tmodes.kinds.joints.joint import JointSheet, MeasuredFrom
 from tmodes.kinds.joints.registry import joint_kind
 from tmodes.kinds.links.contract import Body
-from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.links.registry import RigidLink
 from tmodes.kinds.links.sheet import LoweredLink, Spot, moved_body, placed, sheet_body
 from tmodes.kinds.schema.axes import unit
 from tmodes.sheet import Robot

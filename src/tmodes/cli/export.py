@@ -43,9 +43,7 @@ def export(
     from tmodes.live.wasm_export import exported
 
     if not wasm:
-        raise InputError(
-            "export", "neither of them", "called with a kind of files", f"write: tmodes export {robot} --wasm"
-        )
+        raise InputError("export", "none", "called with a kind of files", f"write: tmodes export {robot} --wasm")
     changes = options.integration_changes(integrator, None, None, None, False)
     sheet = chosen_sheet(robot, settings, reading, contact, roots=root, trust_paths=trust_paths, changes=changes)
     name = folder_name(sheet.name)

@@ -36,7 +36,7 @@ def ladder(
     trust_paths: TrustPaths = False,
     as_json: AsJson = False,
 ) -> None:
-    """The ladder of link models: rigid, segments, strain with more and more functions, against the finest one.
+    """The ladder of link models: rigid, segments, modes, strain with more and more functions, against the finest.
 
     All rungs make the same move, which the motors follow exactly: that of the sheet's drives, else a short one.
     """

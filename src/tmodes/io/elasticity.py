@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.elasticity_beam import give_mass, length_of, line_of, place_beam, riding_body
+from tmodes.io.elasticity_beam import give_mass, length_along, line_of, place_beam, riding_body
 from tmodes.io.mesh_paths import folders_of
 from tmodes.io.urdf import UrdfRobot, read_urdf
 from tmodes.io.words import nearest, shown, shown_path
@@ -174,13 +174,13 @@ class _Overlay:
         body = self.robot.bodies.get(link["name"])
         carried = [joint for joint in self.sheet["joints"] if joint["parent"] == link["name"]]
         mounted = "root_mount" in beam
-        if mounted and (beam.keys() & {"from", "to"} or "length" not in beam or keep == "rigid"):
+        if mounted and (beam.keys() & {"from", "to"} or not beam.keys() & {"length", "modes"} or keep == "rigid"):
             got, expected = "a beam with `root_mount`", "given by `length`, without `from`, `to` and riding inertial"
             raise InputError(f"{which}.beam", got, expected, "write `from` and `to` instead of `root_mount`")
         start, end = (np.zeros(3), np.zeros(3)) if mounted else line_of(f"{which}.beam", beam, carried)
         if not mounted:
-            place_beam(beam, start, end)
-        give_mass(which, beam, body, keep, length_of(f"{which}.beam.length", beam["length"]))
+            place_beam(f"{which}.beam", beam, start, end)
+        give_mass(which, beam, body, keep, length_along(f"{which}.beam", beam))
         link.pop("bodies", None)
         link["beam"] = beam
         if body and keep == "rigid":

@@ -19,7 +19,7 @@ from tmodes.io.words import shown
 from tmodes.kinds.links.body import entries
 from tmodes.kinds.schema.axes import matrix_quaternion
 
-__all__ = ["give_mass", "length_of", "line_of", "place_beam", "riding_body", "section_axes"]
+__all__ = ["give_mass", "length_along", "line_of", "place_beam", "riding_body", "section_axes"]
 
 Array = NDArray[np.float64]
 
@@ -30,6 +30,9 @@ STEEP = 0.9
 """Cosine of the angle between beam and z axis beyond which the section's z axis is taken from the link's x [-]."""
 
 ENDS = ("from", "to")
+
+MATCH = 1e-6
+"""Share of a line by which modes along it may be longer or shorter together [-]."""
 
 
 def line_of(which: str, beam: dict[str, Any], carried: Sequence[dict[str, Any]]) -> tuple[Array, Array]:
@@ -63,15 +66,39 @@ def section_axes(direction: Array) -> Array:
     return np.array([x, np.cross(z, x), z]).T
 
 
-def place_beam(beam: dict[str, Any], start: Array, end: Array) -> None:
-    """Put length, root mount and tip mount into a beam's group; those that the file gives stay."""
-    axes = section_axes(end - start)
-    beam.setdefault("length", float(np.linalg.norm(end - start)))
+def place_beam(which: str, beam: dict[str, Any], start: Array, end: Array) -> None:
+    """Put length, root mount and tip mount into a beam's group; those that the file gives stay.
+
+    Raises :class:`tmodes.errors.InputError` for modes that are not as long as the line together.
+    """
+    axes, distance = section_axes(end - start), float(np.linalg.norm(end - start))
+    if modes := _modes(beam):
+        for mode in modes:
+            mode.setdefault("length", distance / len(modes))
+        if abs((total := length_along(which, beam)) - distance) > MATCH * distance:
+            hint = "leave out `length` of all modes for equal ones, or correct them"
+            raise InputError(f"{which}.modes", f"modes of {total:g} m", f"{distance:g} m together", hint)
+        beam.pop("length", None)
+    else:
+        beam.setdefault("length", distance)
     beam.setdefault("root_mount", {"position": start.tolist(), "quaternion": matrix_quaternion(axes)})
     beam.setdefault("tip_mount", {"position": [0.0, 0.0, 0.0], "quaternion": matrix_quaternion(axes.T)})
     pieces = beam.get("pieces")
     if isinstance(pieces, list) and pieces and isinstance(pieces[-1], dict):
         pieces[-1].setdefault("end", beam["length"])
+
+
+def length_along(which: str, beam: dict[str, Any]) -> float:
+    """The length [m] of a beam's group, or of its modes together; InputError for what is none."""
+    if modes := _modes(beam):
+        return sum(length_of(f"{which}.modes.{k}.length", mode.get("length")) for k, mode in enumerate(modes))
+    return length_of(f"{which}.length", beam["length"])
+
+
+def _modes(beam: dict[str, Any]) -> list[dict[str, Any]]:
+    """The modes of a beam's group; none of one of another model."""
+    modes = beam.get("modes")
+    return [mode for mode in modes if isinstance(mode, dict)] if isinstance(modes, list) else []
 
 
 def give_mass(which: str, beam: dict[str, Any], body: dict[str, Any] | None, keep: str | None, length: float) -> None:
@@ -152,7 +179,8 @@ def length_of(which: str, value: Any, *, positive: bool = True) -> float:
 
 
 def _sections(beam: dict[str, Any]) -> Iterator[dict[str, Any]]:
-    """Every section that a beam's group holds: its own, the taper's, each piece's."""
+    """Every section that a beam's group holds: its own, the taper's, each piece's; a mode is one, too."""
+    yield from _modes(beam)
     pieces = beam.get("pieces")
     for group in (beam, beam.get("taper"), *(pieces if isinstance(pieces, list) else ())):
         if isinstance(group, dict) and isinstance(group.get("section"), dict):

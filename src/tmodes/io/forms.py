@@ -10,7 +10,7 @@ from tmodes.io.filipovic2010 import importer
 from tmodes.io.filipovic2010.format import FORMAT, PLANT, Format2010
 from tmodes.sheet import ARM_FORMAT, Robot
 
-__all__ = ["F2010", "ROBOT", "Form", "form_of", "own_path", "robot_change", "robot_path", "with_reach"]
+__all__ = ["F2010", "ROBOT", "Form", "form_of", "own_path", "robot_path", "with_reach"]
 
 
 @dataclass(frozen=True)
@@ -58,11 +58,6 @@ def form_of(data: Any) -> Form:
 def robot_path(path: str, data: Any) -> str:
     """A path in a robot's plain data, where one of the format that it was imported from may stand."""
     return importer.placed_path(path, data) if _is_imported(data) else path
-
-
-def robot_change(path: str, value: Any, data: Any) -> tuple[str, Any]:
-    """A change of a robot's plain data: its path and value, where those of the robot's own format may be given."""
-    return importer.robot_change(path, value) if _is_imported(data) else (path, value)
 
 
 def own_path(path: str, data: Any) -> str:

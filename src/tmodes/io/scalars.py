@@ -63,7 +63,7 @@ def parse_assignment(text: str) -> tuple[str, Any]:
     path, equals, value = (part.strip() for part in text.partition("="))
     if not (path and equals and value) or len(value) > LONGEST_VALUE:
         hint = "write it without spaces around =, as in gear.stiffness=900"
-        raise InputError("an assignment", shown(text), "path=value", hint)
+        raise InputError("--set", shown(text), "PATH=VALUE", hint)
     if len(value) > 1 and value[0] == value[-1] and value[0] in "'\"":
         return path, value[1:-1]
     if NUMBERS.fullmatch(value):

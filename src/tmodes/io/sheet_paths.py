@@ -10,9 +10,10 @@ from collections.abc import Mapping, Sequence
 from typing import Any, get_args, get_origin
 
 from tmodes.errors import InputError
-from tmodes.io.forms import ROBOT, form_of, own_path, robot_change, robot_path, with_reach
+from tmodes.io.forms import ROBOT, form_of, own_path, robot_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, quantities, root_of
 from tmodes.io.sheet_units import at
+from tmodes.io.sheet_words import fields, is_group, members_of
 from tmodes.io.words import nearest, plain, shown
 from tmodes.kinds.links.material import LIBRARY
 
@@ -40,8 +41,7 @@ def changed_places(data: Mapping[str, Any], changes: Mapping[str, Any]) -> tuple
     """
     changed = copy.deepcopy(dict(data))
     places = []
-    for given, wish in changes.items():
-        path, value = robot_change(given, wish, changed)
+    for path, value in changes.items():
         if path == "contact" and isinstance(value, bool) and form_of(changed) is ROBOT:
             _switch_contact(changed, value)
             continue
@@ -59,9 +59,14 @@ def later_changes(data: Mapping[str, Any], changes: Mapping[str, Any]) -> dict[s
     form = form_of(data)
     if form is ROBOT:
         return {}
-    own, others = keys(form.root), keys(ROBOT.root)
-    first = {path: str(path).partition(".")[0] for path in changes}
-    return {path: changes[path] for path, word in first.items() if word in others and word not in own}
+    own, others = fields(form.root), keys(ROBOT.root)
+
+    def is_later(path: str) -> bool:
+        word, _, inner = path.removeprefix("real.").partition(".")
+        plain_there = word in own and not any(map(is_group, members_of(own[word].annotation)))
+        return word in others and (word not in own or (bool(inner) and plain_there))
+
+    return {path: value for path, value in changes.items() if is_later(str(path))}
 
 
 def _switch_contact(data: dict[str, Any], on: bool) -> None:

@@ -175,7 +175,10 @@ def _hint(place: ChainPlace, value: Any) -> str:
     if place.unit is not None and isinstance(value, (int, float)) and not isinstance(value, bool):
         return "check sign, size and unit"
     if place.unit is not None:
-        return f"write {place.expected}"
-    if isinstance(value, str) and (close := nearest(value, choices(place.members, place.info))):
+        return "write numbers, each alone or with its unit in quotes"
+    known = choices(place.members, place.info)
+    if isinstance(value, str) and (close := nearest(value, known)):
         return f"did you mean `{close}`?"
-    return f"write {place.expected}"
+    if any(map(is_group, place.members)):
+        return "write its keys below it, each in a line"
+    return "choose one of these" if known else f"write {place.expected}"

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
+from tmodes.plot.units import pretty
 from tmodes.report.markup import Markup, tag
 from tmodes.report.quantity import power_of_ten, written
 from tmodes.report.tables import table
@@ -14,6 +15,7 @@ CASES = {"controlled": "Controlled", "locked": "Motors locked", "free": "Motors 
 
 _FREQUENCY_HEAD = ("natural [Hz]", "damped [Hz]", "damping [%]", "dominant element")
 _MOST_ROWS = 30
+_SI = {"m": "m", "N": "N", "Nm": "N m", "Pa": "Pa"}
 _ROUNDING = 1e-12
 """A position [rad, m] that is as good as zero."""
 
@@ -25,18 +27,14 @@ def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
         rows = [
             [
                 f"{mode['frequency_Hz']:.4g}",
-                "-" if mode["damped_frequency_Hz"] is None else f"{mode['damped_frequency_Hz']:.4g}",
+                "–" if mode["damped_frequency_Hz"] is None else f"{mode['damped_frequency_Hz']:.4g}",
                 f"{100 * mode['damping_ratio']:.3g}",
                 str(mode["element"]),
             ]
             for mode in sorted(frequencies.get(case, []), key=lambda mode: mode["frequency_Hz"])
         ]
         if rows:
-            tables.append(
-                table(
-                    words, ("natural [Hz]", "damped [Hz]", "damping [%]", "dominant element"), rows, numeric=(0, 1, 2)
-                )
-            )
+            tables.append(table(words, _FREQUENCY_HEAD, rows, numeric=(0, 1, 2)))
     return tag("div", *tables)
 
 
@@ -45,8 +43,17 @@ def error_table(info: dict[str, Any] | None) -> Markup:
     if info is None:
         return tag("p", "The error of the integration was not estimated.", class_="note")
     bound = "At most about" if "sum" in info["how"] else "Error"
-    rows = [[name.replace(".", ", ").replace("_", " "), power_of_ten(value)] for name, value in info["figures"].items()]
-    return table(f"Error of the integration, by a {info['how']}", ("Figure", f"{bound} [SI]"), rows, numeric=(1,))
+    rows = [_error_row(name, value) for name, value in info["figures"].items()]
+    return table(f"Error of the integration, by a {info['how']}", ("Number", f"{bound} [SI]"), rows, numeric=(1,))
+
+
+def _error_row(name: str, value: float) -> list[str]:
+    """``links.rod.deflection.max_m`` with words and unit apart."""
+    place, _, last = name.rpartition(".")
+    words, _, unit = last.rpartition("_")
+    words, unit = (words, pretty(_SI[unit])) if unit in _SI else (last, "")
+    text = ", ".join(filter(None, [place, words])).replace("_", " ")
+    return [text, f"{power_of_ten(value)}\u00a0{unit}".rstrip("\u00a0")]
 
 
 def joints_table(info: dict[str, dict[str, Any]]) -> Markup | None:

@@ -53,7 +53,7 @@ def page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -
 def _header(result: Result, arm: Robot) -> Markup:
     data = result.data
     space = "in contact with a surface" if "contact_force" in data else "in free space"
-    bending = len(data["bending_link"]) if "bending_link" in data.dims else 0
+    bending = sum(link.beam is not None and link.beam.coordinate_count > 0 for link in arm.links)
     driven = len(data["drive"]) if "drive" in data.dims else 0
     counts = ", ".join(_count(*one) for one in ((driven, "driven joint"), (bending, "elastic link")))
     info = (

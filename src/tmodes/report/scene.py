@@ -27,6 +27,9 @@ Array = NDArray[np.float64]
 Frames = NDArray[np.intp]
 
 _DRAWN = ("time", "link", "s", "axis")
+_SLIGHT = 0.01
+"""Share of the largest bending moment up to which torsion colours nothing."""
+
 _QUANTITIES = (
     ("deflection", "Deflection", "m", "plane"),
     ("slope", "Slope", "rad", "plane"),
@@ -203,13 +206,13 @@ def _colours(data: Any, names: list[str], line: Array, rigid: Array) -> list[dic
     found = []
     if bending:
         moment = data["moment"].transpose("time", "bending_link", "s", "moment_kind").values
+        torsion, across = np.abs(moment[..., 0]), np.linalg.norm(moment[..., 1:], axis=-1)
         bent = data["deflection"].transpose("time", "bending_link", "s", "plane").values
-        found += [
-            colour("bending_moment", "Bending moment", "N m", over(np.linalg.norm(moment[..., 1:], axis=-1), bending)),
-            colour("torsion", "Torsional moment", "N m", over(np.abs(moment[..., 0]), bending)),
-            colour("deflection", "Deflection from the root's tangent", "m",
-                   over(np.linalg.norm(bent, axis=-1), bending)),
-        ]  # fmt: skip
+        found.append(colour("bending_moment", "Bending moment", "N m", over(across, bending)))
+        if torsion.max() > _SLIGHT * across.max():
+            found.append(colour("torsion", "Torsional moment", "N m", over(torsion, bending)))
+        size = over(np.linalg.norm(bent, axis=-1), bending)
+        found.append(colour("deflection", "Deflection from the root's tangent", "m", size))
     for name, label, unit in (("stress", "Largest stress (von Mises)", "Pa"), ("strain", "Largest strain", "1")):
         if name in data and stressed:
             values = data[name].transpose("time", "stressed_link", "s").values

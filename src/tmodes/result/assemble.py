@@ -10,9 +10,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
+from tmodes.analysis.energy import energy_lost
 from tmodes.analysis.modes.of_sheet import frequencies_about, sheet_frequencies
 from tmodes.analysis.quasistatic import elastic_names
-from tmodes.analysis.validity import energy_lost
 from tmodes.errors import SimulationError
 from tmodes.io.sheet_plausible import arm_notices, implausible_arm
 from tmodes.result.errors import summary_errors

@@ -54,7 +54,8 @@ def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[s
     inside = info_settling(deviation, time, move_end, band)
     setups = [one.setup for one in (reference, run) if one.setup]
     finished = reference.status == run.status == "finished"
-    rates = [decay for setup in setups if (decay := setup.spectrum.slowest_decay) is not None]
+    known = [setup for setup in setups if not setup.planned.plan.is_sampled]  # of a sampled one: with a held command
+    rates = [decay for setup in known if (decay := setup.spectrum.slowest_decay) is not None]
     fixed = len(setups) == 2 and not any(setup.callback for setup in setups)
     if (
         move_end is None

@@ -34,15 +34,15 @@ def summarise_result(data: Dataset, band: float = 0.05) -> dict[str, Any]:
     time = np.asarray(data["time"].values, dtype=float)
     return {
         "status": data.attrs["status"],
-        "first_frequency_Hz": first_frequencies(data),
-        "deviation": info_deviation(data, time) if "deviation" in data else None,
+        "first_frequency_Hz": _first_frequencies(data),
+        "deviation": _deviation(data, time) if "deviation" in data else None,
         "settling": _settling(data, time, band),
         "joints": _joints(data, time),
         "deformations": _deformations(data, time),
         "links": _links(data, time),
         "contact_force": _contact(data, time),
-        "energy": info_energy(data),
-        "error": info_errors(data),
+        "energy": _energy(data),
+        "error": _errors(data),
     }
 
 
@@ -143,7 +143,7 @@ def _contact(data: Dataset, time: Array) -> dict[str, float] | None:
     }
 
 
-def first_frequencies(data: Dataset) -> dict[str, float | None]:
+def _first_frequencies(data: Dataset) -> dict[str, float | None]:
     """The lowest frequency [Hz] with the motor locked, and the lowest that rings under control."""
     info = json.loads(data.attrs["frequencies"])
     return {
@@ -152,7 +152,7 @@ def first_frequencies(data: Dataset) -> dict[str, float | None]:
     }
 
 
-def info_deviation(data: Dataset, time: Array) -> dict[str, float]:
+def _deviation(data: Dataset, time: Array) -> dict[str, float]:
     """The largest distance of the tip from its reference [m], when it is reached [s], and that at the end."""
     deviation = data["deviation"].values
     worst = int(np.argmax(deviation))
@@ -178,14 +178,14 @@ def info_settling(deviation: Array, time: Array, move_end: float | None, band: f
     return info
 
 
-def info_energy(data: Dataset) -> dict[str, float | None]:
+def _energy(data: Dataset) -> dict[str, float | None]:
     """Energy moved (the largest change of one energy, or one work), and the worst residual of the balance over it."""
     moved = largest_flow(data["energy"].values, data["work"].values)
     worst = float(np.abs(data["energy_balance"].values).max())
     return {"moved_J": moved, "worst_residual_J": worst, "worst_residual_over_moved": worst / moved if moved else None}
 
 
-def info_errors(data: Dataset) -> dict[str, Any] | None:
+def _errors(data: Dataset) -> dict[str, Any] | None:
     """How the error of the integration was estimated, and that of each figure by its path; None where it is unknown."""
     return json.loads(data.attrs.get("errors", "null")) or None
 

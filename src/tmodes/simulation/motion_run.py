@@ -38,7 +38,7 @@ class RunData:
     ``wanted``, the value of the drive's signal; ``gear_torque``, 0 where no gear is elastic. ``controls`` (n, states):
     own states of the controllers, after the samples at each time. ``points``: motion of the named points.
     ``contact_force`` (n, 3), by the point on the surface; ``contact_normal`` (n,) its part into the
-    surface; ``penetration`` (n,) [m]; ``contact_fold`` (n,), see :func:`tmodes.analysis.validity.jam_warnings`; None
+    surface; ``penetration`` (n,) [m]; ``contact_fold`` (n,), see :func:`tmodes.simulation.warnings.jam_warnings`; None
     without contact. ``base`` (n, 24): acceleration less gravity (6) and rate
     (3) in base axes, pose and velocity in the world (15). ``energies`` and ``works`` (n,) [J] by kind: works of
     ``motor``, ``loads`` and ``base`` are brought in, the others taken out; ``energy_balance`` (n,): what is there less

@@ -31,7 +31,10 @@ __all__ = ["simulate_motion"]
 Progress = Callable[[str, float], None]
 Journals = Callable[[str], Journal | None]
 
-_CAUSES = "an equilibrium above the horizontal that tips over, buckling, a loose joint that falls, or the controller"
+_CAUSES = (
+    "an equilibrium above the horizontal that tips over, buckling, a loose joint that falls, friction of a contact "
+    "that pulls, or the controller"
+)
 """What makes a start unstable."""
 
 

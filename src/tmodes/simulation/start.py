@@ -81,6 +81,7 @@ def run_setup(arm: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None =
     if starts_at_rest(arm):
         rest = _same_rest(like, mechanics, held) or arm_rest(arm, model=mechanics, held=held)
     start = _first_state(arm, plan, model, held, rest)
+    _check_inertia(mechanics, start[model.layout.q])
     rate = model.rate([0.0], start, plan.schedule.rows_at(np.zeros(1)))[0]
     bad = np.flatnonzero(~np.isfinite(rate[model.layout.v]))
     if len(bad):
@@ -89,6 +90,24 @@ def run_setup(arm: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None =
             f"{model.coordinates[bad[0]]}; give what it moves a mass and an inertia"
         )
     return RunSetup(arm, plan, model, start, mechanics, rest)
+
+
+def _check_inertia(mechanics: Model, q: Array) -> None:
+    """Raises :class:`tmodes.errors.SimulationError` where the mass matrix at the start is singular to rounding."""
+    moved = np.setdiff1d(np.arange(mechanics.nq), mechanics.parts.held)
+    mass = mechanics.mass_matrix(q)[np.ix_(moved, moved)]
+    sizes = np.sqrt(np.maximum(np.diag(mass), 0.0))
+    if not len(moved) or not np.isfinite(mass).all():
+        return
+    if sizes.min() > 0:
+        values, shapes = np.linalg.eigh(mass / np.outer(sizes, sizes))
+        if values[0] > np.finfo(float).eps * len(moved):
+            return
+        sizes = -np.abs(shapes[:, 0])
+    raise SimulationError(
+        f"the mass matrix at the start is singular: {mechanics.coordinates[moved[np.argmin(sizes)]]} moves no mass in "
+        "this pose but as other coordinates do; start in another pose, or give the links between them mass and inertia"
+    )
 
 
 def _same(one: Robot, other: Robot) -> bool:

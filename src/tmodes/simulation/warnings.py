@@ -7,12 +7,12 @@ from collections.abc import Iterator
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.validity import energy_sentence, jam_warnings
+from tmodes.analysis.energy import energy_sentence
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.start import RunSetup
 
-__all__ = ["jumps", "run_warnings", "start_warnings"]
+__all__ = ["jam_warnings", "jumps", "run_warnings", "start_warnings"]
 
 Array = NDArray[np.float64]
 
@@ -84,6 +84,18 @@ def run_warnings(run: RunData) -> list[str]:
     energy = energy_sentence(run.times, run.energy_balance, run.energy_moved, tolerance, hint)
     jammed = [] if run.contact_fold is None else jam_warnings(run.times, run.contact_fold)
     return [*([energy] if energy else []), *jammed, *_limits(run)]
+
+
+def jam_warnings(time: Array, fold: Array) -> list[str]:
+    """Contact whose friction and mass are so large that the forces have no, or two, answers (``contact_fold``)."""
+    jammed = np.flatnonzero(fold <= 0)
+    if not len(jammed):
+        return []
+    return [
+        f"the contact jams first at t = {time[jammed[0]]:.4g} s, and at {len(jammed)} samples in all: friction and the "
+        "environment's mass are so large that the force has no single answer; do not trust the motion from there on; "
+        "lower the contact's friction or mass"
+    ]
 
 
 def _limits(run: RunData) -> Iterator[str]:

@@ -17,6 +17,7 @@ from arm.analysis.sheets import clamped_sheet
 from tmodes.analysis.hierarchy.hierarchy import Ladder, ladder
 from tmodes.analysis.hierarchy.move import chosen_move, followed
 from tmodes.analysis.hierarchy.variants import driven, input_mix, moved_chain, rungs, whole_chain
+from tmodes.analysis.modes.of_sheet import sheet_modes
 from tmodes.errors import InputError
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -175,3 +176,19 @@ def test_a_clamped_beam_has_a_rigid_rung_without_coordinates():
     assert found.rungs[0].tip_error == pytest.approx(1.0, rel=1e-6)
     exact = 1.8751040687119611**2 * 10 / (2 * np.pi)
     assert found.rungs[-1].frequencies_Hz[0] == pytest.approx(exact, rel=1e-3)
+
+
+def test_modes_are_rungs_of_a_straight_beam_that_bends_alike_in_both_planes() -> None:
+    """One mode is one segment; two have their masses at other places. Modes of a modes link of as many are its own."""
+    given = sheet()
+    given["links"][0]["beam"]["functions"] = {"bend_y": 1, "bend_z": 1}
+    found = dict(rungs(Robot.from_data(given), 1))
+    assert [name for name in found if name.startswith("modes")] == ["modes(1)", "modes(2)", "modes(3)"]
+    first = {name: sheet_modes(arm)["locked"][0]["frequency_Hz"] for name, arm in found.items() if name != "rigid"}
+    assert first["modes(1)"] == pytest.approx(first["segments(1)"], rel=1e-9)
+    assert found["modes(3)"].links[0].beam is not None
+    assert found["modes(3)"].links[0].beam.coordinate_count == 6
+    assert found["modes(3)"].links[0].beam.section_pieces()[1].start.bend_z == pytest.approx(EI)
+    again = dict(rungs(found["modes(2)"], 1))
+    assert again["modes(2)"].links == found["modes(2)"].links
+    assert not any(name.startswith("modes") for name, _ in rungs(Robot.from_data(sheet()), 1))

@@ -33,6 +33,15 @@ def test_what_an_arm_has_not_is_refused(arguments):
     assert arguments[0] in tmodes("modes", "spong1987", *arguments, code=2).stderr
 
 
+def test_table_and_json_have_the_same_frequencies_and_damping():
+    rows = [line.split() for line in tmodes("modes", "spong1987").stdout.splitlines() if line.strip()]
+    modes = json.loads(tmodes("modes", "spong1987", "--json").stdout)["real"]
+    assert modes["locked"][0]["damping_ratio"] >= 0
+    for mode in (*modes["locked"], *modes["controlled"]):
+        numbers = [f"{mode['frequency_Hz']:.4g}", f"{mode['damping_ratio']:.4f}"]
+        assert any(row[0] == mode["element"] and set(numbers) <= set(row) for row in rows), mode
+
+
 def test_at_an_angle_of_the_motor():
     """Spring and weight: 100 (q - 0.5) + 9.8 sin q = 0 at rest, about which w^2 = 100 + 9.8 cos q."""
     info = json.loads(tmodes("modes", "spong1987", "--angle", "0.5", "--json").stdout)

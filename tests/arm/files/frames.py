@@ -9,7 +9,6 @@ from scipy.spatial.transform import Rotation
 
 from tmodes.frame import Placement
 from tmodes.kinds.joints.registry import joint_kind
-from tmodes.kinds.links.strain import Beam
 from tmodes.sheet import Robot
 
 __all__ = ["chain_frames", "mass_matrix", "matrix", "sheet_frames"]
@@ -57,7 +56,7 @@ def chain_frames(data: dict[str, Any], angles: dict[str, float]) -> dict[str, np
         before = tips[node.parent] if node.parent >= 0 else _four(chain.base)
         frames[joint.name] = before @ _four(joint.placement) @ moved
         along = np.eye(4)
-        if isinstance(node.link, Beam):
+        if node.link.bends:
             along[0, 3] = node.link.length
         tips.append(frames[joint.name] @ along)
     return frames

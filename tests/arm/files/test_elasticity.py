@@ -78,6 +78,22 @@ def test_the_undeformed_arm_is_exactly_the_urdf(tmp_path: Path) -> None:
     assert lengths == pytest.approx([1.3, 0.5], abs=1e-15)
 
 
+MODES = "{bending_stiffness: 900.0, damping_time: 0.001}, {bending_stiffness: 400.0, damping_time: 0.001}"
+
+
+def test_a_link_may_be_of_modes(tmp_path: Path) -> None:
+    """Equal ones where no lengths are given; the arm stays where it was, and the URDF's mass lies along them."""
+    bent = read_arm_data(file_of(tmp_path, f"links: {{upper: {{beam: {{model: modes, modes: [{MODES}]}}}}}}\n"))[0]
+    rigid = sheet_frames(read_urdf(tmp_path / "bent.urdf").data, ANGLES)
+    np.testing.assert_allclose(chain_frames(bent, ANGLES)["turn"], rigid["hand"], atol=2e-15, rtol=0)
+    (link,) = (node.link for node in Robot.from_data(bent).chain().nodes if node.link.kind == "modes")
+    assert (len(link.coordinates), link.length) == (4, pytest.approx(1.3, abs=1e-15))
+    beam = next(one for one in bent["links"] if one["name"] == "upper")["beam"]
+    assert [mode["length"] * mode["mass_per_length"] for mode in beam["modes"]] == pytest.approx([1.2, 1.2])
+    wrong = MODES.replace("{bending", "{length: 0.4, bending")
+    assert "modes of 0.8 m" in said(tmp_path, f"links: {{upper: {{beam: {{model: modes, modes: [{wrong}]}}}}}}\n")
+
+
 def test_the_frames_of_the_sheet_are_scipys(tmp_path: Path) -> None:
     """The rotation that a URDF means: fixed axes, roll first."""
     file_of(tmp_path, "")

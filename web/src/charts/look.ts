@@ -25,10 +25,10 @@ const DASHES: Record<Role, number[]> = {
 const SERIES: number[][] = [[], [7, 2], [6, 2, 2, 2], [2, 2], [9, 2, 2, 2, 2, 2], [12, 4]];
 
 export const WORDS: Record<Role, string> = {
-  real: "real",
+  real: "actual",
   reference: "reference",
   rigid: "rigid",
-  stationary: "stationary part",
+  stationary: "quasi-static part",
   oscillatory: "oscillatory part",
   limit: "limit",
   other: "other",

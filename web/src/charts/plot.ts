@@ -151,19 +151,25 @@ function drawMarks(plot: uPlot, marks: { at: number; label: string }[]): void {
   const ratio = uPlot.pxRatio;
   let free = -Infinity;
   ctx.save();
-  ctx.strokeStyle = ctx.fillStyle = colour("--quiet");
+  ctx.fillStyle = colour("--quiet");
   ctx.font = `${11 * ratio}px system-ui, sans-serif`;
-  ctx.setLineDash([3 * ratio, 3 * ratio]);
+  ctx.lineJoin = "round";
   for (const { at } of marks) {
     const x = plot.valToPos(at, "x", true);
     if (x < bbox.left || x > bbox.left + bbox.width) continue;
+    [ctx.strokeStyle, ctx.lineWidth] = [colour("--quiet"), ratio];
+    ctx.setLineDash([3 * ratio, 3 * ratio]);
     ctx.beginPath();
     ctx.moveTo(x, bbox.top);
     ctx.lineTo(x, bbox.top + bbox.height);
     ctx.stroke();
+    [ctx.strokeStyle, ctx.lineWidth] = [colour("--panel"), 4 * ratio];
+    ctx.setLineDash([]);
     const text = `${plain(Number(at.toPrecision(3)))} Hz`;
     if (x > free && x + ctx.measureText(text).width < bbox.left + bbox.width) {
-      ctx.fillText(text, x + 3 * ratio, bbox.top + 11 * ratio);
+      const place = [text, x + 3 * ratio, bbox.top + 11 * ratio] as const;
+      ctx.strokeText(...place); // a halo: curves pass below the words
+      ctx.fillText(...place);
       free = x + ctx.measureText(text).width + 8 * ratio;
     }
   }

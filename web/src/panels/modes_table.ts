@@ -20,7 +20,7 @@ interface Row {
 
 /** `pressed` hears of which mode the button was pressed. */
 export function makeModesTable(pressed: (mode: Mode) => void): ModesTable {
-  const head = ["Frequency [Hz]", "Damping [%]", "Located in", ""].map((text) =>
+  const head = ["Frequency [Hz]", "Damping [%]", "Dominant element", ""].map((text) =>
     make(text ? "th" : "td", text ? { scope: "col", text } : {}),
   );
   const body = make("tbody");

@@ -1,26 +1,11 @@
 // Numbers as people read them: a prefix that suits the largest, and few digits.
 
-export interface Unit {
-  factor: number;
-  name: string;
-}
+import { readable as usual } from "../format";
 
-const PREFIXES: Record<string, [number, number, string][]> = {
-  // below this size, times this, in this unit
-  m: [[1e-4, 1e6, "µm"], [0.5, 1e3, "mm"]],
-  Pa: [[1e3, 1, "Pa"], [1e6, 1e-3, "kPa"], [Infinity, 1e-6, "MPa"]],
-  rad: [[0.1, 1e3, "mrad"]],
-  "N m": [[0.1, 1e3, "mN m"], [1e4, 1, "N m"], [Infinity, 1e-3, "kN m"]],
-  N: [[0.1, 1e3, "mN"], [1e4, 1, "N"], [Infinity, 1e-3, "kN"]],
-  "1": [[1e-2, 1e6, "µm/m"], [Infinity, 1e2, "%"]],
-};
-
-/** The unit in which values up to `largest` (in `unit`) read well. */
-export function readable(unit: string, largest: number): Unit {
-  const found = (PREFIXES[unit] ?? []).find(([below]) => Math.abs(largest) < below);
-  return found === undefined || largest === 0
-    ? { factor: 1, name: unit === "1" ? "" : unit }
-    : { factor: found[1], name: found[2] };
+/** The unit in which values up to `largest` (in `unit`) read well; strains in µm/m or in percent. */
+export function readable(unit: string, largest: number): { factor: number; name: string } {
+  if (unit !== "1" || largest === 0) return usual(unit, Math.abs(largest));
+  return Math.abs(largest) < 1e-2 ? { factor: 1e6, name: "µm/m" } : { factor: 1e2, name: "%" };
 }
 
 /** A number in three digits. */

@@ -12,7 +12,7 @@ from tmodes.chain.chain import Axis, Chain, Joint, Node
 from tmodes.errors import InputError
 from tmodes.frame import Placement
 from tmodes.kinds.drives.registry import drive_kind
-from tmodes.kinds.links.rigid import RigidLink
+from tmodes.kinds.links.registry import RigidLink
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 from tmodes.sheet.robot import RECURSION
@@ -20,11 +20,13 @@ from tmodes.sheet.robot import RECURSION
 __all__ = ["SEGMENTS", "driven", "input_mix", "moved_chain", "rungs", "whole_chain"]
 
 SEGMENTS = (1, 2, 3)
-"""Numbers of segments that are tried."""
+"""Numbers of segments, and of modes, that are tried."""
 
 
 def rungs(arm: Robot, finest: int) -> Iterator[tuple[str, Robot]]:
     """Name and arm of every rung, from rigid to ``strain(finest)``; directions that do not bend stay so.
+
+    ``modes`` are there where every beam is straight and bends alike in both planes.
 
     Raises :class:`tmodes.errors.InputError` for an arm without a beam, or with one that has no other model.
     """
@@ -34,6 +36,9 @@ def rungs(arm: Robot, finest: int) -> Iterator[tuple[str, Robot]]:
     yield "rigid", _with_beams(arm, "rigid", None)
     for count in SEGMENTS:
         yield f"segments({count})", _with_beams(arm, "segments", count)
+    for count in SEGMENTS:
+        if all(link.beam is None or link.beam.variant("modes", count) for link in arm.links):
+            yield f"modes({count})", _with_beams(arm, "modes", count)
     for count in range(1, finest + 1):
         yield f"strain({count})", _with_beams(arm, "strain", count)
 

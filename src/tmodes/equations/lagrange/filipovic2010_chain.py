@@ -7,8 +7,9 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.chain.chain import Chain, Placement
+from tmodes.chain.chain import Chain
 from tmodes.errors import InputError
+from tmodes.frame import Placement
 
 __all__ = ["COORDINATES", "NUMBERS", "matches", "numbers"]
 

@@ -4,10 +4,11 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.equations.recursion.body_kernels import point_kernel, times_kernel
+from tmodes.equations.recursion.body_kernels import times_kernel
 from tmodes.equations.recursion.driven import Driven, Drives
 from tmodes.equations.recursion.general_joint import GeneralJoint
 from tmodes.equations.recursion.hinge import Hinge
+from tmodes.equations.recursion.inertia import point_motion
 from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.equations.recursion.screw import Screw
@@ -140,17 +141,7 @@ class Recursion(Driven):
 
     def point(self, k: int) -> tuple[Slot, ...]:
         """Pose, rate and acceleration (less gravity) of a point in the world, after the run."""
-        point = self.parts.points[k]
-        way, number, link = self.way.ways[point.node], self.parts.station(point), self.parts.nodes[point.node].link
-        pose, section, motion = way.tip_pose, way.tip, self.tips[point.node]
-        if number is not None and link:
-            pose, section = way.section_poses[number], way.sections[number]
-            own = self.packed().part(link.first, link.kernels.n)
-            (motion,) = self.schedule.call(link.kernels.motion(), self.roots[point.node], section, own)
-        assert pose is not None  # noqa: S101
-        rate = section.part(12, 3) if section else way.tip_rate
-        kernel = point_kernel(on_section=section is not None)
-        return self.schedule.call(kernel, pose, self.way.frame(section), rate, motion, self.parts.offsets[k])
+        return point_motion(self.way, k, self.roots, self.tips, lambda link: self.way.bend(link, self.packed()))
 
 
 _GROUP = 8

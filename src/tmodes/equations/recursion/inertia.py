@@ -2,15 +2,16 @@
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass, field
 
 from tmodes.equations.recursion.body_kernels import body_moment_kernel, point_kernel, times_kernel
-from tmodes.equations.recursion.parts import Parts
+from tmodes.equations.recursion.parts import LinkPart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
-__all__ = ["Balance", "balance", "inertia_forces"]
+__all__ = ["Balance", "balance", "inertia_forces", "point_motion"]
 
 
 def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
@@ -23,7 +24,11 @@ def inertia_forces(parts: Parts, *, loaded: bool = False) -> Schedule:
     way.take_wrenches()
     found = balance(way, way.schedule.input("a", parts.size))
     schedule = way.schedule
-    schedule.output("points", *_points(way, found))
+    motions = (
+        point_motion(way, k, found.roots, found.tips, lambda link: way.bend(link, found.a))
+        for k in range(len(parts.points))
+    )
+    schedule.output("points", *(slot for motion in motions for slot in motion))
     schedule.output("moment", _moment(way))
     schedule.output("forces", *way.by_coordinate({}, found.joints, found.links))
     schedule.output("base_force", found.at_base)
@@ -90,22 +95,20 @@ def _accelerations(way: Passes, found: Balance) -> None:
         found.tips.append(root)
 
 
-def _points(way: Passes, found: Balance) -> list[Slot]:
-    """Pose, rate and acceleration of each named point."""
-    info: list[Slot] = []
-    for point, offset in zip(way.parts.points, way.parts.offsets, strict=True):
-        here, link = way.ways[point.node], way.parts.nodes[point.node].link
-        number = way.parts.station(point)
-        pose, section, motion = here.tip_pose, here.tip, found.tips[point.node]
-        if number is not None and link:
-            pose, section = here.section_poses[number], here.sections[number]
-            blocks = (found.roots[point.node], section, way.bend(link, found.a))
-            (motion,) = way.schedule.call(link.kernels.motion(), *blocks)
-        assert pose is not None  # noqa: S101
-        rate = section.part(12, 3) if section else here.tip_rate
-        kernel = point_kernel(on_section=section is not None)
-        info += way.schedule.call(kernel, pose, way.frame(section), rate, motion, offset)
-    return info
+def point_motion(
+    way: Passes, k: int, roots: list[Slot], tips: list[Slot], own: Callable[[LinkPart], Slot]
+) -> tuple[Slot, ...]:
+    """Pose, rate and acceleration of a point, from accelerations of link ends and of their ``own`` coordinates."""
+    point = way.parts.points[k]
+    here, link, number = way.ways[point.node], way.parts.nodes[point.node].link, way.parts.station(point)
+    pose, section, motion = here.tip_pose, here.tip, tips[point.node]
+    if number is not None and link:
+        pose, section = here.section_poses[number], here.sections[number]
+        (motion,) = way.schedule.call(link.kernels.motion(), roots[point.node], section, own(link))
+    assert pose is not None  # noqa: S101
+    rate = section.part(12, 3) if section else here.tip_rate
+    kernel = point_kernel(on_section=section is not None)
+    return way.schedule.call(kernel, pose, way.frame(section), rate, motion, way.parts.offsets[k])
 
 
 def _moment(way: Passes) -> Slot:

@@ -9,7 +9,7 @@ from __future__ import annotations
 from collections.abc import Mapping, Sequence
 from typing import Any
 
-__all__ = ["NAME", "own_path", "placed_path", "robot_change", "robot_data", "robot_path", "with_reach"]
+__all__ = ["NAME", "own_path", "placed_path", "robot_data", "robot_path", "with_reach"]
 
 NAME = "filipovic2010"
 """What a robot that was read of such a sheet keeps in its field ``imported``."""
@@ -29,15 +29,6 @@ _PATHS = {
 """Beginnings of the sheet's paths, and of those of the same numbers in the robot; longer ones first."""
 
 
-_EQUATIONS: dict[str, str] = {}
-"""Equations by which a reading is computed, where they have another name."""
-
-
-def robot_change(path: str, value: Any) -> tuple[str, Any]:
-    """Path and value in the robot of a path and value of the sheet."""
-    return path, _EQUATIONS.get(value, value) if path == "reading" else value
-
-
 def placed_path(path: str, data: Mapping[str, Any]) -> str:
     """:func:`robot_path`, where a contact that is switched off stands."""
     found = robot_path(path)
@@ -46,7 +37,9 @@ def placed_path(path: str, data: Mapping[str, Any]) -> str:
 
 
 def robot_path(path: str) -> str:
-    """The path in the robot of a path of the sheet; any other path is itself."""
+    """The path in the robot of a path of the sheet, where a number has one factor; any other path is itself."""
+    if path.startswith("real."):
+        return f"real.{own_path(path.removeprefix('real.'))}"
     return _replaced(path, _PATHS)
 
 
@@ -65,7 +58,6 @@ def _replaced(path: str, table: Mapping[str, str]) -> str:
 
 def robot_data(data: Mapping[str, Any]) -> dict[str, Any]:
     """Plain data of the robot of a sheet's checked plain data."""
-    reading = data.get("reading", "consistent")
     noise = data["reference"].get("noise", {})
     motion = {key: value for key, value in data["reference"].items() if key != "noise"}
     law = {"law": "dynamic_environment", "point": "tip", "shape": {"type": "ball", "center": [0.0, 0.0, 0.0]}}
@@ -82,7 +74,7 @@ def robot_data(data: Mapping[str, Any]) -> dict[str, Any]:
         "kind": "arm",
         "imported": NAME,
         **{key: data[key] for key in ("name", "title", "citation") if key in data},
-        "equations": _EQUATIONS.get(reading, reading),
+        "equations": data.get("reading", "consistent"),
         "gravity": data.get("gravity", 9.81),
         "joints": [_joint(data)],
         "links": [_link(data)],

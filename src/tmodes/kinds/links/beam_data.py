@@ -92,6 +92,12 @@ class BeamData(BendingSheet):
     root_mount: Origin | None = Field(default=None, description="the beam's root in the link's frame; none: there")
     tip_mount: Origin | None = Field(default=None, description="the link's tip frame in its end section; none: there")
 
+    @property
+    def modal_damping(self) -> float | None:
+        """The damping time of a straight beam that bends in both planes."""
+        both = self.functions is None or (self.functions.bend_y and self.functions.bend_z)
+        return (self.damping_time or 0.0) if both and not any(self.rest_curvature) else None
+
     @field_validator("functions", mode="before")
     @classmethod
     def _one_number_bends_both_ways(cls, value: Any) -> Any:

@@ -105,6 +105,8 @@ class BeamSheet(BeamData):
 
     def variant(self, model: str, count: int | None) -> BendingSheet | None:
         """The beam with another model; directions that do not bend stay so."""
+        if model not in [*BeamModel]:
+            return super().variant(model, count)
         given = self.functions or Functions(bend_y=1, bend_z=1)
         changes: dict[str, object] = {"model": BeamModel(model), "points": 0, "functions": given}
         if changes["model"] is BeamModel.SEGMENTS:

@@ -56,6 +56,11 @@ class ModesSheet(BendingSheet):
         return f"modes ({len(self.modes)})"
 
     @property
+    def modal_damping(self) -> float:
+        """The mean of the modes'."""
+        return sum(mode.damping_time * mode.length for mode in self.modes) / self.line_length
+
+    @property
     def _ends(self) -> list[float]:
         """Where each mode ends, as a share of the length."""
         return [float(end) for end in np.cumsum([mode.length for mode in self.modes]) / self.line_length]
@@ -93,6 +98,23 @@ class ModesSheet(BendingSheet):
         start, end = [0.0, *self._ends][element : element + 2]
         return start + (end - start) * stations
 
+    @classmethod
+    def in_place_of(cls, other: BendingSheet, count: int | None) -> BendingSheet | None:
+        """Equal modes of a straight link that bends alike in both planes; of one that is made of as many, itself."""
+        if other.description == f"modes ({count})":
+            return other
+        pieces, time = other.section_pieces(), other.modal_damping
+        alike = all(math.isclose(n.bend_y, n.bend_z, rel_tol=1e-9) and math.isfinite(n.bend_y)
+                    for piece in pieces for n in (piece.start, piece.stop))  # fmt: skip
+        if not (count and pieces and alike) or time is None:
+            return None
+        means = [_means(pieces, k / count, (k + 1) / count) for k in range(count)]
+        modes = tuple(
+            Mode(length=other.line_length / count, bending_stiffness=ei, mass_per_length=mass, damping_time=time)
+            for ei, mass in means
+        )
+        return cls(model="modes", modes=modes, **other.mounts)
+
     def _spot(self, s: float) -> Spot:
         return Spot(0, s, self._mount(s))
 
@@ -104,14 +126,15 @@ class ModesSheet(BendingSheet):
 
     def variant(self, model: str, count: int | None) -> BendingSheet | None:
         """The link with its mass spread along it, as another model."""
+        if model not in [*BeamModel]:
+            return super().variant(model, count)
         if 0 < self.coordinate_count < 2 * len(self.modes):
             return None  # a beam that is rigid in some pieces only
-        times = [mode.damping_time * mode.length for mode in self.modes]
         beam = BeamSheet(
             model=BeamModel.STRAIN,
             functions=Functions(bend_y=1, bend_z=1),
             length=self.line_length,
-            damping_time=sum(times) / self.line_length,
+            damping_time=self.modal_damping,
             pieces=tuple(
                 PieceSheet(end=end * self.line_length, section=_section(mode))
                 for end, mode in zip(self._ends, self.modes, strict=True)
@@ -120,6 +143,23 @@ class ModesSheet(BendingSheet):
             tip_mount=self.tip_mount,
         )
         return beam.variant(model, count)
+
+
+def _means(pieces: Sequence[Piece], start: float, end: float) -> tuple[float, float]:
+    """Bending stiffness, by the mean compliance, and mean mass per length between two shares of a link."""
+    nodes, weights = np.polynomial.legendre.leggauss(8)
+    compliance = mass = begin = 0.0
+    for piece in pieces:
+        a, b = max(start, begin), min(end, piece.end)
+        if b > a:
+            share = ((a + b) / 2 + (b - a) / 2 * nodes - begin) / (piece.end - begin)
+            share_of = (b - a) / 2 * weights / (end - start)
+            compliance += float(
+                share_of @ (1 / (piece.start.bend_z + share * (piece.stop.bend_z - piece.start.bend_z)))
+            )
+            mass += float(share_of @ (piece.start.mass + share * (piece.stop.mass - piece.start.mass)))
+        begin = piece.end
+    return 1 / compliance, mass
 
 
 def _section(mode: Mode) -> GivenSection:

@@ -108,6 +108,11 @@ class BendingSheet(DataSheet):
         return []
 
     @property
+    def modal_damping(self) -> float | None:
+        """Damping over stiffness [s] of the whole link; None where it is curved, or bends in one plane alone."""
+        return None
+
+    @property
     def mounts(self) -> dict[str, Origin | None]:
         """Offsets of the beam's root in the link's frame and of the tip frame in the end section."""
         found = {name: getattr(self, name, None) for name in ("root_mount", "tip_mount")}
@@ -141,8 +146,14 @@ class BendingSheet(DataSheet):
         return self
 
     def variant(self, model: str, count: int | None) -> BendingSheet | None:
-        """The link with another model: ``rigid``, ``segments`` or ``strain``; None where there is no such link."""
-        return None if (model, count) else self
+        """The link with another model and its number of functions or modes; None where there is no such link."""
+        return LINKS[model].in_place_of(self, count) if model in LINKS else None
+
+    @classmethod
+    def in_place_of(cls, other: BendingSheet, count: int | None) -> BendingSheet | None:
+        """A link of this kind in place of another; None where this kind cannot be that."""
+        del other, count
+        return None
 
     def element_stations(self, element: int, stations: Any) -> Any:  # noqa: ARG002
         """Places along the whole link of ``stations`` (0..1) along one of its elements, counted from 0."""

@@ -72,5 +72,5 @@ def form_of_field(info: FieldInfo, group: Any) -> Any:
     """The type of what stands in a field of a ``group`` of plain data: of its own, or by the kind that it names."""
     rule = next((rule for rule in info.metadata if isinstance(rule, NumbersOf)), None)
     named = group.get(rule.field) if rule and isinstance(group, Mapping) else None
-    schema = rule.registry[named].schema if rule and named in rule.registry else None
+    schema = rule.registry[named].schema if rule and isinstance(named, str) and named in rule.registry else None
     return schema or info.annotation

@@ -1,4 +1,4 @@
-/* tmodes, built from eeb82e3c8a72bb4d; BSD-3-Clause */
+/* tmodes, built from 92fc3c316e375fcc; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

@@ -1,0 +1,83 @@
+"""What every registry of kinds keeps; and kinds of installed packages, which are loaded when a person asks for them."""
+
+from __future__ import annotations
+
+import sys
+from pathlib import Path
+
+import pytest
+
+import tmodes
+import tmodes.plot
+from tmodes.errors import InputError, TmodesError
+from tmodes.integrate.registry import INTEGRATORS
+from tmodes.kinds.contacts.registry import CONTACTS, SURFACES
+from tmodes.kinds.controllers.registry import CONTROLLERS
+from tmodes.kinds.drives.registry import DRIVES
+from tmodes.kinds.joints.registry import JOINTS
+from tmodes.kinds.links.registry import LINKS
+from tmodes.kinds.registry import ENTRY_POINTS, REGISTRIES, Registry, UnknownKindError
+from tmodes.kinds.signals.registry import SIGNALS
+
+FAMILIES = (CONTACTS, CONTROLLERS, DRIVES, tmodes.plot.FIGURES, INTEGRATORS, JOINTS, LINKS, SIGNALS, SURFACES)
+
+MODULE = '''
+from typing import Literal
+from tmodes.kinds.signals.registry import SIGNALS, Signal
+from tmodes.kinds.signals.schedule import Schedule
+import numpy as np
+
+@SIGNALS.register
+class Ramp(Signal):
+    """Rises by 1/s."""
+    type: Literal["offered_ramp"]
+    def schedule(self, until):
+        return Schedule(np.array([0.0, until]), np.array([[0.0, 1.0]]))
+'''
+
+
+@pytest.mark.parametrize("registry", FAMILIES, ids=lambda one: one.noun)
+def test_every_family_is_registered_alike(registry: Registry[object]) -> None:
+    assert REGISTRIES[registry.noun] is registry
+    assert len(registry) == len(registry.names) >= 2
+    first, member = next(iter(registry.items()))
+    assert registry[first] is member
+    with pytest.raises(InputError, match=registry.contract.__name__):
+        registry.register(int)
+    with pytest.raises(UnknownKindError, match=f"Did you mean `{first}`"):
+        _ = registry[f"{first}x"]
+    assert f"{first}x" not in registry
+    before = registry.names
+    given = member if not isinstance(member, type) and registry not in (JOINTS, DRIVES) else None
+    registry.register(given or (member if isinstance(member, type) else type(member)))  # the same again
+    assert registry.names == before
+
+
+@pytest.fixture
+def offered(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> str:
+    """An installed package that offers a signal as an entry point."""
+    (tmp_path / "offered_kinds.py").write_text(MODULE, encoding="utf-8")
+    info = tmp_path / "offered_kinds-1.0.dist-info"
+    info.mkdir()
+    (info / "METADATA").write_text("Metadata-Version: 2.1\nName: offered-kinds\nVersion: 1.0\n", encoding="utf-8")
+    (info / "entry_points.txt").write_text(f"[{ENTRY_POINTS}]\nramps = offered_kinds\n", encoding="utf-8")
+    monkeypatch.syspath_prepend(str(tmp_path))
+    return "ramps"
+
+
+def test_an_entry_point_is_loaded_when_it_is_asked_for(offered: str) -> None:
+    """A sheet that names its kind, or its module, loads nothing."""
+    move = {"joint": "joint", "command": "torque", "signal": {"type": "offered_ramp"}}
+    with pytest.raises(TmodesError, match=r"signal"):
+        tmodes.load("spong1987").with_({"drives": [move]})
+    with pytest.raises(TmodesError, match=r"joints\.0\.drive|joints\.joint\.drive"):
+        tmodes.load("spong1987").with_({"joints.joint.drive": "offered_kinds"})
+    assert "offered_kinds" not in sys.modules
+    assert "offered_ramp" not in SIGNALS
+    try:
+        assert offered in tmodes.use()
+        robot = tmodes.load("spong1987").with_({"drives": [move]})
+        assert robot.drives[0].signal.schedule(2.0).at(1.5) == pytest.approx(1.5)
+    finally:
+        SIGNALS.unregister("offered_ramp")
+        sys.modules.pop("offered_kinds", None)
