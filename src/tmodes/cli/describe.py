@@ -47,8 +47,8 @@ def _print(info: dict[str, Any]) -> None:
     print_table("Links", columns, [_link(one) for one in info["links"]])
     for one in info["links"]:
         if "equivalent_mass_kg" in one:
-            print(f"link {one['name']}: in its model of segments {one['equivalent_mass_kg']:.4g} kg, equivalent masses "
-                  "(33/140 of each segment at its tip)")  # fmt: skip
+            print(f"link {one['name']}: {one['equivalent_mass_kg']:.4g} kg in the equations, 33/140 of each mode's "
+                  "mass at its tip")  # fmt: skip
     if info["gears"]:
         gears = [[one["joint"], ", ".join(f"{k:.4g}" for k in one["stiffness"]), one["unit"],
                   _number(one["stiffness_over_EI_per_L"])] for one in info["gears"]]  # fmt: skip

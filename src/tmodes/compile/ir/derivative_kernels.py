@@ -12,6 +12,7 @@ from typing import Any, NamedTuple
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double, Lanes
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.derivative_program import Elements, Written, adjoint_program, tangent_program, turned
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, declare
 from tmodes.compile.ir.kernels import row_function
@@ -117,7 +118,7 @@ class _Writer:
     def __init__(self, module: Any, symbol: str, variant: Tangent | Adjoint, lanes: int) -> None:
         arguments = [("values", POINTER), ("slopes", POINTER), ("row", I64.as_pointer())]
         values, slopes, row = (function := declare(module, symbol, VOID, arguments)).args
-        self.b: Any = ir.IRBuilder(function.append_basic_block("entry"))
+        self.b: Any = Builder(function.append_basic_block("entry"))
         self.plain: Double = Double(module)
         self.wide: Any = _Wide(module) if lanes > 1 else self.plain
         self.written, self.blocks = variant.written()

@@ -10,10 +10,9 @@ from __future__ import annotations
 
 from typing import Any
 
-from llvmlite import ir
-
 from tmodes.compile.ir.arithmetic import Derivative
 from tmodes.compile.ir.block import ScheduleRate, write_main
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, POINTER, VOID, counted, declare, load, number, store, whole
 from tmodes.compile.ir.lu import lu_functions
 from tmodes.compile.ir.rows import take_rows
@@ -192,7 +191,7 @@ class RateJacobian:
     def _write_prepare(self, module: Any, name: str) -> Any:
         function = declare(module, name, VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
         parameters, held = function.args
-        b = ir.IRBuilder(function.append_basic_block("entry"))
+        b = Builder(function.append_basic_block("entry"))
         with counted(b, self.held_size, "number") as k:
             store(b, number(0.0), held, k)
         take_rows(b, self.numbers, parameters, held, [(0, self.schedule.parameters)], 1)
@@ -204,7 +203,7 @@ class RateJacobian:
         function = declare(module, name, VOID, [("time", F64), *pointers], private=True)
         function.attributes.add("noinline")
         time, state, row, held, by_state, by_time = function.args
-        b = ir.IRBuilder(function.append_basic_block("entry"))
+        b = Builder(function.append_basic_block("entry"))
         inputs = self.schedule.inputs
         for label, source in (("state", state), ("row", row)):
             take_rows(b, self.numbers, source, held, self.main.blocks([inputs[label]]), 1)
