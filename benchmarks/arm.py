@@ -22,8 +22,7 @@ from pathlib import Path
 import numpy as np
 
 from tmodes.bench import peer_mujoco, peer_pinocchio
-from tmodes.bench.clock import now
-from tmodes.bench.missing import PeerMissing
+from tmodes.bench.contender import PeerMissing, now
 from tmodes.bench.rigid import RigidChain
 from tmodes.chain.chain import Chain, Friction, Gear, Joint, Motor, Node
 from tmodes.compile.ir import kernels

@@ -22,7 +22,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.bench.missing import PeerMissing
+from tmodes.bench.contender import PeerMissing
 from tmodes.bench.peer_pinocchio import model as peer_model
 from tmodes.bench.rigid import RigidChain
 from tmodes.model.model import Model

@@ -25,7 +25,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.bench.missing import PeerMissing
+from tmodes.bench.contender import PeerMissing
 from tmodes.compile.ir.unroll import c_text, unrolled
 from tmodes.integrate.settings import Integration
 from tmodes.robots.load import load

@@ -15,7 +15,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.bench.missing import PeerMissing
+from tmodes.bench.contender import PeerMissing
 from tmodes.chain.chain import Chain
 from tmodes.kinds.links.strain import Beam
 

@@ -20,7 +20,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.bench.missing import PeerMissing
+from tmodes.bench.contender import PeerMissing
 
 from . import example
 

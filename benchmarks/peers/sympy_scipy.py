@@ -14,7 +14,7 @@ from typing import Literal
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.bench.missing import PeerMissing
+from tmodes.bench.contender import PeerMissing
 
 from . import example
 

@@ -16,9 +16,8 @@ from tmodes.bench import measure
 from tmodes.bench.chain_run import DURATION, ChainRun
 from tmodes.bench.equal_error import Runner, at_equal_error
 from tmodes.bench.rigid import RigidChain
-from tmodes.bench.scaling import exponents
 from tmodes.bench.start import started
-from tmodes.bench.tables import left_out, tables
+from tmodes.bench.tables import exponents, left_out, tables
 from tmodes.cli.main import app
 from tmodes.errors import InputError
 

@@ -11,10 +11,9 @@ import numpy as np
 import pytest
 
 from tmodes.bench import gcc, peer_exudyn, peer_mujoco, peer_pinocchio
-from tmodes.bench.contender import CHECKED, Contender, Timed, in_turns
+from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Timed, in_turns, needed
 from tmodes.bench.exact import accelerations, relative_error
 from tmodes.bench.limit import limit
-from tmodes.bench.missing import PeerMissing, needed
 from tmodes.bench.ours import SAMPLES, Ours
 from tmodes.bench.rigid import GRAVITY, INERTIA, MASS, TURNED, RigidChain
 

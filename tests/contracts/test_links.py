@@ -15,7 +15,7 @@ from tmodes.errors import InputError
 from tmodes.kinds.kernel.functions import fabs, fmax, if_else
 from tmodes.kinds.links.contract import Body, ElasticForces, Link, LinkNumbers, LinkStructure, Row
 from tmodes.kinds.links.registry import LINKS
-from tmodes.kinds.links.segment_link import segment_link
+from tmodes.kinds.links.segment import segment_link
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.kinds.schema.quantity import positive
 from tmodes.model.model import Model

@@ -12,6 +12,7 @@ import pytest
 
 import tmodes
 from live.node import live_in_node
+from tmodes.equations.lagrange.system import SYSTEMS
 from tmodes.errors import InputError
 from tmodes.live.bundle import live_bundle
 from tmodes.report.data import live_page
@@ -78,7 +79,7 @@ def test_a_result_whose_system_is_absent_opens_with_a_notice(
 ) -> None:
     read = tmodes.Result.load(cart.save(tmp_path / "result.nc"))
     whole = scene_of(cart)
-    monkeypatch.setattr("tmodes.equations.lagrange.system._KNOWN", {})
+    monkeypatch.setattr(SYSTEMS, "_members", {})
     page = live_page(read)
     (run,) = page["runs"]
     assert ends(run["scene"]) == pytest.approx(ends(whole))

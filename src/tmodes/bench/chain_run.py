@@ -10,11 +10,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.bench import peer_mujoco
-from tmodes.bench.clock import now
-from tmodes.bench.equal_error import Runner
-from tmodes.bench.missing import needed
+from tmodes.bench.contender import needed, now
+from tmodes.bench.equal_error import STEPS, TOLERANCES, Runner, adaptive_methods, solved, tolerances_of
 from tmodes.bench.rigid import RigidChain
-from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved, tolerances_of
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule

@@ -3,13 +3,18 @@
 from __future__ import annotations
 
 import statistics
+import sys
+import time
 from collections.abc import Callable, Sequence
+from contextlib import redirect_stdout
 from dataclasses import dataclass
+from importlib import import_module
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["CHECKED", "Contender", "Timed", "in_turns"]
+__all__ = ["CHECKED", "Contender", "PeerMissing", "Timed", "in_turns", "needed", "now"]
 
 CHECKED = 3
 """States at which accelerations are compared."""
@@ -59,3 +64,23 @@ def in_turns(
                 times[one.name].append(seconds)
         tell((number + 1) / (rounds + 1))
     return times
+
+
+now = time.perf_counter if sys.platform == "win32" else time.process_time
+"""Seconds of this process on processors, all its threads together; on Windows, where that is coarse, by the wall.
+
+Only contenders that work on several cores at once are timed by the wall everywhere.
+"""
+
+
+class PeerMissing(RuntimeError):
+    """A peer cannot run on this machine; the message says what to install, or what it lacks."""
+
+
+def needed(module: str, package: str) -> Any:
+    """A module of another engine, which has no types and is often absent: then :class:`PeerMissing`."""
+    try:
+        with redirect_stdout(sys.stderr):  # some greet, where our own output belongs
+            return import_module(module)
+    except ImportError as error:
+        raise PeerMissing(f"not installed (pip install {package})") from error

@@ -4,10 +4,16 @@ from __future__ import annotations
 
 from collections.abc import Callable, Sequence
 from dataclasses import dataclass
+from typing import Any
 
-from tmodes.bench.contender import Timed
+import numpy as np
+from numpy.typing import NDArray
 
-__all__ = ["Race", "Runner", "at_equal_error"]
+from tmodes.bench.contender import Timed, now
+from tmodes.errors import CompileError
+from tmodes.integrate.registry import integrator, integrators
+
+__all__ = ["STEPS", "TOLERANCES", "Race", "Runner", "adaptive_methods", "at_equal_error", "solved", "tolerances_of"]
 
 
 @dataclass(frozen=True)
@@ -68,3 +74,57 @@ def _setting(runner: Runner, error: float) -> tuple[float, float]:
         found.append((reached, setting))
     nearest = min(found)
     return nearest[1], nearest[0]
+
+
+Array = NDArray[np.float64]
+
+
+TOLERANCES = tuple(10.0**-power for power in np.arange(3.0, 12.1, 0.5))
+"""Relative tolerances of adaptive methods."""
+
+STEPS = tuple(round(25 * 2.0 ** (k / 2)) for k in range(29))
+"""Numbers of equal steps."""
+
+
+def tolerances_of(method: str) -> tuple[float, ...]:
+    """Those that a method takes."""
+    least = integrator(method).least_tolerance
+    return tuple(max(info, least) for info in TOLERANCES if info > 0.9 * least)
+
+
+def adaptive_methods(loops: Any) -> list[str]:
+    """The methods with a tolerance for which there is a native loop."""
+
+    def there(method: str) -> bool:
+        try:
+            return loops[method] is not None
+        except (KeyError, CompileError):  # none for this kind of robot, or none for one so large
+            return False
+
+    return [method for method, one in integrators().items() if one.adaptive and there(method)]
+
+
+def solved(
+    rate: Callable[[float, Array, Array], Any],
+    start: Array,
+    knots: Sequence[float],
+    rows: Sequence[Array],
+    method: Any,
+    tolerance: float,
+    samples: Array,
+) -> tuple[float, Array]:
+    """Time [s] of ``solve_ivp`` and its states at ``samples`` [s], the last of which is the end.
+
+    It restarts at every knot, so that no step crosses a jump. ``rate(t, state, row)``; the absolute tolerance is a
+    thousandth of the relative one.
+    """
+    from scipy.integrate import solve_ivp
+
+    state, found, began = start, [], now()
+    for left, right, row in zip(knots[:-1], knots[1:], rows, strict=True):
+        wanted = samples[(samples > left) & (samples <= right)]
+        options = {"rtol": tolerance, "atol": tolerance * 1e-3, "args": (row,)}
+        states = solve_ivp(rate, (left, right), state, method, np.union1d(wanted, [right]), **options).y.T
+        found.append(states[: len(wanted)])
+        state = states[-1]
+    return now() - began, np.concatenate(found)

@@ -17,8 +17,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.bench.contender import Contender
-from tmodes.bench.missing import PeerMissing
+from tmodes.bench.contender import Contender, PeerMissing
 from tmodes.bench.ours import SAMPLES, Ours, found_in, repeated
 from tmodes.compile.ir.unroll import c_text, unrolled
 

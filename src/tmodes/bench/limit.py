@@ -15,7 +15,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.bench.clock import now
+from tmodes.bench.contender import now
 from tmodes.compile.ir.latency import BODY, OPERATIONS, chains
 from tmodes.compile.ir.program import READ, BlockProgram
 from tmodes.compile.ir.unroll import unrolled

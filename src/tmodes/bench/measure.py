@@ -2,27 +2,68 @@
 
 from __future__ import annotations
 
+import os
+import platform
+import sys
 from collections.abc import Callable, Sequence
 from dataclasses import asdict, dataclass
+from datetime import UTC, datetime
+from importlib.metadata import PackageNotFoundError, version
+from pathlib import Path
 from typing import Any
 
 from tmodes.bench import gcc, peer_exudyn, peer_mujoco, peer_pinocchio
 from tmodes.bench.chain_run import DURATION, ERROR, ChainRun
-from tmodes.bench.contender import CHECKED, Contender, Timed, in_turns
+from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Timed, in_turns
 from tmodes.bench.equal_error import Runner, at_equal_error
 from tmodes.bench.exact import accelerations, relative_error
 from tmodes.bench.limit import limit, machine
-from tmodes.bench.machine import described
-from tmodes.bench.missing import PeerMissing
-from tmodes.bench.ours import SAMPLES, Ours
+from tmodes.bench.ours import SAMPLES, Ours, cores
 from tmodes.bench.published_run import DURATION as SEED_DURATION
 from tmodes.bench.published_run import ERROR as SEED_ERROR
 from tmodes.bench.published_run import SeedRun
 from tmodes.bench.rigid import RigidChain
-from tmodes.bench.scaling import exponents
 from tmodes.bench.start import started
+from tmodes.bench.tables import exponents
 
-__all__ = ["FORMAT", "PEERS", "SIZES", "Plan", "measured"]
+__all__ = ["FORMAT", "PEERS", "SIZES", "Plan", "described", "measured"]
+
+_PACKAGES = ("casadi", "llvmlite", "numpy", "scipy", "pin", "mujoco", "exudyn")
+
+
+def described() -> dict[str, object]:
+    """Processor, cores, system, load, versions, and the date (UTC)."""
+    import tmodes
+
+    return {
+        "date": datetime.now(UTC).strftime("%Y-%m-%d"),
+        "processor": _processor(),
+        "cores": cores(),
+        "load": list(os.getloadavg()) if hasattr(os, "getloadavg") else [],
+        "system": f"{platform.system()} {platform.machine()}",
+        "python": sys.version.split()[0],
+        "tmodes": tmodes.__version__,
+        **{name: found for name in _PACKAGES if (found := _version(name))},
+    }
+
+
+def _version(package: str) -> str:
+    try:
+        return version(package)
+    except PackageNotFoundError:
+        return ""
+
+
+def _processor() -> str:
+    """The name that the system gives it, with the name that LLVM gives its architecture."""
+    from tmodes.compile.native import processor
+
+    info = ""
+    if sys.platform == "linux":
+        lines = Path("/proc/cpuinfo").read_text(encoding="utf-8", errors="replace").splitlines()
+        info = next((line.partition(":")[2].strip() for line in lines if line.startswith("model name")), "")
+    return f"{info or platform.processor() or platform.machine()} ({processor()})"
+
 
 FORMAT = 1
 """Version of what :func:`measured` returns."""

@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.bench.clock import now
-from tmodes.bench.contender import CHECKED, Contender
+from tmodes.bench.contender import CHECKED, Contender, now
 from tmodes.bench.rigid import RigidChain
 from tmodes.compile.ir import kernels
 from tmodes.compile.ir.arithmetic import Wide

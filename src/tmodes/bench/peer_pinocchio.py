@@ -6,9 +6,7 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.bench.clock import now
-from tmodes.bench.contender import CHECKED, Contender
-from tmodes.bench.missing import PeerMissing, needed
+from tmodes.bench.contender import CHECKED, Contender, PeerMissing, needed, now
 from tmodes.bench.rigid import CENTER, INERTIA, MASS, TURNED, RigidChain
 
 __all__ = ["LARGEST", "contender", "model"]

@@ -9,9 +9,8 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.bench.clock import now
-from tmodes.bench.equal_error import Runner
-from tmodes.bench.tolerances import STEPS, TOLERANCES, adaptive_methods, solved, tolerances_of
+from tmodes.bench.contender import now
+from tmodes.bench.equal_error import STEPS, TOLERANCES, Runner, adaptive_methods, solved, tolerances_of
 from tmodes.integrate.settings import Integration
 from tmodes.robots.load import load
 from tmodes.simulation.start import run_setup

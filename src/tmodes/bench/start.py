@@ -14,7 +14,7 @@ import tempfile
 from pathlib import Path
 from typing import Any
 
-from tmodes.bench.clock import now
+from tmodes.bench.contender import now
 
 __all__ = ["started"]
 

@@ -13,7 +13,7 @@ from tmodes.cli.output import print_json, print_json_list, print_table
 from tmodes.errors import InputError, SimulationError
 
 if TYPE_CHECKING:
-    from tmodes.cli.states import ChainStates
+    from tmodes.io.states import ChainStates
     from tmodes.model.model import Model
     from tmodes.sheet import Robot
 
@@ -45,14 +45,14 @@ def evaluate(
     coordinates q, delta, gamma, vt, e, theta; u is the motor's voltage; h holds gravity; H is without the
     environment's mass (phidd has it); F acts by the tip.
     """
-    from tmodes.io.states import holds_phi, read_states
+    from tmodes.io.states import holds_phi, read_phi_states
 
     sheet = chosen_sheet(robot, settings, reading, roots=root, trust_paths=trust_paths)
     if sheet.imported and holds_phi(states):
         from tmodes.cli.evaluate_phi import evaluate_phi
 
         pair = sheet.with_({"contact": contact}).pair()
-        answers = evaluate_phi(pair.nominal if nominal else pair.real, read_states(states))
+        answers = evaluate_phi(pair.nominal if nominal else pair.real, read_phi_states(states))
         print_json_list(iter(answers)) if as_json else _print(answers)
         return
     if contact:
@@ -100,11 +100,11 @@ _MOST_NUMBERS = 20_000_000
 
 def evaluate_arm(arm: Robot, path: str, *, as_json: bool) -> None:
     """Read states, evaluate, and print."""
-    from tmodes.cli.states import read_arm_states
+    from tmodes.io.states import read_states
     from tmodes.model.model import Model
 
     model = Model(arm.model_copy(update={"drives": ()}).chain())  # every joint with its motor, none prescribed
-    states = read_arm_states(path, model.coordinates, model.efforts)
+    states = read_states(path, model.coordinates, model.efforts)
     answers = list(arm_answers(model, states))
     if as_json:
         names = {"coordinates": list(model.coordinates), "efforts": list(model.efforts)}
@@ -160,7 +160,6 @@ def _check_finite(name: str, values: Any) -> None:
 
 
 def _print_terms(model: Model, answers: list[dict[str, Any]]) -> None:
-
     rows = [[name, *(f"{one['a'][i]:.6g}" for one in answers[:6])] for i, name in enumerate(model.coordinates)]
     columns = ["coordinate", *(f"state {k}" for k in range(len(answers[:6])))]
     print_table("Accelerations [rad/s^2, m/s^2]", columns, rows)

@@ -9,7 +9,7 @@ import typer
 from tmodes.cli.options import AsJson, Roots
 from tmodes.cli.output import print_json, print_table
 from tmodes.errors import InputError
-from tmodes.io.words import nearest, shown
+from tmodes.io.words import meant, shown
 from tmodes.robots.load import load, sheet_names, sheet_text
 
 if TYPE_CHECKING:
@@ -70,7 +70,5 @@ def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
 
 
 def _unknown(name: str, known: list[str]) -> InputError:
-
-    close = nearest(name, known)
-    hint = f"did you mean `{close}`?" if close else "see the list: tmodes robots"
+    hint = meant(name, known, "see the list: tmodes robots")
     return InputError("robot", shown(name), f"one of {', '.join(known)}", hint)

@@ -12,7 +12,7 @@ from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPath
 from tmodes.cli.output import notice, print_json, print_table
 from tmodes.cli.progress import working
 from tmodes.errors import InputError
-from tmodes.io.words import nearest, shown
+from tmodes.io.words import meant, shown
 
 if TYPE_CHECKING:
     from tmodes.analysis.statics.equilibrium import Equilibrium
@@ -88,7 +88,6 @@ def _tell(arm: Robot, rest: Equilibrium, index: int, as_json: bool) -> None:
 
 
 def _print(arm: Robot, info: dict[str, Any]) -> None:
-
     lowest = info["lowest_frequency_Hz"]
     stable = "stable" if info["stable"] else "NOT STABLE"
     print(f"{arm.name} at rest: {stable}" + (f", lowest frequency {lowest:.4g} Hz" if lowest else ""))
@@ -179,9 +178,7 @@ def _parts(text: str) -> dict[str, str]:
 
 
 def _unknown(which: str, name: str, known: Sequence[str]) -> InputError:
-
-    close = nearest(name, known)
-    hint = f"did you mean `{close}`?" if close else EXAMPLE
+    hint = meant(name, known, EXAMPLE)
     return InputError(which, f"the unknown word {shown(name)}", f"one of {', '.join(known)}", hint)
 
 

@@ -19,7 +19,7 @@ from collections.abc import Mapping
 from typing import Any
 
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.words import nearest, shown
+from tmodes.io.words import meant, shown
 from tmodes.io.yaml_file import Positions, nearest_line
 from tmodes.kinds.schema.frames import Convention
 
@@ -82,8 +82,7 @@ def _row_faults(which: str, row: Any) -> list[tuple[str, str, str, str]]:
     ]
     for key in row:
         if key not in KEYS:
-            close = nearest(str(key), KEYS)
-            hint = f"did you mean `{close}`?" if close else "remove it"
+            hint = meant(str(key), KEYS, "remove it")
             faults.append((f"{which}.{key}", "an unknown key", f"one of {', '.join(KEYS)}", hint))
     return faults
 

@@ -23,7 +23,7 @@ from tmodes.errors import InputError, InputErrors
 from tmodes.io.elasticity_beam import give_mass, length_along, line_of, place_beam, riding_body
 from tmodes.io.mesh_paths import folders_of
 from tmodes.io.urdf import UrdfRobot, read_urdf
-from tmodes.io.words import nearest, shown, shown_path
+from tmodes.io.words import meant, shown, shown_path
 from tmodes.io.xacro import read_xacro
 from tmodes.io.yaml_file import Positions, nearest_line, read_yaml
 
@@ -200,8 +200,7 @@ class _Overlay:
             self._wrong(error.which, error.got, error.expected, error.hint)
 
     def _unknown(self, which: str, name: str, names: Iterable[str], expected: str) -> None:
-        close = nearest(name, names)
-        hint = f"did you mean {shown(close)}?" if close else "remove it"
+        hint = meant(name, names, "remove it")
         self._wrong(which, f"the unknown name {shown(name)}", expected, hint)
 
     def _wrong(self, which: str, got: str, expected: str, hint: str) -> None:

@@ -1,33 +1,60 @@
-"""Read states at which the equations are to be evaluated: JSON records of angles, speeds and a voltage."""
+"""Read states at which equations are to be evaluated: JSON records, or a table (CSV), of numbers by name.
+
+Of a sheet of the 2010 robot also records of its angles phi, their speeds phid and the motor's voltage u.
+"""
 
 from __future__ import annotations
 
+import csv
 import json
 import math
 import os
-from collections.abc import Iterator, Mapping
+from collections.abc import Iterable, Iterator, Mapping
+from dataclasses import dataclass
 from typing import Any
+
+import numpy as np
+from numpy.typing import NDArray
 
 from tmodes.errors import InputError
 from tmodes.io.files import read_bytes
-from tmodes.io.words import nearest, shown, shown_path
+from tmodes.io.filipovic2010.coordinates import COORDINATES
+from tmodes.io.words import meant, shown, shown_path
 from tmodes.kinds.schema.quantity import LARGEST
 
-__all__ = ["MOST_BYTES", "check_keys", "holds_phi", "is_number", "parsed_json", "read_states"]
+__all__ = ["ChainStates", "holds_phi", "read_phi_states", "read_states"]
+
+Array = NDArray[np.float64]
+Names = tuple[str, ...]
 
 MOST_BYTES = 50_000_000
 MOST_RECORDS = 100_000
 MOST_BRACKETS = 4_000_000
+MOST_NAMES = 12
+"""Names listed in one message."""
 
-GIVEN = ("phi", "phid", "u")
-"""What a record must hold: angles [rad], angular velocities [rad/s], motor voltage [V]."""
-NEEDED = set(GIVEN)
+PHI = ("phi", "phid", "u")
+"""What a record of the 2010 robot must hold: angles [rad], angular velocities [rad/s], motor voltage [V]."""
 
 ANSWERS = (
     *("reading", "H", "h", "f_el", "f_di", "Q", "tip", "J", "phidd", "F_tip_on_environment"),
     *("kinetic", "potential_gravity", "potential_elastic", "rayleigh", "energy"),
 )
-"""What a record may hold next to it, and what is not read: another program's answers at that state."""
+"""What it may hold next to it, and what is not read: another program's answers at that state."""
+
+EXAMPLES = {
+    PHI: 'write [{"phi": [...], "phid": [...], "u": 0.0}]',
+    ("q",): 'write [{"q": {"shoulder": 0.3}, "v": {}, "effort": {}}]',
+}
+
+
+@dataclass(frozen=True, eq=False)
+class ChainStates:
+    """n states: ``q`` and ``v`` (n, coordinates) and ``effort`` (n, efforts), SI."""
+
+    q: Array
+    v: Array
+    effort: Array
 
 
 class _Repeated(dict[str, Any]):
@@ -36,28 +63,55 @@ class _Repeated(dict[str, Any]):
     key = ""
 
 
-def read_states(path: str | os.PathLike[str], coordinates: int = 6) -> list[dict[str, Any]]:
+def read_phi_states(path: str | os.PathLike[str], coordinates: Names = COORDINATES) -> list[dict[str, Any]]:
     """Records ``{phi, phid, u}`` of a JSON file: a list of them, or ``{"states": [...]}``.
 
-    ``phi`` [rad] and ``phid`` [rad/s] are lists of ``coordinates`` floats, ``u`` [V] is a float. Raises
-    :class:`tmodes.errors.InputError` that names the record and the field of the first wrong value.
+    ``phi`` [rad] and ``phid`` [rad/s] are lists of floats, one of each of the ``coordinates``, ``u`` [V] is a float.
+    Raises :class:`tmodes.errors.InputError` that names the record and the field of the first wrong value.
     """
     source = shown_path(path)
-    records = _records(parsed_json(read_bytes(path, MOST_BYTES), source), source)
-    return [_Record(record, index, source).read(coordinates) for index, record in enumerate(records)]
+    rows = _records(_parsed(read_bytes(path, MOST_BYTES), source), PHI, ANSWERS, source)
+    return [
+        {key: _block(row[key], coordinates, f"record {k}: {key}", source) for key in ("phi", "phid")}
+        | {"u": _number(row["u"], f"record {k}: u", source)}
+        for k, row in enumerate(rows)
+    ]
+
+
+def read_states(path: str | os.PathLike[str], coordinates: Names, efforts: Names) -> ChainStates:
+    """States from a file, ``.csv`` or JSON.
+
+    JSON: a list of records ``{"q": ..., "v": ..., "effort": ...}`` or ``{"states": [...]}``; each a list of all
+    numbers, or numbers by name, where those that are not named are 0; v and effort may be left out. CSV: a column for
+    each coordinate, ``NAME.rate`` and ``effort.JOINT``; a column that is missing is 0. Raises
+    :class:`tmodes.errors.InputError` that names the record and the field of the first wrong value.
+    """
+    source, content = shown_path(path), read_bytes(path, MOST_BYTES)
+    data = _table(content, source) if _is_table(path) else _parsed(content, source)
+    rows = _records(data, ("q",), ("v", "effort"), source)
+    blocks = {"q": coordinates, "v": coordinates, "effort": efforts}
+    arrays = {
+        key: np.array([_block(row.get(key, {}), names, f"record {k}: {key}", source) for k, row in enumerate(rows)])
+        for key, names in blocks.items()
+    }
+    return ChainStates(**{key: array.reshape(len(rows), len(blocks[key])) for key, array in arrays.items()})
 
 
 def holds_phi(path: str | os.PathLike[str]) -> bool:
     """Whether a file holds records in the coordinates of the 2010 robot, not numbers by name in ``q`` or a table."""
-    if str(path).lower().endswith(".csv"):
+    if _is_table(path):
         return False
-    data = parsed_json(read_bytes(path, MOST_BYTES), shown_path(path))
+    data = _parsed(read_bytes(path, MOST_BYTES), shown_path(path))
     records = data.get("states", data) if isinstance(data, Mapping) else data
     first = records[0] if isinstance(records, list) and records else records
     return not isinstance(first, Mapping) or "q" not in first
 
 
-def parsed_json(content: bytes, source: str) -> Any:
+def _is_table(path: str | os.PathLike[str]) -> bool:
+    return str(path).lower().endswith(".csv")
+
+
+def _parsed(content: bytes, source: str) -> Any:
     """JSON of a file that may be hostile; raises :class:`tmodes.errors.InputError` that says the line."""
     if content.count(b"[") + content.count(b"{") > MOST_BRACKETS:
         most = f"at most {MOST_BRACKETS} lists and objects"
@@ -88,85 +142,67 @@ def _object(pairs: list[tuple[str, Any]]) -> dict[str, Any]:
     return repeated
 
 
-def _records(data: Any, source: str) -> list[Any]:
-    if isinstance(data, Mapping) and not {"phi", "phid", "u"} & set(data):
-        check_keys(data, ("states",), (), "the file", source)
+def _records(data: Any, must: Names, may: Names, source: str) -> list[Mapping[str, Any]]:
+    """The records of a file, each with the keys that it must and may have."""
+    if isinstance(data, Mapping) and not set(must) & set(data):
+        _check_keys(data, ("states",), (), "the file", source)
         data = data["states"]
     if not isinstance(data, list) or not data:
         got = "an empty list" if data == [] else "one record" if isinstance(data, Mapping) else shown(data)
-        hint = 'write [{"phi": [...], "phid": [...], "u": 0.0}]'
-        raise InputError("the file", got, "a list of records", hint, source)
+        raise InputError("the file", got, "a list of records", EXAMPLES[must], source)
     if len(data) > MOST_RECORDS:
         raise InputError("the file", f"{len(data)} records", f"at most {MOST_RECORDS}", "split the file", source)
+    for k, record in enumerate(data):
+        if not isinstance(record, Mapping):
+            expected = f"a record with the keys {', '.join(must)}"
+            raise InputError(f"record {k}", shown(record), expected, EXAMPLES[must], source)
+        _check_keys(record, must, may, f"record {k}", source)
+        for key in record.keys() & set(ANSWERS):  # not read, but a file that holds NaN or infinity is no JSON
+            if any(isinstance(value, float) and not math.isfinite(value) for value in _leaves(record[key])):
+                hint = "write finite ones, or leave the field out"
+                raise InputError(f"record {k}: {key}", "one that is not finite", "finite numbers", hint, source)
     return data
 
 
-Names = tuple[str, ...]
-
-
-def check_keys(record: Mapping[str, Any], must: Names, may: Names, which: str, source: str) -> None:
-    """Raise an InputError for a key that stands twice, is not known, or is missing."""
+def _check_keys(record: Mapping[str, Any], must: Names, may: Names, which: str, source: str) -> None:
     if isinstance(record, _Repeated):
         name = shown(record.key)
         raise InputError(f"{which}: {name}", "a key that stands twice", "given once", "remove one", source)
     for key in record:
         if key not in (*must, *may):
-            close = nearest(key, (*must, *may))
-            hint = f"did you mean `{close}`?" if close else "remove it"
-            expected = f"one of {', '.join((*must, *may))}"
-            raise InputError(f"{which}: {shown(key)}", "an unknown key", expected, hint, source)
+            raise _unknown(f"{which}: {shown(key)}", "an unknown key", key, (*must, *may), source)
     for key in must:
         if key not in record:
             raise InputError(f"{which}: {key}", "nothing", f"the key `{key}`", f"add `{key}`", source)
 
 
-class _Record:
-    """One record and its place in the file."""
-
-    def __init__(self, data: Any, index: int, source: str) -> None:
-        self.data, self.index, self.source = data, index, source
-
-    def error(self, field: str, got: str, expected: str, hint: str) -> InputError:
-        """An error of ours about a field of this record."""
-        which = f"record {self.index}"
-        return InputError(f"{which}: {field}" if field else which, got, expected, hint, self.source)
-
-    def read(self, coordinates: int) -> dict[str, Any]:
-        """The numbers that are needed, as floats."""
-        if not isinstance(self.data, Mapping):
-            expected, hint = "a record with the keys phi, phid, u", 'write {"phi": [...], "phid": [...], "u": 0.0}'
-            raise self.error("", shown(self.data), expected, hint)
-        if isinstance(self.data, _Repeated) or self.data.keys() != NEEDED:
-            check_keys(self.data, GIVEN, ANSWERS, f"record {self.index}", self.source)
-            self._check_answers()
-        phi, phid = self._list("phi", coordinates), self._list("phid", coordinates)
-        if not is_number(self.data["u"]):
-            raise self._no_number("u", self.data["u"])
-        return {"phi": phi, "phid": phid, "u": float(self.data["u"])}
-
-    def _list(self, key: str, length: int) -> list[float]:
-        values = self.data[key]
-        if not isinstance(values, list) or len(values) != length:
-            raise self.error(key, shown(values), f"a list of {length} numbers", "give one number per coordinate")
-        for index, value in enumerate(values):
-            if not is_number(value):
-                raise self._no_number(f"{key}[{index}]", value)
-        return [*map(float, values)]
-
-    def _no_number(self, field: str, value: Any) -> InputError:
-        return self.error(field, shown(value), f"a number of magnitude at most {LARGEST:g}", "write a finite number")
-
-    def _check_answers(self) -> None:
-        """Answers are not read, but a file that holds NaN or infinity is no JSON."""
-        for key in self.data.keys() - NEEDED:
-            for value in _leaves(self.data[key]):
-                if isinstance(value, float) and not math.isfinite(value):
-                    raise self.error(key, shown(value), "finite numbers", "write finite ones, or leave the field out")
+def _unknown(which: str, got: str, name: str, names: Names, source: str) -> InputError:
+    return InputError(which, got, f"one of {_few(names)}", meant(name, names, "remove it"), source)
 
 
-def is_number(value: Any) -> bool:
-    """True for a number that is finite and of a size that a robot may have."""
-    return type(value) in (float, int) and -LARGEST <= value <= LARGEST
+def _few(names: Iterable[str]) -> str:
+    info = list(names)
+    return ", ".join(info[:MOST_NAMES]) + (", ..." if len(info) > MOST_NAMES else "")
+
+
+def _block(values: Any, names: Names, which: str, source: str) -> list[float]:
+    """Numbers in the order of ``names``, given as a list or by name."""
+    if isinstance(values, Mapping):
+        for name in values:
+            if name not in names:
+                raise _unknown(which, shown(name), name, names, source)
+        values = [values.get(name, 0.0) for name in names]
+    if not isinstance(values, list) or len(values) != len(names):
+        expected = f"a list of {len(names)} numbers, or numbers by name"
+        raise InputError(which, shown(values), expected, f"the names are {_few(names)}", source)
+    return [_number(value, f"{which}: {name}", source) for name, value in zip(names, values, strict=True)]
+
+
+def _number(value: Any, which: str, source: str) -> float:
+    if type(value) in (float, int) and -LARGEST <= value <= LARGEST:
+        return float(value)
+    expected = f"a number of magnitude at most {LARGEST:g}"
+    raise InputError(which, shown(value), expected, "write a finite number, SI", source)
 
 
 def _leaves(value: Any) -> Iterator[Any]:
@@ -175,3 +211,32 @@ def _leaves(value: Any) -> Iterator[Any]:
             yield from _leaves(item)
     else:
         yield value
+
+
+def _table(content: bytes, source: str) -> list[Mapping[str, Any]]:
+    """Rows of a table as records by name."""
+    try:
+        lines = content.decode("utf-8-sig").splitlines()
+    except UnicodeDecodeError:
+        raise InputError("the file", "bytes that are not UTF-8", "text in UTF-8", "save it as UTF-8", source) from None
+    rows = [row for row in csv.reader(lines) if any(cell.strip() for cell in row)]
+    head = [cell.strip() for cell in rows[0]] if rows else []
+    if len(set(head)) < len(head):
+        got, expected = "a name that stands twice", "a list of different names"
+        raise InputError("the first line", got, expected, "remove one column", source)
+    return [_record(head, row, number, source) for number, row in enumerate(rows[1:])]
+
+
+def _record(head: list[str], row: list[str], number: int, source: str) -> dict[str, dict[str, float]]:
+    if len(row) != len(head):
+        expected = f"{len(head)} cells, as in the first line"
+        raise InputError(f"record {number}", f"{len(row)} cells", expected, "complete the line", source)
+    record: dict[str, dict[str, float]] = {"q": {}, "v": {}, "effort": {}}
+    for name, cell in zip(head, row, strict=True):
+        key = "effort" if name.startswith("effort.") else "v" if name.endswith(".rate") else "q"
+        try:
+            record[key][name.removeprefix("effort.") if key == "effort" else name.removesuffix(".rate")] = float(cell)
+        except ValueError:
+            which = f"record {number}: {name}"
+            raise InputError(which, shown(cell), "a number", "write a number, SI", source) from None
+    return record

@@ -18,7 +18,7 @@ from tmodes.io.urdf_values import (
     text_at,
     triple_at,
 )
-from tmodes.io.words import nearest, shown
+from tmodes.io.words import meant, shown
 from tmodes.io.xml_file import Element
 
 __all__ = ["MOVING", "Follows", "follows", "joint_ends", "joint_of"]
@@ -87,8 +87,7 @@ def _other_kind(element: Element, which: str, kind: str) -> InputError:
     if kind == "planar":
         hint = "write it as two prismatic joints and a revolute one"
         return fault(element, f"{which}: type", "a planar joint", f"one of {known}", hint)
-    close = nearest(kind, KINDS)
-    hint = f"did you mean {close}?" if close else "choose one of them"
+    hint = meant(kind, KINDS, "choose one of them")
     return fault(element, f"{which}: type", shown(kind), f"one of {known}", hint)
 
 

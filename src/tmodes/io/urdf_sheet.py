@@ -9,7 +9,7 @@ from typing import Any
 from tmodes.io.urdf_joint import MOVING, Follows, follows
 from tmodes.io.urdf_tree import Tree, UrdfJoint
 from tmodes.io.urdf_values import fault
-from tmodes.io.words import nearest, shown
+from tmodes.io.words import meant, shown
 from tmodes.io.xml_file import Element
 from tmodes.io.yaml_file import Positions
 from tmodes.sheet.topology import BASE
@@ -38,8 +38,7 @@ def hold_followers(joints: tuple[UrdfJoint, ...], data: list[dict[str, Any]]) ->
 def _check_leader(joint: UrdfJoint, leader: str, moving: dict[str, Any], info: dict[str, Follows]) -> None:
     which = f"joint {joint.name}: mimic"
     if leader not in moving:
-        close = nearest(leader, moving)
-        hint = f"did you mean {shown(close)}?" if close else "name a joint that moves, or remove <mimic>"
+        hint = meant(leader, moving, "name a joint that moves, or remove <mimic>")
         raise fault(joint.element, which, f"the unknown joint {shown(leader)}", "a joint that moves", hint)
     if leader in info:
         got, hint = f"{shown(leader)}, which mimics {shown(info[leader].leader)} itself", "name that joint instead"

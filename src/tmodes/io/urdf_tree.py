@@ -7,7 +7,7 @@ from dataclasses import dataclass
 
 from tmodes.errors import InputError
 from tmodes.io.urdf_values import fault
-from tmodes.io.words import nearest, shown
+from tmodes.io.words import meant, shown
 from tmodes.io.xml_file import Element
 
 __all__ = ["Tree", "UrdfJoint", "tree_of"]
@@ -64,8 +64,7 @@ def tree_of(robot: Element, links: dict[str, Element], joints: list[UrdfJoint]) 
 def _check_ends(joint: UrdfJoint, links: dict[str, Element]) -> None:
     for end, name in (("parent", joint.parent), ("child", joint.child)):
         if name not in links:
-            close = nearest(name, links)
-            hint = f"did you mean {shown(close)}?" if close else f"add <link name={shown(name)}>"
+            hint = meant(name, links, f"add <link name={shown(name)}>")
             raise fault(joint.element, f"joint {joint.name}: {end}", f"the unknown link {shown(name)}", "a link", hint)
     if joint.parent == joint.child:
         got, hint = f"{shown(joint.child)} on itself", "name two different links"

@@ -7,7 +7,7 @@ import os
 from collections.abc import Iterable, Mapping, Sequence
 from typing import Any
 
-__all__ = ["nearest", "plain", "shown", "shown_path"]
+__all__ = ["meant", "nearest", "plain", "shown", "shown_path"]
 
 LONGEST = 60
 
@@ -51,6 +51,12 @@ def nearest(word: str, names: Iterable[str]) -> str | None:
     starts = [name for name in known if len(meant) >= SHORTEST and name.startswith(meant)]
     found = close or (starts if len(starts) == 1 else [])
     return known[found[0]] if found else None
+
+
+def meant(word: str, names: Iterable[str], otherwise: str) -> str:
+    """The hint for an unknown word: the name that was probably meant, else ``otherwise``."""
+    close = nearest(word, names)
+    return f"did you mean `{close}`?" if close else otherwise
 
 
 def plain(word: str) -> str:

@@ -16,7 +16,7 @@ from typing import Any
 
 from tmodes.io.mesh_paths import Folders, folders_of
 from tmodes.io.urdf import UrdfRobot, urdf_robot
-from tmodes.io.words import nearest, shown
+from tmodes.io.words import meant, nearest, shown
 from tmodes.io.xacro_expression import Value
 from tmodes.io.xacro_text import Macro, as_value, filled, is_true, macro_of, typed, xacro_fault
 from tmodes.io.xml_file import MOST_ELEMENTS, Element, read_xml
@@ -146,8 +146,7 @@ class _Expansion:
     def _insert(self, element: Element, scope: _Scope, depth: int) -> list[Element]:
         name = self._text(element, _needed(element, "name"), scope)
         if name not in scope.blocks:
-            close = nearest(name, scope.blocks)
-            hint = f"did you mean {shown(close)}?" if close else "declare it in the macro's params as *name"
+            hint = meant(name, scope.blocks, "declare it in the macro's params as *name")
             raise xacro_fault(element, f"the unknown block {shown(name)}", "a block", hint)
         return [made for child in scope.blocks[name] for made in self.expand(child, scope, depth)]
 

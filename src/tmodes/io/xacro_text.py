@@ -8,7 +8,7 @@ from dataclasses import dataclass
 
 from tmodes.errors import InputError
 from tmodes.io.scalars import INTEGER, finite_float
-from tmodes.io.words import nearest, shown
+from tmodes.io.words import meant, shown
 from tmodes.io.xacro_expression import FormulaError, Value, evaluate
 from tmodes.io.xml_file import LONGEST_ATTRIBUTE, Element
 
@@ -45,8 +45,7 @@ class Macro:
         names = {parameter.name: parameter for parameter in self.parameters if not parameter.stars}
         for name in given:
             if name not in names:
-                close = nearest(name, names)
-                hint = f"did you mean {shown(close)}?" if close else "remove it, or add it to the macro's params"
+                hint = meant(name, names, "remove it, or add it to the macro's params")
                 got, expected = (
                     f"the unknown parameter {shown(name)}",
                     f"called with parameters of {', '.join(names) or 'none'}",
@@ -163,8 +162,7 @@ def _part(part: str, element: Element, known: Mapping[str, Value], arguments: Ma
     if command != "arg":
         raise _fault(element, f"the command {shown(part)}", "write the value, or use $(arg name) or $(find package)")
     if name not in arguments:
-        close = nearest(name, arguments)
-        hint = f"did you mean {shown(close)}?" if close else "give the xacro:arg a default"
+        hint = meant(name, arguments, "give the xacro:arg a default")
         raise _fault(element, f"the argument {shown(name)}, which has no value", hint)
     return arguments[name]
 

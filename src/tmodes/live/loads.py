@@ -14,7 +14,7 @@ from tmodes.equations.line.schedule import ROOTS, Lines
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.equations.recursion.parts import Parts
 from tmodes.kinds.joints.joint import Limits
-from tmodes.kinds.links.line_place import layout
+from tmodes.kinds.links.line import layout
 from tmodes.sheet import Robot
 
 __all__ = ["evenly", "joint_limits", "line_lengths", "line_names", "lines_info", "load_places", "yield_strengths"]

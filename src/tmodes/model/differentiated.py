@@ -20,7 +20,7 @@ from tmodes.equations.mechanics import mechanics
 from tmodes.errors import InputError, SimulationError
 from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
 from tmodes.model.derivatives import Columns, Differentiated, differentiated
-from tmodes.model.evaluator import Blocks, Rows
+from tmodes.model.evaluator import Blocks, Rows, derivatives
 from tmodes.model.passes import ArmPasses
 
 __all__ = ["DifferentiatedModel"]
@@ -183,11 +183,24 @@ class DifferentiatedModel:
         return self._kept((name, loaded, by), make)
 
     def _inverse(self, state: Blocks, by: tuple[str, ...], *, loaded: bool) -> list[Array]:
-        """Derivatives of all forces on the left side by the inputs named, each (nq, nq)."""
-        columns = self._columns("inertia", by, loaded=loaded)
-        found = np.empty((self.passes.parts.size, columns.width))
-        self._fill(found, state, by, loaded=loaded)
-        return [found[:, columns.place[name]] for name in by]
+        """Derivatives of all forces on the left side by the inputs named, each (nq, nq), along one coordinate a row."""
+        passes, n = self.passes, self.passes.parts.size
+        found = np.zeros((len(by), n, n))
+        for name in ("inertia", "elastic"):
+            schedule, wanted = passes.schedule(name, loaded=loaded and name == "inertia"), [*by]
+            if name == "elastic":
+                wanted = [label for label in by if label != "a"]
+            count = n * len(wanted)
+            blocks = {label: np.tile(state[label], (count, 1)) for label in schedule.inputs}
+            units = {label: np.zeros((count, n)) for label in wanted}
+            for k, label in enumerate(wanted):
+                units[label][n * k : n * (k + 1)] = np.eye(n)
+            slopes = derivatives(passes.parameters, schedule, blocks, units, count)["forces"].reshape(-1, n, n)
+            for k, label in enumerate(wanted):
+                found[by.index(label)] += slopes[k].T
+        if "a" in by:
+            found[by.index("a")] += np.diag(passes.rotor_inertias)
+        return [*found]
 
     def _fill(self, found: Array, state: Blocks, by: tuple[str, ...], *, loaded: bool) -> None:
         """The same into an array, with columns of zeros between those of one input and the next."""

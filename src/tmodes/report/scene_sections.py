@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.kinds.links.section_numbers import SectionNumbers
+from tmodes.kinds.links.section_given import SectionNumbers
 from tmodes.kinds.links.sheet import BendingSheet
 from tmodes.sheet import Robot
 

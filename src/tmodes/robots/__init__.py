@@ -36,8 +36,7 @@ def kept_lines(positions: Mapping[str, int], changes: Collection[str]) -> dict[s
 
 def unknown(name: str, known: Sequence[str]) -> InputError:
     """The error for a name that is none of the ``known`` ones, nor the path of a file."""
-    from tmodes.io.words import nearest, shown
+    from tmodes.io.words import meant, shown
 
-    close = nearest(Path(name).stem, known)
-    hint = f"did you mean `{close}`?" if close else "check the path and its spelling"
+    hint = meant(Path(name).stem, known, "check the path and its spelling")
     return InputError("robot", shown(name), f"one of {', '.join(known)}, or the path of a file that exists", hint)

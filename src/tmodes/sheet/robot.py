@@ -7,7 +7,6 @@ Robot, the other data sheet, is the one machine of the 2010 paper; an Arm is a t
 
 from __future__ import annotations
 
-import unicodedata
 from collections.abc import Mapping
 from dataclasses import dataclass
 from typing import Annotated, Any, Literal, Self
@@ -20,7 +19,7 @@ from tmodes.integrate.settings import RobotIntegration
 from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.kinds.schema.frames import Origin, Vector, list_of_numbers
-from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, refuse
+from tmodes.kinds.schema.quantity import LARGEST, DataSheet, Issue, not_negative, plain_texts, refuse
 from tmodes.sheet.parts import BaseMotion, DriveSheet, Initial, LinkSheet, LoadSheet, PointSheet, TipSheet
 
 __all__ = ["ARM_FORMAT", "MOST_JOINTS", "RECURSION", "Robot", "RobotPair"]
@@ -38,9 +37,6 @@ MOST_LOADS = 100
 _FACTOR = not_negative("-", "-", "factor of the real arm on the known value", at_most=1e6)
 _Parameter = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 _Coupling = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
-
-_STEERING = ("Cc", "Cf", "Cs", "Co")
-"""Unicode categories of letters that are not shown but steer what is: control, direction, surrogates, private."""
 
 
 class Robot(DataSheet):
@@ -123,11 +119,7 @@ class Robot(DataSheet):
         for group in ("joints", "links", "points"):
             texts |= {f"{group}.{index}.name": item.name for index, item in enumerate(getattr(self, group))}
         texts |= {f"joints.{index}.child": joint.child for index, joint in enumerate(self.joints)}
-        return [
-            Issue(path, ascii(text[:60]), "text without control characters", "write it in plain letters")
-            for path, text in texts.items()
-            if any(unicodedata.category(letter) in _STEERING and letter != "\n" for letter in text)
-        ]
+        return plain_texts(texts)
 
     @classmethod
     def from_data(cls, data: Mapping[str, Any]) -> Robot:

@@ -82,11 +82,11 @@ def run_setup(arm: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None =
         rest = _same_rest(like, mechanics, held) or arm_rest(arm, model=mechanics, held=held)
     start = _first_state(arm, plan, model, held, rest)
     _check_inertia(mechanics, start[model.layout.q])
-    rate = model.rate([0.0], start, plan.schedule.rows_at(np.zeros(1)))[0]
-    bad = np.flatnonzero(~np.isfinite(rate[model.layout.v]))
+    accelerations = model.observe([0.0], start, plan.schedule.rows_at(np.zeros(1)))["a"][0]
+    bad = np.flatnonzero(~np.isfinite(accelerations))
     if len(bad):
         raise SimulationError(
-            f"the acceleration at the start is {rate[model.layout.v][bad[0]]} in coordinate "
+            f"the acceleration at the start is {accelerations[bad[0]]} in coordinate "
             f"{model.coordinates[bad[0]]}; give what it moves a mass and an inertia"
         )
     return RunSetup(arm, plan, model, start, mechanics, rest)

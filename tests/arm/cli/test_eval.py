@@ -49,7 +49,7 @@ def test_a_table_is_the_same_as_records(tmp_path):
         ("a.json", '[{"q": [0, NaN]}]', "finite"),
         ("a.json", '[{"v": [0, 0]}]', "add `q`"),
         ("a.json", '{"q": [0, 0]}', "a list of records"),
-        ("a.json", "[]", "0 states"),
+        ("a.json", "[]", "an empty list"),
         ("a.json", "[", "broken JSON"),
         ("a.csv", "joint\none\n", "a number"),
         ("a.csv", "joint,joint\n1,2\n", "stands twice"),

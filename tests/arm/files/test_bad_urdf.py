@@ -197,7 +197,7 @@ CASES = {
         "got a floating joint (a free-flying base)",
     ),
     "planar joint": ('name="elbow" type="revolute"', 'name="elbow" type="planar"', "got a planar joint"),
-    "misspelt type": ('name="elbow" type="revolute"', 'name="elbow" type="revolut"', "Did you mean revolute?"),
+    "misspelt type": ('name="elbow" type="revolute"', 'name="elbow" type="revolut"', "Did you mean `revolute`?"),
     "no child": (
         '<child link="fore"/>',
         "",
@@ -234,7 +234,7 @@ CASES = {
     "mimic of nothing": (
         "<dynamics",
         '<mimic joint="sholder"/><dynamics',
-        "Did you mean 'shoulder'?",
+        "Did you mean `shoulder`?",
     ),
     "mimic of itself": ("<dynamics", '<mimic joint="elbow"/><dynamics', "'elbow', which mimics 'elbow' itself"),
     "mesh that climbs": ("</robot>", MESH + joint("j", "fore", "m"), "which climbs with `..`"),

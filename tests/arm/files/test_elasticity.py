@@ -201,13 +201,13 @@ REFUSED = {
     "unknown joint": (
         "joints:\n  pann: {state: locked}\n",
         "bent.yaml:3: joints.pann: unknown name 'pann'",
-        "Did you mean 'pan'?",
+        "Did you mean `pan`?",
     ),
-    "unknown link": ("links:\n  foree: {}\n", "bent.yaml:3: links.foree: unknown name", "Did you mean 'fore'?"),
+    "unknown link": ("links:\n  foree: {}\n", "bent.yaml:3: links.foree: unknown name", "Did you mean `fore`?"),
     "unknown key": (
         "joints:\n  pan:\n    gaer: {}\n",
         "bent.yaml:4: joints.pan.gaer: unknown name",
-        "Did you mean 'gear'?",
+        "Did you mean `gear`?",
     ),
     "urdf's key": (
         "joints:\n  pan: {axis: [1, 0, 0]}\n",

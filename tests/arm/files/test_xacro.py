@@ -161,7 +161,7 @@ REFUSED = {
     "no argument": ('<a x="$(arg size)"/>', "got the argument 'size', which has no value"),
     "condition": ('<xacro:if value="maybe"><a/></xacro:if>', "got the condition 'maybe'"),
     "missing parameter": ('<xacro:macro name="m" params="a b:=1"/><xacro:m/>', "got no value for a"),
-    "unknown parameter": ('<xacro:macro name="m" params="side"/><xacro:m sid="1"/>', "Did you mean 'side'?"),
+    "unknown parameter": ('<xacro:macro name="m" params="side"/><xacro:m sid="1"/>', "Did you mean `side`?"),
     "missing block": (
         '<xacro:macro name="m" params="*b"/><xacro:m/>',
         "called with 1 elements, one for each block (b), got 0 elements inside",

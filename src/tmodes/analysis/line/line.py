@@ -18,8 +18,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.chain.chain import Node
 from tmodes.equations.line.schedule import RIGID, ROOTS, Lines
 from tmodes.errors import InputError, SimulationError
-from tmodes.kinds.links.line import LineOfLink
-from tmodes.kinds.links.line_place import layout
+from tmodes.kinds.links.line import LineOfLink, layout
 from tmodes.model.evaluator import Rows
 from tmodes.model.model import Model
 
@@ -110,6 +109,7 @@ class LinkLine:
     @property
     def is_point(self) -> bool:
         """Whether there is nothing to draw."""
+        # A word of the line itself, drawn by points of a system or along a link; no kind of link is asked.
         return self.kind != DRAWN and self.length <= _POINT_LIKE
 
     def largest(self, quantity: str, component: int | None = None) -> Largest | None:

@@ -8,9 +8,8 @@ from dataclasses import dataclass
 from functools import lru_cache, partial
 from typing import Any, NamedTuple
 
-from llvmlite import ir
-
 from tmodes.compile.ir.arithmetic import Double
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.calls import Layout, write_calls
 from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, declare, whole
 from tmodes.compile.ir.ordering import kernel_program
@@ -44,7 +43,7 @@ def write_program(module: Any, name: str, program: BlockProgram, arithmetic: Dou
     """The same of a kernel's program."""
     labels = [f"i{k}" for k in range(program.inputs)] + [f"o{k}" for k in range(program.outputs)]
     function = declare(module, name, VOID, [(label, POINTER) for label in labels])
-    b = ir.IRBuilder(function.append_basic_block("entry"))
+    b = Builder(function.append_basic_block("entry"))
 
     def read(argument: int, element: int) -> Any:
         return arithmetic.load(b, function.args[argument], element)
@@ -80,7 +79,7 @@ def write_main(module: Any, schedule: Any, numbers: Double, name: str) -> Main:
     memory = Layout(schedule) if numbers.packs else schedule
     main = declare(module, name, VOID, [("workspace", POINTER)], private=True)
     main.attributes.add("noinline")  # loops call it from many places, and the time is in the kernels
-    b = ir.IRBuilder(main.append_basic_block("entry"))
+    b = Builder(main.append_basic_block("entry"))
     symbols = partial(kernel_symbol, arithmetic=numbers.name)
     write_calls(b, schedule, numbers, main.args[0], symbols, memory.offset)
     b.ret_void()
@@ -98,7 +97,7 @@ def _write_program(
     """The private function ``name(workspace)`` of one program on a workspace."""
     function = declare(module, name, VOID, [("workspace", POINTER)], private=True)
     function.attributes.add("noinline")
-    b = ir.IRBuilder(function.append_basic_block("entry"))
+    b = Builder(function.append_basic_block("entry"))
     workspace = function.args[0]
     values = write_values(b, program, arithmetic, lambda _, place: arithmetic.load(b, workspace, place))
     for place, index in results:
@@ -118,7 +117,7 @@ def write_samples(module: Any, schedule: Any, numbers: Double, name: str) -> Non
     labels = [("n", I64), ("each", I64), ("p", POINTER), ("workspace", POINTER), ("in", POINTER), ("out", POINTER)]
     function = declare(module, name, VOID, labels)
     count, each, parameters, workspace, source, target = function.args
-    b = ir.IRBuilder(function.append_basic_block("entry"))
+    b = Builder(function.append_basic_block("entry"))
     taken = main.blocks(schedule.inputs.values())
     given = main.blocks(slot for slots in schedule.outputs.values() for slot in slots)
     width, own, rows = numbers.stride, [(0, schedule.parameters)], numbers.stride if numbers.packs else 1
@@ -175,7 +174,7 @@ def write_rate(module: Any, schedule: Any, numbers: Double, name: str) -> Schedu
     """
     main, inputs = write_main(module, schedule, numbers, f"{name}.main"), schedule.inputs
     prepare = declare(module, f"{name}.prepare", VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
-    b = ir.IRBuilder(prepare.append_basic_block("entry"))
+    b = Builder(prepare.append_basic_block("entry"))
     take_parameters(b, numbers, prepare.args[0], prepare.args[1], schedule.parameters)
     step = main.memory.offset(inputs["step"]) if "step" in inputs else None
     if step is not None:
@@ -197,7 +196,7 @@ def _write_call(module: Any, schedule: Any, main: Main, numbers: Double, name: s
     call = declare(module, name, VOID, kinds, private=True)
     call.attributes.add("noinline")
     time, *pointers, held, out = call.args
-    b = ir.IRBuilder(call.append_basic_block("entry"))
+    b = Builder(call.append_basic_block("entry"))
     numbers.store(b, time, held, main.memory.offset(schedule.inputs["time"]))
     sources = dict(zip(taken, pointers, strict=True))
     if "start" in schedule.inputs:

@@ -12,9 +12,11 @@ from typing import Any, NamedTuple
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double, Lanes
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.derivative_program import Elements, Written, adjoint_program, tangent_program, turned
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, declare
 from tmodes.compile.ir.kernels import row_function
+from tmodes.compile.ir.program import BlockProgram
 from tmodes.compile.native import Library
 
 __all__ = ["ADD", "LANES", "NONE", "STORE", "Adjoint", "Tangent"]
@@ -103,50 +105,39 @@ def _library(variant: Any, info: str, lanes: int, *, seldom: bool = False) -> tu
     symbol = f"derived_{digest.hexdigest()[:32]}"
 
     def write() -> tuple[Any, int]:
-        module, (written, blocks) = ir.Module(symbol), variant.written()
-        _write(module, symbol, _Writing(written, blocks, lanes, turned(kernel), getattr(variant, "valued", False)))
-        return module, 0 if seldom and len(written.program.values) > _LONG else 1
+        module = ir.Module(symbol)
+        program = _Writer(module, symbol, variant, lanes).write()
+        return module, 0 if seldom and len(program.values) > _LONG else 1
 
     return symbol, row_function(symbol, write)
-
-
-class _Writing(NamedTuple):
-    """What is to be written: a program, the blocks of its row, and which angles have their sines kept or taken."""
-
-    written: Written
-    blocks: list[_Block]
-    lanes: int
-    angles: tuple[tuple[int, int], ...]
-    keeps: bool
-
-
-def _write(module: Any, symbol: str, writing: _Writing) -> None:
-    arguments = [("values", POINTER), ("slopes", POINTER), ("row", I64.as_pointer())]
-    function = declare(module, symbol, VOID, arguments)
-    writer = _Writer(module, function, writing)
-    values = writer.values(writing.written.program)
-    writer.give(writing.written, values)
-    writer.b.ret_void()
 
 
 class _Writer:
     """Writes the operations of a program on numbers and on rows of lanes."""
 
-    def __init__(self, module: Any, function: Any, writing: _Writing) -> None:
-        self.b: Any = ir.IRBuilder(function.append_basic_block("entry"))
+    def __init__(self, module: Any, symbol: str, variant: Tangent | Adjoint, lanes: int) -> None:
+        arguments = [("values", POINTER), ("slopes", POINTER), ("row", I64.as_pointer())]
+        values, slopes, row = (function := declare(module, symbol, VOID, arguments)).args
+        self.b: Any = Builder(function.append_basic_block("entry"))
         self.plain: Double = Double(module)
-        self.wide: Any = _Wide(module) if writing.lanes > 1 else Double(module)
-        self.blocks, self.angles, self.keeps = writing.blocks, writing.angles, writing.keeps
+        self.wide: Any = _Wide(module) if lanes > 1 else self.plain
+        self.written, self.blocks = variant.written()
+        self.angles, self.keeps = turned(variant.kernel), getattr(variant, "valued", False)
         self.kinds = [self.wide if block.sloped else self.plain for block in self.blocks]
         self.spread_values: dict[int, Any] = {}
         blocks = [*self.blocks, _Block(sloped=False, given=True)] if self.angles else self.blocks
-        values, slopes, row = function.args
         self.places = []
         for k, block in enumerate(blocks):
             place = self.b.load(self.b.gep(row, [ir.Constant(I64, k)], source_etype=I64), typ=I64)
             self.places.append(at(self.b, slopes if block.sloped else values, place))
 
-    def values(self, program: Any) -> list[Any]:
+    def write(self) -> BlockProgram:
+        """All of the function; the program that it follows."""
+        self._give(self._values(self.written.program))
+        self.b.ret_void()
+        return self.written.program
+
+    def _values(self, program: BlockProgram) -> list[Any]:
         """All values of the program."""
         taken = [k for k, block in enumerate(self.blocks) if not block.given]
         found: list[Any] = []
@@ -178,11 +169,11 @@ class _Writer:
             self.plain.store(self.b, pair[k], self.places[-1], place + k)
         return pair
 
-    def give(self, written: Written, values: list[Any]) -> None:
+    def _give(self, values: list[Any]) -> None:
         """Write the results, after all is read: an input's weights may stand where others are added."""
         given = [k for k, block in enumerate(self.blocks) if block.given]
-        for output, number, index in sorted(written.program.results):
-            k, element = given[output], written.elements[output][number]
+        for output, number, index in sorted(self.written.program.results):
+            k, element = given[output], self.written.elements[output][number]
             kind = self.kinds[k]
             value = self.plain.constant(0.0) if index is None else values[index]
             value = self._spread(value) if kind is self.wide else value

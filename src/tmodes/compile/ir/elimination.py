@@ -13,6 +13,7 @@ import numpy as np
 from llvmlite import ir
 from numpy.typing import NDArray
 
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, spread, store, whole
 from tmodes.compile.ir.kernels import native_functions
 
@@ -60,7 +61,7 @@ def write_elimination(module: Any, name: str, *, private: bool = False) -> Any:
     arguments = [("n", I64), ("blocks", I64), ("rows", POINTER), ("failed", POINTER)]
     function = declare(module, name, VOID, arguments, private=private)
     n, blocks, rows, failed = function.args
-    b: Any = ir.IRBuilder(function.append_basic_block("entry"))
+    b: Any = Builder(function.append_basic_block("entry"))
     width = b.mul(blocks, whole(BLOCK))
     with counted(b, n, "pivot") as k:
         pivot = load(b, rows, b.add(b.mul(k, width), k))

@@ -10,6 +10,7 @@ from typing import Any
 from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, counted, declare, load, number, store, whole
 from tmodes.compile.native import Library, to_object
 
@@ -39,7 +40,7 @@ def chains(width: int) -> Library:
 def _write_chain(module: Any, name: str, operations: list[str]) -> None:
     """The operation of each number."""
     function = declare(module, name, VOID, [("n", I64), ("x", POINTER)])
-    b, arithmetic = ir.IRBuilder(function.append_basic_block("entry")), Double(module)
+    b, arithmetic = Builder(function.append_basic_block("entry")), Double(module)
     cells = [b.alloca(F64, name=f"x{k}") for k in range(len(operations))]
     for k, cell in enumerate(cells):
         b.store(load(b, function.args[1], k), cell)
@@ -71,7 +72,7 @@ def _next(module: Any, b: Any, arithmetic: Double, operation: str, value: Any) -
 def _write_cycles(module: Any) -> None:
     """Sum and exclusive or in turn: no compiler can make them fewer, and each takes one cycle on every processor."""
     function = declare(module, "cycle", VOID, [("n", I64), ("x", POINTER)])
-    b = ir.IRBuilder(function.append_basic_block("entry"))
+    b = Builder(function.append_basic_block("entry"))
     place = b.bitcast(function.args[1], I64.as_pointer())
     cell = b.alloca(I64)
     b.store(b.load(place, typ=I64), cell)

@@ -4,8 +4,7 @@ from __future__ import annotations
 
 from typing import Any
 
-from llvmlite import ir
-
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, store, whole
 
 __all__ = ["lu_functions"]
@@ -23,7 +22,7 @@ def lu_functions(module: Any, size: int) -> tuple[Any, Any]:
 def _start(module: Any, name: str, labels: tuple[str, ...]) -> tuple[Any, Any]:
     function = declare(module, name, VOID, [(label, POINTER) for label in labels], private=True)
     function.attributes.add("noinline")
-    return function, ir.IRBuilder(function.append_basic_block("entry"))
+    return function, Builder(function.append_basic_block("entry"))
 
 
 def _factor(module: Any, n: int) -> Any:

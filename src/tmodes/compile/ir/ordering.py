@@ -7,6 +7,7 @@ known by then goes first what leaves fewest values waiting for their last use, t
 from __future__ import annotations
 
 import heapq
+from collections import OrderedDict
 from collections.abc import Iterable, Sequence
 from typing import Any
 
@@ -26,8 +27,22 @@ _CYCLES = {"add": 2, "sub": 2, "twice": 2, "neg": 1, "div": 13, "inv": 13, "sqrt
 _ADDERS = ("add", "sub", "twice", "neg")
 
 
+_programs: OrderedDict[Any, BlockProgram] = OrderedDict()
+_KEPT = 256
+"""Programs that are kept: the schedules of one robot share most of their kernels."""
+
+
 def kernel_program(kernel: Any) -> BlockProgram:
     """The program of a kernel, in an order that suits processors where that is not left to LLVM."""
+    same = (kernel.key, kernel.inputs, kernel.outputs)
+    if same not in _programs:
+        _programs[same] = _program(kernel)
+        while len(_programs) > _KEPT:
+            _programs.popitem(last=False)
+    return _programs[same]
+
+
+def _program(kernel: Any) -> BlockProgram:
     program = traced(kernel) if kernel.plain else block_program(kernel_function(kernel))
     if kernel.long or len(program.values) > _LONGEST:
         return program

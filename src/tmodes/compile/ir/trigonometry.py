@@ -13,6 +13,7 @@ from typing import Any
 
 from llvmlite import ir
 
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, counted, declare, load, number, store
 
 __all__ = ["FAR_COSINE", "FAR_SINE", "sine_and_cosine", "sines_and_cosines"]
@@ -64,7 +65,7 @@ def sine_and_cosine(module: Any) -> Any:
         return module.globals["sincos"]
     function = declare(module, "sincos", ir.LiteralStructType([F64, F64]), [("x", F64)], private=True)
     function.attributes.add("alwaysinline")
-    builder = ir.IRBuilder(function.append_basic_block("entry"))
+    builder = Builder(function.append_basic_block("entry"))
     near, far = function.append_basic_block("near"), function.append_basic_block("far")
     x, width = function.args[0], _Width(module)
     magnitude = width.call(builder, "fabs", x)
@@ -89,7 +90,7 @@ def sines_and_cosines(module: Any, lanes: int) -> Any:
     pair = ir.LiteralStructType([width.kind, width.kind])
     function = declare(module, name, pair, [("x", width.kind)], private=True)
     function.attributes.add("alwaysinline")
-    builder = ir.IRBuilder(function.append_basic_block("entry"))
+    builder = Builder(function.append_basic_block("entry"))
     near, far = function.append_basic_block("near"), function.append_basic_block("far")
     x = function.args[0]
     within = builder.fcmp_ordered("<", width.call(builder, "fabs", x), width.number(_REACH))
@@ -107,7 +108,7 @@ def _one_by_one(module: Any, name: str, pair: Any, width: _Width) -> Any:
     function = declare(module, name, pair, [("x", width.kind)], private=True)
     function.attributes.add("noinline")
     function.attributes.add("cold")
-    b = ir.IRBuilder(function.append_basic_block("entry"))
+    b = Builder(function.append_basic_block("entry"))
     lanes = [b.bitcast(b.alloca(width.kind), POINTER) for _ in range(3)]
     whole_vectors = [b.bitcast(each, width.kind.as_pointer()) for each in lanes]
     b.store(function.args[0], whole_vectors[0])

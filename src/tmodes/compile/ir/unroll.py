@@ -54,13 +54,9 @@ def unrolled(schedule: Any) -> Unrolled:
     memory = {place: numbered.value("input", source=(0, place)) for places in given for place in places}
     inputs = set(memory)
     memory |= {place: numbered.zero for slot in schedule.zeros for place in _span(schedule, slot)}
-    programs: dict[Any, BlockProgram] = {}
     for kernel, *slots in schedule.calls:
-        same = (kernel.key, kernel.inputs, kernel.outputs)
-        if same not in programs:
-            programs[same] = kernel_program(kernel)
         taken, put = ([_span(schedule, slot) for slot in side] for side in slots)
-        for output, element, value in numbered.inlined(programs[same], [[memory[i] for i in s] for s in taken]):
+        for output, element, value in numbered.inlined(kernel_program(kernel), [[memory[i] for i in s] for s in taken]):
             memory[put[output][element]] = value
     info = [*(slot for slots in schedule.outputs.values() for slot in slots), *([schedule.gate] * bool(schedule.gate))]
     wanted = sorted({place for slot in info for place in _span(schedule, slot)} - inputs)

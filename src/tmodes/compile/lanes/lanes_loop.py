@@ -14,6 +14,7 @@ from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Wide
 from tmodes.compile.ir.block import ScheduleRate
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, number, store, whole
 from tmodes.compile.loops.frame import Frame
 from tmodes.compile.loops.time_loop import CELLS, Status
@@ -95,7 +96,7 @@ class LanesLoop(Frame):
             self.array[label] = at(self.builder, self.argument["work"], start * WIDTH)
             start += size
         info = declare(self.module, f"{self.function.name}.work", VOID, [("size", POINTER)])
-        b = ir.IRBuilder(info.append_basic_block("entry"))
+        b = Builder(info.append_basic_block("entry"))
         store(b, number(float(start * WIDTH)), info.args[0], 0)
         b.ret_void()
 

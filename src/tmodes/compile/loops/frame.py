@@ -5,10 +5,9 @@ from __future__ import annotations
 from collections.abc import Callable, Sequence
 from typing import Any
 
-from llvmlite import ir
-
 from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.block import ScheduleRate
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, VOID, at, counted, declare, number, whole
 
 __all__ = ["Frame", "MotionNorm"]
@@ -30,7 +29,7 @@ class Frame:
         self.function = declare(self.module, name, VOID, [*arguments])
         labels = [label for label, _ in arguments]
         self.argument: dict[str, Any] = dict(zip(labels, self.function.args, strict=True))
-        self.builder: Any = ir.IRBuilder(self.function.append_basic_block("entry"))
+        self.builder: Any = Builder(self.function.append_basic_block("entry"))
         self.cell: dict[str, Any] = {}
         self.array: dict[str, Any] = {"y": self.argument["y"], "k1": self.argument["k1"]}
 

@@ -35,6 +35,7 @@ def write_midpoint_loop(module: Any, name: str, lowered: ScheduleRate, guarded: 
         raise CompileError(f"{name}: the schedule has no inputs `step` and `start` for implicit steps")
     loop = TimeLoop(module, name, lowered, ("ahead", "start", "before", "slope", "new"), guarded)
     b, step = loop.builder, next_step(loop)
+    loop.put("h", step.h)  # where the iterations do not converge, the message names it
     _Middle(loop, pairs).solve(b.fadd(step.time, b.fmul(step.h, number(0.5))), step.h)
     _move(loop, pairs, step.h, loop.array["new"])
     loop.stop_if(b.not_(loop.within_bounds("new")), Status.DIVERGED)

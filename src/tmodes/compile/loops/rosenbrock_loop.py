@@ -10,17 +10,19 @@ from __future__ import annotations
 
 from typing import Any
 
-from tmodes.compile.ir.block import ScheduleRate
-from tmodes.compile.ir.emit import F64, counted, load, number, store, whole
+from tmodes.compile.ir.arithmetic import Derivative
+from tmodes.compile.ir.block import ScheduleRate, write_main
+from tmodes.compile.ir.builder import Builder
+from tmodes.compile.ir.emit import F64, POINTER, VOID, counted, declare, load, number, store, whole
 from tmodes.compile.ir.lu import lu_functions
+from tmodes.compile.ir.rows import take_rows
 from tmodes.compile.loops.frame import MotionNorm
 from tmodes.compile.loops.gate import Gate
-from tmodes.compile.loops.rate_jacobian import RateJacobian
 from tmodes.compile.loops.step_control import ImplicitControl, add_local_errors
 from tmodes.compile.loops.time_loop import TimeLoop
 from tmodes.errors import CompileError
 
-__all__ = ["MOST_STATES", "STAGE_RATES", "STAGE_STATES", "write_rosenbrock_loop"]
+__all__ = ["MOST_STATES", "STAGE_RATES", "STAGE_STATES", "RateJacobian", "write_rosenbrock_loop"]
 
 MOST_STATES = 300
 """Largest state whose Jacobian is kept in the memory of the loop."""
@@ -170,3 +172,58 @@ class _Writer:
                     weight = b.fadd(weight, b.fmul(factor, number(row[stage])))
                 total = b.fadd(total, b.fmul(weight, loop.load(label, i)))
             store(b, total, target, i)
+
+
+class RateJacobian:
+    """Writes ``prepare(parameters, held)`` and ``call(time, state, row, held, by_state, by_time)`` into a module.
+
+    ``by_state``: (outputs, columns), row by row, the derivatives by the first ``columns`` numbers of the state;
+    ``by_time``: (outputs,). ``held_size``: numbers of the memory that the caller keeps.
+    """
+
+    def __init__(self, module: Any, schedule: Any, columns: int, name: str) -> None:
+        self.schedule, self.columns, self.held_size = schedule, columns, 2 * schedule.workspace
+        self.numbers = Derivative(module)
+        self.main = write_main(module, schedule, self.numbers, f"{name}.main")
+        self.prepare = self._write_prepare(module, f"{name}.prepare")
+        self.call = self._write_call(module, f"{name}.call")
+
+    def _write_prepare(self, module: Any, name: str) -> Any:
+        function = declare(module, name, VOID, [("parameters", POINTER), ("held", POINTER)], private=True)
+        parameters, held = function.args
+        b = Builder(function.append_basic_block("entry"))
+        with counted(b, self.held_size, "number") as k:
+            store(b, number(0.0), held, k)
+        take_rows(b, self.numbers, parameters, held, [(0, self.schedule.parameters)], 1)
+        b.ret_void()
+        return function
+
+    def _write_call(self, module: Any, name: str) -> Any:
+        pointers = [(label, POINTER) for label in ("state", "row", "held", "by_state", "by_time")]
+        function = declare(module, name, VOID, [("time", F64), *pointers], private=True)
+        function.attributes.add("noinline")
+        time, state, row, held, by_state, by_time = function.args
+        b = Builder(function.append_basic_block("entry"))
+        inputs = self.schedule.inputs
+        for label, source in (("state", state), ("row", row)):
+            take_rows(b, self.numbers, source, held, self.main.blocks([inputs[label]]), 1)
+        first, instant = (self.schedule.offset(inputs[label]) for label in ("state", "time"))
+        self.numbers.store(b, self.numbers.packed(b, [time]), held, instant)
+        with counted(b, self.columns, "column") as k:
+            self._column(b, held, b.add(k, whole(first)), by_state, k, self.columns)
+        self._column(b, held, whole(instant), by_time, whole(0), 1)
+        b.ret_void()
+        return function
+
+    def _column(self, b: Any, held: Any, place: Any, into: Any, column: Any, width: int) -> None:
+        """The derivatives of all outputs along one number of the workspace."""
+        slope = b.add(b.mul(place, whole(2)), whole(1))
+        store(b, number(1.0), held, slope)
+        b.call(self.main.function, [held])
+        first = 0
+        for offset, size in self.main.blocks(slot for slots in self.schedule.outputs.values() for slot in slots):
+            with counted(b, size, "output") as k:
+                found = load(b, held, b.add(b.mul(k, whole(2)), whole(2 * offset + 1)))
+                store(b, found, into, b.add(b.mul(b.add(k, whole(first)), whole(width)), column))
+            first += size
+        store(b, number(0.0), held, slope)  # not before: an output may be an input itself

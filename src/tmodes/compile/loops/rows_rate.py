@@ -5,10 +5,9 @@ from __future__ import annotations
 from dataclasses import dataclass
 from typing import Any
 
-from llvmlite import ir
-
 from tmodes.compile.ir.arithmetic import Double, Lanes
 from tmodes.compile.ir.block import ScheduleRate, write_main, write_rate
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import F64, POINTER, VOID, counted, declare, load, store, whole
 from tmodes.compile.ir.rows import copy_numbers, take_rows
 from tmodes.errors import CompileError
@@ -63,7 +62,7 @@ class _Writer:
     def _function(self, name: str, kinds: list[tuple[str, Any]]) -> tuple[Any, Any]:
         function = declare(self.module, f"{self.name}.{name}", VOID, kinds, private=True)
         function.attributes.add("noinline")
-        return function, ir.IRBuilder(function.append_basic_block("entry"))
+        return function, Builder(function.append_basic_block("entry"))
 
     def _prepare(self) -> Any:
         prepare, b = self._function("prepare", [("parameters", POINTER), ("held", POINTER)])

@@ -10,6 +10,7 @@ import numpy as np
 from llvmlite import ir
 from numpy.typing import NDArray
 
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.elimination import BLOCK, write_elimination
 from tmodes.compile.ir.emit import F64, I64, POINTER, VOID, at, counted, declare, load, store, whole
 from tmodes.compile.ir.kernels import native_functions
@@ -91,7 +92,7 @@ def _write_matrices(module: Any, run: Any) -> None:
     for name in _MATRICES:
         function = declare(module, name, VOID, [("values", POINTER), ("slopes", POINTER), ("row", WORDS)])
         values, slopes, row = function.args
-        b: Any = ir.IRBuilder(function.append_basic_block("entry"))
+        b: Any = Builder(function.append_basic_block("entry"))
         word = [_word(b, row, k) for k in range({"columns": 5, "more_columns": 5}.get(name, 4))]
         if name == "table":
             inner = b.inttoptr(word[0], WORDS)
@@ -122,7 +123,7 @@ def _write_operation(module: Any, name: str) -> None:
     function = declare(module, name, VOID, [("values", POINTER), ("slopes", POINTER), ("row", WORDS)])
     values, slopes, row = function.args
     array = values if name == "move_values" else slopes
-    b = ir.IRBuilder(function.append_basic_block("entry"))
+    b = Builder(function.append_basic_block("entry"))
     start, second = _word(b, row, 0), _word(b, row, 1)
     copies = name in ("move", "move_values", "gain")
     with counted(b, _word(b, row, 2) if copies else second) as i:
@@ -142,7 +143,7 @@ def write_run(module: Any) -> Any:
     run = declare(module, "run", VOID, arguments, private=True)
     run.attributes.add("noinline")
     count, table, values, slopes = run.args
-    b = ir.IRBuilder(run.append_basic_block("entry"))
+    b = Builder(run.append_basic_block("entry"))
     place = b.alloca(WORDS)
     b.store(table, place)
     with counted(b, count, "row"):
@@ -167,7 +168,7 @@ def _write_samples(module: Any, run: Any) -> None:
     kinds = [I64] * 8 + [WORDS] + [POINTER] * 5
     function = declare(module, "samples", VOID, list(zip(_SAMPLES, kinds, strict=True)))
     given: dict[str, Any] = dict(zip(_SAMPLES, function.args, strict=True))
-    b = ir.IRBuilder(function.append_basic_block("entry"))
+    b = Builder(function.append_basic_block("entry"))
     with counted(b, given["n"], "sample") as sample:
         for label, array in (("in", "values"), ("seed", "slopes")):
             source = given["in" if label == "in" else "seeds"]

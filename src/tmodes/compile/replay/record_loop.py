@@ -10,6 +10,7 @@ import numpy as np
 from llvmlite import ir
 from numpy.typing import NDArray
 
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, load, number, store, whole
 from tmodes.compile.ir.kernels import native_functions
 from tmodes.compile.loops.tape_loop import WORDS
@@ -68,7 +69,7 @@ def _write() -> Any:
     kinds = [(name, I64) for name in _WHOLE] + [(name, WORDS) for name in _WORDS] + [(name, POINTER) for name in _REAL]
     function = ir.Function(module, ir.FunctionType(VOID, [kind for _, kind in kinds]), "record")
     given = {name: argument for (name, _), argument in zip(kinds, function.args, strict=True)}
-    b: Any = ir.IRBuilder(function.append_basic_block("entry"))
+    b: Any = Builder(function.append_basic_block("entry"))
     kind = ir.FunctionType(VOID, [I64] * len(ARGUMENTS))
     loop = b.inttoptr(given["loop"], kind.as_pointer())
     passed = [_word(b, given["arguments"], whole(k)) for k in range(len(ARGUMENTS))]

@@ -9,6 +9,7 @@ from typing import Any
 
 from llvmlite import ir
 
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import I64, POINTER, VOID, at, counted, declare, load, number, store, whole
 from tmodes.compile.ir.kernels import native_functions
 from tmodes.compile.loops.tape_loop import WORDS, write_run
@@ -51,7 +52,7 @@ class ReplayLoop(ABC):
         function = declare(module, self.name, VOID, kinds)
         self.array: dict[str, Any] = dict(zip(ARRAYS, function.args, strict=True))
         self.run = run
-        self.b: Any = ir.IRBuilder(function.append_basic_block("entry"))
+        self.b: Any = Builder(function.append_basic_block("entry"))
         self.n = {label: self.word("counts", k) for k, label in enumerate(COUNTS)}
 
     def word(self, label: str, index: Any) -> Any:

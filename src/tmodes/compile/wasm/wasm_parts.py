@@ -14,6 +14,7 @@ from llvmlite import ir
 
 from tmodes.compile.ir.arithmetic import Double
 from tmodes.compile.ir.block import kernel_symbol, write_program
+from tmodes.compile.ir.builder import Builder
 from tmodes.compile.ir.emit import POINTER, VOID, declare, scratch
 from tmodes.compile.ir.kernels import arithmetic_of, schedule_module
 from tmodes.compile.ir.ordering import kernel_program
@@ -106,7 +107,7 @@ class _Pieces:
         """The exported function of the kernel, which calls its pieces."""
         kinds = [(f"b{k}", POINTER) for k in range(self.blocks)]
         function = declare(self.module, self.name, VOID, kinds)
-        b = ir.IRBuilder(function.append_basic_block("entry"))
+        b = Builder(function.append_basic_block("entry"))
         kept = scratch(b, len(self.slots) * self.arithmetic.stride, "kept")
         for start, end in pairwise(self.cuts):
             b.call(self._piece(start, end), [*function.args, kept])
@@ -116,7 +117,7 @@ class _Pieces:
         kinds = [(f"b{k}", POINTER) for k in range(self.blocks + 1)]
         function = declare(self.module, f"{self.name}.{start}", VOID, kinds, private=True)
         function.attributes.add("noinline")
-        b = ir.IRBuilder(function.append_basic_block("entry"))
+        b = Builder(function.append_basic_block("entry"))
         places, steps = self._steps(start, end)
         found = write_values(
             b, steps, self.arithmetic, lambda block, k: self.arithmetic.load(b, function.args[block], k)

@@ -30,7 +30,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain
-from tmodes.equations.lagrange.as_sheet import system_robot
+from tmodes.equations.lagrange.as_sheet import system_data
 from tmodes.equations.lagrange.members import Members
 from tmodes.equations.lagrange.terms import Energies, EquationTerms, equation_terms
 from tmodes.errors import InputError
@@ -129,7 +129,10 @@ class System:
         :class:`tmodes.errors.InputErrors` for a wrong entry.
         """
         SYSTEMS.register(self)
-        return system_robot(self, self.expressions.points, joints or {}, **sheet)
+        own = {"name": self.name, "title": self.title, "equations": self.name}
+        sheet["parameters"] = {**self.parameters, **sheet.get("parameters", {})}
+        points = self.expressions.points
+        return Robot.from_data(system_data(self.coordinates, self.inputs, points, joints or {}, own | sheet))
 
     @property
     def size(self) -> int:

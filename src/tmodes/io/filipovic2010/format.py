@@ -2,7 +2,6 @@
 
 from __future__ import annotations
 
-import unicodedata
 from enum import StrEnum
 from typing import Annotated, Literal
 
@@ -10,15 +9,7 @@ from pydantic import Field, model_validator
 
 from tmodes.integrate.settings import RobotIntegration
 from tmodes.kinds.links.registry import Mode
-from tmodes.kinds.schema.quantity import (
-    DataSheet,
-    Issue,
-    any_sign,
-    dissipation,
-    not_negative,
-    positive,
-    refuse,
-)
+from tmodes.kinds.schema.quantity import DataSheet, any_sign, dissipation, not_negative, plain_texts, positive, refuse
 
 __all__ = ["FORMAT", "PLANT", "Format2010", "FrictionLaw", "Reading"]
 
@@ -30,9 +21,6 @@ PLANT = ("gravity", "motor", "gear", "link", "payload", "environment", "controll
 
 TURN = 6.3
 """A full turn [rad], a little rounded up."""
-
-_STEERING = ("Cc", "Cf", "Cs", "Co")
-"""Unicode categories of letters that are not shown but steer what is: control, direction, surrogates, private."""
 
 _FACTOR = not_negative("-", "-", "factor of the real robot on the known value", at_most=1e6)
 
@@ -160,12 +148,5 @@ class Format2010(DataSheet):
     @model_validator(mode="after")
     def _plain_text(self) -> Format2010:
         """Texts go to terminals and pages: letters that steer those are refused."""
-        texts = {name: getattr(self, name) for name in ("name", "title", "citation")}
-        refuse(
-            [
-                Issue(name, ascii(text[:60]), "text without control characters", "write it in plain letters")
-                for name, text in texts.items()
-                if any(unicodedata.category(letter) in _STEERING and letter != "\n" for letter in text)
-            ]
-        )
+        refuse(plain_texts({name: getattr(self, name) for name in ("name", "title", "citation")}))
         return self

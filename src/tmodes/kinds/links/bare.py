@@ -9,7 +9,7 @@ from numpy.polynomial import legendre
 from numpy.typing import NDArray
 
 from tmodes.kinds.links.beam_functions import fine_rule, pieces_at
-from tmodes.kinds.links.beam_numbers import BeamNumbers
+from tmodes.kinds.links.beam_pieces import BeamNumbers
 
 __all__ = ["BareBeam", "bare_beam"]
 

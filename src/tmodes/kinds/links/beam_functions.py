@@ -12,7 +12,7 @@ import numpy as np
 from numpy.polynomial import legendre
 from numpy.typing import ArrayLike, NDArray
 
-from tmodes.kinds.links.beam_numbers import BeamNumbers
+from tmodes.kinds.links.beam_pieces import BeamNumbers
 
 __all__ = [
     "MODULI",
@@ -38,7 +38,7 @@ _X, _W = legendre.leggauss(24)
 def pieces_at(beam: BeamNumbers, name: str, s: ArrayLike) -> Array:
     """A quantity of a beam's pieces at s, shape of s; where two pieces meet, that of the inner one.
 
-    ``name``: a field of :class:`tmodes.kinds.links.beam_numbers.BeamPiece`;
+    ``name``: a field of :class:`tmodes.kinds.links.beam_pieces.BeamPiece`;
     ``inertia0``, ``inertia1``, ``inertia2`` about x, y, z.
     """
     s = np.asarray(s, dtype=float)

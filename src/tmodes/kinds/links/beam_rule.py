@@ -15,7 +15,7 @@ from numpy.polynomial import legendre
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.beam_functions import MODULI, fine_rule, pieces_at
-from tmodes.kinds.links.beam_numbers import BeamNumbers
+from tmodes.kinds.links.beam_pieces import BeamNumbers
 
 __all__ = ["JUMP", "Rule", "beam_rule"]
 

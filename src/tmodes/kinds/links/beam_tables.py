@@ -17,7 +17,7 @@ from tmodes.kinds.links.beam_functions import (
     is_uniform,
     stiffness_matrix,
 )
-from tmodes.kinds.links.beam_numbers import BeamNumbers
+from tmodes.kinds.links.beam_pieces import BeamNumbers
 from tmodes.kinds.links.beam_rule import Rule, beam_rule
 from tmodes.kinds.links.strain_shape import StrainShape
 

@@ -17,8 +17,7 @@ from tmodes.kinds.kernel.functions import cos, sin, sqrt
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
-from tmodes.kinds.links.line import POSE, LineOfLink, Moved
-from tmodes.kinds.links.line_place import PLACE, Shape, packed_place
+from tmodes.kinds.links.line import PLACE, POSE, LineOfLink, Moved, Shape, packed_place
 from tmodes.kinds.links.modes_line import TANGENT, Angles, ModesLine
 from tmodes.kinds.links.modes_sheet import shape_angle, shape_deflection, shape_slope
 

@@ -8,8 +8,7 @@ from typing import Annotated, Any
 from pydantic import Discriminator, Tag
 
 from tmodes.errors import InputError
-from tmodes.kinds.links.section_given import GivenSection
-from tmodes.kinds.links.section_numbers import SectionNumbers
+from tmodes.kinds.links.section_given import GivenSection, SectionNumbers
 from tmodes.kinds.links.section_shapes import Box, DrawnSection, IBeam, Round, Tube
 
 __all__ = [

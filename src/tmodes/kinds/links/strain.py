@@ -11,7 +11,7 @@ from numpy.typing import ArrayLike, NDArray
 
 from tmodes.kinds.links.bare import bare_beam
 from tmodes.kinds.links.beam_functions import MODULI, interval_integrals, pieces_at
-from tmodes.kinds.links.beam_numbers import BeamNumbers, BeamPiece
+from tmodes.kinds.links.beam_pieces import BeamNumbers, BeamPiece
 from tmodes.kinds.links.beam_rule import beam_rule
 from tmodes.kinds.links.beam_tables import beam_tables
 from tmodes.kinds.links.contract import Body, Link, LinkNumbers, QuadraticStructure
@@ -76,7 +76,7 @@ class StrainStructure(QuadraticStructure):
 
 @dataclass(frozen=True, eq=False)
 class Beam(BeamNumbers, Link):
-    """A ``strain`` link: see :class:`tmodes.kinds.links.beam_numbers.BeamNumbers` for its fields."""
+    """A ``strain`` link: see :class:`tmodes.kinds.links.beam_pieces.BeamNumbers` for its fields."""
 
     kind: ClassVar[str] = "strain"
 

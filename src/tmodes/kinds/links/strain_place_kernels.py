@@ -10,8 +10,7 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import atan2, cos, sin
 from tmodes.kinds.kernel.kernel import Kernel
 from tmodes.kinds.kernel.spatial import FORCE, Force
-from tmodes.kinds.links.line import POSE
-from tmodes.kinds.links.line_place import PLACE, STRESS, STRESS_NUMBERS, Shape, Stressed, in_section, packed_place
+from tmodes.kinds.links.line import PLACE, POSE, STRESS, STRESS_NUMBERS, Shape, Stressed, in_section, packed_place
 from tmodes.kinds.links.strain_line import curvature_sums, magnus_turn
 from tmodes.kinds.links.strain_shape import StrainShape
 
@@ -49,7 +48,7 @@ class BeamKernels:
 
     @property
     def row(self) -> dict[str, int]:
-        """Tables of one place, as in :func:`tmodes.kinds.links.strain_place_numbers.place_tables`."""
+        """Tables of one place, as in :func:`tmodes.kinds.links.strain_places.place_tables`."""
         shape, g = self.shape, self.shape.points
         return self.interval | {
             "reach": g, "outboard": g, "levers": g * (g + 1) // 2, "turning": shape.rotary * g,

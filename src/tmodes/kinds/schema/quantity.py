@@ -8,6 +8,7 @@ printed).
 from __future__ import annotations
 
 import math
+import unicodedata
 from collections.abc import Mapping, Sequence
 from typing import Any, NamedTuple
 
@@ -22,6 +23,7 @@ __all__ = [
     "any_sign",
     "dissipation",
     "not_negative",
+    "plain_texts",
     "positive",
     "quantity",
     "refuse",
@@ -42,6 +44,19 @@ class Issue(NamedTuple):
     got: str
     expected: str
     hint: str
+
+
+_STEERING = ("Cc", "Cf", "Cs", "Co")
+"""Unicode categories of letters that are not shown but steer what is: control, direction, surrogates, private."""
+
+
+def plain_texts(texts: Mapping[str, str]) -> list[Issue]:
+    """Texts by path go to terminals and pages: those with letters that steer them are refused."""
+    return [
+        Issue(path, ascii(text[:60]), "text without control characters", "write it in plain letters")
+        for path, text in texts.items()
+        if any(unicodedata.category(letter) in _STEERING and letter != "\n" for letter in text)
+    ]
 
 
 def refuse(issues: Sequence[Issue]) -> None:

@@ -1,4 +1,4 @@
-/* tmodes, built from 92fc3c316e375fcc; BSD-3-Clause */
+/* tmodes, built from dd6b9393de61d06a; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {

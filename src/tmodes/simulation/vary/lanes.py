@@ -2,9 +2,8 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Hashable, Mapping, Sequence
+from collections.abc import Hashable, Mapping, Sequence
 from dataclasses import dataclass
-from functools import partial
 from typing import Any
 
 import numpy as np
@@ -13,11 +12,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.spectrum import chosen_settings
 from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.settings import Integration
-from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet import Robot
-from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.motion_run import tip_positions
-from tmodes.simulation.start import run_setup
+from tmodes.simulation.start import RunSetup, run_setup
 
 __all__ = ["Columns", "Lane", "changed_sheet", "lane_of"]
 
@@ -26,23 +22,21 @@ Array = NDArray[np.float64]
 
 @dataclass(frozen=True, eq=False)
 class Lane:
-    """One robot that is to run. Lanes of the same ``key`` run on the same code, that of any one's ``model``.
+    """One robot that is ready to run. Lanes of the same ``key`` run on the same code, that of any one's model."""
 
-    ``tip`` gives the positions (n, 3) [m] of the tip in the world, of times (n,) [s] and states (n, nx).
-    """
-
-    key: Hashable
-    model: LoopModel
-    parameters: Array
-    schedule: Schedule
-    start: Array
+    setup: RunSetup
     settings: Integration
-    tip: Callable[[Array, Array], Array]
+
+    @property
+    def key(self) -> Hashable:
+        """The structure of its rates, its coordinates and its method."""
+        model = self.setup.model
+        return model.loop.rate.key, model.coordinates, self.settings.method
 
     @property
     def further(self) -> int:
         """Numbers of a state that are neither coordinates nor rates."""
-        return len(self.start) - 2 * len(self.model.coordinates)
+        return len(self.setup.start) - 2 * len(self.setup.model.coordinates)
 
 
 @dataclass(frozen=True)
@@ -61,7 +55,7 @@ class Columns:
         names: list[str] = []
         for lane in lanes:
             place = 0
-            for name in lane.model.coordinates:
+            for name in lane.setup.model.coordinates:
                 if name not in names:
                     names.insert(place, name)
                 place = names.index(name) + 1
@@ -79,7 +73,7 @@ class Columns:
 
     def have(self, lane: Lane) -> bool:
         """Whether a lane has no other coordinate."""
-        return set(lane.model.coordinates) <= set(self.coordinates) and lane.further == self.further
+        return set(lane.setup.model.coordinates) <= set(self.coordinates) and lane.further == self.further
 
     def of(self, names: Sequence[str]) -> list[int]:
         """Where the state of a lane with these coordinates is."""
@@ -118,9 +112,5 @@ def lane_of(real: Robot) -> Lane:
     Raises :class:`tmodes.errors.SimulationError` where it cannot start, and :class:`tmodes.errors.InputError` for what
     cannot be run.
     """
-    regime = run_setup(real)
-    model, settings = regime.model, chosen_settings(real.integration, lambda: regime.spectrum)
-    key = (model.loop.rate.key, model.coordinates, settings.method)
-    schedule = regime.planned.schedule
-    start, numbers = regime.start, model.numbers
-    return Lane(key, model, numbers, schedule, start, settings, partial(tip_positions, regime))
+    setup = run_setup(real)
+    return Lane(setup, chosen_settings(real.integration, lambda: setup.spectrum))

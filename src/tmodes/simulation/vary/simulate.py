@@ -17,6 +17,7 @@ from tmodes.simulation.batch.result import BatchRun, check_room, gathered, load_
 from tmodes.simulation.batch.simulate import prepare_loops
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.batch.workers import run_all, thread_count
+from tmodes.simulation.motion_run import tip_positions
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.vary.lanes import Columns, Lane, changed_sheet, lane_of
 
@@ -181,12 +182,13 @@ def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> Batc
 def _work(batch: Prepared, members: list[int], room: Array) -> Work:
     """Lanes of one structure; those with other coordinates than the batch have a room of their own at first."""
     group = [lane for lane in (batch.lanes[index] for index in members) if isinstance(lane, Lane)]
-    model, settings = group[0].model, group[0].settings
+    setups, settings = [lane.setup for lane in group], group[0].settings
+    model = setups[0].model
     prepare_loops(model, settings.method)
     info = inputs(
-        np.stack([lane.parameters for lane in group]),
-        [lane.schedule for lane in group],
-        np.stack([lane.start for lane in group]),
+        np.stack([setup.model.numbers for setup in setups]),
+        [setup.planned.schedule for setup in setups],
+        np.stack([setup.start for setup in setups]),
         settings.duration,
         model.batch_widths,
     )
@@ -200,7 +202,7 @@ def _tips(done: BatchRun, batch: Prepared, progress: Progress) -> Array:
     for index, lane in enumerate(batch.lanes):
         run = done.lane(index)
         if isinstance(lane, Lane) and len(run.times):
-            states = run.states[:, batch.columns.of(lane.model.coordinates)]
-            tips[index, : len(run.times)] = lane.tip(run.times, states)
+            states = run.states[:, batch.columns.of(lane.setup.model.coordinates)]
+            tips[index, : len(run.times)] = tip_positions(lane.setup, run.times, states)
         progress("tips", (index + 1) / done.size)
     return tips
