@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
-from tmodes.io.sheet_units import at
+from tmodes.io.sheet_words import at
 from tmodes.robots.load import load
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.functional import Functional, tracking_error
