@@ -1,4 +1,4 @@
-"""The two forms of data sheet that a person writes: a robot of joints and links, and that of the 2010 robot."""
+"""The two forms of data sheet that a person writes, and the JSON Schema of each, for editors that check it."""
 
 from __future__ import annotations
 
