@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Iterator
+from collections.abc import Callable, Iterator
 from functools import cache
 from pathlib import Path
 from typing import Any
@@ -11,7 +11,8 @@ from typing import Any
 import pytest
 
 from arm.see.runs import result_of
-from see.looking import OPTIONS
+from see.looking import OPTIONS, WITHOUT_WEBGL
+from see.scene_window import scene_pages
 from tmodes import load, run
 from tmodes.plot import drawings
 from tmodes.plot.save import Drawing
@@ -87,11 +88,31 @@ def failed() -> Result:
     return failed_result()
 
 
-@pytest.fixture(scope="module")
-def browser(chromium: str) -> Iterator[Any]:
-    """A headless browser that draws in software; skipped where there is none."""
+@pytest.fixture(scope="package")
+def engine() -> Iterator[Any]:
+    """What drives browsers; nothing else of this folder may run an event loop."""
     playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to look at the page")
-    with playwright.sync_playwright() as engine:
-        opened = engine.chromium.launch(executable_path=chromium, args=list(OPTIONS))
-        yield opened
-        opened.close()
+    with playwright.sync_playwright() as started:
+        yield started
+
+
+@pytest.fixture(scope="package")
+def browser(engine: Any, chromium: str) -> Iterator[Any]:
+    """A headless browser that draws in software; skipped where there is none."""
+    opened = engine.chromium.launch(executable_path=chromium, args=list(OPTIONS))
+    yield opened
+    opened.close()
+
+
+@pytest.fixture(scope="package")
+def bare(engine: Any, chromium: str) -> Iterator[Any]:
+    """A browser that really has no WebGL."""
+    opened = engine.chromium.launch(executable_path=chromium, args=list(WITHOUT_WEBGL))
+    yield opened
+    opened.close()
+
+
+@pytest.fixture(scope="session")
+def pages(tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
+    """Pages with nothing but a scene, by name."""
+    return scene_pages(tmp_path_factory.mktemp("scenes"))

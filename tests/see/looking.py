@@ -6,10 +6,11 @@ from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
-__all__ = ["OPTIONS", "SIZES", "Window", "look"]
+__all__ = ["OPTIONS", "SIZES", "WITHOUT_WEBGL", "Window", "look"]
 
 SIZES = ((1280, 800), (400, 800))
 OPTIONS = ("--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader")
+WITHOUT_WEBGL = ("--no-sandbox", "--disable-gpu", "--disable-software-rasterizer", "--disable-3d-apis")
 SLOW = ("GL Driver Message", "Multiple readback operations")
 """What the browser says of drawing in software, and of tests that look at pixels."""
 

@@ -6,6 +6,8 @@ from functools import cache
 
 from arm.see.runs import QUINTIC, sheet, tube
 from tmodes import load, run
+from tmodes.report.data import live_page
+from tmodes.report.viewer import viewer_document
 from tmodes.result import Result
 from tmodes.sheet import Robot
 
@@ -16,6 +18,18 @@ MOVE = {"reference.duration": 0.2, "integration.duration": 0.2, "integration.lin
 def robot_result(mass: float = 0.5) -> Result:
     """The robot of the 2010 paper in contact, a move of 0.2 s."""
     return run(load("filipovic2010").with_(MOVE | {"payload.mass": mass}))
+
+
+@cache
+def short_robot() -> Robot:
+    """The robot of the 2010 paper, for 0.3 s."""
+    return load("filipovic2010").with_({"integration.duration": 0.3})
+
+
+@cache
+def short_report() -> str:
+    """The page of its run, with the robot's equations."""
+    return viewer_document(live_page(run(short_robot())))
 
 
 @cache

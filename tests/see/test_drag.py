@@ -5,9 +5,9 @@ from __future__ import annotations
 from pathlib import Path
 from typing import Any
 
-from tmodes import load, run
 from tmodes.report.data import live_page
 from tmodes.report.viewer import viewer_document
+from tmodes.result import Result
 
 from .looking import look
 
@@ -28,9 +28,9 @@ DRAG = """async (wanted) => {
 }"""
 
 
-def test_runs_are_shown_while_a_slider_is_dragged(browser: Any, tmp_path: Path) -> None:
+def test_runs_are_shown_while_a_slider_is_dragged(browser: Any, good: Result, tmp_path: Path) -> None:
     page = tmp_path / "page.html"
-    page.write_text(viewer_document(live_page(run(load("filipovic2010")))), encoding="utf-8")
+    page.write_text(viewer_document(live_page(good)), encoding="utf-8")
     window = look(browser, page)
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     assert window.page.evaluate(DRAG, 5) == 5

@@ -10,14 +10,8 @@ from typing import Any
 import numpy as np
 import pytest
 
-from see import test_scene_browser as space
-from see.looking import OPTIONS
-from see.test_scene_browser import Picture, Window, differing, look
+from see.scene_window import Picture, Window, differing, look
 
-program, engine, pages = space.program, space.engine, space.pages
-"""Fixtures that are those of the scene in 3D."""
-
-OFF = ["--no-sandbox", "--disable-gpu", "--disable-software-rasterizer", "--disable-3d-apis"]
 FORCE = (0xB3, 0x26, 0x1E)
 """Colour of the arrow of the contact force on white."""
 LOSE = "window.lost = document.querySelector('canvas').getContext('webgl2').getExtension('WEBGL_lose_context')"
@@ -28,14 +22,6 @@ MESH = """(() => {
   window.view = mount();
   page.runs[0].scene.meshes.pop();
 })()"""
-
-
-@pytest.fixture(scope="module")
-def bare(engine: Any, chromium: str) -> Iterator[Any]:
-    """A browser that really has no WebGL."""
-    opened = engine.chromium.launch(executable_path=chromium, args=OFF)
-    yield opened
-    opened.close()
 
 
 @pytest.fixture(scope="module")
@@ -63,37 +49,6 @@ def middle(picture: Picture, colour: tuple[int, int, int]) -> tuple[np.ndarray, 
     """Where in the picture a colour is [px], and of how many pixels."""
     found = np.argwhere(np.abs(picture - np.array(colour)).max(axis=-1) < 12)
     return found.mean(axis=0), len(found)
-
-
-def test_it_is_drawn_and_moved_by_the_clock_alone(robot: Window) -> None:
-    first = robot.picture()
-    assert colours(first) > 300
-    assert differing(first, robot.picture()) == 0
-    robot.do("clock.seek(0.2)")
-    assert differing(first, robot.picture()) > 300
-    robot.do("clock.seek(0)")
-    assert differing(first, robot.picture()) == 0
-
-
-def test_enlarged_deformation_changes_the_picture_and_says_so(robot: Window) -> None:
-    robot.do("clock.seek(0.15)")
-    first = robot.picture()
-    robot.enlarge(70)
-    assert differing(first, robot.picture()) > 300
-    assert robot.page.locator(".scene-factor").text_content() == f"Deformation × {round(200**0.7)}"
-    robot.enlarge(0)
-    assert differing(first, robot.picture()) == 0
-
-
-def test_ghosts_surface_force_and_floor_come_and_go(robot: Window) -> None:
-    robot.do("clock.seek(0.15)")
-    for thing in ("surface", "force", "traces", "floor", "reference", "rigid"):
-        robot.enlarge(80 if thing in {"reference", "rigid"} else 0)
-        first = robot.picture()
-        robot.choose(thing)
-        assert differing(first, robot.picture()) > 40, thing
-        robot.choose(thing)
-        assert differing(first, robot.picture()) == 0, thing
 
 
 def test_mouse_wheel_keys_and_presets_turn_it(robot: Window) -> None:
@@ -125,29 +80,6 @@ def test_colours_are_of_the_chosen_quantity_and_have_their_scale(robot: Window) 
     assert differing(first, robot.picture()) > 100
 
 
-def test_modes_are_animated_and_end(robot: Window) -> None:
-    first = robot.picture()
-    robot.do("view.showMode(page.runs[0].modes[2], 0.15)")
-    assert differing(first, robot.picture()) > 300
-    assert "Hz" in robot.page.locator(".scene-legend").text_content()
-    robot.do("view.showMode(null, 0)")
-    assert differing(first, robot.picture()) == 0
-
-
-def test_a_changed_run_stands_next_to_the_page_s_own(robot: Window) -> None:
-    robot.do("clock.seek(0.15)")
-    first = robot.picture()
-    robot.do("""(() => {
-      const scene = page.runs[0].scene;
-      const up = ({ data, shape }) => ({ shape, data: Float32Array.from(data, (x, k) => x + (k % 3 === 2 ? 0.1 : 0)) });
-      view.replace(0, { ...scene, line: up(scene.line), tip: up(scene.tip) });
-    })()""")
-    assert differing(first, robot.picture()) > 300
-    assert "The run as it was" in robot.page.locator(".scene-legend").text_content()
-    robot.do("view.replace(0, null)")
-    assert differing(first, robot.picture()) == 0
-
-
 def test_a_surface_that_moved_is_drawn_where_it_is(robot: Window) -> None:
     robot.do("""void (window.moved = (up) => {
       const { scene } = page.runs[0];
@@ -174,14 +106,6 @@ def test_it_has_no_choice_of_quality(robot: Window) -> None:
     assert robot.page.locator(".scene-more").get_by_text("Quality").count() == 0
 
 
-def test_nothing_is_left_when_it_goes(robot: Window) -> None:
-    robot.do("view.dispose()")
-    assert robot.do("place.childElementCount") == 0
-    robot.do("clock.seek(0.1)")
-    robot.do("window.view = mount()")
-    assert colours(robot.picture()) > 300
-
-
 def test_dark_and_with_several_robots(bare: Any, pages: Callable[[str], Path]) -> None:
     window = look(bare, pages("three"), color_scheme="dark")
     first = window.picture()
@@ -191,19 +115,11 @@ def test_dark_and_with_several_robots(bare: Any, pages: Callable[[str], Path]) -
     window.close()
 
 
-@pytest.fixture
-def drawn(engine: Any, chromium: str) -> Iterator[Any]:
-    """A browser that has WebGL."""
-    opened = engine.chromium.launch(executable_path=chromium, args=list(OPTIONS))
-    yield opened
-    opened.close()
-
-
 def test_it_is_seen_where_webgl_shows_it_and_follows_a_lost_context(
-    drawn: Any, bare: Any, pages: Callable[[str], Path]
+    browser: Any, bare: Any, pages: Callable[[str], Path]
 ) -> None:
     """The arrow of the contact force is in the same place, drawn either way; and again, once the context is lost."""
-    window, flat = look(drawn, pages("robot")), look(bare, pages("robot"))
+    window, flat = look(browser, pages("robot")), look(bare, pages("robot"))
     for one in (window, flat):
         one.do("clock.seek(0.15)")
         one.choose("surface")
@@ -221,8 +137,8 @@ def test_it_is_seen_where_webgl_shows_it_and_follows_a_lost_context(
     flat.close()
 
 
-def test_a_context_that_comes_back_is_used_again(drawn: Any, pages: Callable[[str], Path]) -> None:
-    window = look(drawn, pages("robot"))
+def test_a_context_that_comes_back_is_used_again(browser: Any, pages: Callable[[str], Path]) -> None:
+    window = look(browser, pages("robot"))
     first = window.picture()
     window.do(LOSE)
     window.do("lost.loseContext()")
@@ -234,9 +150,9 @@ def test_a_context_that_comes_back_is_used_again(drawn: Any, pages: Callable[[st
     window.close()
 
 
-def test_lines_can_be_chosen_where_there_is_webgl(drawn: Any, pages: Callable[[str], Path]) -> None:
+def test_lines_can_be_chosen_where_there_is_webgl(browser: Any, pages: Callable[[str], Path]) -> None:
     """They are quicker to draw where a program does it; what is chosen otherwise stays."""
-    window = look(drawn, pages("robot"))
+    window = look(browser, pages("robot"))
     window.enlarge(70)
     first = window.picture()
     window.do("document.querySelector('details').open = true")

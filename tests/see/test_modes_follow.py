@@ -3,13 +3,15 @@
 from __future__ import annotations
 
 from collections.abc import Iterator
+from functools import cache
 from typing import Any
 
 import pytest
 
 from live.chain import chain
 from see.looking import look
-from tmodes import load, run
+from see.scenes import short_report, short_robot
+from tmodes import run
 from tmodes.report.data import live_page
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.viewer import viewer_document
@@ -21,7 +23,7 @@ PANEL = ".lower section[aria-label='Modes of vibration']"
 
 
 def of_robot(changes: dict[str, float]) -> Any:
-    return run(load("filipovic2010").with_({"integration.duration": 0.3, **changes}))
+    return run(short_robot().with_(changes))
 
 
 def of_arm(changes: dict[str, float]) -> Any:
@@ -35,12 +37,18 @@ KINDS = {
 }
 
 
+@cache
+def report_of(kind: str) -> str:
+    """The page of a kind of robot, made once."""
+    return short_report() if kind == "robot" else viewer_document(live_page(of_arm({})))
+
+
 @pytest.fixture(scope="module", params=[*KINDS])
 def opened(request: Any, browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Any, ...]]:
     """A report, its slider with a new value, and the native result of that value."""
     make, slider, value, changes = KINDS[request.param]
     path = tmp_path_factory.mktemp("modes") / "report.html"
-    path.write_text(viewer_document(live_page(make({}))), encoding="utf-8")
+    path.write_text(report_of(request.param), encoding="utf-8")
     window = look(browser, path, (1280, 1000))
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     yield window, slider, value, make(changes)

@@ -8,9 +8,7 @@ from typing import Any
 import pytest
 
 from see.looking import look
-from see.test_modes_follow import KINDS, PANEL, STATUS
-from tmodes.report.data import live_page
-from tmodes.report.viewer import viewer_document
+from see.test_modes_follow import KINDS, PANEL, STATUS, report_of
 
 FREQUENCY = "[data-fact='frequency.first'] strong"
 NOTE = f"{PANEL} .note"
@@ -47,9 +45,9 @@ HOLD = """() => {
 @pytest.fixture(scope="module", params=[*KINDS])
 def opened(request: Any, browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Iterator[tuple[Any, str, float]]:
     """A report, one of its sliders, and a value for it."""
-    make, slider, value, _ = KINDS[request.param]
+    _, slider, value, _ = KINDS[request.param]
     path = tmp_path_factory.mktemp("steady") / "report.html"
-    path.write_text(viewer_document(live_page(make({}))), encoding="utf-8")
+    path.write_text(report_of(request.param), encoding="utf-8")
     window = look(browser, path, (1280, 1000))
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     yield window, slider, value

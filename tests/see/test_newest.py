@@ -10,9 +10,8 @@ import numpy as np
 import pytest
 
 from see.looking import look
-from tmodes import load, run
-from tmodes.report.data import live_page
-from tmodes.report.viewer import viewer_document
+from see.scenes import short_report, short_robot
+from tmodes import run
 
 PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"
@@ -28,15 +27,14 @@ INK = """(place) => [...document.querySelectorAll(place + ' canvas')].map((canva
 
 @pytest.fixture(scope="module")
 def robot() -> Any:
-    """The seed's robot, for a short time."""
-    return load("filipovic2010").with_({"integration.duration": 0.3})
+    return short_robot()
 
 
 @pytest.fixture(scope="module")
-def window(browser: Any, robot: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
+def window(browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Its report, open."""
     path = tmp_path_factory.mktemp("newest") / "report.html"
-    path.write_text(viewer_document(live_page(run(robot))), encoding="utf-8")
+    path.write_text(short_report(), encoding="utf-8")
     window = look(browser, path, LOW)
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     return window

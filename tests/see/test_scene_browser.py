@@ -1,171 +1,31 @@
-"""The robot in space in a real browser: drawn, moved by the clock, changed by controls, silent, gone when asked."""
+"""The robot in space in a real browser: drawn, moved by the clock, changed by controls, silent, gone when asked.
+
+With WebGL and without: the same data and choices.
+"""
 
 from __future__ import annotations
 
-import base64
-import hashlib
-import io
-import shutil
-import subprocess
 from collections.abc import Callable, Iterator
-from dataclasses import dataclass, field
 from pathlib import Path
 from typing import Any
 
 import numpy as np
 import pytest
-from numpy.typing import NDArray
 
-from see.scenes import arm_result, robot_result
-from tmodes.report.mode_shapes import modes_of
-from tmodes.report.pack import embedded, pack
-from tmodes.report.scene import line_of, scene_of
-
-HERE = Path(__file__).parent
-WEB = HERE.parents[1] / "web"
-BUILD = """
-import { build } from "esbuild";
-const [entry, outfile] = process.argv.slice(-2);
-await build({ entryPoints: [entry], outfile, bundle: true, minify: true, format: "iife", target: "es2022",
-  nodePaths: ["node_modules"] });
-"""
-POLICY = (
-    "default-src 'none'; script-src 'sha256-{}' 'wasm-unsafe-eval'; style-src 'unsafe-inline'; img-src data: blob:; "
-    "worker-src blob:; connect-src 'none'"
-)
-OPTIONS = ["--no-sandbox", "--enable-unsafe-swiftshader", "--use-gl=angle", "--use-angle=swiftshader"]
-SIZE = (460, 340)
-NASTY = "<script>alert(1)</script>"
-
-Picture = NDArray[np.int16]
+from see.scene_window import NASTY, WEB, Window, differing, look
+from see.scenes import arm_result
 
 
-@pytest.fixture(scope="module")
-def program(tmp_path_factory: pytest.TempPathFactory) -> str:
-    """The program of the test page, built; skipped where Node or the packages are not."""
-    node = shutil.which("node")
-    if node is None or not (WEB / "node_modules" / "esbuild").is_dir():
-        pytest.skip("needs Node and the packages of web/ (npm ci) to build the page")
-    out = tmp_path_factory.mktemp("scene") / "scene.js"
-    command = [node, "--input-type=module", "-e", BUILD, "--", str(HERE / "scene_page.ts"), str(out)]
-    subprocess.run(command, cwd=WEB, check=True, timeout=60)
-    return out.read_text(encoding="utf-8").replace("</script", "<\\/script")
-
-
-@pytest.fixture(scope="module")
-def engine() -> Iterator[Any]:
-    """What drives browsers."""
-    playwright = pytest.importorskip("playwright.sync_api", reason="needs playwright to look at the page")
-    with playwright.sync_playwright() as started:
-        yield started
-
-
-@pytest.fixture(scope="module")
-def browser(engine: Any, chromium: str) -> Iterator[Any]:
-    """A headless browser that draws by a program."""
-    opened = engine.chromium.launch(executable_path=chromium, args=OPTIONS)
-    yield opened
-    opened.close()
-
-
-def run_of(result: Any, name: str) -> dict[str, Any]:
-    """What the page gets of a run, as far as the scene needs it."""
-    return {"name": name, "duration": float(result.data["time"][-1]), "scene": scene_of(result),
-            "line": line_of(result), "modes": modes_of(result)}  # fmt: skip
-
-
-@pytest.fixture(scope="module")
-def pages(program: str, tmp_path_factory: pytest.TempPathFactory) -> Callable[[str], Path]:
-    """Pages by name: the robot alone, an arm, three robots."""
-    made = {
-        "robot": lambda: [run_of(robot_result(), NASTY)],
-        "arm": lambda: [run_of(arm_result(), "arm")],
-        "three": lambda: [run_of(robot_result(mass), f"{mass} kg") for mass in (0.5, 0.25, 1.0)],
-    }
-    folder = tmp_path_factory.mktemp("pages")
-    digest = base64.b64encode(hashlib.sha256(program.encode()).digest()).decode()
-
-    def page(name: str) -> Path:
-        path = folder / f"{name}.html"
-        if not path.exists():
-            data = embedded(pack({"runs": made[name]()}))
-            path.write_text(
-                '<!doctype html><html lang=en><meta charset=utf-8><meta name="color-scheme" content="light dark">'
-                f"<title>{name}</title>"
-                f'<meta http-equiv="Content-Security-Policy" content="{POLICY.format(digest)}">'
-                "<style>body { margin: 0; background: light-dark(#fff, #111) } #place { height: 320px }</style>"
-                '<div id="place"></div>'
-                f'<script type="text/plain" id="tmodes-data">{data}</script><script>{program}</script>',
-                encoding="utf-8",
-            )
-        return path
-
-    return page
-
-
-@dataclass
-class Window:
-    """An open page, with all that it said and asked for."""
-
-    page: Any
-    said: list[str] = field(default_factory=list)
-    asked: list[str] = field(default_factory=list)
-
-    def do(self, script: str) -> Any:
-        """Run a script, and wait until the picture is drawn."""
-        found = self.page.evaluate(script)
-        self.page.evaluate("new Promise((done) => requestAnimationFrame(() => requestAnimationFrame(done)))")
-        return found
-
-    def picture(self) -> Picture:
-        """The canvas as pixels, without what is written over it."""
-        from PIL import Image
-
-        self.do("document.querySelectorAll('.scene-note').forEach((note) => (note.style.display = 'none'))")
-        shot = self.page.locator(".scene-view").screenshot()
-        return np.asarray(Image.open(io.BytesIO(shot)).convert("RGB")).astype(np.int16)
-
-    def choose(self, thing: str) -> None:
-        """Tick or untick what may be shown."""
-        self.do(f"document.querySelector('[data-scene={thing}]').click()")
-
-    def enlarge(self, step: int) -> None:
-        """Move the slider of the deformation."""
-        slider = "document.querySelector('[data-scene=factor]')"
-        self.do(f"(s => {{ s.value = {step}; s.dispatchEvent(new Event('input')); }})({slider})")
-
-    def close(self) -> None:
-        """Close it; it must have said nothing and asked for nothing but itself."""
-        said = [line for line in self.said if "GPU stall" not in line]
-        self.page.context.close()
-        assert said == []
-        assert len(self.asked) == 1
-
-
-def look(browser: Any, path: Path, **how: Any) -> Window:
-    """Open a page, and listen."""
-    options = {"viewport": {"width": SIZE[0], "height": SIZE[1]}, "reduced_motion": "reduce"} | how
-    window = Window(browser.new_context(**options).new_page())
-    window.page.on("console", lambda message: window.said.append(message.text))
-    window.page.on("pageerror", lambda error: window.said.append(str(error)))
-    window.page.on("request", lambda request: window.asked.append(request.url))
-    window.page.goto(path.as_uri())
-    window.page.wait_for_function("window.ready")
-    window.do("0")
-    return window
-
-
-def differing(one: Picture, other: Picture) -> int:
-    """Number of pixels that differ to the eye."""
-    return int((np.abs(one - other).max(axis=-1) > 24).sum())
-
-
-@pytest.fixture(scope="module")
-def opened(browser: Any, pages: Callable[[str], Path]) -> Iterator[Window]:
-    """The page of the 2010 robot, once for all tests."""
-    window = look(browser, pages("robot"))
+@pytest.fixture(scope="module", params=["browser", "bare"])
+def opened(request: pytest.FixtureRequest, pages: Callable[[str], Path]) -> Iterator[Window]:
+    """The page of the 2010 robot, once for all tests: in space, and on a flat canvas where there is no WebGL."""
+    window = look(request.getfixturevalue(request.param), pages("robot"))
     yield window
     window.close()
+
+
+solid = pytest.mark.parametrize("opened", ["browser"], indirect=True)
+"""Of the scene in 3D alone."""
 
 
 @pytest.fixture
@@ -256,6 +116,7 @@ def test_a_changed_run_stands_next_to_the_page_s_own(robot: Window) -> None:
     assert "The run as it was" not in robot.page.locator(".scene-legend").text_content()
 
 
+@solid
 def test_the_way_of_the_tip_is_whole_after_a_shorter_run(robot: Window) -> None:
     """Drawn after a run of a quarter of its frames, a run is the same picture as drawn at once."""
     robot.do("clock.seek(page.runs[0].duration)")
@@ -276,6 +137,7 @@ def test_the_way_of_the_tip_is_whole_after_a_shorter_run(robot: Window) -> None:
     assert differing(whole, robot.picture()) < 20  # of 342 where the way ends early
 
 
+@solid
 def test_quality_is_low_by_itself_here_and_can_be_raised(robot: Window) -> None:
     width = robot.do("document.querySelector('canvas').width")
     assert width == pytest.approx(0.75 * robot.do("document.querySelector('canvas').clientWidth"), abs=1)

@@ -8,10 +8,9 @@ from typing import Any
 import pytest
 
 from see.looking import look
+from see.scenes import short_report, short_robot
 from see.test_page import ink
 from tmodes import load, run
-from tmodes.report.data import live_page
-from tmodes.report.viewer import viewer_document
 
 PAYLOAD = '[data-path="links.link.bodies.payload.mass"] input[type=number]'
 STATUS = ".sliders-panel [role=status]"
@@ -21,15 +20,14 @@ VALUE = "[data-chart=tip_deviation] .toggle .value"
 
 @pytest.fixture(scope="module")
 def robot() -> Any:
-    """The seed's robot, for a short time."""
-    return load("filipovic2010").with_({"integration.duration": 0.3})
+    return short_robot()
 
 
 @pytest.fixture(scope="module")
-def window(browser: Any, robot: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
+def window(browser: Any, tmp_path_factory: pytest.TempPathFactory) -> Any:
     """Its report, open."""
     path = tmp_path_factory.mktemp("alive") / "report.html"
-    path.write_text(viewer_document(live_page(run(robot))), encoding="utf-8")
+    path.write_text(short_report(), encoding="utf-8")
     window = look(browser, path, (1280, 1000))
     window.page.wait_for_selector(f"{STATUS}:text('Move a slider')")
     return window

@@ -155,10 +155,21 @@ def test_a_dragged_slider_gives_new_curves_and_a_ghost(tab):
     assert before in tab.page.inner_text("[data-fact='deviation.max'] .was")
 
 
-def payload_opened(tab: Tab) -> None:
-    """The groups around the payload, one in the other."""
-    for path in ("links", "links.0", "links.0.bodies", "links.0.bodies.0"):
+def opened_groups(tab: Tab, *paths: str) -> None:
+    """Groups of the sheet, one in the other."""
+    for path in paths:
         tab.page.locator(f"details[data-path='{path}'] > summary").click()
+
+
+def payload_opened(tab: Tab) -> None:
+    opened_groups(tab, "links", "links.0", "links.0.bodies", "links.0.bodies.0")
+
+
+def test_a_link_of_modes_has_the_form_of_its_model(tab):
+    """Of the kinds that a link may have, the form is that of the one that it is."""
+    opened_groups(tab, "links", "links.0", "links.0.beam", "links.0.beam.modes", "links.0.beam.modes.1")
+    tab.fresh(lambda: tab.type("Bending stiffness", "26.7", inside="details[data-path='links.0.beam.modes.1']"))
+    assert tab.page.input_value("[data-slider='links.0.beam.modes.1.bending_stiffness'] input.number") == "26.7"
 
 
 def test_a_typed_number_with_its_unit(tab):

@@ -34,7 +34,6 @@ def describe(
 
 
 def _print(info: dict[str, Any]) -> None:
-
     print(f"{info['name']}: {info['title'] or 'a robot'}")
     count = len(info["coordinates"])
     moves = "coordinate" if count == 1 else "coordinates" if count else "coordinates (nothing in it moves or bends)"
@@ -48,8 +47,8 @@ def _print(info: dict[str, Any]) -> None:
     print_table("Links", columns, [_link(one) for one in info["links"]])
     for one in info["links"]:
         if "equivalent_mass_kg" in one:
-            print(f"link {one['name']}: in its model of segments {one['equivalent_mass_kg']:.4g} kg, equivalent masses "
-                  "(33/140 of each segment at its tip)")  # fmt: skip
+            print(f"link {one['name']}: {one['equivalent_mass_kg']:.4g} kg in the equations, 33/140 of each mode's "
+                  "mass at its tip")  # fmt: skip
     if info["gears"]:
         gears = [[one["joint"], ", ".join(f"{k:.4g}" for k in one["stiffness"]), one["unit"],
                   _number(one["stiffness_over_EI_per_L"])] for one in info["gears"]]  # fmt: skip

@@ -186,6 +186,8 @@ def _label(number: SheetNumber, knob: Knob) -> str:
     steps = number.path.split(".")
     if words.endswith("about y and about z"):
         words = words.replace("about y and about z", f"about {'yz'[int(steps[-1])]}") if steps[-1] in "01" else words
+    if "modes" in steps[:-1]:
+        owner = f"mode {int(steps[steps.index('modes') + 1]) + 1} of {owner}"
     if "bodies" in steps and steps[-2] != owner and not steps[-2].isdecimal():
         owner = f"{steps[-2]} on {owner}"
     return f"{words}, {owner}" if owner else words

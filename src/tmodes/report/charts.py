@@ -77,7 +77,7 @@ def _owner(data: Any, name: str) -> str:
 def _element(data: Any, owner: str, unit: str, names: Sequence[str], places: Sequence[int]) -> Iterator[Draft]:
     for first in range(0, len(places), _TOGETHER):
         part = places[first : first + _TOGETHER]
-        title = f"{owner.removesuffix('.gear')}, gear" if owner.endswith(".gear") else f"Link {owner}"
+        title = f"Gear of {owner.removesuffix('.gear')}" if owner.endswith(".gear") else f"Link {owner}"
         if len(places) > _TOGETHER:
             title += f", coordinates {first + 1} to {first + len(part)} of {len(places)}"
         lines = tuple(

@@ -9,7 +9,7 @@ import type { Forms, Schema, Shape } from "./schema";
 import { at, isGroup, pathOf, put, type Json, type Sheet, type Step } from "./sheet";
 
 /** Groups that say what a sheet is, not how it behaves. */
-const SILENT = new Set(["format", "kind"]);
+const SILENT = new Set(["format", "kind", "imported"]);
 
 type Group = { element: HTMLDetailsElement; open(): void };
 type Choice = Extract<Shape, { kind: "choice" }>;

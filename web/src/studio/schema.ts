@@ -118,13 +118,22 @@ export class Forms {
       Array.isArray(value)
         ? one.type === "array"
         : isGroup(value)
-          ? one.type === "object" || one.oneOf !== undefined
+          ? (one.type === "object" && this.agrees(one, value)) || one.oneOf !== undefined
           : typeof value === "number" || typeof value === "string"
             ? numeric(one) || one.type === "string" || one.enum !== undefined || one.oneOf !== undefined
             : false;
     const { anyOf, ...own } = schema;
     void anyOf;
     return { ...(real.find(fits) ?? real[0] ?? {}), ...described(own) };
+  }
+
+  /** Whether the words of a value, such as its model, are those of a group. */
+  private agrees(group: Schema, value: Record<string, Json>): boolean {
+    return Object.entries(group.properties ?? {}).every(([key, field]) => {
+      const { const: fixed, enum: words } = this.resolved(field);
+      const own = value[key];
+      return own === undefined || ((fixed === undefined || fixed === own) && (!words || words.includes(String(own))));
+    });
   }
 
   private choice(schema: Schema, members: Schema[]): Shape {

@@ -1,4 +1,4 @@
-/* tmodes, built from 11f687e9095508f3; BSD-3-Clause */
+/* tmodes, built from 53f9ecff793ec5ba; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
