@@ -16,7 +16,7 @@ from tmodes.io.forms import F2010, ROBOT, Form, form_of, own_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_paths import entered, set_arm_paths, steps_of
 from tmodes.io.sheet_problems import MOST_REPORTED, SHEET, Problem, arm_problems
-from tmodes.io.sheet_units import at
+from tmodes.io.sheet_words import at
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
 from tmodes.io.yaml_file import nearest_line

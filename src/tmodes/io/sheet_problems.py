@@ -12,8 +12,7 @@ from pydantic_core import ErrorDetails
 from tmodes.errors import InputError
 from tmodes.io.forms import own_path
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, place_of, quantities, root_of
-from tmodes.io.sheet_units import at
-from tmodes.io.sheet_words import choices, is_group, kind_of
+from tmodes.io.sheet_words import at, choices, is_group, kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 

@@ -29,7 +29,7 @@ def catalogue() -> list[dict[str, str]]:
 @cache
 def schema() -> dict[str, Any]:
     """The JSON Schema of which the forms are made."""
-    from tmodes.io.schema import json_schema
+    from tmodes.io.forms import json_schema
 
     return json_schema()
 
