@@ -9,7 +9,7 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel
 
-from tmodes.analysis.statics.held import free_coordinates
+from tmodes.analysis.statics.equilibrium import free_coordinates
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
