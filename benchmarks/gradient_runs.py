@@ -14,7 +14,7 @@ from numpy.typing import NDArray
 
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
-from tmodes.io.sheet_units import at
+from tmodes.io.sheet_words import at
 from tmodes.robots.load import load
 from tmodes.sensitivity.changes import Changes
 from tmodes.sensitivity.functional import Functional, tracking_error
@@ -77,7 +77,7 @@ class Case:
     def _moved(self, change: Any, by: float) -> float:
         """The functional on the same steps with numbers changed along a direction."""
         here, done = self.here, self.replay.recording
-        parameters = here.parameters.vector + by * change.parameters
+        parameters = here.parameters + by * change.parameters
         other = replace(done, rows=done.rows + by * change.rows)
         self.replay.recording = other
         samples = self.replay.samples(parameters, here.start + by * change.start)

@@ -85,7 +85,7 @@ class Seed:
 
         def run() -> tuple[float, np.ndarray]:
             done = loop.run(
-                self.start, parameters=self.parameters.vector, knots=self.schedule.knots, rows=rows, steps=STEPS,
+                self.start, parameters=self.parameters, knots=self.schedule.knots, rows=rows, steps=STEPS,
                 step=2 / STEPS, repeats=1,
             )  # fmt: skip
             return done.seconds, self.tips(done.state[None, :])[0]

@@ -9,7 +9,7 @@ from typing import Any, NamedTuple
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import quantities
 from tmodes.io.sheet_paths import steps_of
-from tmodes.io.sheet_units import at
+from tmodes.io.sheet_words import at
 from tmodes.io.yaml_file import parse_yaml
 from tmodes.robots import text
 from tmodes.sheet import Robot

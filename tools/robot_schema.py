@@ -6,7 +6,7 @@ import json
 import sys
 
 import generated
-from tmodes.io.schema import json_schema
+from tmodes.io.forms import json_schema
 
 if __name__ == "__main__":
     text = json.dumps(json_schema(), indent=2, ensure_ascii=False) + "\n"

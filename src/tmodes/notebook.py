@@ -15,8 +15,7 @@ from tmodes.io.atomic import atomic_write
 from tmodes.report.data import live_page, page_data, robot_name
 from tmodes.report.viewer import viewer_document
 from tmodes.result import Result
-from tmodes.result.ready import movable_joints
-from tmodes.result.run import run
+from tmodes.result.run import movable_joints, run
 from tmodes.sheet import Robot
 
 __all__ = ["Shown", "rest_page", "show"]

@@ -11,8 +11,7 @@ import pytest
 import tmodes
 from io_cases import bad_numbers, value_of
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
-from tmodes.analysis.spectrum import Spectrum
-from tmodes.analysis.stability import step_size_verdict, step_times_eigenvalue
+from tmodes.analysis.spectrum import Spectrum, step_size_verdict, step_times_eigenvalue
 from tmodes.errors import InputError, InputErrors, SimulationError, TmodesError
 from tmodes.integrate.settings import Integration
 from tmodes.sheet import Robot, RobotPair

@@ -127,7 +127,7 @@ def test_the_gradient_is_that_of_differences_on_the_same_steps(name: str, method
         scale = 3e-3 * value_at(name, path)
 
         def value(by: float, change: Any = change) -> float:
-            moved = replay.samples(here.parameters.vector + by * change.parameters, here.start + by * change.start)
+            moved = replay.samples(here.parameters + by * change.parameters, here.start + by * change.start)
             return squares(times, moved)[0]
 
         expected = richardson(value, scale)

@@ -53,7 +53,7 @@ def test_number_is_taken_or_reported(case: Case) -> None:
 @pytest.mark.parametrize("case", [case for case in CASES if case.kind == "numeric text"], ids=lambda case: case.id)
 def test_number_in_quotes_is_the_number(case: Case) -> None:
     if case.path == "format":
-        with pytest.raises(InputErrors, match="expected the number 1"):
+        with pytest.raises(InputErrors, match="must be the number 1"):
             read(case.text)
     else:
         assert read(case.text) == read(SHEET)

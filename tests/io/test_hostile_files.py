@@ -129,7 +129,7 @@ def test_a_truncated_file_is_reported(cut: int) -> None:
 
 @pytest.mark.parametrize("text", ["a: 1\nb: 2\na: 3", "a: {b: 1, b: 2}", "x:\n  - a: 1\n    a: 1"])
 def test_a_key_that_stands_twice_is_reported_with_both_lines(text: str) -> None:
-    with pytest.raises(InputError, match=r"sheet:\d: .*got a second time \(first in line \d\)"):
+    with pytest.raises(InputError, match=r"sheet:\d: .*got a second one \(the first in line \d\)"):
         parse_yaml(text, "sheet")
 
 

@@ -9,8 +9,7 @@ from typing import Any, get_args
 import pytest
 
 from io_cases import SHEET
-from tmodes.io.forms import F2010, ROBOT, Form
-from tmodes.io.schema import json_schema
+from tmodes.io.forms import F2010, ROBOT, Form, json_schema
 from tmodes.io.sheet_words import fields, is_group, members_of, own_unit
 from tmodes.io.yaml_file import parse_yaml
 

@@ -15,7 +15,7 @@ from tmodes.cli.main import app
 from tmodes.errors import TmodesError
 from tmodes.kinds.controllers.registry import CONTROLLERS, Controller, Measured
 from tmodes.kinds.registry import UnknownKindError
-from tmodes.result.absent import absent_kinds
+from tmodes.result.record import absent_kinds
 
 
 class Proportional(Controller):

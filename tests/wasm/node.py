@@ -12,8 +12,7 @@ from typing import Any
 import numpy as np
 import pytest
 
-from tmodes.live.functions import ModelFunctions, live_module
-from tmodes.live.module import LiveModule
+from tmodes.live.functions import LiveModule, ModelFunctions, live_module
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.start import RunSetup
 

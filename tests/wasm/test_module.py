@@ -14,8 +14,7 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.compile.ir.calls import DIRECT
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.wasm.wasm_parts import schedule_samples
-from tmodes.live.functions import ModelFunctions, live_module, needed_for, stationed
-from tmodes.live.module import Functions, LiveModule
+from tmodes.live.functions import Functions, LiveModule, ModelFunctions, live_module, needed_for, stationed
 from tmodes.model.evaluator import derivatives
 from tmodes.model.model import Model
 from tmodes.sheet import Robot

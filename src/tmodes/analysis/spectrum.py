@@ -1,8 +1,8 @@
-"""Eigenvalues of linearised equations of motion: how fast a system rings, decays or grows, and in which coordinate."""
+"""Eigenvalues of linearised equations: how fast a system rings, decays or grows, where, and which step they ask for."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -10,7 +10,15 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-__all__ = ["GROWING", "RINGS", "MotorState", "Spectrum", "damped_motions", "spectrum_of"]
+from tmodes.errors import SimulationError
+from tmodes.integrate.choice import chosen_method
+from tmodes.integrate.registry import AUTO
+from tmodes.integrate.settings import Integration
+
+__all__ = [
+    "GROWING", "RINGS", "MotorState", "Spectrum", "StepVerdict", "chosen_settings",
+    "growth_warnings", "spectrum_of", "step_size_verdict", "step_times_eigenvalue",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]
@@ -83,14 +91,80 @@ def spectrum_of(matrix: Array, coordinates: Sequence[str], currents: Sequence[st
     return Spectrum(values.astype(complex), tuple(names[int(k)] for k in largest))
 
 
-def damped_motions(mass: Array, damping: Array, stiffness: Array) -> tuple[Complex, Complex]:
-    """Eigenvalues [1/s] and the coordinates' part of the eigenvectors of M q'' + D q' + K q = 0."""
-    size = len(mass)
-    dynamics = np.block(
-        [
-            [np.zeros((size, size)), np.eye(size)],
-            [-np.linalg.solve(mass, stiffness), -np.linalg.solve(mass, damping)],
-        ]
+@dataclass(frozen=True)
+class StepVerdict:
+    """``highest`` |eigenvalue| [1/s] at the start; ``dt_omega`` = step times it; ``stable``; ``sentence`` to tell."""
+
+    highest: float
+    dt_omega: float | None
+    stable: bool
+    sentence: str = ""
+
+
+def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
+    """Judge the step by the eigenvalues at the start.
+
+    A fixed step by the amplification of its explicit method, |R(dt lambda)| <= 1. An adaptive method
+    keeps its own step stable, but an explicit one may take too many: raises :class:`SimulationError` with the number.
+    """
+    eigenvalues = spectrum.eigenvalues
+    highest = spectrum.highest
+    coordinate = spectrum.dominant[int(np.argmax(np.abs(eigenvalues)))] if highest else "none"
+    one = settings.integrator
+    if one is None or one.adaptive:
+        if one and one.reach:
+            _refuse_too_stiff(settings, highest, coordinate, one.reach)
+        return StepVerdict(highest, None, True)
+    if one.tableau is None:
+        return StepVerdict(highest, settings.step * highest, True)
+    z = settings.step * eigenvalues[eigenvalues.real <= 0]
+    growth = float(np.abs(one.tableau.amplification(z[z != 0])).max(initial=0.0))
+    dt_omega = settings.step * highest
+    info = f"dt*omega = {dt_omega:.3g} (step {settings.step:.3g} s, {highest:.4g} rad/s in coordinate {coordinate})"
+    if growth > 1 + 1e-9:
+        hint = f"set integration.step below {2.5 / highest:.2g}, or integration.method: dormand_prince"
+        return StepVerdict(highest, dt_omega, False, f"{one.name} is unstable at this step: {info}; {hint}")
+    if dt_omega > 1.0:
+        hint = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
+        return StepVerdict(highest, dt_omega, True, f"{one.name} is stable but inaccurate at this step: {info}; {hint}")
+    return StepVerdict(highest, dt_omega, True)
+
+
+def chosen_settings(settings: Integration, spectrum: Callable[[], Spectrum]) -> Integration:
+    """The settings with a method, chosen by the eigenvalues at the start where none is named, and its tolerances."""
+    if settings.method != AUTO:
+        return settings.chosen(settings.method)
+    return settings.chosen(chosen_method(settings, spectrum().highest)[0])
+
+
+def step_times_eigenvalue(verdict: StepVerdict, statistics: dict[str, Any]) -> float | None:
+    """dt*omega of a run: of its fixed step, or of its mean one where the method chose; None before any step."""
+    if verdict.dt_omega is not None or not statistics.get("mean_step_s"):
+        return verdict.dt_omega
+    return float(statistics["mean_step_s"] * verdict.highest)
+
+
+def growth_warnings(spectrum: Spectrum, whose: str, causes: str) -> list[str]:
+    """A robot that is unstable at its start: the fastest growth, in which coordinate, and what may cause it."""
+    growing = spectrum.eigenvalues.real > GROWING * np.abs(spectrum.eigenvalues)
+    if not growing.any():
+        return []
+    fastest = int(np.argmax(np.where(growing, spectrum.eigenvalues.real, -np.inf)))
+    rate = spectrum.eigenvalues[fastest].real
+    return [
+        f"the {whose} is unstable at its start: a motion in coordinate {spectrum.dominant[fastest]} grows at "
+        f"{rate:.3g} 1/s ({causes})"
+    ]
+
+
+def _refuse_too_stiff(settings: Integration, highest: float, coordinate: str, reach: float) -> None:
+    """An explicit method may step no longer than its reach over the largest eigenvalue, however little happens."""
+    steps = settings.duration * highest / reach
+    if steps <= settings.max_steps:
+        return
+    raise SimulationError(
+        f"the equations are too stiff for {settings.method}: an eigenvalue of {highest:.3g} 1/s in coordinate "
+        f"{coordinate} takes about {steps:.1e} steps, more than integration.max_steps = "
+        f"{settings.max_steps}; lower the stiffness or damping that acts there (.inf makes an element rigid), "
+        "raise the friction velocity, shorten the run, or raise integration.max_steps"
     )
-    eigenvalues, vectors = np.linalg.eig(dynamics)
-    return eigenvalues.astype(complex), vectors[:size].astype(complex)

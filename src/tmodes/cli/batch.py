@@ -140,7 +140,6 @@ def _run(sheet: Any, values: dict[str, Any], threads: int | None, out: Path | No
 
 
 def _tell(name: str, found: BatchRun, parted: Spread, as_json: bool) -> None:
-
     info = parted.info(found)
     if as_json:
         print_json(info | {"each": _each(found, parted)})
@@ -170,7 +169,6 @@ def _each(found: BatchRun, parted: Spread) -> list[dict[str, Any]]:
 
 
 def _print(name: str, found: BatchRun, info: dict[str, Any]) -> None:
-
     title = f"{name}: {info['finished']} of {info['lanes']} runs finished"
     labels = {"tip_difference_m": "largest tip difference [mm]", "tip_difference_at_end_m": "at the end [mm]"}
     rows = [

@@ -66,7 +66,6 @@ def _plan(sizes: str, rounds: int, peers: str, patience: float, *, quick: bool) 
 
 
 def _sizes(info: str) -> tuple[int, ...]:
-
     words = info.split(",")
     if not all(word.strip().isdecimal() and 1 <= int(word) <= 1000 for word in words):
         raise InputError("--sizes", ascii(info), "whole numbers from 1 to 1000 with commas", "write --sizes 6,36")

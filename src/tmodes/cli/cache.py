@@ -3,16 +3,13 @@
 from __future__ import annotations
 
 from enum import StrEnum
-from typing import TYPE_CHECKING, Annotated
+from typing import Annotated
 
 import typer
 
 from tmodes.cli.options import AsJson
 from tmodes.cli.output import print_json
 from tmodes.errors import ResultFileError
-
-if TYPE_CHECKING:
-    from pathlib import Path
 
 __all__ = ["Action", "cache"]
 
@@ -32,31 +29,17 @@ def cache(
     lost by clearing it but that time. The environment variable TMODES_CACHE names another folder; empty: nothing is
     kept. A damaged entry is made again, and a folder that others can write is not used.
     """
-    from tmodes.compile.cache import judged
+    from tmodes.compile.cache import MAX_BYTES, clear, entries, judged
 
     place, refusal = judged()
     if action is Action.CLEAR:
-        _clear(place, refusal, as_json=as_json)
-    else:
-        _show(place, refusal, as_json=as_json)
-
-
-def _clear(place: Path | None, refusal: str, *, as_json: bool) -> None:
-    from tmodes.compile.cache import clear
-
-    if place is None or refusal:
-        hint = "name a folder of your own: TMODES_CACHE=FOLDER"
-        raise ResultFileError(f"no cache is used ({place or 'no folder'}): {refusal}; {hint}")
-    count, size = clear(place)
-    if as_json:
-        print_json({"folder": str(place), "removed": count, "bytes": size})
+        if place is None or refusal:
+            hint = "name a folder of your own: TMODES_CACHE=FOLDER"
+            raise ResultFileError(f"no cache is used ({place or 'no folder'}): {refusal}; {hint}")
+        count, size = clear(place)
+        words = f"removed {count} entries, {size / 1e6:.1f} MB, from {place}"
+        print_json({"folder": str(place), "removed": count, "bytes": size}) if as_json else print(words)
         return
-    print(f"removed {count} entries, {size / 1e6:.1f} MB, from {place}")
-
-
-def _show(place: Path | None, refusal: str, *, as_json: bool) -> None:
-    from tmodes.compile.cache import MAX_BYTES, entries
-
     found = [] if place is None or refusal else list(entries(place))
     size = sum(entry.size for entry in found)
     if as_json:
@@ -67,6 +50,6 @@ def _show(place: Path | None, refusal: str, *, as_json: bool) -> None:
     if refusal:
         print(f"not used       {refusal}")
     print(f"entries        {len(found)}, {size / 1e6:.1f} MB of at most {MAX_BYTES / 1e6:.0f} MB")
-    print("what for       a robot's equations are made native code once; a second run of it compiles nothing")
+    print("what for       a robot's equations are compiled once and cached; a second run of it compiles nothing")
     print("elsewhere      TMODES_CACHE=FOLDER names another folder; empty: nothing is kept")
     print("remove         tmodes cache clear")

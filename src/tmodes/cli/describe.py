@@ -34,7 +34,6 @@ def describe(
 
 
 def _print(info: dict[str, Any]) -> None:
-
     print(f"{info['name']}: {info['title'] or 'a robot'}")
     count = len(info["coordinates"])
     moves = "coordinate" if count == 1 else "coordinates" if count else "coordinates (nothing in it moves or bends)"

@@ -160,7 +160,6 @@ def _check_finite(name: str, values: Any) -> None:
 
 
 def _print_terms(model: Model, answers: list[dict[str, Any]]) -> None:
-
     rows = [[name, *(f"{one['a'][i]:.6g}" for one in answers[:6])] for i, name in enumerate(model.coordinates)]
     columns = ["coordinate", *(f"state {k}" for k in range(len(answers[:6])))]
     print_table("Accelerations [rad/s^2, m/s^2]", columns, rows)

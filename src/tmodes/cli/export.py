@@ -65,7 +65,6 @@ def _write(files: dict[Path, bytes], overwrite: bool) -> None:
 
 
 def _tell(paths: dict[str, str], method: str, files: Mapping[str, bytes], as_json: bool) -> None:
-
     sizes = {end: len(content) for end, content in files.items()}
     if as_json:
         print_json({"files": paths, "bytes": sizes, "method": method})

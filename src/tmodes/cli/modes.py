@@ -102,7 +102,6 @@ def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:
 
 
 def _print(title: str, lines: list[dict[str, Any]]) -> None:
-
     columns = ["dominant element", "share of energy", "natural [Hz]", "damped [Hz]", "damping ratio", "converged"]
     print_table(title, columns, [_row(line) for line in lines])
 

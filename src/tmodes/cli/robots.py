@@ -70,6 +70,5 @@ def _print_sheet(name: str, root: list[Path] | None, *, as_json: bool) -> None:
 
 
 def _unknown(name: str, known: list[str]) -> InputError:
-
     hint = meant(name, known, "see the list: tmodes robots")
     return InputError("robot", shown(name), f"one of {', '.join(known)}", hint)

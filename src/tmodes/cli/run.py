@@ -103,7 +103,6 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
 
 
 def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
-
     print_json(folder.summary(result)) if as_json else info(result, folder)
     for warning in result.warnings:
         notice(f"warning: {warning}")

@@ -17,7 +17,6 @@ def schema(arm: Annotated[bool, typer.Option("--arm", help="Of sheets with `kind
     For example:  tmodes schema --arm > arm.schema.json   and in the first line of the sheet
     # yaml-language-server: $schema=arm.schema.json
     """
-    from tmodes.io.forms import F2010, ROBOT
-    from tmodes.io.schema import json_schema
+    from tmodes.io.forms import F2010, ROBOT, json_schema
 
     print_json(json_schema(ROBOT if arm else F2010))

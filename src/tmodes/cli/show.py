@@ -70,7 +70,6 @@ def _extremes(one: Series) -> dict[str, float]:
 
 
 def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
-
     summary = info_summary(stored)
     print(f"end     {plain(stored.message)}")
     for line in integration_lines(stored, summary):

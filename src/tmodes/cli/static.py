@@ -88,7 +88,6 @@ def _tell(arm: Robot, rest: Equilibrium, index: int, as_json: bool) -> None:
 
 
 def _print(arm: Robot, info: dict[str, Any]) -> None:
-
     lowest = info["lowest_frequency_Hz"]
     stable = "stable" if info["stable"] else "NOT STABLE"
     print(f"{arm.name} at rest: {stable}" + (f", lowest frequency {lowest:.4g} Hz" if lowest else ""))
@@ -179,7 +178,6 @@ def _parts(text: str) -> dict[str, str]:
 
 
 def _unknown(which: str, name: str, known: Sequence[str]) -> InputError:
-
     hint = meant(name, known, EXAMPLE)
     return InputError(which, f"the unknown word {shown(name)}", f"one of {', '.join(known)}", hint)
 

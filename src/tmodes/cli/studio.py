@@ -67,7 +67,6 @@ def _first(robot: str, folder: WorkingFolder) -> str:
 
 
 def _refuse_what_is_no_robot(path: Path) -> None:
-
     expected = "a published robot, or a data sheet or URDF"
     if path.suffix == ".nc" or (path / "result.nc").is_file():
         hint = f"look at it with: tmodes view {path}"

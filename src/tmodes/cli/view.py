@@ -58,7 +58,6 @@ def _refuse_too_many(results: list[Path]) -> None:
 
 
 def _refuse_taken(out: Path | None, overwrite: bool) -> None:
-
     if out is not None and out.is_dir():
         raise file_error(out, "a folder", "the name of a file", f"name the page, such as --out {out / 'view.html'}")
     if out is not None and os.path.lexists(out) and not overwrite:
@@ -80,7 +79,6 @@ def names_apart(names: list[str], paths: list[Path]) -> list[str]:
 
 
 def _written(text: str, out: Path | None, overwrite: bool) -> Path:
-
     if out is None:
         out, overwrite = _temporary(), True
     with atomic_write(out, overwrite=overwrite) as temporary:

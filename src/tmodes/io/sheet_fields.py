@@ -14,8 +14,8 @@ from typing import Any, get_args, get_origin
 from pydantic.fields import FieldInfo
 
 from tmodes.io.forms import form_of
-from tmodes.io.sheet_units import at, unit_at
 from tmodes.io.sheet_words import (
+    at,
     bounds,
     expected_kind,
     fields,
@@ -25,6 +25,7 @@ from tmodes.io.sheet_words import (
     kind_of,
     members_of,
     own_unit,
+    unit_at,
 )
 from tmodes.kinds.schema.names import form_of_field
 

@@ -12,8 +12,7 @@ from typing import Any, get_args, get_origin
 from tmodes.errors import InputError
 from tmodes.io.forms import ROBOT, form_of, own_path, robot_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, chosen, inside, keys, named, quantities, root_of
-from tmodes.io.sheet_units import at
-from tmodes.io.sheet_words import fields, is_group, members_of
+from tmodes.io.sheet_words import at, fields, is_group, members_of
 from tmodes.io.words import nearest, plain, shown
 from tmodes.kinds.links.material import LIBRARY
 

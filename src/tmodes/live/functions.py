@@ -1,9 +1,9 @@
-"""An arm as a WebAssembly module: planned as it is known, run as it really is, its rest, its picture, its energies."""
+"""A robot as a WebAssembly module: both runs, its rest, its picture, its energies; and the layout for its engine."""
 
 from __future__ import annotations
 
 from collections.abc import Mapping, Sequence
-from dataclasses import dataclass, replace
+from dataclasses import dataclass, field, replace
 from functools import cached_property
 from typing import Any
 
@@ -11,7 +11,9 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.chain.chain import Chain, Point
-from tmodes.compile.wasm.wasm_parts import schedule_loop, schedule_samples
+from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
+from tmodes.compile.wasm.wasm import Part, wasm_module
+from tmodes.compile.wasm.wasm_parts import each_once, schedule_loop, schedule_samples
 from tmodes.equations.line.schedule import Lines
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.mechanics import mechanics
@@ -19,14 +21,14 @@ from tmodes.integrate.method import EULER, JACOBIAN
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.kernel.schedule import Schedule, Slot
 from tmodes.live.loads import line_names
-from tmodes.live.module import Functions, LiveModule
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
 from tmodes.sheet import RobotPair
 from tmodes.sheet.robot import RECURSION
+from tmodes.simulation.native_run import BOUND, EVENT_TIME, MOST_EVENTS
 from tmodes.simulation.plan import Follow, Planned, planned
 
-__all__ = ["ModelFunctions", "live_module", "needed_for", "stationed"]
+__all__ = ["Functions", "LiveModule", "ModelFunctions", "live_module", "needed_for", "stationed"]
 
 Array = NDArray[np.float64]
 
@@ -183,3 +185,52 @@ def needed_for(schedule: Schedule, outputs: Sequence[str]) -> Schedule:
 def _mark(wanted: NDArray[np.bool_], schedule: Schedule, slots: Sequence[Slot]) -> None:
     for slot in slots:
         wanted[schedule.offset(slot) :][: slot.size] = True
+
+
+FORMAT = 1
+
+"""Number of the way in which a layout is written."""
+
+
+@dataclass(frozen=True)
+class LiveModule:
+    """``wasm``: the module, with memory of its own; ``layout``: plain data by which the engine calls it."""
+
+    wasm: bytes
+    layout: dict[str, Any]
+
+
+@dataclass
+class Functions:
+    """What goes into a module: code, and by the names that the engine knows, loops and functions over samples."""
+
+    parts: list[Part] = field(default_factory=list)
+    loops: dict[str, dict[str, Any]] = field(default_factory=dict)
+    samples: dict[str, dict[str, Any]] = field(default_factory=dict)
+
+    def loop(self, name: str, parts: Sequence[Part], *, size: int, row: int, parameters: int) -> None:
+        """A time loop, whose function is the first part's: numbers of its state, of a row of signals, of parameters."""
+        self.parts += parts
+        info = {"export": parts[0].symbols[0], "size": size, "row": row, "parameters": parameters}
+        self.loops[name] = info | {"method": name.rpartition(".")[2]}
+
+    def schedule(self, name: str, parts: Sequence[Part], schedule: Any, *, stride: int = 1) -> None:
+        """A schedule over samples, whose function is the first part's; ``stride`` 2: with derivatives."""
+        self.parts += parts
+        inputs = {label: slot.size for label, slot in schedule.inputs.items()}
+        outputs = {label: sum(slot.size for slot in slots) for label, slots in schedule.outputs.items()}
+        self.samples[name] = {
+            "export": parts[0].symbols[0], "kind": "schedule" if stride == 1 else "slopes", "inputs": inputs,
+            "outputs": outputs, "parameters": schedule.parameters, "workspace": stride * schedule.workspace,
+        }  # fmt: skip
+
+    def module(self, name: str, **info: Any) -> LiveModule:
+        """The compiled module; ``info``: what else its layout holds."""
+        parts = each_once(self.parts)
+        layout = {
+            "format": FORMAT, "cells": [*CELLS], "options": [*OPTIONS], "arguments": [*ARGUMENTS],
+            "statuses": {status.name.lower(): int(status) for status in Status},
+            "limits": {"bound": BOUND, "most_events": MOST_EVENTS, "event_time": EVENT_TIME},
+            "simd": any(part.simd for part in parts), "loops": self.loops, "samples": self.samples,
+        }  # fmt: skip
+        return LiveModule(wasm_module(name, parts), layout | info)

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.model_validity import yield_strength
+from tmodes.analysis.validity import yield_strength
 from tmodes.chain.chain import Chain
 from tmodes.equations.line.schedule import ROOTS, Lines
 from tmodes.equations.loop.plan import LoopPlan

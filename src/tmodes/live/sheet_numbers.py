@@ -11,7 +11,7 @@ from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_paths import steps_of
-from tmodes.io.sheet_units import at
+from tmodes.io.sheet_words import at
 from tmodes.kinds.links.material import LIBRARY
 from tmodes.kinds.schema.quantity import LARGEST
 from tmodes.sheet import Robot

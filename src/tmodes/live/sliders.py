@@ -8,11 +8,12 @@ from collections.abc import Iterator, Sequence
 from dataclasses import dataclass
 from typing import Any, NamedTuple
 
+import numpy as np
+
 from tmodes.live.sheet_numbers import SheetNumber, real_entry, sheet_numbers
-from tmodes.live.surface import stretched_length
 from tmodes.sheet import Robot
 
-__all__ = ["MOST", "Knob", "Slider", "knobs_of", "sliders_of"]
+__all__ = ["MOST", "Knob", "Slider", "knobs_of", "sliders_of", "stretched_length"]
 
 MOST = 16
 """Sliders of a page."""
@@ -222,3 +223,10 @@ def sliders_of(sheet: Any, knobs: Sequence[Knob], most: int = MOST, *, factors: 
             )
             found.append(Slider(index, True, *real, True))
     return found[:most]
+
+
+def stretched_length(arm: Robot) -> float:
+    """Length of all links and of what is between them [m]."""
+    nodes = arm.chain().nodes
+    between = sum(float(np.linalg.norm(node.joint.placement.position)) for node in nodes)
+    return between + sum(getattr(node.link, "length", 0.0) for node in nodes)

@@ -18,9 +18,8 @@ from tmodes.integrate.choice import chosen_method
 from tmodes.integrate.settings import Integration
 from tmodes.io.atomic import file_error
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.live.functions import ModelFunctions, live_module
+from tmodes.live.functions import LiveModule, ModelFunctions, live_module
 from tmodes.live.map import live_map
-from tmodes.live.module import LiveModule
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.plan import Follow
 from tmodes.simulation.start import run_setup

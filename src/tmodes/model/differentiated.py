@@ -7,7 +7,7 @@ da/deffort = M^-1 S: J. Carpentier, N. Mansard, Analytical Derivatives of Rigid 
 from __future__ import annotations
 
 from collections.abc import Callable, Mapping, Sequence
-from dataclasses import dataclass
+from dataclasses import dataclass, field
 from functools import cached_property
 from typing import Any
 
@@ -38,6 +38,7 @@ class DifferentiatedModel:
     """An arm's schedules with their derivatives. Arrays as :class:`tmodes.model.model.Model` has them."""
 
     chain: Chain
+    _made: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
     def passes(self) -> ArmPasses:
@@ -158,17 +159,13 @@ class DifferentiatedModel:
                 raise InputError("directions", f"`{name}`", f"names among {', '.join(known)}", hint)
         return set(names)
 
-    @cached_property
-    def _differentiated(self) -> dict[Any, Any]:
-        return {}
-
     def _forward(self, *, loaded: bool) -> Differentiated:
         return self._kept(("forward", loaded), lambda: differentiated(self.passes.schedule("forward", loaded=loaded)))
 
     def _kept(self, key: Any, make: Callable[[], Any]) -> Any:
-        if key not in self._differentiated:
-            self._differentiated[key] = make()
-        return self._differentiated[key]
+        if key not in self._made:
+            self._made[key] = make()
+        return self._made[key]
 
     def _columns(self, name: str, by: tuple[str, ...], *, loaded: bool = False) -> Columns:
         """Derivatives of the forces, or of the accelerations, by inputs of all coordinates."""
@@ -187,9 +184,8 @@ class DifferentiatedModel:
         passes, n = self.passes, self.passes.parts.size
         found = np.zeros((len(by), n, n))
         for name in ("inertia", "elastic"):
-            schedule, wanted = passes.schedule(name, loaded=loaded and name == "inertia"), [*by]
-            if name == "elastic":
-                wanted = [label for label in by if label != "a"]
+            schedule = passes.schedule(name, loaded=loaded and name == "inertia")
+            wanted = [label for label in by if label != "a" or name == "inertia"]
             count = n * len(wanted)
             blocks = {label: np.tile(state[label], (count, 1)) for label in schedule.inputs}
             units = {label: np.zeros((count, n)) for label in wanted}
@@ -202,26 +198,25 @@ class DifferentiatedModel:
             found[by.index("a")] += np.diag(passes.rotor_inertias)
         return [*found]
 
-    def _fill(self, found: Array, state: Blocks, by: tuple[str, ...], *, loaded: bool) -> None:
-        """The same into an array, with columns of zeros between those of one input and the next."""
+    def _fill(self, found: Array, state: Blocks, *, loaded: bool) -> None:
+        """The same by all, into an array, with columns of zeros between those of one input and the next."""
         passes = self.passes
-        columns, first = self._columns("inertia", by, loaded=loaded), padded(len(found)) if "a" in by else 0
-        columns.at(passes.parameters, _row(state, passes.schedule("inertia", loaded=loaded)), found)
-        elastic = self._columns("elastic", tuple(name for name in by if name != "a"))
+        inputs = _row(state, passes.schedule("inertia", loaded=loaded))
+        self._columns("inertia", _ALL, loaded=loaded).at(passes.parameters, inputs, found)
+        elastic = self._columns("elastic", ("q", "v"))
         if elastic.calls:
             there = np.empty((len(found), elastic.width))
             elastic.at(passes.parameters, _row(state, passes.schedule("elastic")), there)
-            found[:, first:] += there
-        if "a" in by:
-            rows = np.arange(len(found))
-            found[rows, rows] += passes.rotor_inertias
+            found[:, padded(len(found)) :] += there
+        rows = np.arange(len(found))
+        found[rows, rows] += passes.rotor_inertias
 
     def _solved(self, state: Blocks, *, loaded: bool) -> AccelerationDerivatives:
         """M^-1 times the derivatives of the forces, of an arm with prescribed joints, which stay as they are."""
         parts = self.passes.parts
         size, driven, width = len(state["q"]), len(parts.driven), 3 * padded(len(state["q"]))
         rows = aligned(size, width + padded(driven))
-        self._fill(rows[:, :width], state, _ALL, loaded=loaded)
+        self._fill(rows[:, :width], state, loaded=loaded)
         rows[parts.driven, range(width, width + driven)] = -1.0
         rows[parts.held], rows[:, parts.held] = 0.0, 0.0
         rows[parts.held, parts.held] = 1.0
@@ -236,12 +231,9 @@ class DifferentiatedModel:
                 f"the mass matrix is not positive definite in coordinate {parts.names[failed - 1]}; give what it "
                 "moves a mass and an inertia"
             )
-        q, v = (_shifted(columns.place[name], -first) for name in ("q", "v"))
+        places = (columns.place[name] for name in ("q", "v"))
+        q, v = (slice(at.start - first, at.stop - first) if isinstance(at, slice) else at - first for at in places)
         return AccelerationDerivatives(right[:, q], right[:, v], right[:, 2 * first : 2 * first + len(parts.driven)])
-
-
-def _shifted(place: Any, by: int) -> Any:
-    return slice(place.start + by, place.stop + by) if isinstance(place, slice) else place + by
 
 
 def _wide(values: ArrayLike, size: int) -> Array:

@@ -19,8 +19,7 @@ from tmodes.plot import drawings, save_figures
 from tmodes.report.meshes import with_shapes
 from tmodes.report.page import write_report
 from tmodes.result import Result
-from tmodes.result.ready import ready_to_run, result_bytes
-from tmodes.result.run import run
+from tmodes.result.run import ready_to_run, result_bytes, run
 from tmodes.sheet import Robot
 
 if TYPE_CHECKING:

@@ -9,7 +9,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.analysis.model_validity import yield_strength
+from tmodes.analysis.validity import yield_strength
 from tmodes.plot.facts import drive_unit, effort_unit
 from tmodes.report.facts import Fact, energy_facts, frequency_facts, tracking_facts
 from tmodes.report.quantity import written

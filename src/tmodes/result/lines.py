@@ -6,8 +6,8 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.line.line import LinkLine, LinkLines, elastic_line
-from tmodes.analysis.model_validity import run_warnings
 from tmodes.analysis.quasistatic import deflections, elastic_names, split_motion
+from tmodes.analysis.validity import run_warnings
 from tmodes.model.model import Model
 from tmodes.result.series import Variables
 from tmodes.simulation.motion_run import RunData
@@ -113,18 +113,8 @@ def _stresses(stressed: list[LinkLine]) -> Variables:
     info = [line.stress for line in stressed if line.stress is not None]
     dims = ("time", "stressed_link", "s")
     return {
-        "stress": (
-            dims,
-            _stack([stress.mises_stress for stress in info]),
-            "Pa",
-            "largest von Mises stress",
-        ),
-        "strain": (
-            dims,
-            _stack([stress.strain for stress in info]),
-            "1",
-            "largest strain of the outer fibre",
-        ),
+        "stress": (dims, _stack([stress.mises_stress for stress in info]), "Pa", "largest von Mises stress"),
+        "strain": (dims, _stack([stress.strain for stress in info]), "1", "largest strain of the outer fibre"),
     }
 
 

@@ -18,9 +18,9 @@ from tmodes import upward
 from tmodes.io.atomic import file_error
 from tmodes.kinds.registry import UnknownKindError
 from tmodes.result import record
-from tmodes.result.absent import absent_kinds
 from tmodes.result.assemble import Assembly, frequencies_of_sheet
 from tmodes.result.earlier import assembly_2010
+from tmodes.result.record import absent_kinds
 from tmodes.result.summary import summarise_result
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
@@ -44,10 +44,7 @@ class Result:
     """
 
     def __init__(
-        self,
-        data: Dataset | None = None,
-        timing: dict[str, float] | None = None,
-        assembly: Assembly | None = None,
+        self, data: Dataset | None = None, timing: dict[str, float] | None = None, assembly: Assembly | None = None
     ) -> None:
         if data is not None:
             self.__dict__["data"] = data

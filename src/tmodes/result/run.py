@@ -2,16 +2,20 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Callable, Iterator, Sequence
+from typing import Any
 
-from tmodes.result.ready import ready_to_run
+from tmodes.chain.chain import Chain
+from tmodes.errors import InputError
+from tmodes.integrate.settings import refuse_too_large
 from tmodes.result.result import Result, assemble_result
 from tmodes.sheet import Robot, RobotPair
+from tmodes.sheet.parts import Command
 from tmodes.simulation.callback import Controller
-from tmodes.simulation.parts import Journal
+from tmodes.simulation.parts import Journal, sample_times
 from tmodes.simulation.simulate import simulate_motion
 
-__all__ = ["run"]
+__all__ = ["movable_joints", "ready_to_run", "result_bytes", "run"]
 
 
 def run(
@@ -36,3 +40,61 @@ def run(
     pair = robot if isinstance(robot, RobotPair) else ready_to_run(robot).pair()
     done = simulate_motion(pair, progress=progress, journals=journals, controller=controller, stop=stop)
     return assemble_result(done, pair.nominal)
+
+
+_EXAMPLE = "{{joint: {name}, command: {command}, signal: {{type: quintic, start: 0.0, end: 0.5, duration: 1.0}}}}"
+
+
+def result_bytes(arm: Robot) -> int:
+    """Size of an arm's result in memory [bytes]; raises :class:`tmodes.errors.InputError` where it is too large."""
+    samples, each = len(sample_times(arm.integration)), _bytes_per_sample(arm.chain(), arm.integration.line_points)
+    refuse_too_large(arm.integration, samples, each, "a shorter duration, or fewer integration.line_points")
+    return samples * each
+
+
+def _bytes_per_sample(chain: Chain, stations: int) -> int:
+    """Eight times the numbers of a sample: two lines of each link, fifteen numbers at each place of one that bends."""
+    bending = sum(node.link.bends for node in chain.nodes)
+    return 8 * (stations * (6 * len(chain.nodes) + 15 * bending) + 60 * len(chain.nodes) + 21 * len(chain.points) + 60)
+
+
+def ready_to_run(arm: Robot) -> Robot:
+    """The arm, if something moves it; one with an initial state and no drives runs freely, its motors without torque.
+
+    Raises :class:`tmodes.errors.InputError` that says what to add where joints could move and nothing moves them.
+    """
+    if arm.drives:
+        return arm
+    movable = list(movable_joints(arm.chain()))
+    if not movable or arm.base_motion or any(load.signal for load in arm.loads):
+        return arm
+    if not (arm.initial.coordinates or arm.initial.rates):
+        name, has_motor = movable[0]
+        command = Command.TORQUE if has_motor else Command.EFFORT
+        shown = _EXAMPLE.format(name=name, command=Command.PRESCRIBED)
+        hint = (
+            f"add for each joint that moves an item such as {shown}, or command: position with a controller, or "
+            f"command: {command}; or add `initial: {{coordinates: {{{name}: 0.3}}}}` to let it run freely"
+        )
+        raise InputError(
+            "drives", f"nothing, so that no joint of {_few(movable)} moves", "a list of what moves the joints", hint
+        )
+    return arm.with_({"drives": [_free(name, has_motor) for name, has_motor in movable]})
+
+
+def movable_joints(chain: Chain) -> Iterator[tuple[str, bool]]:
+    """Joints that a drive could move, and whether they have a motor."""
+    for node in chain.nodes:
+        for axis in node.joint.axes:
+            if axis.drive.is_driven:
+                yield axis.name, node.joint.motor is not None
+
+
+def _free(name: str, has_motor: bool) -> dict[str, Any]:
+    command = Command.TORQUE if has_motor else Command.EFFORT
+    return {"joint": name, "command": str(command), "signal": {"type": "constant", "value": 0.0}}
+
+
+def _few(movable: list[tuple[str, bool]]) -> str:
+    names = ", ".join(name for name, _ in movable[:4])
+    return names + ("" if len(movable) <= 4 else f" and {len(movable) - 4} more")

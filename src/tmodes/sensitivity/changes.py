@@ -9,11 +9,11 @@ import numpy as np
 from numpy.typing import NDArray
 from pydantic import BaseModel
 
-from tmodes.analysis.statics.held import free_coordinates
+from tmodes.analysis.statics.equilibrium import free_coordinates
 from tmodes.errors import InputError
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
-from tmodes.io.sheet_units import at
+from tmodes.io.sheet_words import at
 from tmodes.model.model import Model
 from tmodes.sensitivity.lowering import Lowered, replanned, rows_of, structure
 from tmodes.sheet import Robot

@@ -8,7 +8,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.stability import chosen_settings
+from tmodes.analysis.spectrum import chosen_settings
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.method import EULER

@@ -11,7 +11,7 @@ from typing import NamedTuple
 
 import numpy as np
 
-from tmodes.analysis.stability import StepVerdict, growth_warnings, step_size_verdict, step_times_eigenvalue
+from tmodes.analysis.spectrum import StepVerdict, growth_warnings, step_size_verdict, step_times_eigenvalue
 from tmodes.errors import InputError
 from tmodes.integrate.choice import chosen_method, explained, otherwise
 from tmodes.integrate.settings import refuse_too_large

@@ -6,7 +6,7 @@ import math
 from functools import cache
 from typing import Any
 
-from tmodes.io.schema import json_schema
+from tmodes.io.forms import json_schema
 from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_fields import quantities
 from tmodes.io.sheet_paths import steps_of

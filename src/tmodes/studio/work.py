@@ -83,8 +83,7 @@ class _Laps:
 
 
 def _simulated(sheet: Robot, progress: Progress) -> Result:
-    from tmodes.result.ready import ready_to_run, result_bytes
-    from tmodes.result.run import run
+    from tmodes.result.run import ready_to_run, result_bytes, run
 
     robot = ready_to_run(sheet)
     _refuse_large(result_bytes(robot))

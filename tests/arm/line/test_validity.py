@@ -10,8 +10,8 @@ import pytest
 
 from arm.line.beams import beam, clamped
 from tmodes.analysis.line.line import elastic_line
-from tmodes.analysis.model_validity import missing_share, run_warnings
 from tmodes.analysis.quasistatic import held_shape
+from tmodes.analysis.validity import missing_share, run_warnings
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion

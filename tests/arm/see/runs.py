@@ -6,7 +6,7 @@ from functools import cache
 from typing import Any
 
 from tmodes.result import Result, assemble_result
-from tmodes.result.ready import ready_to_run
+from tmodes.result.run import ready_to_run
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData
 from tmodes.simulation.simulate import simulate_motion

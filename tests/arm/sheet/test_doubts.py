@@ -34,7 +34,7 @@ NOTICES = [
     (lambda d: d.update(drives=drive(end=90.0)), "drives.0 (`elbow`).signal goes to 90 rad, 14.3 turns", "deg"),
     (lambda d: d.update(drives=[{**drive()[0], "signal": SWING}]), "signal goes to -45 rad", "deg"),
     (lambda d: d.update(gravity=9810), "gravity = 9810 m/s^2", "unit"),
-    (lambda d: d.update(gravity=[20, 20, 20]), "gravity = 34.641 m/s^2", "unit"),
+    (lambda d: d.update(gravity=[20, 20, 20]), "gravity = 34.641 m/s^2", "outside the usual 0 to 30"),
     (lambda d: d["links"][0].update(beam=of_tube(shear=60e9)), "young/(2 shear) - 1 = 0.75", "-1 to 0.5"),
     (lambda d: d["links"][1]["bodies"][0].update(mass=3700.0 * 10), "mass = 37000 kg", "in g (factor 0.001)"),
     (lambda d: d["joints"].__setitem__(1, rail(limits={"upper": 600})), "limits.upper = 600 m", "mm (factor 0.001)"),

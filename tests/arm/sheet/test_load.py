@@ -8,7 +8,7 @@ import pytest
 
 from arm.sheet.cases import sheet
 from tmodes.errors import InputError, InputErrors
-from tmodes.io.schema import json_schema
+from tmodes.io.forms import json_schema
 from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.robots import text
 from tmodes.robots.load import load, sheet_names, sheet_text

@@ -8,10 +8,8 @@ import numpy as np
 import pytest
 
 from arm.statics.beams import clamped
-from tmodes.analysis.statics.equilibrium import Load, equilibrium
-from tmodes.analysis.statics.held import free_coordinates
-from tmodes.analysis.statics.loads import acts_of
-from tmodes.analysis.statics.surface import surface_act
+from tmodes.analysis.statics.equilibrium import Load, equilibrium, free_coordinates
+from tmodes.analysis.statics.loads import acts_of, surface_act
 from tmodes.analysis.statics.system import StaticSystem
 from tmodes.chain.chain import Chain, Gear, Joint, Motor, Node, Point
 from tmodes.frame import Placement

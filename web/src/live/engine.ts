@@ -31,7 +31,7 @@ export interface LoopLayout {
 /** A function over samples; inputs and outputs in order with their numbers. `slopes`: along a direction as well. */
 export interface SampleLayout {
   export: string;
-  kind: "program" | "schedule" | "slopes";
+  kind: "schedule" | "slopes";
   inputs: Record<string, number>;
   outputs: Record<string, number>;
   parameters: number;
@@ -84,10 +84,7 @@ export class Engine {
   sample(name: string, parameters: Float64Array, inputs: Samples, count: number): Samples {
     const info = known(this.layout.samples, name, "function");
     expect(`${name}: parameters`, parameters.length, info.parameters);
-    const out =
-      info.kind === "program"
-        ? this.program(info, parameters, inputs, count)
-        : this.schedule(info, parameters, [inputs], count);
+    const out = this.schedule(info, parameters, [inputs], count);
     return parted(info.outputs, out, count, 1);
   }
 
@@ -136,13 +133,6 @@ export class Engine {
       const start = (placed[k] as number) / 8;
       value.into.set(whole.subarray(start + from, start + to), from);
     });
-  }
-
-  private program(info: SampleLayout, parameters: Float64Array, inputs: Samples, count: number): Float64Array {
-    const rows = Object.entries(info.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
-    const out = this.room(count * total(info.outputs));
-    this.call(info.export, [count, parameters, ...rows, { into: out }]);
-    return out;
   }
 
   private schedule(info: SampleLayout, parameters: Float64Array, sides: Samples[], count: number): Float64Array {

@@ -125,7 +125,7 @@ export class Model {
     const unknown = Object.keys(given).find((name) => !(name in named));
     if (unknown !== undefined)
       throw new EngineError(
-        `parameter: got ${unknown}; expected one of ${Object.keys(named).join(", ") || "none: this robot has no names"}`,
+        `parameter: got ${unknown}; expected one of ${Object.keys(named).join(", ") || "none: no number has a name"}`,
       );
     return numbersOf(map, Object.values({ ...named, ...given }), run);
   }

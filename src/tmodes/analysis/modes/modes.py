@@ -13,8 +13,7 @@ from tmodes.analysis.modes.closed_loop import Feedback, closed_loop_motions
 from tmodes.analysis.modes.shapes import NOTHING, partners, undamped_shapes
 from tmodes.analysis.spectrum import GROWING, RINGS, MotorState
 from tmodes.analysis.statics.compliance import Spring, springs_of
-from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.analysis.statics.held import driven
+from tmodes.analysis.statics.equilibrium import Equilibrium, driven
 from tmodes.chain.chain import Chain, Friction
 from tmodes.model.model import Model
 

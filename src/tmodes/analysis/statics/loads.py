@@ -1,22 +1,22 @@
-"""Loads on the named points of an arm at rest: dead or following forces and moments, and elastic surfaces.
-
-Each gives its wrench on the points, and what the turning of its direction adds to the stiffness.
-"""
+"""What acts on an arm at rest: loads on its points, and the surface that its tip touches."""
 
 from __future__ import annotations
 
-from collections.abc import Sequence
+from collections.abc import Callable, Sequence
 from dataclasses import dataclass
-from typing import Protocol
+from functools import cached_property
+from typing import NamedTuple, Protocol
 
 import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
+from tmodes.equations.loop.contact_law import LawAt, contact_law
 from tmodes.errors import InputError
+from tmodes.kinds.contacts.registry import Contact, Surface
 from tmodes.kinds.schema.axes import cross_matrix
 from tmodes.model.model import Model
 
-__all__ = ["Act", "Load", "Pose", "acts_of", "point_index"]
+__all__ = ["Act", "Load", "Pose", "acts_of", "point_index", "surface_act"]
 
 Array = NDArray[np.float64]
 
@@ -126,3 +126,64 @@ def _three(which: str, values: ArrayLike, unit: str) -> Array:
         expected = f"three finite numbers in {unit}, none beyond {LARGEST:g}"
         raise InputError(which, str(values), expected, "give x, y and z")
     return array
+
+
+class Touch(NamedTuple):
+    """Distance of a point from a surface [m], positive in the free; the normal towards the free; its curvature [1/m].
+
+    ``curvature`` is the derivative of the normal by the position, shape (3, 3).
+    """
+
+    gap: float
+    normal: Array
+    curvature: Array
+
+
+def touch(shape: Surface, position: Array) -> Touch:
+    """Where a position (3,) [m] is with regard to a surface."""
+    numbers, place = shape.numbers(), [float(x) for x in position]
+    still = shape.meet(numbers, place, [0.0, 0.0, 0.0])
+    # The second derivative of the penetration along a velocity is a quadratic form of it: the surface's curvature.
+    along = [[float(shape.meet(numbers, place, list(a + b)).curving) for b in np.eye(3)] for a in np.eye(3)]
+    own = [along[i][i] / 4 for i in range(3)]
+    bent = np.array([[(along[i][j] - own[i] - own[j]) / 2 for j in range(3)] for i in range(3)])
+    return Touch(-float(still.depth), -np.array(still.direction, dtype=float), -bent)
+
+
+@dataclass(frozen=True, eq=False)
+class _Surface:
+    """Normal force of the law at rest; friction holds nothing there.
+
+    Where it acts, the surface moves with the point along the normal: its mass and its damper are then the robot's too.
+    """
+
+    point: int
+    sheet: Contact
+
+    @cached_property
+    def _law(self) -> Callable[[float, float], LawAt]:
+        return contact_law(self.sheet)
+
+    def wrench(self, pose: Pose) -> Array:
+        found = touch(self.sheet.shape, pose.position)
+        return np.concatenate([self._law(-found.gap, 0.0).force * found.normal, np.zeros(3)])
+
+    def stiffness(self, pose: Pose) -> Array:
+        found = touch(self.sheet.shape, pose.position)
+        law = self._law(-found.gap, 0.0)
+        block = law.stiffness * np.outer(found.normal, found.normal) - law.force * found.curvature
+        return pose.jacobian[:3].T @ block @ pose.jacobian[:3]
+
+    def carried(self, pose: Pose) -> tuple[Array, Array] | None:
+        found = touch(self.sheet.shape, pose.position)
+        law = self._law(-found.gap, 0.0)
+        if self.sheet.unilateral and not law.force:
+            return None
+        along = found.normal @ pose.jacobian[:3]
+        moved = np.outer(along, along)
+        return self.sheet.moving_mass * moved, law.damping * moved
+
+
+def surface_act(model: Model, sheet: Contact) -> Act:
+    """The surface as an act on its point. Raises :class:`tmodes.errors.InputError` for an unknown point."""
+    return _Surface(point_index(model, sheet.point), sheet)

@@ -9,15 +9,7 @@ from pydantic import Field, model_validator
 
 from tmodes.integrate.settings import RobotIntegration
 from tmodes.kinds.links.registry import Mode
-from tmodes.kinds.schema.quantity import (
-    DataSheet,
-    any_sign,
-    dissipation,
-    not_negative,
-    plain_texts,
-    positive,
-    refuse,
-)
+from tmodes.kinds.schema.quantity import DataSheet, any_sign, dissipation, not_negative, plain_texts, positive, refuse
 
 __all__ = ["FORMAT", "PLANT", "Format2010", "FrictionLaw", "Reading"]
 

@@ -1,4 +1,4 @@
-/* tmodes, built from 53f9ecff793ec5ba; BSD-3-Clause */
+/* tmodes, built from dd6b9393de61d06a; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
@@ -46,7 +46,7 @@ var Engine = class _Engine {
   sample(name, parameters, inputs, count) {
     const info = known(this.layout.samples, name, "function");
     expect(`${name}: parameters`, parameters.length, info.parameters);
-    const out = info.kind === "program" ? this.program(info, parameters, inputs, count) : this.schedule(info, parameters, [inputs], count);
+    const out = this.schedule(info, parameters, [inputs], count);
     return parted(info.outputs, out, count, 1);
   }
   /**
@@ -87,12 +87,6 @@ var Engine = class _Engine {
       const start = placed[k] / 8;
       value.into.set(whole.subarray(start + from, start + to), from);
     });
-  }
-  program(info, parameters, inputs, count) {
-    const rows = Object.entries(info.inputs).map(([label, size]) => filled(label, size, inputs[label], count));
-    const out = this.room(count * total(info.outputs));
-    this.call(info.export, [count, parameters, ...rows, { into: out }]);
-    return out;
   }
   schedule(info, parameters, sides, count) {
     const packed = packedRows(info.inputs, sides, count);
@@ -518,7 +512,7 @@ var Model = class _Model {
     const unknown = Object.keys(given).find((name) => !(name in named));
     if (unknown !== void 0)
       throw new EngineError(
-        `parameter: got ${unknown}; expected one of ${Object.keys(named).join(", ") || "none: this robot has no names"}`
+        `parameter: got ${unknown}; expected one of ${Object.keys(named).join(", ") || "none: no number has a name"}`
       );
     return numbersOf(map, Object.values({ ...named, ...given }), run);
   }

@@ -9,7 +9,7 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.stability import chosen_settings
+from tmodes.analysis.spectrum import chosen_settings
 from tmodes.errors import InputError, InputErrors
 from tmodes.integrate.settings import Integration
 from tmodes.sheet import Robot

@@ -107,11 +107,7 @@ def run_prepared(
 
 
 def _prepared(
-    sheet: Robot,
-    changes: Sequence[Changes],
-    values: dict[str, Array],
-    folder: Path | None,
-    progress: Progress,
+    sheet: Robot, changes: Sequence[Changes], values: dict[str, Array], folder: Path | None, progress: Progress
 ) -> Prepared:
     """All lanes; the room is asked for as soon as the size of a state is known."""
     refuse_stops(sheet.integration, "all lanes of a batch run")

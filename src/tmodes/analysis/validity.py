@@ -1,4 +1,4 @@
-"""Where a run of an arm leaves what its model or its material are good for: reported, never hidden."""
+"""Where a run leaves what its model or its material are good for: reported in the result."""
 
 from __future__ import annotations
 
@@ -12,17 +12,17 @@ from tmodes.kinds.links.contract import Link
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
-__all__ = [
-    "MISSING_SHARE", "missing_share", "rest_warnings", "run_warnings",
-    "yield_strength",
-]  # fmt: skip
+__all__ = ["missing_share", "rest_warnings", "run_warnings", "yield_strength"]
+
 
 Array = NDArray[np.float64]
 
 MISSING_SHARE = 0.01
+
 """Share of a link's bending energy in shapes that its functions do not have, from which more are advised."""
 
 _NEGLIGIBLE = 1e-4
+
 """Share of a link's energy below which a direction does not count."""
 
 
