@@ -1,4 +1,4 @@
-/* tmodes, built from dd6b9393de61d06a; BSD-3-Clause */
+/* tmodes, built from 7f60664c8b081d8a; BSD-3-Clause */
 
 // src/live/engine_error.ts
 var EngineError = class extends Error {
