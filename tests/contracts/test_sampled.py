@@ -106,7 +106,7 @@ def test_derivatives_are_refused() -> None:
 
 
 def poles(sheet: Any) -> np.ndarray:
-    return np.sort_complex([complex(*pole) for pole in vibrations(sheet).poles])
+    return np.sort_complex(np.array([complex(*pole) for pole in vibrations(sheet).poles]))
 
 
 def open_loop() -> tuple[np.ndarray, np.ndarray]:

@@ -14,7 +14,7 @@ from tmodes.live.numbers import has_reference
 from tmodes.result import Result, assemble_result
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
-from tmodes.studio.sliders import info_sliders
+from tmodes.studio.sheets import info_sliders
 
 from .chain import chain
 from .node import live_in_node, worst_difference

@@ -11,8 +11,8 @@ import numpy as np
 import pytest
 import xarray as xr
 
-from tmodes.plot.amplitude import amplitude_spectrum
 from tmodes.plot.facts import spectral_part
+from tmodes.plot.frequency_marks import amplitude_spectrum
 
 from .node import ESBUILD, WEB
 

@@ -341,7 +341,7 @@ def test_a_name_too_long(tmp_path: Path) -> None:
 
 def test_a_disk_too_small(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     monkeypatch.setattr("shutil.disk_usage", lambda _: type("Usage", (), {"free": 10**6})())
-    with pytest.raises(ResultFileError, match=r"1,000,000 bytes free.*expected at least 5,000,000 bytes"):
+    with pytest.raises(ResultFileError, match=r"at least 5,000,000 bytes, got a disk with 1,000,000 bytes free"):
         check_writable(tmp_path / "new", 5_000_000)
     assert not (tmp_path / "new").exists()
 

@@ -10,7 +10,7 @@ import pytest
 from arm.see.runs import NASTY, result_of
 from tmodes.plot import all_figures, drawings, elastic_line, spectrum, tip_path
 from tmodes.plot.figures.tip_path import views
-from tmodes.report.write import write_report
+from tmodes.report.page import write_report
 from tmodes.result import Result
 
 

@@ -16,8 +16,7 @@ from tmodes.errors import InputError
 from tmodes.io.mesh_file import Triangles, box, cylinder, read_mesh, sphere
 from tmodes.io.urdf_shapes import MOST_SHAPES, LinkShape
 from tmodes.report.folder import RunFolder
-from tmodes.report.mesh_thin import thinned
-from tmodes.report.meshes import MOST_TRIANGLES, kept_meshes, read_shapes, with_shapes
+from tmodes.report.meshes import MOST_TRIANGLES, kept_meshes, read_shapes, thinned, with_shapes
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.scene import scene_of
 from tmodes.result import Result
@@ -98,7 +97,7 @@ BROKEN = {
 def test_a_broken_mesh_is_reported_and_harms_nothing(tmp_path: Path, name: str) -> None:
     path = tmp_path / name
     path.write_bytes(BROKEN[name])
-    with pytest.raises(InputError, match="expected a mesh as STL or OBJ"):
+    with pytest.raises(InputError, match="must be a mesh as STL or OBJ"):
         read_mesh(path)
 
 
@@ -251,7 +250,7 @@ def test_a_link_without_length_is_there_for_its_mesh() -> None:
 
 
 def test_a_run_keeps_how_its_links_look(tmp_path: Path) -> None:
-    arm = arm_result().arm.with_({"integration.duration": 0.02})
+    arm = arm_result().robot.with_({"integration.duration": 0.02})
     with RunFolder(tmp_path / "run", arm, shapes=[LinkShape("hand", "#102030", sphere(0.05))]) as folder:
         folder.simulate(lambda stage, share: None)
     assert [mesh.link for mesh in kept_meshes(Result.load(folder.result_file).data)] == ["hand"]

@@ -256,7 +256,7 @@ def test_the_report_is_written_whole_or_not_at_all(good: Result, tmp_path: Path)
     with pytest.raises(ZeroDivisionError):
         write_report(good, old, figures={"energies": Drawing(fails)})
     assert [path.read_text() for path in tmp_path.iterdir()] == ["old"]
-    with pytest.raises(ResultFileError, match="expected"):
+    with pytest.raises(ResultFileError, match="a place that can be written"):
         write_report(good, tmp_path / "nowhere" / "report.html", figures={})
 
 

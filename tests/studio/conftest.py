@@ -15,9 +15,10 @@ import httpx
 import pytest
 import uvicorn
 
+from tmodes import load
 from tmodes.studio.folder import WorkingFolder
 from tmodes.studio.server import application
-from tmodes.studio.sheets import loaded, plain_sheet
+from tmodes.studio.sheets import plain_sheet
 
 TOKEN = "of-tests"  # noqa: S105
 
@@ -78,7 +79,7 @@ def studio(tmp_path_factory: pytest.TempPathFactory) -> Iterator[Studio]:
         assert not serving.is_alive()
 
 
-PLAIN = plain_sheet(loaded("filipovic2010"))
+PLAIN = plain_sheet(load("filipovic2010"))
 
 
 def payload(sheet: dict[str, Any]) -> dict[str, Any]:

@@ -19,8 +19,11 @@ from typing import Any
 import httpx
 import pytest
 
+import tmodes
 from studio.test_looks import ELASTICITY, URDF, sent, stl
 from tmodes.errors import InputError
+from tmodes.kinds.registry import USED
+from tmodes.kinds.signals.registry import SIGNALS
 from tmodes.studio.looks import MOST_KEPT, Shelf
 from tmodes.studio.own_folder import make_within, own_folder
 from tmodes.studio.pool import Pool
@@ -195,3 +198,51 @@ def test_where_no_worker_can_be_started_the_next_job_tries_again(tmp_path, monke
         await pool.stop()
 
     run(program())
+
+
+KINDS = '''
+from typing import Literal
+import numpy as np
+from tmodes.kinds.signals.registry import SIGNALS, Signal
+from tmodes.kinds.signals.schedule import Schedule
+
+@SIGNALS.register
+class Ramp(Signal):
+    """Rises by 1/s."""
+    type: Literal["studio_ramp"]
+    def schedule(self, until):
+        return Schedule(np.array([0.0, until]), np.array([[0.0, 1.0]]))
+'''
+
+
+def test_workers_know_the_kinds_that_were_asked_for(tmp_path):
+    """A file that the server's process has loaded is loaded by its workers."""
+    file, place = tmp_path / "studio_ramps.py", tmp_path / "place"
+    file.write_text(KINDS, encoding="utf-8")
+    place.mkdir()
+    joint = {
+        "name": "j",
+        "type": "revolute",
+        "child": "l",
+        "axis": [0, 0, 1],
+        "motor": {"inertia": 0.5, "side": "joint"},
+    }
+    drive = {"joint": "j", "command": "torque", "signal": {"type": "studio_ramp"}}
+    moved = {"format": 1, "kind": "arm", "name": "ramp", "joints": [joint], "links": [{"name": "l"}],
+             "drives": [drive], "integration": {"duration": 0.1}}  # fmt: skip
+    order = {"product": "curves", "sheet": moved, "looks": None}
+
+    async def program() -> None:
+        pool = Pool(1, place)
+        await pool.start()
+        head, _ = await pool.run(order, "tab", lambda *_: None, asyncio.Event())
+        await pool.stop()
+        assert head["kind"] == "done", head
+
+    try:
+        tmodes.use(str(file))
+        run(program())
+    finally:
+        SIGNALS.unregister("studio_ramp")
+        USED.remove(str(file.resolve()))
+        sys.modules.pop("studio_ramps", None)

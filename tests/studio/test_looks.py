@@ -19,7 +19,7 @@ from tmodes.report.meshes import Kept, kept_meshes
 from tmodes.result import Result
 from tmodes.studio.folder import WorkingFolder
 from tmodes.studio.looks import MOST_KEPT, Shelf, source_of
-from tmodes.studio.main_file import main_file
+from tmodes.studio.upload import main_file
 
 URDF = """<robot name="two">
   <link name="base"/>

@@ -15,7 +15,7 @@ from tmodes.io.filipovic2010.importer import robot_data
 from tmodes.io.forms import F2010, ROBOT, Form, form_of, own_path, with_reach
 from tmodes.io.sheet_fields import ChainPlace, Step, named, place_of, quantities
 from tmodes.io.sheet_paths import entered, set_arm_paths, steps_of
-from tmodes.io.sheet_problems import MOST_REPORTED, SHEET, Problem, arm_problems
+from tmodes.io.sheet_problems import AS_LIST, MOST_REPORTED, SHEET, Problem, arm_problems
 from tmodes.io.sheet_words import at
 from tmodes.io.units import NotANumber, number
 from tmodes.io.words import shown
@@ -214,7 +214,9 @@ def _read_numbers(data: Any) -> Iterator[Problem]:
         try:
             container[key] = _read_number(container[key], place)
         except NotANumber as error:
-            yield steps, InputError("", error.got, place.expected, error.hint)
+            listed = place.expected.startswith("a list") and str(container[key]).count(",") > 1
+            hint = AS_LIST if listed else error.hint
+            yield steps, InputError("", error.got, place.expected, hint)
 
 
 def _read_number(value: Any, place: ChainPlace) -> float:

@@ -16,12 +16,14 @@ from tmodes.io.sheet_words import at, choices, is_group, kind_of
 from tmodes.io.words import nearest, shown
 from tmodes.kinds.schema.quantity import LARGEST
 
-__all__ = ["Problem", "arm_problems"]
+__all__ = ["AS_LIST", "Problem", "arm_problems"]
 
 SHEET = "the data sheet"
 
 MOST_REPORTED = 500
 """Number of wrong places for which similar words are sought: no more."""
+
+AS_LIST = "write it as a list: [0.1, 0.2, 0.3]"
 
 _REMOVE = "remove it"
 """Hint for a key that is unknown wherever it stands."""
@@ -171,6 +173,8 @@ def _magnitude(bound: Any) -> float:
 
 def _hint(place: ChainPlace, value: Any) -> str:
     """How a value of the right kind or of the wrong one is put right."""
+    if place.unit is not None and place.expected.startswith("a list") and not isinstance(value, list):
+        return AS_LIST
     if place.unit is not None and isinstance(value, (int, float)) and not isinstance(value, bool):
         return "check sign, size and unit"
     if place.unit is not None:

@@ -24,7 +24,7 @@ TIMES = r"(?: ?[*·/] ?| )"
 WORDS = rf"{WORD}(?:{TIMES}{WORD}){{0,5}}"
 UNIT = rf"(?:1 ?/ ?)?(?:{WORDS}|\({WORDS}\))(?:{TIMES}(?:{WORD}|\({WORDS}\))){{0,2}}"
 QUANTITY = re.compile(rf"({NUMBER}) ?({UNIT})?")
-COMMA = re.compile(r"([-+]?[0-9]+),([0-9]+)(.*)")
+COMMA = re.compile(r"([-+]?[0-9]+),([0-9]+)([^,]*)")
 INFINITE = re.compile(r"[-+]?\.?(inf|Inf|INF|infinity|Infinity)")
 LONGEST = 80
 

@@ -20,7 +20,7 @@ from typing import Any, ClassVar, TypeVar
 
 from tmodes.errors import InputError
 
-__all__ = ["ENTRY_POINTS", "REGISTRIES", "NamedKind", "Registry", "UnknownKindError", "source_digest", "use"]
+__all__ = ["ENTRY_POINTS", "REGISTRIES", "USED", "NamedKind", "Registry", "UnknownKindError", "source_digest", "use"]
 
 ENTRY_POINTS = "tmodes.kinds"
 """Group of the entry points by which installed packages offer kinds."""
@@ -126,6 +126,10 @@ REGISTRIES: dict[str, Registry[Any]] = {}
 """The registries of all families that are imported, by their nouns."""
 
 
+USED: list[str] = []
+"""What :func:`use` has loaded, for other processes of the same program; files by their whole paths."""
+
+
 class NamedKind:
     """A stateless object that holds all that one kind of joint, drive, ... is; two of one class are equal."""
 
@@ -160,12 +164,15 @@ def use(*names: str) -> list[str]:
     """
     offered = {point.name: point for point in entry_points(group=ENTRY_POINTS)}
     for name in names or tuple(offered):
+        known = name
         if name in offered:
             offered[name].load()
         elif name.endswith(".py") and Path(name).is_file():
-            _run(Path(name).resolve())
+            known = str(Path(name).resolve())
+            _run(Path(known))
         else:
             _import(name, offered)
+        USED.append(known)
     return list(names or offered)
 
 

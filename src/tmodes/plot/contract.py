@@ -15,7 +15,9 @@ if TYPE_CHECKING:
     from tmodes.plot.panels import AxesLike
     from tmodes.result.result import Result
 
-__all__ = ["Figure"]
+from tmodes.kinds.registry import Registry
+
+__all__ = ["FIGURES", "Figure", "register"]
 
 
 class Figure(ABC):
@@ -54,3 +56,17 @@ class Figure(ABC):
             raise InputError(self.name, reason, "a result that has what it shows", "leave this figure out")
         with house_style():
             return self.draw(result, ax, **options)
+
+
+def _has_words(figure: Figure) -> None:
+    if not figure.name.isidentifier():
+        raise InputError("figure name", repr(figure.name), "an identifier such as 'joint_power'", "set another `name`")
+    if not (figure.title and figure.caption):
+        hint = "set the class's `title` and `caption`"
+        raise InputError(f"figure {figure.name}", "a class without title or caption", "a class with both", hint)
+
+
+FIGURES: Registry[Figure] = Registry("figure", Figure, check=_has_words)
+"""Every figure, in the order of the report."""
+
+register = FIGURES.register

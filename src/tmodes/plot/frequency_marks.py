@@ -14,7 +14,8 @@ from tmodes.plot.style import QUIET
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
 
-__all__ = ["keep_apart", "mark_frequencies"]
+
+__all__ = ["amplitude_spectrum", "keep_apart", "mark_frequencies"]
 
 LABEL_WIDTH = 0.1
 """Room that a label takes, as a share of the axis."""
@@ -82,3 +83,19 @@ def _wrapped(element: object) -> str:
     """In short lines; names may be parted after an underscore."""
     lines = textwrap.wrap(str(element).replace("_", "_ "), width=LABEL_LETTERS)
     return "\n".join(line.rstrip(",").replace("_ ", "_") for line in lines)
+
+
+Array = NDArray[Any]
+
+
+def amplitude_spectrum(values: Array, step: float, padding: int = 8) -> tuple[Array, Array]:
+    """Frequencies [Hz] and amplitudes [unit of ``values``] of evenly sampled ``values``, ``step`` [s] apart.
+
+    A least-squares line is subtracted, then a Hann window applied; a sine of amplitude A between two lines of the grid
+    shows a peak of A. ``padding`` makes the grid finer (it does not increase the resolution).
+    """
+    count = len(values)
+    line = np.polynomial.Polynomial.fit(np.arange(count), values, 1)(np.arange(count))
+    window = np.hanning(count + 1)[:-1]
+    amplitude = 2 * np.abs(np.fft.rfft((values - line) * window, padding * count)) / window.sum()
+    return np.fft.rfftfreq(padding * count, step), amplitude

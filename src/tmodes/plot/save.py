@@ -3,12 +3,22 @@
 from __future__ import annotations
 
 import io
-from collections.abc import Callable
-from typing import Any
+from collections.abc import Callable, Mapping, Sequence
+from functools import partial
+from pathlib import Path
+from typing import TYPE_CHECKING, Any
 
+from tmodes.errors import InputError
+from tmodes.io.atomic import atomic_write, check_writable
+from tmodes.plot.contract import FIGURES
 from tmodes.plot.style import house_style
 
-__all__ = ["FORMATS", "Drawing", "rendered"]
+if TYPE_CHECKING:
+    from matplotlib.axes import Axes
+
+    from tmodes.result.result import Result
+
+__all__ = ["FORMATS", "Drawing", "all_figures", "drawings", "left_out", "rendered", "save_figures"]
 
 FORMATS: dict[str, dict[str, Any]] = {
     "svg": {"Date": None, "Creator": None, "Format": None, "Type": None},
@@ -45,3 +55,55 @@ def rendered(figure: Any, kind: str, dpi: int = DPI) -> bytes:
     with house_style():
         figure.savefig(stream, format=kind, dpi=dpi, metadata=FORMATS[kind])
     return stream.getvalue()
+
+
+ROOM = 10_000_000
+"""Disk space of all figures together, at most [bytes]."""
+
+
+def _say_nothing(done: int, total: int, name: str) -> None:
+    del done, total, name
+
+
+def all_figures(result: Result) -> dict[str, Callable[..., list[Axes]]]:
+    """The figures that this result can fill: name -> callable that draws it, ``all_figures(result)["spectrum"]()``."""
+    return {name: partial(figure, result) for name, figure in FIGURES.items() if not figure.missing(result.data)}
+
+
+def left_out(result: Result) -> dict[str, str]:
+    """The figures that this result cannot fill: name -> why."""
+    reasons = {name: figure.missing(result.data) for name, figure in FIGURES.items()}
+    return {name: reason for name, reason in reasons.items() if reason}
+
+
+def drawings(result: Result) -> dict[str, Drawing]:
+    """The figures of :func:`all_figures` as drawings that keep their bytes: pass them to several writers."""
+    return {name: Drawing(draw) for name, draw in all_figures(result).items()}
+
+
+def save_figures(
+    result: Result,
+    folder: Path | str,
+    formats: Sequence[str] = ("svg", "png"),
+    progress: Callable[[int, int, str], None] | None = None,
+    figures: Mapping[str, Drawing] | None = None,
+) -> list[Path]:
+    """Write every figure of the result into ``folder``, one file per figure and format; returns the files.
+
+    ``progress(done, total, name)`` is called before each figure and once at the end; ``figures`` are drawings from
+    :func:`drawings`, None makes them. Raises :class:`tmodes.errors.InputError` for an unknown format,
+    :class:`tmodes.errors.ResultFileError` when a file cannot be written; a file is either complete or as it was before.
+    """
+    for unknown in sorted(set(formats) - set(FORMATS)):
+        raise InputError("formats", repr(unknown), f"some of {', '.join(FORMATS)}", "choose one of these")
+    check_writable(folder, ROOM)
+    figures = drawings(result) if figures is None else figures
+    report, written = progress or _say_nothing, []
+    for done, (name, drawing) in enumerate(figures.items()):
+        report(done, len(figures), name)
+        for kind in formats:
+            written.append(Path(folder) / f"{name}.{kind}")
+            with atomic_write(written[-1]) as temporary:
+                temporary.write_bytes(drawing.content(kind))
+    report(len(figures), len(figures), "")
+    return written

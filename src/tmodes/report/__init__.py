@@ -1,5 +1,5 @@
 """One self-contained page about a run: ``tmodes.report.write_report(result, "report.html")``."""
 
-from tmodes.report.write import write_report
+from tmodes.report.page import write_report
 
 __all__ = ["write_report"]

@@ -20,7 +20,6 @@ Place = tuple[str, int]
 """A series of a result: its variable, and the column of its flattened trailing dimensions."""
 
 _LARGEST_SINGLE = 1e37
-_SPECTRUM = "frequency"
 
 
 @dataclass(frozen=True, eq=False)

@@ -32,12 +32,7 @@ class Fact:
 def fact_list(facts: Iterable[Fact]) -> Markup:
     """Facts as the page shows them where no program runs."""
     entries = (
-        tag(
-            "div",
-            tag("dt", fact.name),
-            tag("dd", tag("strong", _value(fact)), tag("span", fact.note)),
-            class_="card",
-        )
+        tag("div", tag("dt", fact.name), tag("dd", tag("strong", _value(fact)), tag("span", fact.note)), class_="card")
         for fact in facts
     )
     return tag("dl", *entries, class_="cards")
@@ -93,9 +88,6 @@ def energy_facts(known: dict[str, Any]) -> Iterator[Fact]:
     """How well the energies add up: the worst residual of their balance over what was moved."""
     share = known["worst_residual_over_moved"]
     name, worst = "Energy balance", written(known["worst_residual_J"], "J")
-    note = (
-        f"worst residual, {worst}, over {written(known['moved_J'], 'J')} moved"
-        if share is not None
-        else "nothing moved"
-    )
+    moved = f"worst residual, {worst}, over {written(known['moved_J'], 'J')} moved"
+    note = "nothing moved" if share is None else moved
     yield Fact("energy.residual", name, share, "-", note)

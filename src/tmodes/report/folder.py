@@ -17,7 +17,7 @@ from tmodes.io.checkpoint import RunJournal, run_identity
 from tmodes.io.sheet_check import sheet_data
 from tmodes.plot import drawings, save_figures
 from tmodes.report.meshes import with_shapes
-from tmodes.report.write import write_report
+from tmodes.report.page import write_report
 from tmodes.result import Result
 from tmodes.result.run import ready_to_run, result_bytes, run
 from tmodes.sheet import Robot
@@ -69,9 +69,8 @@ class RunFolder:
         for place, wanted in ((self.result_file, False), (self.report_file, False), (self.figures, True)):
             if place.exists() and place.is_dir() != wanted:
                 got, expected = ("a file", "a folder") if wanted else ("a folder", "a file")
-                raise ResultFileError(
-                    f"{place} must be {expected} or not exist, got {got}; remove it, or name another --out"
-                )
+                hint = "remove it, or name another --out"
+                raise ResultFileError(f"{place} must be {expected} or not exist, got {got}; {hint}")
 
     def _look_at_what_is_there(self) -> None:
         """Begin afresh, go on with an earlier begin of this very run, or refuse: a result is never replaced unasked."""
@@ -88,9 +87,8 @@ class RunFolder:
         elif earlier and earlier.success and not self.report_file.exists():
             self.continues, self._done = True, earlier
         else:
-            raise ResultFileError(
-                f"{self.result_file} exists already; --overwrite replaces it, --out names another folder"
-            )
+            hint = "--overwrite replaces it, --out names another folder"
+            raise ResultFileError(f"{self.result_file} exists already; {hint}")
 
     def _earlier(self) -> Any:
         """The result that is there, when it is whole and of the same data sheet."""
@@ -124,9 +122,7 @@ class RunFolder:
         """Draw the figures and write the report."""
         pictures = drawings(result)
         self.figures.mkdir(exist_ok=True)
-        save_figures(
-            result, self.figures, progress=lambda done, total, name: progress("figures", done / total), figures=pictures
-        )
+        save_figures(result, self.figures, progress=lambda k, n, _: progress("figures", k / n), figures=pictures)
         progress("report", 0.0)
         write_report(result, self.report_file, pictures, live=self.live)
         progress("report", 1.0)

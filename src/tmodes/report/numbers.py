@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.plot.units import pretty
-from tmodes.report.markup import Markup, tag
+from tmodes.report.markup import Markup, table, tag
 from tmodes.report.quantity import power_of_ten, written
-from tmodes.report.tables import table
 
 __all__ = ["deformations_table", "error_table", "frequency_tables", "joints_table", "links_table"]
 

@@ -4,15 +4,16 @@ from __future__ import annotations
 
 import json
 from collections.abc import Mapping
+from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
-from tmodes.plot import FIGURES, left_out
+from tmodes.io.atomic import atomic_write
+from tmodes.plot import FIGURES, drawings, left_out
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
-from tmodes.report.markup import Markup, tag
+from tmodes.report.markup import Markup, table, tag
 from tmodes.report.numbers import deformations_table, error_table, frequency_tables, joints_table, links_table
 from tmodes.report.parts import SECTIONS, document, figures_section, rows_of, section, status, title_of, warnings
-from tmodes.report.tables import table
 from tmodes.report.viewer import application, policy
 
 if TYPE_CHECKING:
@@ -20,7 +21,7 @@ if TYPE_CHECKING:
     from tmodes.result import Result
     from tmodes.sheet import Robot
 
-__all__ = ["page"]
+__all__ = ["page", "write_report"]
 
 _MOST_MODES = 12
 """Frequencies that are shown of each case, the lowest ones."""
@@ -56,9 +57,8 @@ def _header(result: Result, arm: Robot) -> Markup:
     bending = sum(link.beam is not None and link.beam.coordinate_count > 0 for link in arm.links)
     driven = len(data["drive"]) if "drive" in data.dims else 0
     counts = ", ".join(_count(*one) for one in ((driven, "driven joint"), (bending, "elastic link")))
-    info = (
-        f"{counts}, {_count(len(data['coordinate']), 'coordinate')}; {space}, {float(data['time'][-1]):g} s simulated"
-    )
+    size, end = _count(len(data["coordinate"]), "coordinate"), float(data["time"][-1])
+    info = f"{counts}, {size}; {space}, {end:g} s simulated"
     return tag("header", tag("h1", arm.name), tag("p", arm.title, class_="lead"), tag("p", info), class_="top")
 
 
@@ -104,11 +104,7 @@ def _sheet(arm: Robot) -> tuple[Markup | None, ...]:
     text = arm_to_yaml(arm)
     sheet = tag("div", tag("pre", tag("code", text)), class_="scroll", role="region", tabindex="0", aria_label="Sheet")
     place = tag("details", tag("summary", note), sheet, open=text.count("\n") <= _LONG_SHEET)
-    return (
-        tag("p", f"Assumed: {arm.assumed}") if arm.assumed else None,
-        real if factors else None,
-        place,
-    )
+    return tag("p", f"Assumed: {arm.assumed}") if arm.assumed else None, real if factors else None, place
 
 
 def _provenance(result: Result, arm: Robot) -> Markup:
@@ -124,3 +120,18 @@ def _provenance(result: Result, arm: Robot) -> Markup:
             class_="columns",
         ),
     )
+
+
+def write_report(
+    result: Result, path: Path | str, figures: Mapping[str, Drawing] | None = None, *, live: bool = True
+) -> Path:
+    """Write the result's report as one self-contained HTML file; the same result gives the same bytes.
+
+    ``figures`` are drawings from :func:`tmodes.plot.drawings` (all, or a part of them), None draws them
+    all. Raises :class:`tmodes.errors.ResultFileError` when the file cannot be written.
+    ``live``: with the robot's equations.
+    """
+    text = page(result, drawings(result) if figures is None else figures, live=live)
+    with atomic_write(path) as temporary:
+        temporary.write_text(text, encoding="utf-8", newline="\n")
+    return Path(path)

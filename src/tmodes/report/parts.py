@@ -50,9 +50,8 @@ def title_of(result: Result, name: str) -> str:
 
 def section(name: str, *content: str | None) -> Markup:
     """One of SECTIONS, under its title."""
-    return tag(
-        "section", tag("h2", SECTIONS[name], id=f"{name}-title"), *content, id=name, aria_labelledby=f"{name}-title"
-    )
+    title = f"{name}-title"
+    return tag("section", tag("h2", SECTIONS[name], id=title), *content, id=name, aria_labelledby=title)
 
 
 def _navigation(sections: Mapping[str, str]) -> Markup:
@@ -86,20 +85,13 @@ def figures_section(figures: Mapping[str, Drawing], table: Mapping[str, Figure],
     """The figures of a table, numbered, folded until they are wanted, and why others are left out."""
     shown = [_figure(number, table[name], drawing) for number, (name, drawing) in enumerate(figures.items(), 1)]
     words = f"Show {len(shown)} figures as they stand in print"
-    return section(
-        "figures", tag("details", tag("summary", words), *shown) if shown else None, _left_out(table, left_out)
-    )
+    folded = tag("details", tag("summary", words), *shown) if shown else None
+    return section("figures", folded, _left_out(table, left_out))
 
 
 def _figure(number: int, entry: Figure, drawing: Drawing) -> Markup:
-    place = tag(
-        "div",
-        picture(drawing, entry.name, f"{entry.title}. {entry.caption}"),
-        class_="scroll plot",
-        role="region",
-        tabindex="0",
-        aria_label=f"Figure {number}",
-    )
+    shown = picture(drawing, entry.name, f"{entry.title}. {entry.caption}")
+    place = tag("div", shown, class_="scroll plot", role="region", tabindex="0", aria_label=f"Figure {number}")
     caption = tag("figcaption", tag("strong", f"Figure {number}. {entry.title}."), f" {entry.caption}")
     return tag("figure", place, caption, id=entry.name)
 

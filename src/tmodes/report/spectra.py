@@ -9,9 +9,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.amplitude import amplitude_spectrum
 from tmodes.plot.facts import deformation_unit, spectral_part
-from tmodes.plot.frequency_marks import NO_PEAK
+from tmodes.plot.frequency_marks import NO_PEAK, amplitude_spectrum
 from tmodes.report.drafts import Draft, Line, line_of
 
 if TYPE_CHECKING:

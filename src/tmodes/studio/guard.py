@@ -57,10 +57,8 @@ class Guard:
         info = headers.get("content-length", "")
         body = None if info.isdecimal() and int(info[:15]) > MOST_BODY else await _whole_body(receive)
         if body is None:
-            too_large = info_error(
-                "body", "too much was sent", f"more than {MOST_BODY:,} bytes", f"at most {MOST_BODY:,} bytes"
-            )
-            await answer.error(413, too_large)
+            got, expected = (f"{words} {MOST_BODY:,} bytes" for words in ("more than", "at most"))
+            await answer.error(413, info_error("body", "too much was sent", got, expected))
             return
         await self._app(scope, _given(body, receive), answer.send)
 

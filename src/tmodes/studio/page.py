@@ -44,11 +44,8 @@ def add_page(app: FastAPI, first: str) -> None:
 
     @app.get("/studio.css")
     async def style() -> Response:
-        sheets = (
-            _shipped("page.css"),
-            _shipped("app.css"),
-            resources.files("tmodes.studio").joinpath("studio.css").read_bytes(),
-        )
+        own = resources.files("tmodes.studio").joinpath("studio.css").read_bytes()
+        sheets = (_shipped("page.css"), _shipped("app.css"), own)
         return Response(b"\n".join(sheets), media_type="text/css; charset=utf-8")
 
 

@@ -13,6 +13,7 @@ from contextlib import suppress
 from pathlib import Path
 from typing import Any
 
+from tmodes.kinds.registry import USED
 from tmodes.studio.own_folder import remove
 
 __all__ = ["Pool", "WorkerLost"]
@@ -50,6 +51,7 @@ class _Worker:
         return cls(
             await asyncio.create_subprocess_exec(
                 *COMMAND,
+                *USED,
                 stdin=pipe,
                 stdout=pipe,
                 limit=LONGEST_LINE,

@@ -15,7 +15,10 @@ from fastapi.exceptions import RequestValidationError
 from starlette.concurrency import run_in_threadpool
 
 from tmodes.errors import InputError, ResultFileError, TmodesError
+from tmodes.io.sheet_check import sheet_from_data
+from tmodes.io.sheet_write import arm_to_yaml
 from tmodes.io.words import shown
+from tmodes.robots.load import load
 from tmodes.sheet import Robot
 from tmodes.studio import sheets
 from tmodes.studio.folder import WorkingFolder
@@ -115,7 +118,7 @@ def _json(value: Any, status: int = 200) -> Response:
 async def _checked(request: Request, data: dict[str, Any]) -> Any:
     """The checked sheet of a request; its errors lead to the places in it."""
     request.state.sheet = data.get("sheet")
-    return await run_in_threadpool(sheets.checked_sheet, data.get("sheet"))
+    return await run_in_threadpool(sheet_from_data, data.get("sheet"))
 
 
 async def _info(read: Callable[[], tuple[Robot, str]]) -> Response:
@@ -141,7 +144,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
     async def robot(name: str) -> Response:
         if name not in {one["name"] for one in await run_in_threadpool(sheets.catalogue)}:
             raise InputError("robot", repr(name[:60]), "a published robot", "choose one of the list")
-        return await _info(lambda: (sheets.loaded(name), f"robot:{name}"))
+        return await _info(lambda: (load(name), f"robot:{name}"))
 
     @app.get("/api/schema")
     async def schema() -> Response:
@@ -155,7 +158,7 @@ def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
     @app.post("/api/yaml")
     async def yaml(request: Request) -> Response:
         sheet = await _checked(request, await body_of(request))
-        return _json({"yaml": await run_in_threadpool(sheets.sheet_yaml, sheet)})
+        return _json({"yaml": await run_in_threadpool(arm_to_yaml, sheet)})
 
     @app.post("/api/upload")
     async def upload(request: Request) -> Response:
@@ -171,13 +174,13 @@ def _add_studies(app: FastAPI, folder: WorkingFolder, shelf: Shelf) -> None:
     @app.get("/api/studies/{name:path}")
     async def study(name: str) -> Response:
         path = folder.existing(name)
-        return await _info(lambda: (sheets.loaded(path, (folder.path,)), shelf.looks_of(name)))
+        return await _info(lambda: (load(path, roots=(folder.path,)), shelf.looks_of(name)))
 
     @app.put("/api/studies/{name:path}")
     async def save(name: str, request: Request) -> Response:
         data = await body_of(request)
         sheet = await _checked(request, data)
-        text = await run_in_threadpool(sheets.sheet_yaml, sheet)
+        text = await run_in_threadpool(arm_to_yaml, sheet)
         request.state.sheet = None  # what may be wrong from here on is no field of it
         overwrite = data.get("overwrite") is True
         saved = await run_in_threadpool(lambda: folder.save(name, text, overwrite=overwrite))

@@ -44,11 +44,6 @@ class Shapes:
         except TmodesError as error:
             self._why = [error]
 
-    @property
-    def key(self) -> tuple[Any, ...]:
-        """What reports these surfaces from others."""
-        return self._key
-
     def on(self, result: Result) -> Result:
         """The result with the surfaces of its links, as ``tmodes run`` keeps them."""
         from tmodes.report.meshes import with_few_shapes

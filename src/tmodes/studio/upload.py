@@ -4,23 +4,25 @@ from __future__ import annotations
 
 import base64
 import binascii
-from collections.abc import Mapping
+import os
+import re
+from collections.abc import Iterator, Mapping, Sequence
+from contextlib import suppress
 from pathlib import Path, PurePosixPath
 from typing import Any, NamedTuple
 
 from tmodes.errors import InputError, InputErrors
+from tmodes.io.mesh_paths import Folders
+from tmodes.io.urdf import UrdfRobot
 from tmodes.io.words import shown
-from tmodes.robots.load import urdf_of
+from tmodes.robots.load import load, urdf_of
 from tmodes.sheet import Robot
 from tmodes.studio.folder import LONGEST_NAME, NAME, SIGNS
-from tmodes.studio.lay_out import lay_out
 from tmodes.studio.looks import Shelf
-from tmodes.studio.main_file import main_file
 from tmodes.studio.messages import as_sent
 from tmodes.studio.own_folder import make_within, remove
-from tmodes.studio.sheets import loaded
 
-__all__ = ["MOST_UPLOADED", "Uploaded", "uploaded"]
+__all__ = ["MOST_UPLOADED", "Uploaded", "lay_out", "main_file", "uploaded"]
 
 MOST_UPLOADED = 16 * 1024 * 1024
 """Bytes of all files of one upload together."""
@@ -51,7 +53,7 @@ def uploaded(files: Any, shelf: Shelf) -> Uploaded:
     try:
         paths = [_put(room, top.joinpath(*PurePosixPath(name).parts), content, name)
                  for name, content in contents.items()]  # fmt: skip
-        sheet = loaded(top / main, roots=roots)
+        sheet = load(top / main, roots=roots)
         looks = _kept(top / main, roots, paths, shelf)
     except (InputError, InputErrors) as error:
         remove(room)
@@ -104,9 +106,8 @@ def _checked_name(file: Any) -> str:
     parts = PurePosixPath(name).parts if isinstance(name, str) else ()
     if len(parts) > MOST_DEPTH:
         hint = "choose the folder of the robot itself, or the files without their folders"
-        raise InputError(
-            "files", f"the name {shown(name)}, {len(parts) - 1} folders deep", f"at most {MOST_DEPTH - 1}", hint
-        )
+        got = f"the name {shown(name)}, {len(parts) - 1} folders deep"
+        raise InputError("files", got, f"at most {MOST_DEPTH - 1}", hint)
     if not parts or not all(NAME.fullmatch(part) and part != ".." for part in parts):
         got, expected = (
             f"the name {shown(name)}{_why(parts)}",
@@ -126,3 +127,81 @@ def _why(parts: tuple[str, ...]) -> str:
         if len(part) > LONGEST_NAME:
             return f" with {len(part)} characters, more than {LONGEST_NAME}"
     return ""
+
+
+KINDS = ((".yaml", ".yml"), (".urdf",), (".urdf.xacro", ".xacro"), (".xml",))
+"""Endings of a robot's own file; where there are several kinds, the first in this order is meant."""
+
+SHEET = re.compile(rb"^\s*[\"']?(urdf|kind|format)[\"']?\s*:", re.MULTILINE)
+"""What reports a data sheet from the other YAML files of a package of models."""
+
+
+def main_file(contents: Mapping[str, bytes]) -> str:
+    """The robot's own file among those of an upload, by their names: of its kind the one that lies highest.
+
+    Raises :class:`tmodes.errors.InputError` where none may be it, or several may.
+    """
+    able = [name for name in contents if name.lower().endswith(sum(KINDS, ())) and not name.endswith("package.xml")]
+    sheets = [name for name in able if not name.lower().endswith(KINDS[0]) or SHEET.search(contents[name])]
+    for kind in KINDS:
+        alike = [name for name in sheets or able if name.lower().endswith(kind)]
+        if alike:
+            return _highest(alike)
+    got = ", ".join(list(contents)[:5])
+    expected = f"a file with the ending {', '.join(ending for kind in KINDS for ending in kind)}"
+    raise InputError("files", got, expected, "choose the robot's own file too")
+
+
+def _highest(alike: list[str]) -> str:
+    """The one that lies highest; of files for xacro the one that names its result in its ending."""
+    least = min(name.count("/") for name in alike)
+    found = [name for name in alike if name.count("/") == least]
+    if len(whole := [name for name in found if name.lower().endswith(".urdf.xacro")]) == 1:
+        return whole[0]
+    if len(found) > 1:
+        got = f"several files that may be the robot's own: {', '.join(sorted(found)[:5])}"
+        raise InputError("files", got, "one of them", "choose one, and what it names, but not the others")
+    return found[0]
+
+
+MOST_MESHES = 500
+DEEPEST = 12
+PACKAGE = "package://"
+
+
+def lay_out(robot: UrdfRobot, sent: Sequence[Path], top: Path) -> None:
+    """Link each mesh that is missing to the one file of its name among those ``sent``, which all lie in ``top``.
+
+    A browser gives the names of chosen files without their folders. Nothing is written outside of the folder of
+    ``top``, and a mesh whose path is not allowed stays where it is.
+    """
+    by_name: dict[str, list[Path]] = {}
+    for path in sent:
+        by_name.setdefault(path.name.lower(), []).append(path)
+    for name, place in _meshes(robot):
+        alike = by_name.get(PurePosixPath(name).name.lower(), [])
+        if len(alike) == 1 and (target := _missing(robot.folders, name, place, top)):
+            with suppress(OSError):  # it stays missing, which is reported
+                make_within(top.parent, target.parent)
+                os.link(alike[0], target)
+
+
+def _meshes(robot: UrdfRobot) -> Iterator[tuple[str, str]]:
+    found = (one for link in robot.links.values() for one in link.within() if one.tag == "mesh")
+    for _, one in zip(range(MOST_MESHES), found, strict=False):
+        yield one.attributes.get("filename", "").strip().replace("\\", "/"), one.place
+
+
+def _missing(folders: Folders, name: str, place: str, top: Path) -> Path | None:
+    """Where the file of a name would be, if it may lie there and does not."""
+    try:
+        if folders.find(name, "mesh", place) is not None:
+            return None
+    except InputError:
+        return None
+    base, steps = (top, name.removeprefix(PACKAGE)) if name.startswith(PACKAGE) else (folders.home, name)
+    parts = PurePosixPath(steps).parts
+    if len(parts) > DEEPEST or not all(NAME.fullmatch(part) or part == ".." for part in parts):
+        return None
+    target = Path(os.path.normpath(base.joinpath(*parts)))
+    return target if target.is_relative_to(top.parent) else None

@@ -11,8 +11,9 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
 from tmodes.errors import InputError
+from tmodes.io.sheet_check import sheet_from_data
 from tmodes.studio.shapes import Shapes
-from tmodes.studio.sheets import MOST_BYTES, checked_sheet, plain_sheet
+from tmodes.studio.sheets import MOST_BYTES, plain_sheet
 
 if TYPE_CHECKING:
     from tmodes.result import Result
@@ -48,7 +49,7 @@ class Workshop:
         Raises :class:`tmodes.errors.TmodesError` for a sheet that is wrong or cannot run.
         """
         laps = _Laps()
-        sheet = checked_sheet(dict(data))
+        sheet = sheet_from_data(dict(data))
         laps.take("check")
         result = self._result(sheet, progress)
         laps.take("simulate")

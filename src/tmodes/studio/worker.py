@@ -58,13 +58,16 @@ class _Answers:
 
 
 def main() -> None:
-    """Work until the orders end."""
+    """Work until the orders end; arguments are kinds of a user, which the server has loaded."""
     signal.signal(signal.SIGINT, signal.SIG_IGN)  # the server reports when it is over
     answers = _Answers(os.fdopen(os.dup(sys.stdout.fileno()), "wb"))
     os.dup2(sys.stderr.fileno(), sys.stdout.fileno())  # what a library prints is no answer
     orders = _Orders(sys.stdin.buffer)
+    from tmodes.kinds.registry import use
     from tmodes.studio.work import Workshop
 
+    if sys.argv[1:]:
+        use(*sys.argv[1:])
     workshop = Workshop()
     while True:
         _work(orders.waiting.get(), workshop, orders, answers)

@@ -57,6 +57,16 @@ VALUES = [
     (lambda d: d.update(gravity="9.81 kg"), "gravity must be", "m/s^2"),
     (lambda d: d["joints"][0].update(axis="z"), "joints.shoulder.axis", ""),
     (lambda d: d["joints"][0].update(axis=[0, None, 1]), "joints.shoulder.axis.1", ""),
+    (
+        lambda d: d["joints"][0].update(origin={"position": "0,0,0"}),
+        "joints.shoulder.origin.position must be a list of 3 numbers [m], got the text '0,0,0'",
+        "write it as a list",
+    ),
+    (
+        lambda d: d["joints"][0].update(origin={"position": 3}),
+        "joints.shoulder.origin.position must be a list of 3 numbers [m], got 3",
+        "write it as a list",
+    ),
     (lambda d: d["joints"][0].update(type="hinge"), "joints.shoulder.type must be", "prismatic, revolute"),
     (lambda d: d["joints"][0].update(type=1), "joints.shoulder.type", ""),
     (lambda d: d["joints"][0].update(name=5), "joints.0.name", ""),

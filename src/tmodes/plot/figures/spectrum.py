@@ -7,10 +7,9 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.amplitude import amplitude_spectrum
 from tmodes.plot.contract import Figure
 from tmodes.plot.facts import deformation_unit, largest, plain, spectral_part
-from tmodes.plot.frequency_marks import mark_frequencies
+from tmodes.plot.frequency_marks import amplitude_spectrum, mark_frequencies
 from tmodes.plot.panels import AxesLike, letter, panels
 from tmodes.plot.style import COMPONENTS
 from tmodes.plot.units import readable
