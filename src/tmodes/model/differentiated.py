@@ -191,9 +191,9 @@ class DifferentiatedModel:
             units = {label: np.zeros((count, n)) for label in wanted}
             for k, label in enumerate(wanted):
                 units[label][n * k : n * (k + 1)] = np.eye(n)
-            slopes = derivatives(passes.parameters, schedule, blocks, units, count)["forces"].reshape(-1, n, n)
+            forces = derivatives(passes.parameters, schedule, blocks, units, count)["forces"]
             for k, label in enumerate(wanted):
-                found[by.index(label)] += slopes[k].T
+                found[by.index(label)] += forces[n * k : n * (k + 1)].T
         if "a" in by:
             found[by.index("a")] += np.diag(passes.rotor_inertias)
         return [*found]
