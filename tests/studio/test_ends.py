@@ -138,7 +138,7 @@ def test_what_is_still_read_at_the_end_is_not_written_again(tmp_path):
         room = Shelf(place).room()
     with pytest.raises(FileNotFoundError):
         make_within(room, room / "upload" / "meshes")
-    with pytest.raises(InputError, match="room in the temporary folder"):
+    with pytest.raises(InputError, match="fit in the temporary folder"):
         Shelf(place).room()
     assert list(tmp_path.iterdir()) == []
 
