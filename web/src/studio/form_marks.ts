@@ -12,7 +12,7 @@ export class Marks {
   constructor(private readonly find: (steps: Step[], open: boolean) => HTMLElement | null) {}
 
   /**
-   * Mark the fields that are wrong, and the uncertain ones; what has no field of its own is marked at the group around it.
+   * Mark the fields that are wrong, and the uncertain ones; what has no field is marked at the group around it.
    */
   show(errors: Wrong[], notices = this.notices): void {
     this.marked.forEach((end) => end());
