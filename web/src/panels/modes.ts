@@ -12,7 +12,7 @@ const LARGEST = 0.12; // of the robot's size
 
 export interface ModesView {
   /**
-   * Modes of the live model's run, the page's next to them; null: the page's own alone. Those that are shown stay
+   * Modes of the live model's run, those of the page next to them; null: the page's own alone. Shown ones stay
    * until a run reports its own.
    */
   show(live: LiveRun | null): void;

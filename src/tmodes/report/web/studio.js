@@ -1,4 +1,4 @@
-/* tmodes, built from c48aa87b1cf5a236; BSD-3-Clause */
+/* tmodes, built from 7f60664c8b081d8a; BSD-3-Clause */
 /* three
 The MIT License
 
