@@ -5,7 +5,6 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
-from pathlib import Path
 
 import pytest
 from hypothesis import settings
@@ -18,22 +17,11 @@ settings.load_profile("tmodes")
 
 @pytest.fixture(scope="session", autouse=True)
 def private_cache(tmp_path_factory: pytest.TempPathFactory) -> None:
-    """Compiled code goes to a folder of this session, also from programs that tests start."""
-    os.environ["TMODES_CACHE"] = str(tmp_path_factory.mktemp("compiled"))
-
-
-TO_PORT = Path(__file__).with_name("to_port.txt")
-"""Files and folders of tests that were not seen to pass as a whole since the two programs became one."""
-
-
-def pytest_collection_modifyitems(items: list[pytest.Item]) -> None:
-    """Tests of the list may fail until they are ported; a file of which all pass is to be taken from it."""
-    known = tuple(TO_PORT.read_text(encoding="utf-8").splitlines()) if TO_PORT.exists() else ()
-    for item in items:
-        if known and item.nodeid.startswith(known):
-            item.add_marker(
-                pytest.mark.xfail(reason="to be ported to the one architecture", strict=False), append=False
-            )
+    """Compiled code goes to a folder of this session, also from programs that tests start; all workers share it."""
+    own = tmp_path_factory.getbasetemp()
+    place = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "compiled"
+    place.mkdir(mode=0o700, exist_ok=True)
+    os.environ["TMODES_CACHE"] = str(place)
 
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
