@@ -11,8 +11,8 @@ import statistics
 import time
 from typing import Any
 
-from tmodes.studio.sheets import loaded, plain_sheet
-from tmodes.studio.sliders import info_sliders
+from tmodes import load
+from tmodes.studio.sheets import info_sliders, plain_sheet
 from tmodes.studio.work import Workshop
 
 
@@ -21,7 +21,7 @@ def main() -> None:
     parser.add_argument("robot", nargs="?", default="filipovic2010")
     parser.add_argument("--runs", type=int, default=15)
     info = parser.parse_args()
-    sheet = loaded(info.robot)
+    sheet = load(info.robot)
     data = plain_sheet(sheet)
     target = info_sliders(sheet, data)[0]["targets"][0]
     workshop, laps, processor = Workshop(), [], []

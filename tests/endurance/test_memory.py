@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 from functools import cached_property
-from typing import Any
+from typing import Any, cast
 
 import numpy as np
 import pytest
@@ -52,7 +52,7 @@ def test_many_steps_in_one_process() -> None:
     """The memory of a run does not grow with its steps, and its end is that of the method, by powers of one step."""
     steps, step = often(2_000_000, 100_000_000), 0.01
     still = Schedule(np.array([0.0, 1.0]), np.zeros((1, 1)))
-    numbers, oscillator = np.ones(1), Oscillator()
+    numbers, oscillator = np.ones(1), cast("Any", Oscillator())
 
     def run(count: int) -> Any:
         settings = Integration(

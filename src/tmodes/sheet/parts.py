@@ -5,7 +5,16 @@ from __future__ import annotations
 from enum import StrEnum
 from typing import Annotated, Any, Self, Union
 
-from pydantic import Field, SerializeAsAny, field_validator, model_validator
+from pydantic import (
+    Field,
+    GetCoreSchemaHandler,
+    GetJsonSchemaHandler,
+    SerializeAsAny,
+    TypeAdapter,
+    field_validator,
+    model_validator,
+)
+from pydantic_core import CoreSchema, core_schema
 
 from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.links.body import BodySheet
@@ -33,8 +42,16 @@ _Name = Annotated[str, Field(min_length=1, max_length=100)]
 _Number = Annotated[float, Field(ge=-LARGEST, le=LARGEST)]
 
 
-_AnyBeam = Union[(*LINKS.members, None)]
-"""For the JSON Schema: the sheets of tmodes' own kinds."""
+class _AnyBeam:
+    """For the JSON Schema: a sheet of any link kind that is registered by then, or nothing."""
+
+    @classmethod
+    def __get_pydantic_core_schema__(cls, source: Any, handler: GetCoreSchemaHandler) -> CoreSchema:
+        return core_schema.any_schema()
+
+    @classmethod
+    def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> Any:
+        return handler(TypeAdapter(Union[(*LINKS.members, None)]).core_schema)
 
 
 class LinkSheet(DataSheet):

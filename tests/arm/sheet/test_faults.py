@@ -171,7 +171,7 @@ DRIVES = [
     (
         {"signal": 5},
         "drives.0.signal must be a group of the kind constant, expression, noise, "
-        "quintic, sine, step, table, sum, trapezoid, got 5",
+        "quintic, sine, step, table, sum, trapezoid",
     ),
 ]
 

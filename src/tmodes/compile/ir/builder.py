@@ -30,7 +30,7 @@ class Builder(ir.IRBuilder):
     """llvmlite's, quicker: arithmetic, loads, stores and addresses are checked by LLVM's own parser alone."""
 
     def _line(self, kind: Any, text: str) -> _Line:
-        scope = self.block.scope
+        scope: Any = self.function.scope
         scope.lines = count = getattr(scope, "lines", 0) + 1
         reference = f'%"v:{count}"'
         line = _Line(kind, reference, f"{reference} = {text}")
@@ -38,7 +38,8 @@ class Builder(ir.IRBuilder):
         return line
 
     def _insert(self, instr: Any) -> None:
-        self._block.instructions.insert(self._anchor, instr)
+        block: Any = self._block
+        block.instructions.insert(self._anchor, instr)
         self._anchor += 1
 
     def _binary(self, opcode: str, lhs: Any, rhs: Any, flags: Sequence[str]) -> _Line:
