@@ -51,7 +51,9 @@ class _AnyBeam:
 
     @classmethod
     def __get_pydantic_json_schema__(cls, schema: CoreSchema, handler: GetJsonSchemaHandler) -> Any:
-        return handler(TypeAdapter(Union[(*LINKS.members, None)]).core_schema)
+        members: Any = (*LINKS.members, None)
+        several: Any = Union[members]  # noqa: UP007
+        return handler(TypeAdapter(several).core_schema)
 
 
 class LinkSheet(DataSheet):
