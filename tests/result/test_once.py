@@ -13,6 +13,9 @@ import tmodes.chain.lowering
 import tmodes.result.assemble
 import tmodes.simulation.start
 from arm.see.runs import swinging
+from tmodes.analysis.modes.of_sheet import sheet_frequencies
+from tmodes.analysis.statics.loads import Load
+from tmodes.analysis.statics.rest import arm_rest
 from tmodes.result import Result, load_result
 from tmodes.sheet import Robot
 
@@ -20,6 +23,7 @@ from tmodes.sheet import Robot
 @pytest.fixture
 def counts(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often the rest is solved, a sheet is lowered, and each analysis is made."""
+    tmodes.analysis.statics.rest._solved.clear()
     found: Counter[str] = Counter()
 
     def counted(module: Any, name: str) -> None:
@@ -57,6 +61,20 @@ def test_a_run_only_simulates(counts):
     counts.clear()
     tmodes.run(pair)
     assert counts == {"equilibrium": 2, "lowered": 2}
+
+
+def test_a_rest_is_solved_once_for_run_modes_and_page(counts):
+    """Also where a robot is read again; other numbers, loads and commands have another rest."""
+    robot = short(real={})
+    result = tmodes.run(robot)
+    assert result.frequencies
+    sheet_frequencies(Robot.from_data(swinging() | {"real": {}}), contact=robot.contact is not None)
+    assert counts["equilibrium"] == 1
+    for change in ({"links.0.beam.length": 0.61}, {"gravity": 3.0}):
+        sheet_frequencies(robot.with_(change), contact=robot.contact is not None)
+    assert counts["equilibrium"] == 3
+    arm_rest(robot, [Load("tip", (0.0, 0.0, -0.1))])
+    assert counts["equilibrium"] == 4
 
 
 def test_each_analysis_is_made_once(counts, tmp_path):

@@ -2,6 +2,7 @@
 
 from __future__ import annotations
 
+from collections import OrderedDict
 from collections.abc import Mapping, Sequence
 from typing import Any
 
@@ -28,19 +29,35 @@ def arm_rest(
     """Static equilibrium of an arm under its weight, the loads of its data sheet at time 0 (``sheet``) and ``loads``.
 
     Driven coordinates are held at ``held``, else at their first command, else at the sheet's initial coordinates, else
-    at 0; ``contact`` False leaves the sheet's contact out. Errors as of :func:`equilibrium`.
+    at 0; ``contact`` False leaves the sheet's contact out. One that was solved lately is taken again: a run, its modes
+    and its page ask for the same. Errors as of :func:`equilibrium`.
     """
     model = model or Model(arm.chain())
     known = {name: value for name, value in arm.initial.coordinates.items() if name in model.coordinates}
     commands = first_commands(arm, model) | dict(held or {})
-    return equilibrium(
-        model,
-        [*(sheet_loads(arm) if sheet else ()), *loads],
-        held=commands,
-        start=known,
-        contact=arm.contact if contact else None,
-        progress=progress,
-    )
+    acting = [*(sheet_loads(arm) if sheet else ()), *loads]
+    touched = arm.contact if contact else None
+    key = _key(model, acting, commands, known, touched)
+    if key not in _solved:
+        _solved[key] = equilibrium(model, acting, held=commands, start=known, contact=touched, progress=progress)
+        while len(_solved) > _KEPT:
+            _solved.popitem(last=False)
+    return _solved[key]
+
+
+_solved: OrderedDict[Any, Equilibrium] = OrderedDict()
+_KEPT = 8
+
+
+def _key(
+    model: Model, loads: Sequence[Load], held: Mapping[str, float], start: Mapping[str, float], contact: Any
+) -> tuple[Any, ...]:
+    """All that an equilibrium follows from: structure and numbers of the equations, and what acts."""
+    structure = tuple(model.passes.schedule(name).key for name in ("inertia", "elastic"))
+    numbers = model.parameters.tobytes(), model.at_rest().tobytes()
+    acting = tuple((load.point, *load.wrench().tolist(), load.follows) for load in loads)
+    touched = contact and (contact.fingerprint(), contact.model_dump_json())
+    return structure, model.coordinates, numbers, acting, tuple(held.items()), tuple(start.items()), touched
 
 
 def first_commands(arm: Robot, model: Model) -> dict[str, float]:
