@@ -5,9 +5,12 @@ from __future__ import annotations
 import os
 import shutil
 import subprocess
+from collections.abc import Iterator
 
 import pytest
 from hypothesis import settings
+
+from tmodes.kinds.registry import USED
 
 os.environ["MPLBACKEND"] = "Agg"
 
@@ -22,6 +25,14 @@ def private_cache(tmp_path_factory: pytest.TempPathFactory) -> None:
     place = (own.parent if "PYTEST_XDIST_WORKER" in os.environ else own) / "compiled"
     place.mkdir(mode=0o700, exist_ok=True)
     os.environ["TMODES_CACHE"] = str(place)
+
+
+@pytest.fixture(autouse=True)
+def kinds_of_this_test() -> Iterator[None]:
+    """What a test loads on request is not handed to the workers of a later one's studio."""
+    before = [*USED]
+    yield
+    USED[:] = before
 
 
 BROWSERS = ("chromium", "chromium-browser", "google-chrome")
