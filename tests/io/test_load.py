@@ -18,7 +18,7 @@ def test_published_robots_are_listed_and_read() -> None:
     assert names() == sorted(names())
     for name in names():
         assert text(name).startswith("# ")
-        if "urdf:" in text(name) and installed_models() is None:  # the URDF comes with the extra `robots`
+        if "urdf:" in text(name) and not installed_models():  # the URDF comes with the extra `robots`
             with pytest.raises(InputError, match=r"pip install 'tmodes\[robots\]'"):
                 load(name)
         else:
