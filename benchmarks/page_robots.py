@@ -10,7 +10,7 @@ from contextlib import contextmanager
 from pathlib import Path
 from typing import Any
 
-from tmodes.report.write import write_report
+from tmodes.report.page import write_report
 from tmodes.result.run import run
 from tmodes.robots.load import load
 from tmodes.sheet import Robot
