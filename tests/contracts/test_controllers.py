@@ -170,3 +170,15 @@ def test_unknown_coordinate_is_named():
 def test_no_controller_without_a_wanted_position():
     with pytest.raises(Exception, match="controller"):
         robot(PD, drive={"command": "torque", "signal": ZERO})
+
+
+@pytest.mark.parametrize(
+    ("error", "integral", "rate"), [(1.0, 0.0, 0.0), (-1.0, 0.0, 0.0), (-0.1, 1.0, -0.1), (0.1, 0.0, 0.1)]
+)
+def test_a_limited_pid_does_not_wind_up(error: float, integral: float, rate: float) -> None:
+    """Beyond its limit the integral stops where it would drive the command further, and goes back where it helps."""
+    sheet = {"type": "pid", "position_gain": 10.0, "integral_gain": 20.0, "velocity_gain": 0.0, "limit": 5.0}
+    law = Controller.of(sheet)
+    measured = Measured(position=0.0, velocity=0.0, wanted=error, wanted_rate=0.0, wanted_acceleration=0.0, current=0.0)
+    found = law.rates(law.numbers(), measured, [integral])[0]
+    assert float(found) == pytest.approx(rate)

@@ -47,6 +47,16 @@ def test_folder_that_we_make_is_private(place: Path) -> None:
     assert place.stat().st_mode & 0o777 == 0o700
 
 
+@pytest.mark.skipif(not hasattr(os, "getuid"), reason="needs permissions of files")
+@pytest.mark.parametrize("mode", [0o720, 0o702])
+def test_folder_that_others_may_write_into_is_refused(place: Path, mode: int) -> None:
+    cache.save("key", b"code")
+    place.chmod(mode)
+    assert cache.folder() is None
+    assert cache.load("key") is None
+    assert "chmod go-w" in cache.judged()[1]
+
+
 def test_folder_that_cannot_be_made_is_reported(tmp_path: Path, monkeypatch: pytest.MonkeyPatch) -> None:
     (tmp_path / "file").touch()
     monkeypatch.setenv("TMODES_CACHE", str(tmp_path / "file" / "cache"))
