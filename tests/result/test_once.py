@@ -110,3 +110,12 @@ def test_frequencies_missing_in_a_file_follow_from_its_sheet(counts):
         assert [mode["frequency_Hz"] for mode in again[state]] == pytest.approx(
             [mode["frequency_Hz"] for mode in modes], rel=1e-9
         )
+
+
+def test_a_rest_that_is_taken_again_has_the_names_of_the_robot_that_asks(counts):
+    def with_point(name: str) -> Robot:
+        return short(points=[*swinging()["points"], {"name": name, "link": "rod"}])
+
+    names = [[point.name for point in arm_rest(with_point(name)).model.chain.points] for name in ("eye", "ear")]
+    assert counts["equilibrium"] == 1
+    assert [last for *_, last in names] == ["eye", "ear"]

@@ -4,6 +4,7 @@ from __future__ import annotations
 
 from collections import OrderedDict
 from collections.abc import Mapping, Sequence
+from dataclasses import replace
 from typing import Any
 
 from tmodes.analysis.statics.equilibrium import Equilibrium, equilibrium
@@ -42,7 +43,7 @@ def arm_rest(
         _solved[key] = equilibrium(model, acting, held=commands, start=known, contact=touched, progress=progress)
         while len(_solved) > _KEPT:
             _solved.popitem(last=False)
-    return _solved[key]
+    return replace(_solved[key], model=model)  # whose points and rigid links may have other names
 
 
 _solved: OrderedDict[Any, Equilibrium] = OrderedDict()
