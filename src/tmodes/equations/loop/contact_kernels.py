@@ -12,8 +12,8 @@ from typing import Any
 import casadi as ca
 
 from tmodes.equations.recursion.hinge import PLACEMENT, POSE
+from tmodes.kinds.contacts.contract import SURFACE
 from tmodes.kinds.contacts.registry import Contact, Meeting
-from tmodes.kinds.contacts.surface import SURFACE
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia

@@ -10,8 +10,7 @@ from dataclasses import dataclass
 from typing import Any
 
 from tmodes.chain.chain import Friction, Gear, Joint, Motor
-from tmodes.kinds.drives.contract import Angles, DriveKind
-from tmodes.kinds.drives.laws import FRICTION, DriveLaw
+from tmodes.kinds.drives.contract import FRICTION, Angles, DriveKind, DriveLaw
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import Kernel, kernel
 

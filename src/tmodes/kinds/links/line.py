@@ -22,19 +22,9 @@ from tmodes.kinds.kernel.schedule import Numbers, Slot
 from tmodes.kinds.kernel.spatial import FORCE, Force
 
 __all__ = [
-    "PLACE",
-    "POSE",
-    "STRESS",
-    "STRESS_NUMBERS",
-    "CubicLine",
-    "LineOfLink",
-    "Moved",
-    "Shape",
-    "Stressed",
-    "in_section",
-    "layout",
-    "packed_place",
-]
+    "PLACE", "POSE", "STRESS", "STRESS_NUMBERS", "CubicLine", "LineOfLink", "Moved", "Shape", "Stressed",
+    "in_section", "layout", "packed_place",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 
