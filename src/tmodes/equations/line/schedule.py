@@ -14,7 +14,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.recursion.body_kernels import body_kernel, times_kernel
-from tmodes.equations.recursion.inertia import Balance, balance
+from tmodes.equations.recursion.forces import Balance, balance
 from tmodes.equations.recursion.parts import NodePart, Parts
 from tmodes.equations.recursion.passes import Blocks, Passes
 from tmodes.frame import Placement
@@ -57,7 +57,7 @@ class Lines:
 def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False) -> Lines:
     """The lines at the places ``s`` (S,) along each link; ``loaded``: forces act on the points.
 
-    ``drawn`` adds further lines, see :meth:`tmodes.equations.recursion.mechanics.RecursiveMechanics.drawn`.
+    ``drawn`` adds further lines, see :meth:`tmodes.equations.mechanics.RecursiveMechanics.drawn`.
     """
     way = Passes(parts, posed=True, loaded=loaded)
     way.take_wrenches()

@@ -6,8 +6,9 @@ along the direction d into the surface: an inertia me d d^T on the point, exact,
 
 from __future__ import annotations
 
+from collections.abc import Callable
 from dataclasses import dataclass
-from typing import Any
+from typing import Any, NamedTuple
 
 import casadi as ca
 
@@ -18,7 +19,7 @@ from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.kernel import kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 
-__all__ = ["CONTACT_OUTPUTS", "Touch"]
+__all__ = ["CONTACT_OUTPUTS", "LawAt", "Touch", "contact_law"]
 
 CONTACT_OUTPUTS = 6
 """What is known of a contact: force by the point on the surface (3), its normal part, penetration and its rate."""
@@ -218,3 +219,21 @@ def _point(pose: Any, axes: Any, rate: Any, offset: Any) -> tuple[v.Vector, v.Ve
     """Position and velocity of a point of a frame, its arm, and the frame's rate, all in world axes."""
     arm, spin = v.matvec(v.tri(pose), v.vec(offset, 9)), v.matvec(v.tri(axes), v.vec(rate))
     return v.add(v.vec(pose, 9), arm), v.add(v.vec(pose, 12), v.cross(spin, arm)), arm, spin
+
+
+class LawAt(NamedTuple):
+    """Normal force [N], its stiffness [N/m] and its damping [N*s/m] at a penetration; zeros where none acts."""
+
+    force: float
+    stiffness: float
+    damping: float
+
+
+def contact_law(sheet: Contact) -> Callable[[float, float], LawAt]:
+    """(penetration [m], its rate [m/s]) -> the law there, but for the moving mass and friction."""
+    touch, symbols = Touch(sheet), ca.SX.sym("motion", 2)
+    numbers = ca.SX(ca.DM(touch.numbers(v.zero())))
+    met = Meeting(v.zero(), symbols[0], symbols[1], 0.0)
+    normal, _ = touch.normal(numbers, met)
+    law = ca.Function("law", [symbols], [ca.vertcat(normal, *touch.slopes(numbers, met))])
+    return lambda depth, rate: LawAt(*(float(x) for x in law([depth, rate]).full()[:, 0]))
