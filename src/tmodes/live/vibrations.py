@@ -17,7 +17,7 @@ from tmodes.analysis.statics.rest import arm_rest
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.errors import SimulationError
 from tmodes.kinds.contacts.registry import Contact
-from tmodes.kinds.drives.laws import FRICTION
+from tmodes.kinds.drives.contract import FRICTION
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
 
