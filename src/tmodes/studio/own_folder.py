@@ -9,7 +9,7 @@ from collections.abc import Iterator
 from contextlib import contextmanager, suppress
 from pathlib import Path
 
-from tmodes.io.processes import place, state
+from tmodes.io.atomic import process_state, this_place
 
 __all__ = ["make_within", "own_folder", "remove"]
 
@@ -51,7 +51,7 @@ def remove(room: Path) -> None:
 
 
 def _prefix() -> str:
-    return f"tmodes-studio-{place()}-"
+    return f"tmodes-studio-{this_place()}-"
 
 
 def _sweep(parent: Path) -> None:
@@ -59,7 +59,7 @@ def _sweep(parent: Path) -> None:
     for path in parent.glob(f"{_prefix()}*"):
         with suppress(OSError, ValueError):
             number = int(path.name.removeprefix(_prefix()).partition("-")[0])
-            if _is_mine(path) and not state(number)[0]:
+            if _is_mine(path) and not process_state(number)[0]:
                 remove(path)
 
 
