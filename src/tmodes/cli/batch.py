@@ -9,8 +9,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli import options
-from tmodes.cli.output import notice, print_json, print_table
-from tmodes.cli.progress import working
+from tmodes.cli.terminal import notice, print_json, print_table, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:

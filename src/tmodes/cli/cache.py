@@ -8,7 +8,7 @@ from typing import Annotated
 import typer
 
 from tmodes.cli.options import AsJson
-from tmodes.cli.output import print_json
+from tmodes.cli.terminal import print_json
 from tmodes.errors import ResultFileError
 
 __all__ = ["Action", "cache"]

@@ -5,9 +5,8 @@ from __future__ import annotations
 from typing import Any
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.output import notice, print_json, print_table
-from tmodes.cli.progress import working
 from tmodes.cli.static import print_stiffness
+from tmodes.cli.terminal import notice, print_json, print_table, working
 
 __all__ = ["describe"]
 

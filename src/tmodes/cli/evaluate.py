@@ -9,7 +9,7 @@ import numpy as np
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.output import print_json, print_json_list, print_table
+from tmodes.cli.terminal import print_json, print_json_list, print_table
 from tmodes.errors import InputError, SimulationError
 
 if TYPE_CHECKING:

@@ -7,8 +7,7 @@ from typing import TYPE_CHECKING, Annotated
 import typer
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.output import notice, print_json, print_table
-from tmodes.cli.progress import working
+from tmodes.cli.terminal import notice, print_json, print_table, working
 
 if TYPE_CHECKING:
     from tmodes.analysis.hierarchy.hierarchy import Ladder, Rung

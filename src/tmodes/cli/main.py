@@ -14,19 +14,16 @@ import typer
 from tmodes.cli.batch import batch
 from tmodes.cli.bench import bench
 from tmodes.cli.cache import cache
-from tmodes.cli.check import check
 from tmodes.cli.describe import describe
 from tmodes.cli.evaluate import evaluate
 from tmodes.cli.export import export
 from tmodes.cli.ladder import ladder
 from tmodes.cli.modes import modes
-from tmodes.cli.robots import robots
 from tmodes.cli.run import run
-from tmodes.cli.schema import schema
-from tmodes.cli.show import show
+from tmodes.cli.sheets import check, robots, schema
+from tmodes.cli.show import show, view
 from tmodes.cli.static import static
 from tmodes.cli.studio import studio
-from tmodes.cli.view import view
 from tmodes.errors import InputError, TmodesError
 
 __all__ = ["app", "main"]

@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.output import notice, print_json, print_table
-from tmodes.cli.progress import working
 from tmodes.cli.static import print_links
+from tmodes.cli.terminal import notice, print_json, print_table, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:

@@ -9,9 +9,8 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_sheet
-from tmodes.cli.output import notice, print_json
-from tmodes.cli.progress import working
 from tmodes.cli.summary_text import info
+from tmodes.cli.terminal import notice, print_json, working
 from tmodes.errors import SimulationError
 
 if TYPE_CHECKING:

@@ -5,7 +5,7 @@ from __future__ import annotations
 from collections.abc import Iterator
 from typing import TYPE_CHECKING, Any
 
-from tmodes.cli.output import print_table
+from tmodes.cli.terminal import print_table
 
 if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder

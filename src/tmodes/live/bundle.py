@@ -13,11 +13,10 @@ from tmodes.analysis.line.line import elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names
 from tmodes.integrate.settings import Integration
 from tmodes.live.functions import ModelFunctions, live_module
-from tmodes.live.loads import evenly, joint_limits, lines_info, load_places, yield_strengths
 from tmodes.live.map import LiveMap, live_map
 from tmodes.live.numbers import follow_of
+from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vibrations_info, yield_strengths
 from tmodes.live.template import sheet_template
-from tmodes.live.vibrations import vibrations_info
 from tmodes.model.model import Model
 from tmodes.result.lines import without_elasticity
 from tmodes.sheet import Robot, RobotPair

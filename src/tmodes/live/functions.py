@@ -20,7 +20,7 @@ from tmodes.equations.mechanics import mechanics
 from tmodes.integrate.method import EULER, JACOBIAN
 from tmodes.integrate.registry import integrator
 from tmodes.kinds.kernel.schedule import Schedule, Slot
-from tmodes.live.loads import line_names
+from tmodes.live.places import line_names
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
 from tmodes.sheet import RobotPair

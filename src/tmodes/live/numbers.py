@@ -8,8 +8,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.equations.loop.closed_loop import ClosedLoop
-from tmodes.live.loads import line_lengths, load_places
-from tmodes.live.vibrations import vibration_numbers
+from tmodes.live.places import line_lengths, load_places, vibration_numbers
 from tmodes.model.model import Model
 from tmodes.model.passes import ArmPasses
 from tmodes.sheet import Robot
@@ -42,7 +41,7 @@ def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float,
     ``knots.k`` and ``coefficients.k`` of each signal of the plan; moves with a duration of their own extend to
     ``until`` [s], beyond the end of the run, to be whole. With ``stations``: ``line``, of the lines of
     all links, with the ``lengths`` of those that bend, ``surface``, the place of what is touched, and the blocks of
-    :func:`tmodes.live.vibrations.vibration_numbers`.
+    :func:`tmodes.live.places.vibration_numbers`.
     """
     plan, rest = planned(arm, follow), planned(arm, Follow.HELD)
     loop, chain = ClosedLoop(plan.plan), arm.model_copy(update={"drives": ()}).chain()

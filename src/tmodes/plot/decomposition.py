@@ -7,9 +7,8 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmodes.plot.facts import deformation_unit, largest, plain, rows_height
-from tmodes.plot.panels import AxesLike, last_times, letter, panels, shared_legend
+from tmodes.plot.panels import AxesLike, last_times, letter, panels, readable, shared_legend
 from tmodes.plot.style import COMPONENTS, QUIET, REFERENCE
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

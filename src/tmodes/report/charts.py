@@ -8,8 +8,7 @@ from typing import TYPE_CHECKING, Any
 import numpy as np
 
 from tmodes.plot.facts import command_of, deformation_unit, drive_unit, effort_unit
-from tmodes.report.drafts import Draft, Line, in_readable_units, line_of
-from tmodes.report.spectra import run_spectra
+from tmodes.report.drafts import Draft, Line, in_readable_units, line_of, run_spectra
 
 if TYPE_CHECKING:
     from tmodes.result import Result

@@ -11,13 +11,12 @@ import numpy as np
 
 from tmodes.errors import InputError, InputErrors, TmodesError
 from tmodes.live.bundle import live_bundle, why_not_live
-from tmodes.report.actual import actual
+from tmodes.report.arrays import scene_frames
 from tmodes.report.charts import charts_of
-from tmodes.report.facts import Fact
+from tmodes.report.facts import Fact, run_facts
 from tmodes.report.mode_shapes import modes_of
-from tmodes.report.run_facts import run_facts
 from tmodes.report.scene import line_of, scene_of
-from tmodes.report.thin import scene_frames
+from tmodes.report.scene_parts import actual
 
 if TYPE_CHECKING:
     from tmodes.result import Result

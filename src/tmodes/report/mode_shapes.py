@@ -11,8 +11,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.modes.modes import ArmMode
 from tmodes.analysis.spectrum import MotorState
 from tmodes.errors import SimulationError
-from tmodes.report.actual import actual
 from tmodes.report.scene import lines_at
+from tmodes.report.scene_parts import actual
 from tmodes.result import Result
 
 __all__ = ["modes_of"]

@@ -10,11 +10,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.line.line import elastic_line
 from tmodes.chain.chain import node_of_line
 from tmodes.model.model import Model
-from tmodes.report.actual import actual
-from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, stations_shown
-from tmodes.report.scene_meshes import meshes_in, nearest_drawn
-from tmodes.report.scene_sections import section_of
-from tmodes.report.thin import scene_frames
+from tmodes.report.arrays import colour, displaced, kept, quaternions, scene_frames, stations_shown
+from tmodes.report.scene_parts import actual, meshes_in, nearest_drawn, section_of
 from tmodes.result.lines import without_elasticity
 from tmodes.sheet import Robot
 
@@ -39,7 +36,7 @@ _QUANTITIES = (
 
 
 def scene_of(result: Result, frames: Frames | None = None) -> dict[str, Any]:
-    """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.thin.scene_frames`.
+    """The robot at the samples ``frames``; None chooses them by :func:`tmodes.report.arrays.scene_frames`.
 
     Lengths in m, times in s; arrays are NumPy's or those of :mod:`tmodes.report.pack`. Of a robot that cannot be
     rebuilt only the lines that the result holds.

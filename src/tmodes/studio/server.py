@@ -26,9 +26,8 @@ from tmodes.studio.guard import Guard
 from tmodes.studio.jobs import JobBook
 from tmodes.studio.looks import Shelf, source_of
 from tmodes.studio.messages import info_error, info_errors
-from tmodes.studio.page import add_page
+from tmodes.studio.page import add_page, body_of, word_of
 from tmodes.studio.pool import Pool
-from tmodes.studio.requests import body_of, word_of
 from tmodes.studio.upload import uploaded
 from tmodes.studio.work import PRODUCTS
 

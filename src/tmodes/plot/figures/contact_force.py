@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend, time_axis
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import AxesLike, letter, panels, readable, shared_legend, time_axis
 from tmodes.plot.style import COMPONENTS, INK, QUIET, REAL, REFERENCE
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

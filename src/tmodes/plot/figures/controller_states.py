@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.facts import plain, rows_height
-from tmodes.plot.panels import AxesLike, last_times, letter, panels
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import AxesLike, last_times, letter, panels, readable
 from tmodes.plot.style import QUIET, REAL
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

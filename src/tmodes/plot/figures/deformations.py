@@ -4,12 +4,11 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.decomposition import coordinate_names, largest_coordinates
 from tmodes.plot.facts import deformation_unit, plain
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend, time_axis
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import AxesLike, letter, panels, readable, shared_legend, time_axis
 from tmodes.plot.style import REAL, REFERENCE
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

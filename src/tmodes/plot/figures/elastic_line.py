@@ -7,8 +7,8 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.facts import instant_looks, instants
+from tmodes.plot.figure import Figure
 from tmodes.plot.figures.tip_path import PLANES, views
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import QUIET

@@ -6,10 +6,9 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.panels import AxesLike, letter, panels, side_legend, time_axis
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import AxesLike, letter, panels, readable, side_legend, time_axis
 from tmodes.plot.style import COMPONENTS, INK, QUIET
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

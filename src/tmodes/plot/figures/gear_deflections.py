@@ -4,8 +4,8 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.decomposition import coordinate_names, decomposed, largest_coordinates
+from tmodes.plot.figure import Figure
 from tmodes.plot.panels import AxesLike
 
 if TYPE_CHECKING:

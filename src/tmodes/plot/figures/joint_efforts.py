@@ -4,11 +4,10 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any, ClassVar
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.facts import drives_by, effort_unit, plain, rows_height
-from tmodes.plot.panels import AxesLike, last_times, letter, panels, widest_legend
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import AxesLike, last_times, letter, panels, readable, widest_legend
 from tmodes.plot.style import COMPONENTS, QUIET, REAL, REFERENCE
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.facts import command_of, drive_unit, largest, motor_of, plain, rows_height
-from tmodes.plot.panels import AxesLike, last_times, letter, panels, widest_legend
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import AxesLike, last_times, letter, panels, readable, widest_legend
 from tmodes.plot.style import COMPONENTS, REAL
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -7,11 +7,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.facts import largest, plain
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import AxesLike, Unit, letter, panels, readable, shared_legend
 from tmodes.plot.style import BAND, BLUE, COMPONENTS, QUIET, RED
-from tmodes.plot.units import Unit, readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

@@ -6,11 +6,10 @@ from typing import TYPE_CHECKING, Any, ClassVar
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
 from tmodes.plot.facts import largest, plain
-from tmodes.plot.panels import AxesLike, last_times, letter, panels, shared_legend
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import AxesLike, last_times, letter, panels, readable, shared_legend
 from tmodes.plot.style import COMPONENTS
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes

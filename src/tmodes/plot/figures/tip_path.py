@@ -6,7 +6,7 @@ from typing import TYPE_CHECKING, Any
 
 import numpy as np
 
-from tmodes.plot.contract import Figure
+from tmodes.plot.figure import Figure
 from tmodes.plot.panels import AxesLike, letter, panels, shared_legend
 from tmodes.plot.style import INK, REAL, REFERENCE
 

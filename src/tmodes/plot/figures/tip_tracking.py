@@ -4,10 +4,9 @@ from __future__ import annotations
 
 from typing import TYPE_CHECKING, Any
 
-from tmodes.plot.contract import Figure
-from tmodes.plot.panels import AxesLike, letter, panels, shared_legend, time_axis
+from tmodes.plot.figure import Figure
+from tmodes.plot.panels import AxesLike, letter, panels, readable, shared_legend, time_axis
 from tmodes.plot.style import COMPONENTS, INK, REAL, REFERENCE
-from tmodes.plot.units import readable
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
