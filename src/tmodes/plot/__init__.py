@@ -7,13 +7,12 @@ those that a result can fill, ``left_out`` the reasons of the others; ``register
 from tmodes.plot.figure import FIGURES, Figure, all_figures, drawings, left_out, register, save_figures
 from tmodes.plot.figures.contact_force import ContactForce
 from tmodes.plot.figures.controller_states import ControllerStates
+from tmodes.plot.figures.decompositions import GearDeflections, LinkCoordinates
 from tmodes.plot.figures.deformations import Deformations
 from tmodes.plot.figures.elastic_line import ElasticLine
 from tmodes.plot.figures.energies import Energies
-from tmodes.plot.figures.gear_deflections import GearDeflections
 from tmodes.plot.figures.joint_efforts import JointEfforts
 from tmodes.plot.figures.joint_tracking import JointTracking
-from tmodes.plot.figures.link_coordinates import LinkCoordinates
 from tmodes.plot.figures.link_deflection import LinkDeflection
 from tmodes.plot.figures.link_loads import LinkLoads
 from tmodes.plot.figures.link_tips import LinkTips

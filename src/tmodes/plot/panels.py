@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Iterable, Sequence
+from collections.abc import Iterable, Mapping, Sequence
 from dataclasses import dataclass
 from typing import TYPE_CHECKING, Any
 
@@ -14,10 +14,12 @@ from tmodes.plot.style import INK, QUIET, new_figure
 
 if TYPE_CHECKING:
     from matplotlib.axes import Axes
+else:
+    Axes = Any  # matplotlib is loaded where a figure is drawn
 
 __all__ = [
-    "AxesLike", "Unit", "last_times", "letter", "panels", "pretty", "readable", "shared_legend", "side_legend",
-    "time_axis", "widest_legend",
+    "Axes", "AxesLike", "Unit", "curves", "last_times", "letter", "pairs", "panels", "pretty", "readable",
+    "shared_legend", "side_legend", "time_axis", "widest_legend", "zero_line",
 ]  # fmt: skip
 
 
@@ -44,6 +46,25 @@ def panels(ax: AxesLike, layout: Sequence[Sequence[str]], height: float, **more:
     if len(given) != len(names):
         raise InputError("ax", f"{len(given)} axes", f"{len(names)} axes", "pass so many, or None for a new figure")
     return given
+
+
+def pairs(rows: int) -> list[list[str]]:
+    """A layout of so many rows of two panels."""
+    return [[f"{k} left", f"{k} right"] for k in range(rows)]
+
+
+def curves(panel: Axes, x: Any, shown: Mapping[str, tuple[Any, dict[str, Any]]], si: str, what: str = "") -> Unit:
+    """Draw labelled values [``si``] with their looks over ``x``, in one readable unit that the axis names."""
+    unit = readable(si, *(values for values, _ in shown.values()))
+    for label, (values, look) in shown.items():
+        panel.plot(x, unit.of(values), label=label or None, **look)
+    panel.set_ylabel(f"{what} [{unit.name}]".lstrip())
+    return unit
+
+
+def zero_line(panel: Axes, width: float = 0.5) -> None:
+    """A thin line at zero."""
+    panel.axhline(0.0, color=QUIET, linewidth=width)
 
 
 def letter(axes: Iterable[Axes], titles: Iterable[str], pad: float | None = None) -> None:

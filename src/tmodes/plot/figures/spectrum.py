@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -10,12 +10,8 @@ from numpy.typing import NDArray
 from tmodes.plot.facts import deformation_unit, largest, plain, spectral_part
 from tmodes.plot.figure import Figure
 from tmodes.plot.frequency_marks import amplitude_spectrum, mark_frequencies
-from tmodes.plot.panels import AxesLike, letter, panels, readable
+from tmodes.plot.panels import Axes, AxesLike, letter, panels, readable
 from tmodes.plot.style import COMPONENTS
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
 
 __all__ = ["Spectrum"]
 
