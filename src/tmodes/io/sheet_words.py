@@ -1,4 +1,4 @@
-"""The types of an arm's data sheet, and what belongs in a place of each type, given in words."""
+"""The types of a robot's data sheet, and what belongs in a place of each type, given in words."""
 
 from __future__ import annotations
 
