@@ -104,9 +104,9 @@ def _spatial(about_centers: Any, centers: Any) -> Any:
     """Spatial inertias (n, 6, 6) of the links at the base's origin, angular part first."""
     zero = np.zeros(len(centers), dtype=_WIDE)
     x, y, z = centers.T
-    arm = np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]]).transpose(2, 0, 1)
-    across, unit = MASS * arm, np.broadcast_to(MASS * np.eye(3, dtype=_WIDE), arm.shape)
-    return np.block([[about_centers - arm @ across, across], [-across, unit]])
+    lever = np.array([[zero, -z, y], [z, zero, -x], [-y, x, zero]]).transpose(2, 0, 1)
+    across, unit = MASS * lever, np.broadcast_to(MASS * np.eye(3, dtype=_WIDE), lever.shape)
+    return np.block([[about_centers - lever @ across, across], [-across, unit]])
 
 
 def _outward(values: Any) -> Any:
@@ -140,12 +140,12 @@ def _drift(axes: Any, origins: Any, centers: Any, v: Any) -> tuple[Any, Any]:
     rate, spin, pull, before = (np.zeros(3, dtype=_WIDE) for _ in range(4))
     linear, angular = [], []
     for axis, origin, center, speed in zip(axes, origins, centers, v, strict=True):
-        arm = origin - before
-        pull = pull + np.cross(spin, arm) + np.cross(rate, np.cross(rate, arm))
+        lever = origin - before
+        pull = pull + np.cross(spin, lever) + np.cross(rate, np.cross(rate, lever))
         spin = spin + np.cross(rate, axis * speed)
         rate = rate + axis * speed
-        arm = center - origin
-        linear.append(pull + np.cross(spin, arm) + np.cross(rate, np.cross(rate, arm)))
+        lever = center - origin
+        linear.append(pull + np.cross(spin, lever) + np.cross(rate, np.cross(rate, lever)))
         angular.append(spin)
         before = origin
     return np.array(linear), np.array(angular)

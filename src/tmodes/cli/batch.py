@@ -1,4 +1,4 @@
-"""``tmodes batch``: many runs of one robot or arm with some of its numbers varied, and how far their tips part."""
+"""``tmodes batch``: many runs of one robot with some of its numbers varied, and how far their tips part."""
 
 from __future__ import annotations
 

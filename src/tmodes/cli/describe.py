@@ -21,9 +21,9 @@ def describe(
     """Masses, lengths, stiffnesses, frequencies of each link by itself, sag under weight, what gives way at the tip."""
     from tmodes.analysis.describe.describe import describe as described
 
-    arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     with working() as tell:
-        info = described(arm, progress=tell)
+        info = described(sheet, progress=tell)
     if as_json:
         print_json(info)
         return

@@ -16,7 +16,7 @@ __all__ = ["ladder"]
 
 UNITS = {
     "frequencies_Hz": "Hz, motors locked, about rest",
-    "sag_m": "m, tip at rest off the undeformed arm's",
+    "sag_m": "m, tip at rest off the undeformed robot's",
     "cost_us": "us, one forward dynamics, native, median",
     "highest_eigenvalue": "1/s, an explicit step must be below about 2.8 over it",
     "tip_difference_m": "m, largest along the move, to the finest rung",
@@ -41,9 +41,9 @@ def ladder(
     """
     from tmodes.analysis.hierarchy.hierarchy import ladder as climbed
 
-    arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
+    sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
     with working() as tell:
-        found = climbed(arm, tolerance, finest=finest, progress=tell)
+        found = climbed(sheet, tolerance, finest=finest, progress=tell)
     if as_json:
         print_json({"units": UNITS, **found.as_data()})
     else:

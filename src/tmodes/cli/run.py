@@ -9,7 +9,7 @@ import typer
 
 from tmodes.cli import options
 from tmodes.cli.options import chosen_sheet
-from tmodes.cli.summary_text import info
+from tmodes.cli.summary_text import print_run
 from tmodes.cli.terminal import notice, print_json, working
 from tmodes.errors import SimulationError
 
@@ -102,7 +102,7 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
 
 
 def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
-    print_json(folder.summary(result)) if as_json else info(result, folder)
+    print_json(folder.summary(result)) if as_json else print_run(result, folder)
     for warning in result.warnings:
         notice(f"warning: {warning}")
     if result.status != "finished":

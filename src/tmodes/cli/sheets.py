@@ -41,7 +41,7 @@ def robots(
 
 
 def _known() -> list[dict[str, str]]:
-    """Name, kind, title and citation of each, as its file reports them: not built, for an arm may need other files."""
+    """Name, kind, title and citation of each, as its file reports them: not built, for a robot may need other files."""
     from tmodes.io.yaml_file import parse_yaml
 
     found = []
@@ -87,7 +87,7 @@ def check(
 
     try:
         sheet = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
-        info, numbers = _info(sheet)
+        info, numbers = _described(sheet)
     except (InputError, InputErrors) as error:
         if as_json:
             errors = error.errors if isinstance(error, InputErrors) else (error,)
@@ -103,7 +103,7 @@ def check(
         print(f"warning: {notice}")
 
 
-def _info(sheet: Robot) -> tuple[str, dict[str, object]]:
+def _described(sheet: Robot) -> tuple[str, dict[str, object]]:
     """What the sheet describes, in words and for machines."""
     from tmodes.model.model import Model
     from tmodes.simulation.quantities import refuse_wrong_stops
@@ -125,7 +125,7 @@ def _count(count: int, what: str) -> str:
     return f"{count} {what}" + ("" if count == 1 else "s")
 
 
-def schema(arm: Annotated[bool, typer.Option("--arm", help="Of sheets with `kind: arm`.")] = False) -> None:
+def schema(general: Annotated[bool, typer.Option("--arm", help="Of sheets with `kind: arm`.")] = False) -> None:
     """Print the JSON Schema of data sheets, of the 2010 robot or with --arm of any other: editors check with it.
 
     For example:  tmodes schema --arm > arm.schema.json   and in the first line of the sheet
@@ -133,4 +133,4 @@ def schema(arm: Annotated[bool, typer.Option("--arm", help="Of sheets with `kind
     """
     from tmodes.io.forms import F2010, ROBOT, json_schema
 
-    print_json(json_schema(ROBOT if arm else F2010))
+    print_json(json_schema(ROBOT if general else F2010))

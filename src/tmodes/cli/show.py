@@ -12,7 +12,7 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, plain, result_file, stored_result
-from tmodes.cli.summary_text import info_summary, integration_lines
+from tmodes.cli.summary_text import integration_lines, print_summary
 from tmodes.cli.terminal import notice, print_json, print_table
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, file_error
@@ -75,7 +75,7 @@ def _extremes(one: Series) -> dict[str, float]:
 
 
 def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
-    summary = info_summary(stored)
+    summary = print_summary(stored)
     print(f"end     {plain(stored.message)}")
     for line in integration_lines(stored, summary):
         print(line)

@@ -11,7 +11,7 @@ if TYPE_CHECKING:
     from tmodes.report.folder import RunFolder
     from tmodes.result import Result
 
-__all__ = ["error_of", "info", "info_summary", "integration_lines", "summary_rows"]
+__all__ = ["error_of", "integration_lines", "print_run", "print_summary", "summary_rows"]
 
 
 def error_of(summary: dict[str, Any], path: str, factor: float, unit: str) -> str:
@@ -56,9 +56,9 @@ _MOST_JOINTS = 8
 _MOST_DEFORMATIONS = 8
 
 
-def info(result: Result, folder: RunFolder) -> None:
+def print_run(result: Result, folder: RunFolder) -> None:
     """Print the summary of a run as a table, and the files to open."""
-    summary = info_summary(result)
+    summary = print_summary(result)
     if result.status == "finished":  # any other ending is reported with the errors
         print(f"end     {result.message}")
     for line in integration_lines(result, summary):
@@ -67,7 +67,7 @@ def info(result: Result, folder: RunFolder) -> None:
     print(f"data    {folder.result_file}")
 
 
-def info_summary(result: Result) -> dict[str, Any]:
+def print_summary(result: Result) -> dict[str, Any]:
     """Print the summary of a result as a table, and give it back."""
     summary = result.summary()
     columns = ["quantity", "value", "error", "where"]

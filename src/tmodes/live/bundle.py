@@ -112,9 +112,9 @@ def _note(result: Result, method: str) -> str:
 Array = NDArray[np.float64]
 
 
-def why_not_mechanics(arm: Robot) -> str:
+def why_not_mechanics(robot: Robot) -> str:
     """Why a page cannot run this robot, in words; empty where it can."""
-    return "" if arm.base_motion is None else "its base moves"
+    return "" if robot.base_motion is None else "its base moves"
 
 
 def mechanics(

@@ -73,13 +73,13 @@ def lines_info(lines: Lines, chain: Chain) -> list[dict[str, Any]]:
     return found
 
 
-def yield_strengths(arm: Robot, lines: Iterable[str]) -> dict[str, float]:
+def yield_strengths(robot: Robot, lines: Iterable[str]) -> dict[str, float]:
     """Yield strength [Pa] of the lines of bending links, by name, where it is known."""
-    found = {name: yield_strength(arm, name) for name in lines}
+    found = {name: yield_strength(robot, name) for name in lines}
     return {name: strength for name, strength in found.items() if strength is not None}
 
 
-def joint_limits(arm: Robot, plan: LoopPlan, parts: Parts) -> list[dict[str, Any]]:
+def joint_limits(robot: Robot, plan: LoopPlan, parts: Parts) -> list[dict[str, Any]]:
     """Limits of the joints, of which :func:`tmodes.report.facts.run_facts` gives the largest share.
 
     Where in coordinates and drives (-1: none) each joint is, with its units; what is not limited is None.
@@ -93,7 +93,7 @@ def joint_limits(arm: Robot, plan: LoopPlan, parts: Parts) -> list[dict[str, Any
             "unit": "m" if name in sliding else "rad", "effortUnit": "N" if name in sliding else "N m",
             "speed": joint.limits.speed, "effort": joint.limits.effort, "range": _range(joint.limits),
         }
-        for joint in arm.joints
+        for joint in robot.joints
         for name in joint.coordinates
         if joint.limits and name in parts.names
     ]  # fmt: skip
@@ -111,28 +111,28 @@ _DRY = (3, 4, FRICTION + 3, FRICTION + 4)
 """Where a drive's numbers tell dry friction of its motor and of its joint."""
 
 
-def vibration_numbers(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Array]:
+def vibration_numbers(robot: Robot, plan: LoopPlan, model: Model) -> dict[str, Array]:
     """Numbers that hang on a sheet's: ``servos`` (k, 2) stiffness, damping, ``loads`` (n, 6), ``touch`` (4,) or (0,).
 
     ``model``: the chain without drives. ``touch``: mass, damping, stiffness, preload of the surface.
     """
-    sheet = arm.contact
+    sheet = robot.contact
     stiffness, damping, preload = (sheet and sheet.spring()) or (0.0, 0.0, 0.0)
     touch = [sheet.moving_mass, damping, stiffness, preload] if sheet and sheet.spring() else []
     return {
-        "servos": np.array([*local_servos(arm, model).values()], dtype=float).reshape(-1, 2),
+        "servos": np.array([*local_servos(robot, model).values()], dtype=float).reshape(-1, 2),
         "loads": np.array([load.wrench for load in plan.loads], dtype=float).reshape(-1, 6),
         "touch": np.array(touch, dtype=float),
     }
 
 
-def vibrations_info(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Any]:
+def vibrations_info(robot: Robot, plan: LoopPlan, model: Model) -> dict[str, Any]:
     """What ``ArmBundle`` of ``web/src/live/bundle.ts`` holds of them; ``model`` as the run has it."""
     point = [] if plan.touch is None else [plan.touch.point]
-    modes, why = _modes(arm, model)
+    modes, why = _modes(robot, model)
     return {
         "loads": [{"point": load.point, "follower": load.follower, "signal": load.signal} for load in plan.loads],
-        "touch": _surface(arm.contact, *point) if arm.contact and point else None,
+        "touch": _surface(robot.contact, *point) if robot.contact and point else None,
         "split": {
             "free": [*sprung(model), *model.deformations.tolist()],
             "gross": np.ascontiguousarray(gross_motion(model, np.eye(model.nq)).T), "weight": model.at_rest(),
@@ -142,19 +142,19 @@ def vibrations_info(arm: Robot, plan: LoopPlan, model: Model) -> dict[str, Any]:
     }  # fmt: skip
 
 
-def _modes(arm: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
+def _modes(robot: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
     """``ArmModes``, or why there are none."""
-    if arm.contact and arm.contact.spring() is None:
-        return None, f"of the contact law `{arm.contact.name_of_kind()}`, which is no spring, modes are found natively"
+    if robot.contact and robot.contact.spring() is None:
+        return None, f"of the contact law `{robot.contact.name_of_kind()}`, which is no spring, modes are found natively"
     if model.nq > MOST_WHOLE:
         return None, f"of {model.nq} coordinates modes are found natively alone"
     try:
-        rest = arm_rest(arm, contact=arm.contact is not None)
+        rest = arm_rest(robot, contact=robot.contact is not None)
     except SimulationError as error:
         return None, str(error)
     if rest.model.coordinates != model.coordinates:
         return None, "its modes have other coordinates than its run"
-    servos = local_servos(arm, rest.model)
+    servos = local_servos(robot, rest.model)
     names = list(model.coordinates)
     gears, links = spring_rows(rest.model)
     springs = [{"element": name, "rows": [angle], "gear": True} for name, angle in gears.items()]
@@ -168,7 +168,7 @@ def _modes(arm: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
             {"coordinate": names.index(name), "element": f"{name.removesuffix('.motor')}.controller"} for name in servos
         ],
         "springs": springs,
-        "dry": _dry(Model(arm.model_copy(update={"drives": ()}).chain())),
+        "dry": _dry(Model(robot.model_copy(update={"drives": ()}).chain())),
     }, ""  # fmt: skip
 
 

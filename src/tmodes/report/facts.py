@@ -105,14 +105,14 @@ _ROUNDING = 1e-15
 
 def run_facts(result: Result, summary: dict[str, Any]) -> Iterator[Fact]:
     """From a result and its summary; what there is not is left out."""
-    data, arm = result.data, result.robot
+    data, robot = result.data, result.robot
     yield from tracking_facts(summary, data, json.loads(data.attrs["move_end"]))
     yield from _worst(summary["links"], "deflection", "max_m", "m", "Largest deflection of a link")
     yield from _worst(summary["links"], "bending_moment", "max_Nm", "N m", "Largest bending moment", "moment.max")
-    yield from _stress(arm, summary["links"])
+    yield from _stress(robot, summary["links"])
     yield from _gear(summary["deformations"])
     yield from _drives(data)
-    yield from _limits(arm, data)
+    yield from _limits(robot, data)
     yield from _contact(summary["contact_force"])
     yield from frequency_facts(summary["first_frequency_Hz"])
     yield from energy_facts(summary["energy"])
@@ -127,14 +127,14 @@ def _worst(links: dict[str, Any], quantity: str, key: str, unit: str, title: str
         yield Fact(own or f"{quantity}.max", title, one[key], unit, f"{name}{place}, at {one['time_s']:.3g} s")
 
 
-def _stress(arm: Robot, links: dict[str, Any]) -> Iterator[Fact]:
+def _stress(robot: Robot, links: dict[str, Any]) -> Iterator[Fact]:
     """The largest stress, and the largest share of a material's yield strength."""
     yield from _worst(links, "stress", "max_Pa", "Pa", "Largest stress (von Mises)")
     stressed = {name: link["stress"]["max_Pa"] for name, link in links.items() if link["stress"]}
     shares = [
         (stress / strength, name, strength)
         for name, stress in stressed.items()
-        if (strength := yield_strength(arm, name)) is not None
+        if (strength := yield_strength(robot, name)) is not None
     ]
     if shares:
         share, name, strength = max(shares)
@@ -175,10 +175,10 @@ def _largest(data: Any, series: str, drives: list[str], fact: Fact) -> Iterator[
         yield replace(fact, value=float(sizes[sample, drive]), note=note)
 
 
-def _limits(arm: Robot, data: Any) -> Iterator[Fact]:
+def _limits(robot: Robot, data: Any) -> Iterator[Fact]:
     """The largest share of a limit of a joint: of its speed, its effort, its range (from its middle)."""
     shares = [
-        one for joint in arm.joints if joint.limits for name in joint.coordinates
+        one for joint in robot.joints if joint.limits for name in joint.coordinates
         for one in _shares(name, joint.limits, data)
     ]  # fmt: skip
     if shares:

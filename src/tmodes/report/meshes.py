@@ -96,7 +96,7 @@ def with_few_shapes(result: Result, few: Sequence[LinkShape]) -> Result:
         mesh_faces=(("mesh_face", "corner"), _joined([surface.faces for surface in surfaces], np.int32),
                     {"units": "1", "long_name": "vertices of each triangle, counted within its surface"}),
     )  # fmt: skip
-    data.attrs["meshes"] = json.dumps([_info(shape) for shape in few])
+    data.attrs["meshes"] = json.dumps([_record(shape) for shape in few])
     return type(result)(data, result.timing)
 
 
@@ -126,7 +126,7 @@ def _joined(parts: list[Any], kind: Any) -> NDArray[Any]:
     return np.concatenate(parts).astype(kind)
 
 
-def _info(shape: LinkShape) -> dict[str, Any]:
+def _record(shape: LinkShape) -> dict[str, Any]:
     vertices, faces = shape.surface
     return {"link": shape.link, "colour": shape.colour, "vertices": len(vertices), "faces": len(faces)}
 

@@ -55,17 +55,17 @@ def _modes(result: Result) -> list[dict[str, Any]]:
     from tmodes.analysis.statics.rest import arm_rest
 
     known = actual(result)
-    arm = known.robot
-    rest = arm_rest(arm, model=known.model, contact=arm.contact is not None)
-    servos, feedback = servos_of(arm, rest.model), feedback_of(arm, rest)
+    robot = known.robot
+    rest = arm_rest(robot, model=known.model, contact=robot.contact is not None)
+    servos, feedback = servos_of(robot, rest.model), feedback_of(robot, rest)
     stations, found = np.linspace(0, 1, _STATIONS), []
     for state in _CASES[0 if servos else 1 :]:
         modes = [(mode, mode.motion) for mode in arm_modes(rest, state, servos, feedback) if mode.motion is not None]
-        found += list(_info(str(state), modes, rest.q, lambda q: lines_at(rest.model, known.names, q, stations)[0]))
+        found += list(_lowest(str(state), modes, rest.q, lambda q: lines_at(rest.model, known.names, q, stations)[0]))
     return found
 
 
-def _info(case: str, modes: Iterable[Shaped], rest: Array, lines: Lines) -> Iterator[dict[str, Any]]:
+def _lowest(case: str, modes: Iterable[Shaped], rest: Array, lines: Lines) -> Iterator[dict[str, Any]]:
     """The lowest of ``modes`` that vibrate, as the page takes them."""
     vibrating = [(mode, motion) for mode, motion in modes if mode.frequency_Hz > 0]
     for mode, motion in vibrating[:_MOST]:

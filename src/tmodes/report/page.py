@@ -48,31 +48,31 @@ def page(result: Result, figures: Mapping[str, Drawing], *, live: bool = True) -
 
     ``live``: whether it holds the robot's equations, to be simulated again in the page.
     """
-    arm = result.robot
+    robot = result.robot
     return document(
-        title_of(result, arm.name),
+        title_of(result, robot.name),
         policy(),
         SECTIONS,
-        _header(result, arm),
+        _header(result, robot),
         status(result),
         warnings(result),
         application(live_page(result, live=live)),
         _numbers(result),
         figures_section(figures, FIGURES, left_out(result)),
-        section("robot", *_sheet(arm)),
-        _provenance(result, arm),
+        section("robot", *_sheet(robot)),
+        _provenance(result, robot),
     )
 
 
-def _header(result: Result, arm: Robot) -> Markup:
+def _header(result: Result, robot: Robot) -> Markup:
     data = result.data
     space = "in contact with a surface" if "contact_force" in data else "in free space"
-    bending = sum(link.beam is not None and link.beam.coordinate_count > 0 for link in arm.links)
+    bending = sum(link.beam is not None and link.beam.coordinate_count > 0 for link in robot.links)
     driven = len(data["drive"]) if "drive" in data.dims else 0
     counts = ", ".join(_count(*one) for one in ((driven, "driven joint"), (bending, "elastic link")))
     size, end = _count(len(data["coordinate"]), "coordinate"), float(data["time"][-1])
     info = f"{counts}, {size}; {space}, {end:g} s simulated"
-    return tag("header", tag("h1", arm.name), tag("p", arm.title, class_="lead"), tag("p", info), class_="top")
+    return tag("header", tag("h1", robot.name), tag("p", robot.title, class_="lead"), tag("p", info), class_="top")
 
 
 def _count(number: int, thing: str) -> str:
@@ -107,25 +107,25 @@ def _lowest(frequencies: dict[str, list[dict[str, Any]]]) -> dict[str, list[dict
     }
 
 
-def _sheet(arm: Robot) -> tuple[Markup | None, ...]:
+def _sheet(robot: Robot) -> tuple[Markup | None, ...]:
     """The data sheet as it can be run again, and how the actual robot differs."""
     from tmodes.io.sheet_write import robot_to_yaml
 
-    factors = [[path, f"{factor:g}"] for path, factor in arm.real.items()]
+    factors = [[path, f"{factor:g}"] for path, factor in robot.real.items()]
     real = table("The actual robot, where it differs", ("Number", "Factor on the nominal value"), factors, numeric=(1,))
     note = "The data sheet as a file that runs again; comments give symbol, unit and meaning"
-    text = robot_to_yaml(arm)
+    text = robot_to_yaml(robot)
     sheet = tag("div", tag("pre", tag("code", text)), class_="scroll", role="region", tabindex="0", aria_label="Sheet")
     place = tag("details", tag("summary", note), sheet, open=text.count("\n") <= _LONG_SHEET)
-    return tag("p", f"Assumed: {arm.assumed}") if arm.assumed else None, real if factors else None, place
+    return tag("p", f"Assumed: {robot.assumed}") if robot.assumed else None, real if factors else None, place
 
 
-def _provenance(result: Result, arm: Robot) -> Markup:
+def _provenance(result: Result, robot: Robot) -> Markup:
     attributes = result.data.attrs
     method = {"method": attributes["method"]}
     return section(
         "provenance",
-        tag("p", arm.citation),
+        tag("p", robot.citation),
         tag(
             "div",
             table("Integration", ("What", "Value"), [*rows_of(method), *rows_of(result.statistics)], numeric=(1,)),

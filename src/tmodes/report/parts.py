@@ -155,12 +155,12 @@ def viewer_document(page: Mapping[str, Any]) -> str:
     What each run has to say stands above the viewer, its numbers also where no program runs.
     """
     heading = tag("header", tag("h1", str(page["title"])), tag("p", str(page["subtitle"]), class_="lead"), class_="top")
-    info = [_info(run, several=len(page["runs"]) > 1) for run in page["runs"]]
+    info = [_run_status(run, several=len(page["runs"]) > 1) for run in page["runs"]]
     numbers = [tag("section", tag("h2", run["name"]), _facts(run), class_="unprogrammed") for run in page["runs"]]
     return document(str(page["title"]), policy(), {}, heading, *info, application(page), *numbers)
 
 
-def _info(run: Mapping[str, Any], *, several: bool) -> Markup:
+def _run_status(run: Mapping[str, Any], *, several: bool) -> Markup:
     """How a run ended, and what it warns of."""
     name = tag("strong", f"{run['name']}: " if several else "")
     ended = tag("p", name, tag("strong", f"{run['status']}. "), run["message"])

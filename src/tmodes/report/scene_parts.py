@@ -99,10 +99,10 @@ def solid_bar(about_y: float, about_z: float, mass: float, stations: int) -> dic
     return _section("box", np.tile(half, (stations, 1)), guessed=True)
 
 
-def section_of(arm: Robot, node: str, stations: Array) -> dict[str, Any] | None:
+def section_of(robot: Robot, node: str, stations: Array) -> dict[str, Any] | None:
     """The section of the link that a node of the chain is of, at ``stations`` (S,) of the node; None if unknown."""
     name, _, number = node.rpartition(".")
-    beams = {link.name: link.beam for link in arm.links}
+    beams = {link.name: link.beam for link in robot.links}
     beam = beams.get(node)
     if beam is None and number.isdigit() and (beam := beams.get(name)) is not None:
         stations = beam.element_stations(int(number) - 1, stations)

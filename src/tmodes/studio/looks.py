@@ -13,7 +13,7 @@ from typing import TYPE_CHECKING, Any, NamedTuple
 from tmodes.errors import InputError, TmodesError
 from tmodes.robots.load import sheet_names
 from tmodes.studio.folder import WorkingFolder
-from tmodes.studio.messages import info_error, info_unseen
+from tmodes.studio.messages import error_record, unseen_records
 from tmodes.studio.own_folder import remove
 
 if TYPE_CHECKING:
@@ -129,8 +129,8 @@ class Shapes:
         """What cannot be shown, as the page reports it at the links of the sheet's plain ``data``."""
         if self._source.get("file") == GONE:
             hint = "upload them again"
-            return [info_error("", "the shapes of this upload are not kept any more", hint=hint)]
-        return info_unseen(self._why, data, self._source.get("roots", ()))
+            return [error_record("", "the shapes of this upload are not kept any more", hint=hint)]
+        return unseen_records(self._why, data, self._source.get("roots", ()))
 
 
 def _changed(file: str) -> int:
