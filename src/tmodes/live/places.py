@@ -145,7 +145,8 @@ def vibrations_info(robot: Robot, plan: LoopPlan, model: Model) -> dict[str, Any
 def _modes(robot: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
     """``ArmModes``, or why there are none."""
     if robot.contact and robot.contact.spring() is None:
-        return None, f"of the contact law `{robot.contact.name_of_kind()}`, which is no spring, modes are found natively"
+        law = robot.contact.name_of_kind()
+        return None, f"of the contact law `{law}`, which is no spring, modes are found natively"
     if model.nq > MOST_WHOLE:
         return None, f"of {model.nq} coordinates modes are found natively alone"
     try:
