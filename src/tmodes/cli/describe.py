@@ -6,7 +6,7 @@ from typing import Any
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.static import print_stiffness
-from tmodes.cli.terminal import notice, print_json, print_table, working
+from tmodes.cli.terminal import print_json, print_table, warn, working
 
 __all__ = ["describe"]
 
@@ -28,8 +28,7 @@ def describe(
         print_json(info)
         return
     _print(info)
-    for warning in info["warnings"]:
-        notice(f"warning: {warning}")
+    warn(info["warnings"])
 
 
 def _print(info: dict[str, Any]) -> None:

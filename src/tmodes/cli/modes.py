@@ -8,7 +8,7 @@ import typer
 
 from tmodes.cli.options import AsJson, ReadingOption, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
 from tmodes.cli.static import print_links
-from tmodes.cli.terminal import notice, print_json, print_table, working
+from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 
 if TYPE_CHECKING:
@@ -76,8 +76,7 @@ def modes(
             if lines:
                 _print(f"{sheet.name}{whose}, {_MOTOR[state]}{', in contact' if contact else ''}", lines)
         print_links(one.links)
-    for warning in dict.fromkeys(warning for one in found.values() for warning in one.warnings):
-        notice(f"warning: {warning}")
+    warn(dict.fromkeys(warning for one in found.values() for warning in one.warnings))
 
 
 def _asked(sheet: Robot, contact: bool, angle: float | None) -> Robot:

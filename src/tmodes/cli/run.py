@@ -10,7 +10,7 @@ import typer
 from tmodes.cli import options
 from tmodes.cli.options import chosen_sheet
 from tmodes.cli.summary_text import print_run
-from tmodes.cli.terminal import notice, print_json, working
+from tmodes.cli.terminal import notice, print_json, warn, working
 from tmodes.errors import SimulationError
 
 if TYPE_CHECKING:
@@ -93,8 +93,7 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
         try:
             result = folder.simulate(progress)
         except SimulationError:
-            for text in notices_about(sheet):  # a wrong unit is the likely cause
-                notice(f"warning: {text}")
+            warn(notices_about(sheet))  # a wrong unit is the likely cause
             raise
         if figures and result.status != "interrupted":
             folder.illustrate(result, progress)
@@ -103,8 +102,7 @@ def _computed(folder: RunFolder, sheet: Robot, figures: bool) -> Any:
 
 def _tell(result: Any, folder: RunFolder, as_json: bool) -> None:
     print_json(folder.summary(result)) if as_json else print_run(result, folder)
-    for warning in result.warnings:
-        notice(f"warning: {warning}")
+    warn(result.warnings)
     if result.status != "finished":
         notice(f"tmodes: {result.message}")
 

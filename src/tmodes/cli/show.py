@@ -13,7 +13,7 @@ import typer
 
 from tmodes.cli.options import AsJson, plain, result_file, stored_result
 from tmodes.cli.summary_text import integration_lines, print_summary
-from tmodes.cli.terminal import notice, print_json, print_table
+from tmodes.cli.terminal import print_json, print_table, warn
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, file_error
 
@@ -86,8 +86,7 @@ def _show(stored: Result, file: Path, chosen: list[Series], total: int) -> None:
     if len(chosen) < total:
         print(f"{total - len(chosen)} more series: --all")
     print(f"data    {plain(str(file))}")
-    for warning in stored.warnings:
-        notice(f"warning: {plain(warning)}")
+    warn(map(plain, stored.warnings))
 
 
 def _row(one: Series) -> list[str]:

@@ -9,12 +9,11 @@ from typing import TYPE_CHECKING, Annotated, Any
 import typer
 
 from tmodes.cli.options import AsJson, Roots, Settings, SheetArgument, TrustPaths, chosen_sheet
-from tmodes.cli.terminal import notice, print_json, print_table, working
+from tmodes.cli.terminal import print_json, print_table, warn, working
 from tmodes.errors import InputError
 from tmodes.io.words import meant, shown
 
 if TYPE_CHECKING:
-    from tmodes.analysis.statics.equilibrium import Equilibrium
     from tmodes.analysis.statics.loads import Load
     from tmodes.sheet import Robot
 
@@ -57,6 +56,7 @@ def static(
 
     The loads are those of the data sheet and those given here; motors stand at their first command.
     """
+    from tmodes.analysis.describe.describe import statics_info
     from tmodes.analysis.statics.loads import Load, point_index
     from tmodes.analysis.statics.rest import arm_rest
     from tmodes.model.model import Model
@@ -71,19 +71,12 @@ def static(
     held = dict(held_of(text, sheet) for text in hold or [])
     with working() as tell:
         rest = arm_rest(sheet, loads, model=model, held=held, progress=tell)
-    _tell(sheet, rest, index, as_json)
-
-
-def _tell(sheet: Robot, rest: Equilibrium, index: int, as_json: bool) -> None:
-    from tmodes.analysis.describe.describe import statics_info
-
     info = statics_info(sheet, rest, index)
     if as_json:
         print_json({"robot": sheet.name, "units": UNITS, **info})
         return
     _print(sheet, info)
-    for warning in info["warnings"]:
-        notice(f"warning: {warning}")
+    warn(info["warnings"])
 
 
 def _print(sheet: Robot, info: dict[str, Any]) -> None:

@@ -12,7 +12,7 @@ from contextlib import contextmanager
 from types import FrameType, TracebackType
 from typing import Any, Self
 
-__all__ = ["Stages", "Wish", "heard", "notice", "print_json", "print_json_list", "print_table", "working"]
+__all__ = ["Stages", "Wish", "heard", "notice", "print_json", "print_json_list", "print_table", "warn", "working"]
 
 
 PIPE = 200
@@ -113,6 +113,12 @@ def _print_blocks(title: str, columns: Sequence[str], rows: Sequence[Sequence[st
         console.print()
         console.print(block)
     console.print()
+
+
+def warn(warnings: Iterable[str]) -> None:
+    """Say each warning to the person, next to the output."""
+    for warning in warnings:
+        notice(f"warning: {warning}")
 
 
 def notice(text: str) -> None:

@@ -3,7 +3,7 @@
 from __future__ import annotations
 
 import json
-from collections.abc import Mapping
+from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
 from typing import TYPE_CHECKING, Any
 
@@ -31,9 +31,7 @@ if TYPE_CHECKING:
     from tmodes.result import Result
     from tmodes.sheet import Robot
 
-__all__ = [
-    "deformations_table", "error_table", "frequency_tables", "joints_table", "links_table", "page", "write_report",
-]  # fmt: skip
+__all__ = ["error_table", "frequency_tables", "page", "summary_tables", "write_report"]
 
 
 _MOST_MODES = 12
@@ -86,25 +84,13 @@ def _numbers(result: Result) -> Markup:
     return section(
         "numbers",
         tag("div", fact_list(facts_of(result)), class_="unprogrammed"),
-        *_titled("Joints", joints_table(info["joints"])),
-        *_titled("Elastic links", links_table(info["links"])),
-        *_titled("Elastic coordinates", deformations_table(info["deformations"])),
+        *summary_tables(info),
         tag("h3", "Frequencies"),
         tag("p", note, class_="note"),
-        frequency_tables(_lowest(result.frequencies)),
+        frequency_tables(result.frequencies),
         tag("h3", "Error of the integration"),
         error_table(info["error"]),
     )
-
-
-def _titled(title: str, content: Markup | None) -> tuple[Markup | None, Markup | None]:
-    return (tag("h3", title), content) if content else (None, None)
-
-
-def _lowest(frequencies: dict[str, list[dict[str, Any]]]) -> dict[str, list[dict[str, Any]]]:
-    return {
-        case: sorted(modes, key=lambda mode: mode["frequency_Hz"])[:_MOST_MODES] for case, modes in frequencies.items()
-    }
 
 
 def _sheet(robot: Robot) -> tuple[Markup | None, ...]:
@@ -160,18 +146,15 @@ _ROUNDING = 1e-12
 
 
 def frequency_tables(frequencies: dict[str, list[dict[str, Any]]]) -> Markup:
-    """Natural and damped frequencies, damping ratio and the dominant element of each mode, per case."""
+    """Natural and damped frequencies, damping ratio and the dominant element of the lowest modes, per case."""
     tables = []
     for case, words in CASES.items():
+        modes = sorted(frequencies.get(case, []), key=lambda mode: mode["frequency_Hz"])[:_MOST_MODES]
         rows = [
-            [
-                f"{mode['frequency_Hz']:.4g}",
-                "–" if mode["damped_frequency_Hz"] is None else f"{mode['damped_frequency_Hz']:.4g}",
-                f"{100 * mode['damping_ratio']:.3g}",
-                str(mode["element"]),
-            ]
-            for mode in sorted(frequencies.get(case, []), key=lambda mode: mode["frequency_Hz"])
-        ]
+            [f"{mode['frequency_Hz']:.4g}",
+             "–" if mode["damped_frequency_Hz"] is None else f"{mode['damped_frequency_Hz']:.4g}",
+             f"{100 * mode['damping_ratio']:.3g}", str(mode["element"])] for mode in modes
+        ]  # fmt: skip
         if rows:
             tables.append(table(words, _FREQUENCY_HEAD, rows, numeric=(0, 1, 2)))
     return tag("div", *tables)
@@ -195,53 +178,49 @@ def _error_row(name: str, value: float) -> list[str]:
     return [text, f"{power_of_ten(value)}\u00a0{unit}".rstrip("\u00a0")]
 
 
-def joints_table(info: dict[str, dict[str, Any]]) -> Markup | None:
-    """Range, rate and effort of each driven joint."""
-    if not info:
-        return None
-    head = ("Joint", "Least", "Largest", "Unit", "Fastest", "Largest effort", "Largest gear torque")
-    rows = []
-    for name, one in list(info.items())[:_MOST_ROWS]:
-        force = "N" if one["unit"] == "m" else "N m"
-        gear = one["largest_gear_torque"]
-        rate = written(one["fastest"], f"{one['unit']}/s")
-        rows.append([name, _place(one["least"]), _place(one["largest"]), one["unit"], rate,
-                     written(one["largest_effort"], force), written(gear, force) if gear else "–"])  # fmt: skip
-    return table(_caption("Driven joints over the run", info), head, rows, numeric=(1, 2, 4, 5, 6))
+def _joint_row(name: str, one: dict[str, Any]) -> list[str]:
+    force, gear = "N" if one["unit"] == "m" else "N m", one["largest_gear_torque"]
+    places = (f"{value if abs(value) > _ROUNDING else 0.0:.4g}" for value in (one["least"], one["largest"]))
+    return [name, *places, one["unit"], written(one["fastest"], f"{one['unit']}/s"),
+            written(one["largest_effort"], force), written(gear, force) if gear else "–"]  # fmt: skip
 
 
-def _place(value: float) -> str:
-    """A position; what is rounding is zero."""
-    return f"{value if abs(value) > _ROUNDING else 0.0:.4g}"
+def _link_row(name: str, link: dict[str, Any]) -> list[str]:
+    moment, stress = link["bending_moment"], link["stress"]
+    where = ["–" if one is None else f"s = {one['s']:.2g}, {one['time_s']:.3g} s" for one in (moment, stress)]
+    return [name, written(link["deflection"]["max_m"], "m"), written(moment["max_Nm"], "N m"), where[0],
+            "not known" if stress is None else written(stress["max_Pa"], "Pa"), where[1]]  # fmt: skip
 
 
-def links_table(info: dict[str, dict[str, Any]]) -> Markup | None:
-    """Largest deflection, bending moment and stress of each elastic link."""
-    if not info:
-        return None
-    head = ("Link", "Deflection of its end", "Bending moment", "where", "Stress", "where")
-    rows = []
-    for name, link in list(info.items())[:_MOST_ROWS]:
-        moment, stress = link["bending_moment"], link["stress"]
-        where = ["–" if one is None else f"s = {one['s']:.2g}, {one['time_s']:.3g} s" for one in (moment, stress)]
-        rows.append([name, written(link["deflection"]["max_m"], "m"), written(moment["max_Nm"], "N m"), where[0],
-                     "not known" if stress is None else written(stress["max_Pa"], "Pa"), where[1]])  # fmt: skip
-    return table(_caption("Largest values over the run", info), head, rows, numeric=(1, 2, 4))
+def _coordinate_row(name: str, one: dict[str, Any]) -> list[str]:
+    unit, keys = "-" if one["unit"] == "1" else one["unit"], ("max_stationary", "max_oscillatory", "max_reference")
+    parts = [written(one[key], unit) if key in one else "–" for key in keys]
+    return [name, written(one["max"], unit), f"{one['time_of_max_s']:.3g}\u00a0s", *parts]
 
 
-def deformations_table(info: dict[str, dict[str, Any]]) -> Markup | None:
-    """Largest size of each elastic coordinate, of its parts and of the reference."""
-    if not info:
-        return None
-    head = ("Coordinate", "Largest", "at", "Quasi-static", "Oscillatory", "Reference")
-    keys = ("max_stationary", "max_oscillatory", "max_reference")
-    rows = []
-    for name, one in list(info.items())[:_MOST_ROWS]:
-        unit = "-" if one["unit"] == "1" else one["unit"]
-        parts = [written(one[key], unit) if key in one else "–" for key in keys]
-        rows.append([name, written(one["max"], unit), f"{one['time_of_max_s']:.3g}\u00a0s", *parts])
-    return table(_caption("Elastic coordinates over the run", info), head, rows, numeric=(1, 2, 3, 4, 5))
+_TABLES: dict[str, tuple[str, str, tuple[str, ...], tuple[int, ...], Callable[[str, Any], list[str]]]] = {
+    "joints": (
+        "Joints", "Driven joints over the run",
+        ("Joint", "Least", "Largest", "Unit", "Fastest", "Largest effort", "Largest gear torque"),
+        (1, 2, 4, 5, 6), _joint_row,
+    ),
+    "links": (
+        "Elastic links", "Largest values over the run",
+        ("Link", "Deflection of its end", "Bending moment", "where", "Stress", "where"), (1, 2, 4), _link_row,
+    ),
+    "deformations": (
+        "Elastic coordinates", "Elastic coordinates over the run",
+        ("Coordinate", "Largest", "at", "Quasi-static", "Oscillatory", "Reference"), (1, 2, 3, 4, 5), _coordinate_row,
+    ),
+}  # fmt: skip
+"""By the part of a summary: title, caption, columns, the numeric ones, and a row from a name and its values."""
 
 
-def _caption(words: str, info: dict[str, Any]) -> str:
-    return words if len(info) <= _MOST_ROWS else f"{words}, the first {_MOST_ROWS} of {len(info)}"
+def summary_tables(summary: Mapping[str, Any]) -> Iterator[Markup]:
+    """Titles and tables of joints, elastic links and elastic coordinates; none of what the robot does not have."""
+    for part, (title, caption, head, numeric, row) in _TABLES.items():
+        if info := summary[part]:
+            rows = [row(name, one) for name, one in list(info.items())[:_MOST_ROWS]]
+            more = f", the first {_MOST_ROWS} of {len(info)}" if len(info) > _MOST_ROWS else ""
+            yield tag("h3", title)
+            yield table(caption + more, head, rows, numeric=numeric)

@@ -50,11 +50,8 @@ def application(
     pool = Pool(workers or max(2, min(4, (os.cpu_count() or 2) - 1)), place)
     book, shelf = JobBook(pool), Shelf(place)
     app = FastAPI(docs_url=None, redoc_url=None, openapi_url=None, lifespan=_lifespan(pool, book))
-    app.add_exception_handler(TmodesError, _explained)
-    app.add_exception_handler(404, _not_found)
-    app.add_exception_handler(405, _not_found)
-    app.add_exception_handler(RecursionError, _too_deep)
-    app.add_exception_handler(RequestValidationError, _no_value)
+    for kind in (TmodesError, 404, 405, RecursionError, RequestValidationError):
+        app.add_exception_handler(kind, _explained)
     add_page(app, first)
     _add_sheets(app, shelf)
     _add_studies(app, folder, shelf)
@@ -86,28 +83,19 @@ async def _watch(book: JobBook) -> None:
 
 
 async def _explained(request: Request, error: Exception) -> Response:
-    """Errors of ours as JSON: 422 for wrong input, 409 for a file that cannot be written."""
-    assert isinstance(error, TmodesError)  # noqa: S101
-    status = 409 if isinstance(error, ResultFileError) else 422
-    return _json({"errors": error_records(error, getattr(request.state, "sheet", None))}, status)
-
-
-async def _not_found(request: Request, error: Exception) -> Response:
-    del error
-    return _json({"errors": [error_record("address", f"there is nothing at {request.url.path[:80]}")]}, 404)
-
-
-async def _too_deep(request: Request, error: Exception) -> Response:
-    del request, error
-    return _json({"errors": [error_record("body", "too many levels", expected="a data sheet")]}, 422)
-
-
-async def _no_value(request: Request, error: Exception) -> Response:
-    """A value of the address that is none, as FastAPI finds it."""
-    del request
-    assert isinstance(error, RequestValidationError)  # noqa: S101
-    info = [(str(one["loc"][-1]), shown(one["input"]), one["msg"]) for one in error.errors()]
-    return _json({"errors": [error_record(path, why, got) for path, got, why in info]}, 422)
+    """Errors as JSON: 422 for wrong input, 409 for a file that cannot be written, 404 for an unknown address."""
+    status = 422
+    match error:
+        case TmodesError():
+            status = 409 if isinstance(error, ResultFileError) else 422
+            errors = error_records(error, getattr(request.state, "sheet", None))
+        case RecursionError():
+            errors = [error_record("body", "too many levels", expected="a data sheet")]
+        case RequestValidationError():  # a value of the address that is none, as FastAPI finds it
+            errors = [error_record(str(one["loc"][-1]), one["msg"], shown(one["input"])) for one in error.errors()]
+        case _:
+            status, errors = 404, [error_record("address", f"there is nothing at {request.url.path[:80]}")]
+    return _json({"errors": errors}, status)
 
 
 def _json(value: Any, status: int = 200) -> Response:
@@ -123,11 +111,11 @@ async def _checked(request: Request, data: dict[str, Any]) -> Any:
 async def _sheet_answer(read: Callable[[], tuple[Robot, str]]) -> Response:
     """What the page gets of a sheet that is read, and where its looks come from."""
 
-    def info() -> dict[str, Any]:
+    def record() -> dict[str, Any]:
         sheet, looks = read()
         return sheets.sheet_record(sheet) | {"looks": looks}
 
-    return _json(await run_in_threadpool(info))
+    return _json(await run_in_threadpool(record))
 
 
 def _add_sheets(app: FastAPI, shelf: Shelf) -> None:
