@@ -4,7 +4,7 @@ from __future__ import annotations
 
 import json
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -18,14 +18,12 @@ from tmodes.live.numbers import follow_of
 from tmodes.live.places import evenly, joint_limits, lines_info, load_places, vibrations_info, yield_strengths
 from tmodes.live.template import sheet_template
 from tmodes.model.model import Model
+from tmodes.result import Result
 from tmodes.result.lines import without_elasticity
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest
 from tmodes.simulation.start import RunSetup, run_setup
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
 
 __all__ = ["live_bundle", "why_not_live"]
 

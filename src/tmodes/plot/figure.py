@@ -7,18 +7,14 @@ from abc import ABC, abstractmethod
 from collections.abc import Callable, Mapping, Sequence
 from functools import partial
 from pathlib import Path
-from typing import TYPE_CHECKING, Any, ClassVar
+from typing import Any, ClassVar
 
 from tmodes.errors import InputError
 from tmodes.io.atomic import atomic_write, check_writable
 from tmodes.kinds.registry import Registry
+from tmodes.plot.panels import Axes, AxesLike
 from tmodes.plot.style import house_style
-
-if TYPE_CHECKING:
-    from matplotlib.axes import Axes
-
-    from tmodes.plot.panels import AxesLike
-    from tmodes.result.result import Result
+from tmodes.result.result import Result
 
 __all__ = [
     "FIGURES", "FORMATS", "Drawing", "Figure", "all_figures", "drawings", "left_out", "register", "rendered",

@@ -5,7 +5,7 @@ from __future__ import annotations
 import json
 from collections.abc import Sequence
 from dataclasses import asdict
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
@@ -17,9 +17,7 @@ from tmodes.report.facts import Fact, run_facts
 from tmodes.report.mode_shapes import modes_of
 from tmodes.report.scene import line_of, scene_of
 from tmodes.report.scene_parts import actual
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
+from tmodes.result import Result
 
 __all__ = ["facts_of", "live_page", "page_data", "robot_name", "sheet_of"]
 

@@ -4,7 +4,7 @@ from __future__ import annotations
 
 from collections.abc import Iterator, Sequence
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,9 +14,7 @@ from tmodes.plot.frequency_marks import NO_PEAK, amplitude_spectrum
 from tmodes.plot.panels import Unit, readable
 from tmodes.report.arrays import MOST_POINTS, thinned
 from tmodes.report.pack import Coarse
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
+from tmodes.result import Result
 
 __all__ = [
     "Draft", "Line", "Place", "chart_data", "in_readable_units", "line_of", "own_frequencies", "run_spectra",

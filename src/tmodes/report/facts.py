@@ -5,18 +5,16 @@ from __future__ import annotations
 import json
 from collections.abc import Iterable, Iterator
 from dataclasses import dataclass, replace
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 
 from tmodes.analysis.validity import yield_strength
 from tmodes.plot.facts import drive_unit, effort_unit
 from tmodes.report.markup import Markup, tag, written
+from tmodes.result import Result
 from tmodes.result.summary import mean_over_time
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
-    from tmodes.sheet import Robot
+from tmodes.sheet import Robot
 
 __all__ = ["Fact", "energy_facts", "fact_list", "frequency_facts", "run_facts", "tracking_facts", "vibration_fact"]
 

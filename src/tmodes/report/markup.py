@@ -7,12 +7,9 @@ import html
 import math
 import re
 from collections.abc import Iterable, Mapping, Sequence
-from typing import TYPE_CHECKING
 
+from tmodes.plot.figure import Drawing
 from tmodes.plot.panels import NEVER_LARGE, pretty
-
-if TYPE_CHECKING:
-    from tmodes.plot.figure import Drawing
 
 __all__ = ["Markup", "Rows", "grouped_table", "picture", "power_of_ten", "table", "tag", "together", "written"]
 

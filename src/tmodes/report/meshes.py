@@ -5,20 +5,17 @@ from __future__ import annotations
 import json
 import os
 from collections.abc import Sequence
-from typing import TYPE_CHECKING, Any, NamedTuple
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import TmodesError
 from tmodes.io.atomic import file_error
-from tmodes.io.urdf_shapes import LinkShape, Unseen, link_shapes
-from tmodes.robots.load import urdf_of
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
-
 from tmodes.io.mesh_file import Triangles
+from tmodes.io.urdf_shapes import LinkShape, Unseen, link_shapes
+from tmodes.result import Result
+from tmodes.robots.load import urdf_of
 
 __all__ = [
     "Kept",

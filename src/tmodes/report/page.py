@@ -5,10 +5,11 @@ from __future__ import annotations
 import json
 from collections.abc import Callable, Iterator, Mapping
 from pathlib import Path
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 from tmodes.io.atomic import atomic_write
 from tmodes.plot import FIGURES, drawings, left_out
+from tmodes.plot.figure import Drawing
 from tmodes.plot.panels import pretty
 from tmodes.report.data import facts_of, live_page
 from tmodes.report.facts import fact_list
@@ -25,11 +26,8 @@ from tmodes.report.parts import (
     title_of,
     warnings,
 )
-
-if TYPE_CHECKING:
-    from tmodes.plot.figure import Drawing
-    from tmodes.result import Result
-    from tmodes.sheet import Robot
+from tmodes.result import Result
+from tmodes.sheet import Robot
 
 __all__ = ["error_table", "frequency_tables", "page", "summary_tables", "write_report"]
 

@@ -8,16 +8,14 @@ import json
 from collections.abc import Iterator, Mapping
 from functools import cache
 from importlib.resources import files
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
+from tmodes.plot import Figure
+from tmodes.plot.figure import Drawing
 from tmodes.report.facts import Fact, fact_list
 from tmodes.report.markup import Markup, picture, tag
 from tmodes.report.pack import embedded, pack
-
-if TYPE_CHECKING:
-    from tmodes.plot import Figure
-    from tmodes.plot.figure import Drawing
-    from tmodes.result.result import Result
+from tmodes.result.result import Result
 
 __all__ = [
     "SECTIONS", "application", "document", "figures_section", "policy", "program", "rows_of", "section", "status",

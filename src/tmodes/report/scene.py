@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from typing import TYPE_CHECKING, Any
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -12,11 +12,9 @@ from tmodes.chain.chain import node_of_line
 from tmodes.model.model import Model
 from tmodes.report.arrays import colour, displaced, kept, quaternions, scene_frames, stations_shown
 from tmodes.report.scene_parts import actual, meshes_in, nearest_drawn, section_of
+from tmodes.result import Result
 from tmodes.result.lines import without_elasticity
 from tmodes.sheet import Robot
-
-if TYPE_CHECKING:
-    from tmodes.result import Result
 
 __all__ = ["line_of", "lines_at", "scene_of"]
 
