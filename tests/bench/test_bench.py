@@ -13,7 +13,7 @@ import pytest
 from typer.testing import CliRunner
 
 from tmodes.bench import measure
-from tmodes.bench.equal_error import Runner, at_equal_error
+from tmodes.bench.contender import Runner, at_equal_error
 from tmodes.bench.rigid import RigidChain
 from tmodes.bench.runs import ChainRun
 from tmodes.bench.start import started

@@ -13,8 +13,7 @@ from pathlib import Path
 from typing import Any
 
 from tmodes.bench import gcc
-from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Timed, in_turns
-from tmodes.bench.equal_error import Runner, at_equal_error
+from tmodes.bench.contender import CHECKED, Contender, PeerMissing, Runner, Timed, at_equal_error, in_turns
 from tmodes.bench.limit import limit, machine
 from tmodes.bench.ours import SAMPLES, Ours, cores
 from tmodes.bench.peers import ENGINES

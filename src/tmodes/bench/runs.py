@@ -10,8 +10,7 @@ from typing import Any, ClassVar
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.bench.contender import needed, now
-from tmodes.bench.equal_error import STEPS, TOLERANCES, Runner, adaptive_methods, solved, tolerances_of
+from tmodes.bench.contender import STEPS, TOLERANCES, Runner, adaptive_methods, needed, now, solved, tolerances_of
 from tmodes.bench.peers import mujoco_model
 from tmodes.bench.rigid import RigidChain
 from tmodes.equations.loop.plan import LoopPlan

@@ -13,10 +13,9 @@ import typer
 
 from tmodes.cli.batch import batch
 from tmodes.cli.bench import bench, cache
-from tmodes.cli.describe import describe
+from tmodes.cli.describe import describe, ladder
 from tmodes.cli.evaluate import evaluate
 from tmodes.cli.export import export
-from tmodes.cli.ladder import ladder
 from tmodes.cli.modes import modes
 from tmodes.cli.run import run
 from tmodes.cli.sheets import check, robots, schema
