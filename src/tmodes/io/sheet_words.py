@@ -12,7 +12,7 @@ from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
 from tmodes.kinds.joints.registry import JOINTS
-from tmodes.kinds.schema.names import names_allowed
+from tmodes.kinds.schema.kind import names_allowed
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
 __all__ = [

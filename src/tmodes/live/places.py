@@ -22,7 +22,7 @@ from tmodes.equations.loop.plan import LoopPlan
 from tmodes.equations.recursion.parts import Parts
 from tmodes.errors import SimulationError
 from tmodes.kinds.contacts.registry import Contact
-from tmodes.kinds.drives.laws import FRICTION
+from tmodes.kinds.drives.contract import FRICTION
 from tmodes.kinds.joints.joint import Limits
 from tmodes.kinds.links.line import layout
 from tmodes.model.model import Model
