@@ -13,7 +13,7 @@ from typing import Any, get_args, get_origin
 from tmodes.io.forms import form_of
 from tmodes.io.sheet_words import ChainPlace, Step, at, fields, is_group, kind_of, own_unit
 from tmodes.kinds.joints.registry import JOINTS
-from tmodes.kinds.schema.names import form_of_field
+from tmodes.kinds.schema.kind import form_of_field
 
 __all__ = ["ChainPlace", "Step", "chosen", "inside", "keys", "named", "place_of", "quantities", "root_of"]
 

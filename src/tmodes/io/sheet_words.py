@@ -12,7 +12,7 @@ from typing import Annotated, Any, Literal, Union, get_args, get_origin
 from pydantic import BaseModel
 from pydantic.fields import FieldInfo
 
-from tmodes.kinds.schema.names import names_allowed
+from tmodes.kinds.schema.kind import names_allowed
 from tmodes.kinds.schema.quantity import LARGEST, span_info
 
 __all__ = ["ChainPlace", "Step", "at", "fields", "is_group", "kind_of", "members_of", "own_unit"]

@@ -10,7 +10,7 @@ from typing import Any
 import numpy as np
 
 from tmodes.errors import InputError
-from tmodes.kinds.signals.merge import MergedSchedule, merge
+from tmodes.kinds.signals.schedule import MergedSchedule, merge
 from tmodes.result.record import RESULT_FORMAT, STATUSES
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData

@@ -12,7 +12,7 @@ from tmodes.analysis.describe.describe import describe, statics_info
 from tmodes.analysis.modes.of_sheet import servos_of, sheet_modes, vibrations
 from tmodes.analysis.statics.loads import Load
 from tmodes.analysis.statics.rest import arm_rest, first_commands
-from tmodes.kinds.links.bare import bare_beam
+from tmodes.kinds.links.beam_functions import bare_beam
 from tmodes.kinds.links.strain import Beam, BeamPiece
 from tmodes.model.model import Model
 from tmodes.robots.load import load
