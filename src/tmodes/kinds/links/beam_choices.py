@@ -27,8 +27,12 @@ class Basis(StrEnum):
 
 
 class RotaryInertia(StrEnum):
-    """Which rotary inertia of the sections counts: none, about the line (``twist``), or about all axes (Rayleigh)."""
+    """Which rotary inertia of the sections counts: none, about the line (``twist``), or about all axes (Rayleigh).
 
+    ``auto``: about all axes of a link with functions of shear (Timoshenko), about the line of any other.
+    """
+
+    AUTO = "auto"
     NONE = "none"
     TWIST = "twist"
     FULL = "full"

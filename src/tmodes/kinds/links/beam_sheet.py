@@ -7,8 +7,9 @@ from collections.abc import Iterator, Sequence
 import numpy as np
 
 from tmodes.frame import Placement
-from tmodes.kinds.links.beam_choices import Basis, BeamModel, RotaryInertia
+from tmodes.kinds.links.beam_choices import Basis, BeamModel
 from tmodes.kinds.links.beam_data import MOST_FUNCTIONS, BeamData, Functions, PieceSheet
+from tmodes.kinds.links.beam_functions import MODULI, SHIFTING
 from tmodes.kinds.links.beam_pieces import BeamPiece, Piece
 from tmodes.kinds.links.body import BodySheet
 from tmodes.kinds.links.contract import Body
@@ -145,11 +146,13 @@ def _strain(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
     functions, pieces = _finite_functions(beam), beam.section_pieces()
     shape = Beam(
         length=beam.length,
-        pieces=tuple(_chain_piece(piece, beam.rotary_inertia) for piece in pieces),
+        pieces=tuple(_chain_piece(piece, beam.turning_axes) for piece in pieces),
         twist=functions.twist,
         bend_y=functions.bend_y,
         bend_z=functions.bend_z,
         stretch=functions.stretch,
+        shear_y=functions.shear_y,
+        shear_z=functions.shear_z,
         basis=str(Basis.LEGENDRE if beam.basis is Basis.AUTO else beam.basis),
         points=beam.points,
         damping_time=beam.damping_time or 0.0,
@@ -206,7 +209,11 @@ def _segment(beam: BeamData, index: int, bodies: tuple[Body, ...]) -> Segment:
 def _bends(beam: BeamData) -> bool:
     functions = _finite_functions(beam)
     counts = (functions.bend_y, functions.bend_z)
-    return any(counts if beam.model is BeamModel.SEGMENTS else (*counts, functions.twist, functions.stretch))
+    return any(
+        counts
+        if beam.model is BeamModel.SEGMENTS
+        else (*counts, functions.twist, *(getattr(functions, name) for name in SHIFTING))
+    )
 
 
 def _finite_functions(beam: BeamData) -> Functions:
@@ -226,11 +233,10 @@ def _at_rest(beam: BeamData, s: float) -> Placement:
     return placed(beam.root_mount) @ Placement(*bent_line(beam.rest_curvature, s * beam.length)) @ _mount(beam, s)
 
 
-def _chain_piece(piece: Piece, rotary: RotaryInertia) -> BeamPiece:
+def _chain_piece(piece: Piece, counted: str) -> BeamPiece:
     ends = {name: (getattr(piece.start, name), getattr(piece.stop, name)) for name in piece.start._fields}
-    counted = {RotaryInertia.NONE: 0, RotaryInertia.TWIST: 1, RotaryInertia.FULL: 3}[rotary]
-    x, y, z = (ends[f"inertia_{axis}"] if k < counted else (0.0, 0.0) for k, axis in enumerate("xyz"))
-    own = {name: ends[name] for name in ("bend_y", "bend_z", "torsion", "axial", "mass")}
+    x, y, z = (ends[f"inertia_{axis}"] if axis in counted else (0.0, 0.0) for axis in "xyz")
+    own = {name: ends[name] for name in (*MODULI.values(), "mass")}
     return BeamPiece(end=piece.end, inertia=(x, y, z), **own)
 
 
