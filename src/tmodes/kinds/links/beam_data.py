@@ -4,9 +4,10 @@ from __future__ import annotations
 
 import math
 from collections.abc import Iterator
-from typing import Annotated, Any, ClassVar, Self
+from itertools import chain
+from typing import Annotated, Any, ClassVar
 
-from pydantic import Discriminator, Field, Tag, field_validator, model_validator
+from pydantic import Discriminator, Field, Tag, field_validator
 
 from tmodes.errors import InputError
 from tmodes.kinds.links.beam_choices import Basis, BeamModel, RotaryInertia
@@ -108,12 +109,12 @@ class BeamData(BendingSheet):
             refuse([Issue("", f"{value:g}", "a whole number, that of both bending directions, or a group", hint)])
         return value
 
-    @model_validator(mode="after")
-    def _fits_together(self) -> Self:
-        refuse(list(self._model_issues()))
-        refuse(list(self._section_issues()))
-        refuse([*self._order_issues(), *self._stiffness_issues()])
-        return self
+    def _issues(self) -> Iterator[Issue]:
+        yield from (
+            [*self._model_issues()]
+            or [*self._section_issues()]
+            or chain(self._order_issues(), self._stiffness_issues())
+        )
 
     def _model_issues(self) -> Iterator[Issue]:
         needs = {BeamModel.STRAIN: "functions", BeamModel.SEGMENTS: "segments"}

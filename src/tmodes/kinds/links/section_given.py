@@ -3,12 +3,13 @@
 from __future__ import annotations
 
 import math
+from collections.abc import Iterator
 from typing import Annotated, Any, Literal, NamedTuple
 
-from pydantic import Field, field_validator, model_validator
+from pydantic import Field, field_validator
 
 from tmodes.kinds.links.material import Material
-from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive, refuse
+from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive
 
 __all__ = ["Geometry", "GivenSection", "SectionNumbers"]
 
@@ -45,21 +46,11 @@ class GivenSection(DataSheet):
     def _one_number_is_both(cls, value: Any) -> Any:
         return (value, value) if isinstance(value, (int, float)) else value
 
-    @model_validator(mode="after")
-    def _in_range_of_stiffness(self) -> GivenSection:
-        refuse(
-            [
-                Issue(
-                    "bending_stiffness",
-                    f"{value:g}",
-                    f"a magnitude from {SMALLEST:g} to {LARGEST:g} [N*m^2], or .inf for rigid",
-                    "correct the exponent or the unit",
-                )
-                for value in self.bending_stiffness
-                if not (SMALLEST <= value <= LARGEST or math.isinf(value))
-            ]
-        )
-        return self
+    def _issues(self) -> Iterator[Issue]:
+        expected = f"a magnitude from {SMALLEST:g} to {LARGEST:g} [N*m^2], or .inf for rigid"
+        for value in self.bending_stiffness:
+            if not (SMALLEST <= value <= LARGEST or math.isinf(value)):
+                yield Issue("bending_stiffness", f"{value:g}", expected, "correct the exponent or the unit")
 
     def properties(self, material: Material | None = None) -> SectionNumbers:
         """The numbers as given; a material has no say, its moduli are only handed on where it is known.

@@ -9,10 +9,10 @@ from __future__ import annotations
 
 import math
 import unicodedata
-from collections.abc import Mapping, Sequence
-from typing import Any, NamedTuple
+from collections.abc import Iterator, Mapping, Sequence
+from typing import Any, NamedTuple, Self
 
-from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator
+from pydantic import BaseModel, ConfigDict, Field, ValidationInfo, field_validator, model_validator
 from pydantic_core import PydanticCustomError
 
 __all__ = [
@@ -59,6 +59,15 @@ class DataSheet(BaseModel):
     """A frozen group of quantities; unknown keys are refused, text and booleans are not numbers."""
 
     model_config = ConfigDict(frozen=True, extra="forbid", strict=True, allow_inf_nan=False, ser_json_inf_nan="strings")
+
+    @model_validator(mode="after")
+    def _fits_together(self) -> Self:
+        refuse(list(self._issues()))
+        return self
+
+    def _issues(self) -> Iterator[Issue]:
+        """Values that do not fit together."""
+        yield from ()
 
     @classmethod
     def members(cls) -> tuple[type[DataSheet], ...]:
