@@ -12,8 +12,7 @@ from tmodes.equations.lagrange.solving import Solver, push_rows_kernel
 from tmodes.equations.recursion.driven import Coordinates, Driven
 from tmodes.equations.recursion.parts import AxisPart
 from tmodes.equations.recursion.passes import Blocks
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Divisible, Slot
+from tmodes.kinds.kernel.schedule import Divisible, Kernel, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["LagrangeDynamics", "LagrangeWay"]
@@ -125,7 +124,7 @@ class LagrangeDynamics(Driven):
         met = way.met()
         self._solver = Solver(kernels, len(self.parts.joints), chained.held, bool(met))
         self._balance = (mass, bias, force, added, way.pushed())
-        found, *solved = way.call(self._solver.kernel(), *self._balance, *efforts, *own, *met)
+        found, *solved = way.call(self._solver.solution(), *self._balance, *efforts, *own, *met)
         if solved:
             self.contact, self._balance = solved[0], (*self._balance[:-1], solved[1])
         self.found = found

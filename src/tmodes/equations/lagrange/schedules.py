@@ -12,8 +12,7 @@ from tmodes.equations.lagrange.motion import LagrangeDynamics, LagrangeWay
 from tmodes.equations.recursion.driven import Drives
 from tmodes.equations.recursion.forces import elastic_of_drives
 from tmodes.equations.recursion.forward import ahead_kernel
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot
 
 __all__ = ["elastic_schedule", "forward_schedule", "inertia_schedule"]
 

@@ -15,7 +15,7 @@ import casadi as ca
 from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.kinds.controllers.registry import Controller, Measured, OwnState
 from tmodes.kinds.kernel.functions import if_else
-from tmodes.kinds.kernel.kernel import Kernel
+from tmodes.kinds.kernel.schedule import Kernel
 
 __all__ = ["OUTPUTS", "WINDING", "Servo", "View", "Winding", "needed_kernel"]
 

@@ -11,8 +11,7 @@ from typing import Any, NamedTuple
 
 from tmodes.equations.recursion.drive_kernels import mixing_kernel
 from tmodes.equations.recursion.parts import AxisPart, LinkPart, Parts
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Divisible, Schedule, Slot
+from tmodes.kinds.kernel.schedule import Divisible, Kernel, Schedule, Slot
 
 __all__ = ["Coordinates", "Driven", "Drives", "packing_kernel"]
 

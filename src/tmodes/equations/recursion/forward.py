@@ -12,8 +12,7 @@ from tmodes.equations.recursion.hinge import Hinge
 from tmodes.equations.recursion.parts import AxisPart, Parts
 from tmodes.equations.recursion.passes import Passes
 from tmodes.equations.recursion.screw import Screw
-from tmodes.kinds.kernel.kernel import Kernel
-from tmodes.kinds.kernel.schedule import Schedule, Slot
+from tmodes.kinds.kernel.schedule import Kernel, Schedule, Slot
 from tmodes.kinds.kernel.spatial import FORCE
 
 __all__ = ["Ahead", "Recursion", "ahead_kernel", "forward_dynamics"]

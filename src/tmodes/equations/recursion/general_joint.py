@@ -13,7 +13,7 @@ from typing import Any
 from tmodes.equations.recursion.hinge import HINGE, PLACEMENT, POSE
 from tmodes.kinds.joints.contract import JointKind
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import kernel
+from tmodes.kinds.kernel.schedule import kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia, factor, forward_substitution
 
 __all__ = ["GeneralJoint", "held_numbers"]

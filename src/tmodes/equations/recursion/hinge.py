@@ -14,7 +14,7 @@ from typing import Any
 from tmodes.kinds.joints.contract import JointKind
 from tmodes.kinds.kernel import vectors as v
 from tmodes.kinds.kernel.functions import cos, sin
-from tmodes.kinds.kernel.kernel import kernel
+from tmodes.kinds.kernel.schedule import kernel
 from tmodes.kinds.kernel.spatial import FORCE, INERTIA, Force, Inertia
 
 __all__ = ["HELD", "HINGE", "PLACEMENT", "POSE", "Hinge"]

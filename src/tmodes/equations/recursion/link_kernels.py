@@ -12,7 +12,7 @@ from typing import Any
 from tmodes.equations.recursion.body_kernels import BODY
 from tmodes.equations.recursion.hinge import POSE
 from tmodes.kinds.kernel import vectors as v
-from tmodes.kinds.kernel.kernel import Kernel, kernel
+from tmodes.kinds.kernel.schedule import Kernel, kernel
 from tmodes.kinds.kernel.spatial import (
     FORCE,
     INERTIA,

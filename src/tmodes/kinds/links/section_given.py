@@ -9,29 +9,22 @@ from typing import Annotated, Any, Literal, NamedTuple
 from pydantic import Field, field_validator
 
 from tmodes.kinds.links.material import Material
+from tmodes.kinds.schema.frames import list_of_numbers
 from tmodes.kinds.schema.quantity import LARGEST, SMALLEST, DataSheet, Issue, not_negative, positive
 
 __all__ = ["Geometry", "GivenSection", "SectionNumbers"]
 
 _Stiffness = Annotated[float, Field(gt=0.0, allow_inf_nan=True)]
-_BENDING = {
-    "unit": "N*m^2",
-    "symbol": "EI",
-    "rigid_when_infinite": True,
-    "plausible": [1e-6, 1e10],
-    "smallest": SMALLEST,
-}
 
 
 class GivenSection(DataSheet):
     """Stiffnesses instead of a drawing; one that is left out is infinite: the link does not twist, does not stretch."""
 
     shape: Literal["given"] = Field(default="given", description="which shape")
-    bending_stiffness: tuple[_Stiffness, _Stiffness] = Field(
-        strict=False,
-        description="bending stiffness about y and about z; one number: both [N*m^2]",
-        json_schema_extra=_BENDING,
-    )
+    bending_stiffness: tuple[_Stiffness, _Stiffness] = list_of_numbers(
+        "N*m^2", "EI", "bending stiffness about y and about z; one number: both",
+        rigid_when_infinite=True, plausible=[1e-6, 1e10], smallest=SMALLEST,
+    )  # fmt: skip
     torsional_stiffness: float = positive(
         "N*m^2", "GJ", "torsional stiffness", default=math.inf, rigid=True, plausible=(1e-6, 1e10)
     )
