@@ -48,7 +48,7 @@ def kernel(
             def of(part: Any) -> Any:
                 return attrgetter(part)(*structure) if isinstance(part, str) else part
 
-            sizes = (tuple(map(of, parts)) for parts in (inputs, outputs))
+            sizes = tuple(map(of, inputs)), tuple(map(of, outputs))
             return Kernel(key.format(*structure), *sizes, partial(build, *structure), bool(long and of(long)), plain)
 
         return made
