@@ -73,11 +73,7 @@ class BendingLink:
         moment = v.matvec(place.rotation, v.vec(body, 1))
         inertia = v.turn(place.rotation, v.symmetric(body, 4), is_symmetric=True)
         load = Force.of(force) + body_bias(moment, inertia, place.rate)
-        mass, coupling, base, bias_q, bias = link.with_load(place, body_inertia(body[0], moment, inertia), load)
-        lever = base.coupling
-        packed = LinkTerms(mass, coupling, base.angular, [lever[2][1], lever[0][2], lever[1][0]],
-                           base.linear[0][0], bias_q, bias)  # fmt: skip
-        return [packed.packed()]
+        return [link.with_body(place, body_inertia(body[0], moment, inertia), load).packed()]
 
     @kernel(
         "outward {0.kind.fingerprint}",
