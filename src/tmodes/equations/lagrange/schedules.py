@@ -21,8 +21,7 @@ def forward_schedule(chained: ChainedSystem, *, loaded: bool = False) -> Schedul
     """(q, v, base, wrenches, effort, given, step) -> accelerations of all coordinates."""
     parts = chained.parts
     way = LagrangeWay(chained, chained.blocks())
-    if loaded:
-        way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     schedule = way.schedule
     schedule.often = True
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))
@@ -39,8 +38,7 @@ def inertia_schedule(chained: ChainedSystem, *, loaded: bool = False) -> Schedul
     """
     parts, kernels = chained.parts, chained.kernels
     way = LagrangeWay(chained, chained.blocks())
-    if loaded:
-        way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     schedule = way.schedule
     a = schedule.input("a", parts.size)
     moved = chained.bodies(a)

@@ -59,7 +59,7 @@ def line_schedule(parts: Parts, s: Array, drawn: Drawn, *, loaded: bool = False)
     ``drawn`` adds further lines, see :meth:`tmodes.equations.mechanics.RecursiveMechanics.drawn`.
     """
     way = Passes(parts, posed=True, loaded=loaded)
-    way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     found = balance(way, way.schedule.input("a", parts.size))
     numbers = Numbers(parts.numbers.size)
     links: list[tuple[LineOfLink, ...]] = []

@@ -24,7 +24,7 @@ def forward_dynamics(parts: Parts, *, loaded: bool = False) -> Schedule:
     ``given`` are the accelerations of prescribed joints; ``step`` h > 0 gives those of a linearly implicit Euler step.
     """
     way = Passes(parts, posed=False, loaded=loaded, short=True)
-    way.take_wrenches()
+    way.take_wrenches(loaded=loaded)
     schedule = way.schedule
     schedule.often = True
     effort, given = schedule.input("effort", len(parts.efforts)), schedule.input("given", len(parts.given))

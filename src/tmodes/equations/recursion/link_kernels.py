@@ -41,11 +41,6 @@ class BendingLink:
         return self.kind.size
 
     @property
-    def long(self) -> bool:
-        """Whether its line takes thousands of operations."""
-        return self.kind.long
-
-    @property
     def frame(self) -> int:
         """Numbers of a section."""
         return frame_size(self.n)
@@ -64,7 +59,7 @@ class BendingLink:
 
         outputs = (self.kind.terms_size, *(self.frame,) * (1 + len(self.kind.stations)))
         inputs = (self.kind.table_size, 3, self.n, self.n)
-        return Kernel(f"inward {self.kind.fingerprint}", inputs, outputs, build, self.long)
+        return Kernel(f"inward {self.kind.fingerprint}", inputs, outputs, build, self.kind.long)
 
     @kernel("station load {0.kind.fingerprint}", ("kind.terms_size", "frame", BODY, FORCE), ("kind.terms_size",))
     def station_load(self, terms: Any, section: Any, body: Any, force: Any) -> list[list[Any]]:
@@ -79,7 +74,7 @@ class BendingLink:
         "outward {0.kind.fingerprint}",
         ("kind.terms_size", "frame", INERTIA, FORCE, "kind.stiffness_size", "kind.damping_size", "n", "n", 1),
         (INERTIA, FORCE, "solved_size"),
-        long="long",
+        long="kind.long",
     )
     def outward(self, *packed: Any) -> list[list[Any]]:
         """Eliminate the link's coordinates; ``step`` h adds h D + h^2 K to its inertia, as an implicit step wants it.

@@ -243,7 +243,6 @@ def _between(pieces: list[Piece], name: str, s: float) -> float:
     start = 0.0
     for piece in pieces:
         if s <= piece.end or piece is pieces[-1]:
-            first, last = getattr(piece.start, name), getattr(piece.stop, name)
-            return first if first == last else first + (last - first) * (s - start) / (piece.end - start)
+            return piece.at(name, (s - start) / (piece.end - start))
         start = piece.end
     return 0.0

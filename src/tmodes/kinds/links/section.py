@@ -212,6 +212,6 @@ def _mixed(first: Any, last: Any, share: float) -> Any:
     if isinstance(first, tuple):
         return tuple(_mixed(*both, share) for both in zip(first, last, strict=True))
     if math.isinf(first) or math.isinf(last):
-        got, hint = f"a stiffness from {first:g} to {last:g}", "make both ends elastic or both .inf, or write pieces"
-        raise InputError("taper", got, "both ends elastic, or both rigid", hint)
+        got, hint = "a stiffness that is infinite at one end", "make both ends elastic or both .inf, or write pieces"
+        raise InputError("taper", got, "finite or infinite at both ends", hint)
     return first + share * (last - first)
