@@ -1,4 +1,4 @@
-"""A whole arm in a run as schedules: signals, controllers, motors, chain, loads, contact, works.
+"""A whole robot in a run as schedules: signals, controllers, motors, chain, loads, contact, works.
 
 Inputs ``time`` (1), ``state``, ``row``, and ``step`` h (1). The output ``rate`` is the derivative of the state; with
 h > 0 its accelerations are those of a linearly implicit Euler step of h.

@@ -210,7 +210,7 @@ def _measured(wanted: Any, own: tuple[Any, Any], current: Any, seen: tuple[View 
 
 
 def needed_kernel(winding: Winding) -> Kernel:
-    """(winding, rotor inertia, signal, load of arm, gear and friction) -> (effort, info (4)).
+    """(winding, rotor inertia, signal, load of robot, gear and friction) -> (effort, info (4)).
 
     Of a motor whose motion is given: what it must do. The voltage leaves out the inductance.
     """

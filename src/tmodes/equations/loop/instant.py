@@ -1,4 +1,4 @@
-"""One instant of an arm in a run: signals, controllers, loads and contact, and the recursion that they drive.
+"""One instant of a robot in a run: signals, controllers, loads and contact, and the recursion that they drive.
 
 The calls of a schedule, in the order in which one thing follows from another.
 """

@@ -144,7 +144,7 @@ class Recursion(Driven):
 
 
 _GROUP = 8
-"""Motors or joints that go in one call; so the code is no longer for a longer arm."""
+"""Motors or joints that go in one call; so the code does not grow with the robot."""
 
 
 class Ahead:

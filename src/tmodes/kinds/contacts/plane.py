@@ -36,7 +36,7 @@ class Plane(_Flat):
 
     type: Literal["plane"] = Field(description="kind of surface")
     position: Vector = list_of_numbers("m", "p", "a point of the plane, in the world")
-    normal: Vector = list_of_numbers("-", "n", "its normal, towards the side where the arm is")
+    normal: Vector = list_of_numbers("-", "n", "its normal, towards the side where the robot is")
 
     def _issues(self) -> Iterator[Issue]:
         if not any(self.normal):

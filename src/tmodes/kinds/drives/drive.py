@@ -162,5 +162,5 @@ class GearSheet(DataSheet):
 
     @property
     def is_rigid(self) -> bool:
-        """True when it does not give: rigid, by wish."""
+        """True when it does not give: rigid on purpose."""
         return math.isinf(self.stiffness[0])

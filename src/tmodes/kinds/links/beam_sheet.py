@@ -140,7 +140,7 @@ def _rigid(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
 
 def _strain(beam: BeamData, bodies: Sequence[BodySheet]) -> LoweredLink:
     """One strain beam. ``auto`` is ``legendre``: only these functions can carry a moment at the tip, and whoever asks
-    for the stiffness of an arm puts one on every tip.
+    for the stiffness of a robot puts one on every tip.
     """  # noqa: D205
     functions, pieces = _finite_functions(beam), beam.section_pieces()
     shape = Beam(

@@ -46,7 +46,7 @@ class GivenSection(DataSheet):
                 yield Issue("bending_stiffness", f"{value:g}", expected, "correct the exponent or the unit")
 
     def properties(self, material: Material | None = None) -> SectionNumbers:
-        """The numbers as given; a material has no say, its moduli are only handed on where it is known.
+        """The numbers as given; of a material only the moduli are kept, for stresses.
 
         The rotary inertias about y and z part the polar one as the stiffnesses: exact for one material.
         """

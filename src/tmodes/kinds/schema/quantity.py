@@ -108,9 +108,9 @@ def quantity(
     """A numeric field.
 
     ``above``/``at_least``/``at_most`` bound it by physics; its magnitude must also lie between ``smallest`` and
-    :data:`LARGEST`, by arithmetic; ``rigid`` lets it be infinite, which then means "rigid, by wish"; ``plausible`` is
-    the range outside of which a wrong unit is likely (a warning, never an error); ``span``: messages tell the least and
-    the largest value, whatever bounds them.
+    :data:`LARGEST`, by arithmetic; ``rigid`` lets it be infinite, which means rigid on purpose; ``plausible`` is
+    the range outside of which a wrong unit is likely (a warning, never an error); ``span``: messages state the least
+    and the largest value, whatever bounds them.
     """
     return Field(
         default,
@@ -151,6 +151,6 @@ def any_sign(unit: str, symbol: str, meaning: str, **more: Any) -> Any:
 
 
 def span_info(extra: Mapping[str, Any], largest: float | None, *, whole: bool) -> str:
-    """The least and the largest value of a quantity whose messages tell both, such as `` from 1e-13 to 0.01``."""
+    """The least and the largest value of a quantity whose messages state both, such as `` from 1e-13 to 0.01``."""
     least = max(1.0, extra["smallest"]) if whole else extra["smallest"]
     return f" from {least:g} to {LARGEST if largest is None else largest:g}"
