@@ -14,9 +14,9 @@ from tmodes.simulation.trajectory import integrate
 SHORT = {"duration": 0.3, "output_step": 0.013, "relative_tolerance": 1e-9, "absolute_tolerance": 1e-11}
 
 
-def settings(regime, **changes):
+def settings(setup, **changes):
     info = {"method": "dormand_prince", **changes}
-    return regime.arm.integration.model_copy(update=info)
+    return setup.robot.integration.model_copy(update=info)
 
 
 @pytest.fixture(scope="module")

@@ -15,7 +15,7 @@ import tmodes.simulation.start
 from arm.see.runs import swinging
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.analysis.statics.loads import Load
-from tmodes.analysis.statics.rest import arm_rest
+from tmodes.analysis.statics.rest import robot_rest
 from tmodes.result import Result, load_result
 from tmodes.sheet import Robot
 
@@ -73,7 +73,7 @@ def test_a_rest_is_solved_once_for_run_modes_and_page(counts):
     for change in ({"links.0.beam.length": 0.61}, {"gravity": 3.0}):
         sheet_frequencies(robot.with_(change), contact=robot.contact is not None)
     assert counts["equilibrium"] == 3
-    arm_rest(robot, [Load("tip", (0.0, 0.0, -0.1))])
+    robot_rest(robot, [Load("tip", (0.0, 0.0, -0.1))])
     assert counts["equilibrium"] == 4
 
 
@@ -116,6 +116,6 @@ def test_a_rest_that_is_taken_again_has_the_names_of_the_robot_that_asks(counts)
     def with_point(name: str) -> Robot:
         return short(points=[*swinging()["points"], {"name": name, "link": "rod"}])
 
-    names = [[point.name for point in arm_rest(with_point(name)).model.chain.points] for name in ("eye", "ear")]
+    names = [[point.name for point in robot_rest(with_point(name)).model.chain.points] for name in ("eye", "ear")]
     assert counts["equilibrium"] == 1
     assert [last for *_, last in names] == ["eye", "ear"]

@@ -93,7 +93,7 @@ def spectrum_of(matrix: Array, coordinates: Sequence[str], currents: Sequence[st
 
 @dataclass(frozen=True)
 class StepVerdict:
-    """``highest`` |eigenvalue| [1/s] at the start; ``dt_omega`` = step times it; ``stable``; ``sentence`` to tell."""
+    """``highest`` |eigenvalue| [1/s] at the start; ``dt_omega`` = step times it; ``stable``; ``sentence``: warning."""
 
     highest: float
     dt_omega: float | None

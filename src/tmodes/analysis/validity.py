@@ -26,27 +26,27 @@ _NEGLIGIBLE = 1e-4
 """Share of a link's energy below which a direction does not count."""
 
 
-def run_warnings(arm: Robot, model: Model, times: ArrayLike, q: ArrayLike, lines: LinkLines) -> list[str]:
+def run_warnings(robot: Robot, model: Model, times: ArrayLike, q: ArrayLike, lines: LinkLines) -> list[str]:
     """Sentences on the links in a run at n times [s]; each says what, when first, how far, and what to do.
 
     ``q`` (n, nq); ``lines`` of the same samples, under the same wrenches.
     """
     time, q = (np.asarray(x, dtype=float) for x in (times, q))
-    return [*_range(model, time, q), *_of_lines(arm, model, time, lines)]
+    return [*_range(model, time, q), *_of_lines(robot, model, time, lines)]
 
 
-def rest_warnings(arm: Robot, model: Model, lines: LinkLines) -> list[str]:
+def rest_warnings(robot: Robot, model: Model, lines: LinkLines) -> list[str]:
     """Sentences on an arm at rest: functions that are missing, material that yields, links pressed too hard.
 
     ``lines``: of the one pose, under its loads.
     """
-    return [*_of_lines(arm, model, np.zeros(1), lines)]
+    return [*_of_lines(robot, model, np.zeros(1), lines)]
 
 
-def _of_lines(arm: Robot, model: Model, time: Array, lines: LinkLines) -> Iterator[str]:
+def _of_lines(robot: Robot, model: Model, time: Array, lines: LinkLines) -> Iterator[str]:
     yield from _functions(model, lines)
     for line in lines.bending():
-        yield from _yielding(arm, time, line)
+        yield from _yielding(robot, time, line)
         yield from _buckling(model, time, line)
 
 
@@ -96,8 +96,8 @@ def _functions(model: Model, lines: LinkLines) -> Iterator[str]:
                 )
 
 
-def _yielding(arm: Robot, time: Array, line: LinkLine) -> Iterator[str]:
-    strength = yield_strength(arm, line.name)
+def _yielding(robot: Robot, time: Array, line: LinkLine) -> Iterator[str]:
+    strength = yield_strength(robot, line.name)
     if line.stress is None or strength is None:
         return
     worst = line.largest("mises_stress")
@@ -109,10 +109,10 @@ def _yielding(arm: Robot, time: Array, line: LinkLine) -> Iterator[str]:
     )  # fmt: skip
 
 
-def yield_strength(arm: Robot, name: str) -> float | None:
+def yield_strength(robot: Robot, name: str) -> float | None:
     """Least yield strength [Pa] of a link's materials, None where unknown. Segments bear their link's name."""
-    names = {link.name for link in arm.links}
-    beam = arm.link(name if name in names else name.rpartition(".")[0]).beam if arm.links else None
+    names = {link.name for link in robot.links}
+    beam = robot.link(name if name in names else name.rpartition(".")[0]).beam if robot.links else None
     if beam is None:
         return None
     return min(beam.yield_strengths, default=None)

@@ -59,7 +59,7 @@ def static(
     The loads are those of the data sheet and those given here; motors stand at their first command.
     """
     from tmodes.analysis.statics.loads import Load, point_index
-    from tmodes.analysis.statics.rest import arm_rest
+    from tmodes.analysis.statics.rest import robot_rest
     from tmodes.model.model import Model
 
     arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)
@@ -71,7 +71,7 @@ def static(
     index = point_index(model, point)
     held = dict(held_of(text, arm) for text in hold or [])
     with working() as tell:
-        rest = arm_rest(arm, loads, model=model, held=held, progress=tell)
+        rest = robot_rest(arm, loads, model=model, held=held, progress=tell)
     _tell(arm, rest, index, as_json)
 
 

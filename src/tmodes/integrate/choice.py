@@ -25,13 +25,13 @@ def chosen_method(given: Integration, highest: float) -> tuple[str, str]:
     if given.method != AUTO:
         return given.method, ""
     steps = highest * given.duration / (integrator(_EXPLICIT).reach or 1.0)
-    info = f"the fastest eigenvalue, {_about(highest)} 1/s, asks for some {_about(max(steps, 2.0))} explicit steps"
-    if steps > STIFF and _too_exact(given):
-        why = f"because {_IMPLICIT} rounds above its tolerance"
-        return _EXPLICIT, f"by {_EXPLICIT}, {why}, though {info}"
-    if steps > STIFF:
-        return _IMPLICIT, f"by {_IMPLICIT}, because {info}"
-    return _EXPLICIT, f"by {_EXPLICIT}: {info}"
+    info = f"chosen: fastest eigenvalue {_about(highest)} 1/s"
+    if steps <= STIFF:
+        return _EXPLICIT, f"{_EXPLICIT} {info}"
+    info += f", about {_about(steps)} explicit steps"
+    if _too_exact(given):
+        return _EXPLICIT, f"{_EXPLICIT} {info}; {_IMPLICIT} would round above the tolerance"
+    return _IMPLICIT, f"{_IMPLICIT} {info}"
 
 
 def _about(value: float) -> str:
@@ -44,11 +44,11 @@ def explained(message: str, why: str) -> str:
     if not why:
         return message
     ending, semicolon, later_on = message.partition("; ")
-    return f"{ending}, {why}{semicolon}{later_on}"
+    return f"{ending} ({why}){semicolon}{later_on}"
 
 
 def otherwise(given: Integration, method: str) -> Integration | None:
-    """The settings to go on with where a motion turns out stiff; None where there are none.
+    """The settings to continue with where a motion turns out stiff; None where there are none.
 
     ``given``: the settings of the sheet; ``method``: the one that was chosen by them. A method that was named stays;
     so does one that is implicit, or whose tolerance is below that of its rounding.
@@ -71,7 +71,7 @@ def worth_switching(left: float, step: float) -> bool:
 
 
 def worth_keeping(step: float, gained: float) -> bool:
-    """Whether a trial of the implicit method, which went on by ``gained`` [s], was cheaper than explicit steps.
+    """Whether a trial of the implicit method, which advanced by ``gained`` [s], was cheaper than explicit steps.
 
     ``step``: of the explicit method before [s].
     """

@@ -13,7 +13,7 @@ from tmodes.analysis.modes.shapes import MOST_WHOLE
 from tmodes.analysis.quasistatic import gross_motion, sprung
 from tmodes.analysis.statics.compliance import spring_rows
 from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.analysis.statics.rest import arm_rest
+from tmodes.analysis.statics.rest import robot_rest
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.errors import SimulationError
 from tmodes.kinds.contacts.registry import Contact
@@ -68,7 +68,7 @@ def _modes(arm: Robot, model: Model) -> tuple[dict[str, Any] | None, str]:
     if model.nq > MOST_WHOLE:
         return None, f"of {model.nq} coordinates modes are found natively alone"
     try:
-        rest = arm_rest(arm, contact=arm.contact is not None)
+        rest = robot_rest(arm, contact=arm.contact is not None)
     except SimulationError as error:
         return None, str(error)
     if rest.model.coordinates != model.coordinates:

@@ -21,7 +21,7 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
 from tmodes.model.derivatives import Columns, Differentiated, differentiated
 from tmodes.model.evaluator import Blocks, Rows, derivatives
-from tmodes.model.passes import ArmPasses
+from tmodes.model.passes import Passes
 
 __all__ = ["DifferentiatedModel"]
 
@@ -41,9 +41,9 @@ class DifferentiatedModel:
     _made: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
-    def passes(self) -> ArmPasses:
+    def passes(self) -> Passes:
         """The schedules of the chain's equations, with its numbers."""
-        return ArmPasses(mechanics(self.chain))
+        return Passes(mechanics(self.chain))
 
     def forward_dynamics_jvp(
         self,

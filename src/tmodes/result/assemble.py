@@ -50,7 +50,7 @@ class Assembly:
     @cached_property
     def _lost(self) -> int | None:
         """The sample at which the energy balance is lost, of a run whose sheet asks to end there."""
-        run, settings, count = self.run, self.run.arm.integration, self._whole
+        run, settings, count = self.run, self.run.robot.integration, self._whole
         if not settings.energy_stop:
             return None
         return energy_lost(run.energy_balance[:count], run.energy_moved, settings.energy_tolerance)
@@ -70,7 +70,7 @@ class Assembly:
     @cached_property
     def stations(self) -> NDArray[np.float64]:
         """Places along each link at which its line is kept [-]."""
-        return np.linspace(0.0, 1.0, self.run.arm.integration.line_points)
+        return np.linspace(0.0, 1.0, self.run.robot.integration.line_points)
 
     @cached_property
     def _motion(self) -> Variables:
@@ -95,8 +95,8 @@ class Assembly:
         setup = self.run.setup
         try:
             if setup is None or setup.rest is None:
-                return frequencies_of_sheet(self.run.arm), []
-            return frequencies_about(self.run.arm, setup.rest), []
+                return frequencies_of_sheet(self.run.robot), []
+            return frequencies_about(self.run.robot, setup.rest), []
         except SimulationError as error:
             return {}, [f"no frequencies are computed: {error}"]
 

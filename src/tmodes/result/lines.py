@@ -31,7 +31,7 @@ def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, d
     split = split_motion(*motion, wrenches=wrenches, base=base)
     found = _shapes(shown, straight) | _loads(bending) | _stresses(stressed)
     found |= _split(split.stationary, split.oscillatory)
-    notices = run_warnings(run.arm, run.model, run.times[part], run.q[part], lines)
+    notices = run_warnings(run.robot, run.model, run.times[part], run.q[part], lines)
     loose = np.flatnonzero(~split.held)
     if len(loose):
         notices.append(

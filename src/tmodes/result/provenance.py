@@ -77,8 +77,8 @@ def provenance(run: RunData, known: Robot) -> dict[str, Any]:
         "kind": "arm",
         "title": known.title or known.name,
         "robot": json.dumps(sheet_data(known)),
-        "robot_real": json.dumps(sheet_data(run.arm)),
-        "method": str(run.arm.integration.method),
+        "robot_real": json.dumps(sheet_data(run.robot)),
+        "method": str(run.robot.integration.method),
         "versions": json.dumps({name: version(name) for name in packages} | {"python": platform.python_version()}),
         "statistics": json.dumps(counts),
     }

@@ -94,7 +94,7 @@ class Result:
     @property
     def actual(self) -> Robot:
         """The robot as it really ran, its ``real`` factors taken; raises as :attr:`robot`."""
-        return live.run.arm if (live := self._live) else self._sheet("robot_real")
+        return live.run.robot if (live := self._live) else self._sheet("robot_real")
 
     @property
     def frequencies(self) -> dict[str, list[dict[str, Any]]]:
@@ -214,4 +214,4 @@ def load_result(path: str | os.PathLike[str]) -> Result:
 def assemble_result(run: RunData, known: Robot | None = None) -> Result:
     """The result of a run; ``known``: the robot by whose sheet it was planned, None: the one of the run."""
     timing = {"real": run.seconds} | ({"reference": run.reference.seconds} if run.reference else {})
-    return Result(timing=timing, assembly=Assembly(run, known or run.arm))
+    return Result(timing=timing, assembly=Assembly(run, known or run.robot))

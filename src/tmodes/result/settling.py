@@ -85,7 +85,7 @@ def settling(run: RunData, move_end: float | None, band: float = BAND) -> dict[s
 def _continued(setup: RunSetup, run: RunData, duration: float) -> tuple[Trajectory, Array]:
     """The run from where it ended, all signals at rest, and its tip at each sample (n, 3) [m]."""
     setup, state = at_rest_from(setup, float(run.times[-1]), run.states[-1], duration)
-    settings = setup.arm.integration.model_copy(update={"duration": duration, "output_step": duration / _SAMPLES})
+    settings = setup.robot.integration.model_copy(update={"duration": duration, "output_step": duration / _SAMPLES})
     if not integrator(settings.method).adaptive:
         settings = settings.chosen("dormand_prince")
     later = setup.otherwise and setup.otherwise.model_copy(update={"duration": duration})

@@ -32,7 +32,7 @@ Array = NDArray[np.float64]
 class Lowered:
     """A run in numbers: its model, the parameters, the signals, the state at the start, and how it is integrated.
 
-    ``rates``: the schedule of the rates; ``regime``: the run's setup. The method ``auto`` is chosen as for
+    ``rates``: the schedule of the rates; ``setup``: the run's setup. The method ``auto`` is chosen as for
     any run; one that turns out stiff underway continues with it here.
     """
 
@@ -42,7 +42,7 @@ class Lowered:
     schedule: Schedule
     start: Array
     settings: Integration
-    regime: RunSetup
+    setup: RunSetup
     contact: Contact | None = None
 
     def recorded(self, most_bytes: float = MOST_BYTES) -> Replay:
@@ -58,7 +58,7 @@ class Lowered:
         done = record(self.model, self.parameters, self.schedule, self.start, self.settings, most_bytes)
         if done.contact_changes and self.contact and self.contact.jumps:
             raise SimulationError(
-                "derivatives of a run: contact set in or ended on a unilateral surface with a damper or a preload, "
+                "derivatives of a run: contact started or ended on a unilateral surface with a damper or a preload, "
                 "whose force jumps there; expected a force without jumps. End the run before, or set "
                 "contact.damping and contact.preload to 0"
             )
@@ -71,11 +71,11 @@ def lowered(sheet: Robot) -> Lowered:
     Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
     """
     real = sheet.pair().real
-    regime = run_setup(real)
-    settings = chosen_settings(sheet.integration, lambda: regime.spectrum)
-    model = regime.model
+    setup = run_setup(real)
+    settings = chosen_settings(sheet.integration, lambda: setup.spectrum)
+    model = setup.model
     rates = model.loop.euler_rate if integrator(settings.method).asks == EULER else model.loop.rate
-    return Lowered(model, rates, model.numbers, regime.planned.schedule, regime.start, settings, regime, real.contact)
+    return Lowered(model, rates, model.numbers, setup.planned.schedule, setup.start, settings, setup, real.contact)
 
 
 def replanned(sheet: Robot) -> tuple[Planned, LoopModel]:

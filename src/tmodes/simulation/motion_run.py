@@ -47,7 +47,7 @@ class RunData:
     ``error``; None where that is not known. ``seconds`` of computing for each simulated second.
     """
 
-    arm: Robot
+    robot: Robot
     planned: Planned
     chain: Chain
     model: Model
@@ -121,7 +121,7 @@ def gathered(setup: RunSetup, trajectory: Trajectory, rows: Array | None = None)
     contact = seen["contact"] if plan.plan.touch else None
     works = states[:, loop.layout.works]
     return RunData(
-        arm=setup.arm, planned=plan, chain=plan.chain, model=model,
+        robot=setup.robot, planned=plan, chain=plan.chain, model=model,
         drives=tuple(drive.joint for drive in plan.plan.drives), times=times, q=q, v=v, a=a,
         effort=drives[:, :, 0], voltage=drives[:, :, 1], current=drives[:, :, 2], wanted=drives[:, :, 3],
         gear_torque=seen["gear"], controls=seen["controls"], points=model.points(q, v, a, base=moving),

@@ -35,7 +35,7 @@ class Recording:
 
     ``times`` (n,) and ``samples`` (n, size): what the run gave; ``first_sample`` (steps + 1): which of them lie in a
     step, the start aside; ``weights`` (n, stages) of its stages in each; ``used``: how many stages, or rows, it needs;
-    ``contact_changes``: how often a contact set in or ended.
+    ``contact_changes``: how often a contact started or ended.
     """
 
     method: str

@@ -21,7 +21,7 @@ from tmodes.simulation.callback import Controller, driven_by, run_with_controlle
 from tmodes.simulation.motion_run import RunData, bytes_per_sample, gathered
 from tmodes.simulation.parts import Journal, Trajectory
 from tmodes.simulation.plan import Follow
-from tmodes.simulation.quantities import arm_stops
+from tmodes.simulation.quantities import run_stops
 from tmodes.simulation.start import RunSetup, run_setup, run_trajectory
 from tmodes.simulation.stops import STOPPED, Instants, Stops
 from tmodes.simulation.warnings import jumps, run_warnings, start_warnings
@@ -47,18 +47,18 @@ class _Setups(NamedTuple):
 
     def by_method(self) -> tuple[_Setups, StepVerdict, str]:
         """The same with the integrator chosen for both, the verdict on its step, and why it was chosen."""
-        given, spectra = self.real.arm.integration, [one.spectrum for one in (self.nominal, self.real) if one]
+        given, spectra = self.real.robot.integration, [one.spectrum for one in (self.nominal, self.real) if one]
         method, why = chosen_method(given, max(spectrum.highest for spectrum in spectra))
         later = otherwise(given, method)
         real, nominal = (one and one.by(method, later) for one in (self.real, self.nominal))
         assert real is not None  # noqa: S101
-        verdicts = [step_size_verdict(real.arm.integration, spectrum) for spectrum in spectra]
+        verdicts = [step_size_verdict(real.robot.integration, spectrum) for spectrum in spectra]
         verdict = max(verdicts, key=lambda verdict: (not verdict.stable, verdict.highest))
         return _Setups(real, nominal, self.warnings), verdict, why
 
 
 def simulate_motion(
-    arm: Robot | RobotPair,
+    robot: Robot | RobotPair,
     *,
     progress: Progress = lambda stage, share: None,
     journals: Journals = lambda stage: None,
@@ -76,9 +76,9 @@ def simulate_motion(
     ``message``. Raises :class:`tmodes.errors.InputError` for what cannot be run or is too large, and
     :class:`tmodes.errors.SimulationError` where it cannot start.
     """
-    pair = arm if isinstance(arm, RobotPair) else arm.pair()
+    pair = robot if isinstance(robot, RobotPair) else robot.pair()
     real = run_setup(pair.real)
-    stops = arm_stops(real, tuple(stop))
+    stops = run_stops(real, tuple(stop))
     _refuse(real)
     if controller is None:
         stops.refuse_at_start(Instants(np.zeros(1), real.start[None, :], real.first_row[None, :]))
@@ -103,7 +103,7 @@ def simulate_motion(
 
 def _refuse(real: RunSetup) -> None:
     """Refuse a run that is too large for memory, and a robot in which nothing moves."""
-    settings = real.arm.integration
+    settings = real.robot.integration
     samples = settings.duration / settings.output_step
     refuse_too_large(settings, samples, 2 * bytes_per_sample(real.model), "or a shorter duration")
     if not real.model.coordinates:
@@ -143,7 +143,7 @@ def _run(
         done = run_trajectory(real, lambda share: progress("real robot", share), journals("real"), until, stops)
         return done, real, None
     real = driven_by(real)
-    own = arm_stops(real, stop)  # states of a run without the sheet's control are shorter
+    own = run_stops(real, stop)  # states of a run without the sheet's control are shorter
     done, rows = run_with_controller(real, controller, lambda share: progress("real robot", share), own)
     return done, real, rows
 

@@ -53,7 +53,7 @@ class WatchedRun:
             stops.refuse_at_start(self._instants(self._here()))
 
     def advance(self, steps: int) -> None:
-        """Go on by at most so many steps, or to where a condition triggers."""
+        """Advance by at most so many steps, or to where a condition triggers."""
         run, steps, looks = self.run, min(steps, _PIECE), integrator(self.run.settings.method).looks
         before, first = _kept(run), self._here()
         run.looks, run.seen = float(looks), np.zeros(1 + steps * looks * (len(SEEN) + len(run.state)))
@@ -189,11 +189,11 @@ class WatchedRun:
         return run.trajectory(STOPPED, info)
 
     def record(self) -> dict[str, Array]:
-        """All that the run needs to go on."""
+        """All that the run needs to continue."""
         return self.run.record() | {"ended": self.ended}
 
     def resume(self, record: dict[str, Array]) -> None:
-        """Go on where a record ends."""
+        """Continue where a record ends."""
         self.run.resume(record)
         self.ended[:] = record["ended"]
 

@@ -78,7 +78,7 @@ class Ladder:
     ``converged``: the rung before the finest is within the tolerance too.
     """
 
-    arm: str
+    robot: str
     tolerance: float
     move: str
     deflection_m: float
@@ -105,7 +105,7 @@ class _Start:
 
 
 def ladder(
-    arm: Robot,
+    robot: Robot,
     tolerance: float = 1e-3,
     *,
     finest: int = FINEST,
@@ -118,18 +118,18 @@ def ladder(
     """
     if not 0 < tolerance < 1:
         raise InputError("tolerance", repr(tolerance), "a share between 0 and 1", "take 1e-3 for a thousandth")
-    info = list(rungs(arm, finest))
-    first = chosen_move(arm, np.inf)
+    info = list(rungs(robot, finest))
+    first = chosen_move(robot, np.inf)
     starts: list[_Start] = []
     for k, (name, sheet) in enumerate(info):
         progress("models", k / len(info))
         starts.append(_at_rest(name, sheet, first))
-    move = chosen_move(arm, min(starts[-1].frequencies, default=np.inf))
+    move = chosen_move(robot, min(starts[-1].frequencies, default=np.inf))
     paths: list[Array | str] = []
     for k, start in enumerate(starts):
         progress("test moves", k / len(info))
         paths.append(_path(start, move, tolerance))
-    return _compared(arm, tolerance, move, starts, paths)
+    return _compared(robot, tolerance, move, starts, paths)
 
 
 def _at_rest(name: str, sheet: Robot, move: Move) -> _Start:
@@ -191,7 +191,7 @@ def _path(start: _Start, move: Move, tolerance: float) -> Array | str:
     return model.points(q).position[:, 0]
 
 
-def _compared(arm: Robot, tolerance: float, move: Move, starts: list[_Start], paths: list[Array | str]) -> Ladder:
+def _compared(robot: Robot, tolerance: float, move: Move, starts: list[_Start], paths: list[Array | str]) -> Ladder:
     best, last = paths[-1], starts[-1]
     if isinstance(best, str):
         raise SimulationError(best)
@@ -201,7 +201,7 @@ def _compared(arm: Robot, tolerance: float, move: Move, starts: list[_Start], pa
     good = [rung for rung in info if rung.within(tolerance)]
     cheapest = min(good or info[-1:], key=lambda rung: (rung.coordinates, rung.cost_us))
     converged = len(info) > 1 and info[-2].within(tolerance)
-    return Ladder(arm.name, tolerance, move.words, deflection, info, cheapest.model, converged)
+    return Ladder(robot.name, tolerance, move.words, deflection, info, cheapest.model, converged)
 
 
 def _rung(start: _Start, path: Array | str, best: Array, deflection: float, last: _Start) -> Rung:

@@ -18,11 +18,11 @@ from tmodes.chain.chain import Chain, Friction
 from tmodes.model.model import Model
 
 __all__ = [
-    "ArmMode",
+    "Mode",
     "MotorState",
     "Servo",
-    "arm_modes",
     "closed_loop_poles",
+    "modes_about",
     "moving_coordinates",
     "without_dry_friction",
 ]
@@ -42,7 +42,7 @@ class Servo(NamedTuple):
 
 
 @dataclass(frozen=True, eq=False)
-class ArmMode:
+class Mode:
     """One mode of vibration.
 
     ``frequency_Hz``: natural, from mass and stiffness alone, 0 for a free motion and for one that buckles; of a mode
@@ -65,12 +65,12 @@ class ArmMode:
     motion: Complex | None = None
 
 
-def arm_modes(
+def modes_about(
     rest: Equilibrium,
     motors: MotorState = MotorState.LOCKED,
     servos: Mapping[str, Servo] | None = None,
     feedback: Feedback | None = None,
-) -> list[ArmMode]:
+) -> list[Mode]:
     """Modes by rising frequency about an arm at rest.
 
     ``motors`` locked: the driven coordinates stand still; free: they turn without current; controlled: they are on
@@ -152,12 +152,12 @@ def _eigenvalues(
     return values[chosen], motions if spanned is shapes else spanned @ motions
 
 
-def _controlled(mode: ArmMode, value: complex) -> ArmMode:
+def _controlled(mode: Mode, value: complex) -> Mode:
     return replace(mode, frequency_Hz=float(abs(value)) / (2 * np.pi)) if mode.damped_frequency_Hz else mode
 
 
 def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:
-    """Indices of the coordinates that move in one of the cases of :func:`arm_modes`."""
+    """Indices of the coordinates that move in one of the cases of :func:`modes_about`."""
     model = rest.model
     prescribed = set(model.parts.held)
     added: Sequence[int] = driven(model) if motors is MotorState.FREE else [model.coordinates.index(n) for n in servos]
@@ -189,16 +189,16 @@ def without_dry_friction(chain: Chain) -> Chain | None:
     return replace(chain, nodes=tuple(nodes)) if any(dry) else None
 
 
-def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float) -> ArmMode:
+def _mode(square: float, value: complex, shape: Array, stored: Mapping[str, float], zero: float) -> Mode:
     """A mode with unit modal mass and twice the energies ``stored`` in the springs; squares up to ``zero`` are none."""
     shown = shape / shape[np.abs(shape).argmax()]
     total = sum(stored.values())
     if abs(square) <= zero and total <= zero:
-        return ArmMode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, shown)
+        return Mode(0.0, None, 0.0, "whole arm, free", 1.0, {}, True, None, shown)
     shares = {name: energy / total for name, energy in stored.items()} if total > zero else {}
     home = max(shares, key=lambda name: shares[name]) if shares else "whole arm, in its weight and loads"
     size, stable = abs(value), bool(value.real <= GROWING * abs(value))
-    return ArmMode(
+    return Mode(
         frequency_Hz=float(np.sqrt(max(square, 0.0))) / (2 * np.pi),
         damped_frequency_Hz=float(value.imag) / (2 * np.pi) if value.imag > RINGS * size else None,
         damping_ratio=float(-value.real / size) if abs(value.real) > ROUNDING * size else 0.0,

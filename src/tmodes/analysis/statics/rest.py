@@ -14,11 +14,11 @@ from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LoadFrame
 
-__all__ = ["arm_rest", "first_commands", "first_value", "sheet_loads"]
+__all__ = ["first_commands", "first_value", "robot_rest", "sheet_loads"]
 
 
-def arm_rest(
-    arm: Robot,
+def robot_rest(
+    robot: Robot,
     loads: Sequence[Load] = (),
     *,
     model: Model | None = None,
@@ -33,11 +33,11 @@ def arm_rest(
     at 0; ``contact`` False leaves the sheet's contact out. One that was solved lately is taken again: a run, its modes
     and its page ask for the same. Errors as of :func:`equilibrium`.
     """
-    model = model or Model(arm.chain())
-    known = {name: value for name, value in arm.initial.coordinates.items() if name in model.coordinates}
-    commands = first_commands(arm, model) | dict(held or {})
-    acting = [*(sheet_loads(arm) if sheet else ()), *loads]
-    touched = arm.contact if contact else None
+    model = model or Model(robot.chain())
+    known = {name: value for name, value in robot.initial.coordinates.items() if name in model.coordinates}
+    commands = first_commands(robot, model) | dict(held or {})
+    acting = [*(sheet_loads(robot) if sheet else ()), *loads]
+    touched = robot.contact if contact else None
     key = _key(model, acting, commands, known, touched)
     if key not in _solved:
         _solved[key] = equilibrium(model, acting, held=commands, start=known, contact=touched, progress=progress)
@@ -61,28 +61,28 @@ def _key(
     return structure, model.coordinates, numbers, acting, tuple(held.items()), tuple(start.items()), touched
 
 
-def first_commands(arm: Robot, model: Model) -> dict[str, float]:
+def first_commands(robot: Robot, model: Model) -> dict[str, float]:
     """Coordinates whose position a drive commands, at time 0 [rad, m]; a motor's where its gear is elastic."""
     commands = {}
-    for drive in arm.drives:
+    for drive in robot.drives:
         if drive.command.is_motion:
             motor = f"{drive.joint}.motor"
             name = motor if motor in model.coordinates else drive.joint
             if name in model.coordinates:
-                commands[name] = first_value(arm, drive.signal)
+                commands[name] = first_value(robot, drive.signal)
     return commands
 
 
-def sheet_loads(arm: Robot) -> list[Load]:
+def sheet_loads(robot: Robot) -> list[Load]:
     """The loads of a data sheet at time 0."""
     loads = []
-    for load in arm.loads:
-        factor = 1.0 if load.signal is None else first_value(arm, load.signal)
+    for load in robot.loads:
+        factor = 1.0 if load.signal is None else first_value(robot, load.signal)
         force, moment = ([factor * x for x in part] for part in (load.force, load.moment))
         loads.append(Load(load.point, force, moment, follows=load.frame is LoadFrame.SECTION))
     return loads
 
 
-def first_value(arm: Robot, signal: Any) -> float:
+def first_value(robot: Robot, signal: Any) -> float:
     """The value of a signal at time 0; beyond the arm's run it may have none."""
-    return float(signal.schedule(min(1.0, arm.integration.duration)).coefficients[0, 0])
+    return float(signal.schedule(min(1.0, robot.integration.duration)).coefficients[0, 0])

@@ -49,7 +49,7 @@ def simulate_batch(
     Lanes may differ in their coordinates, as with a rigid gear next to elastic ones: the batch has those of all lanes,
     a motor without one of its own moves as its joint, and of a link they are zero.
 
-    A lane that cannot start (``failed``) or cannot go on keeps what it had and disturbs no other: look at ``status``
+    A lane that cannot start (``failed``) or cannot continue keeps what it had and disturbs no other: look at ``status``
     and ``message``. Raises :class:`tmodes.errors.InputError` or :class:`tmodes.errors.InputErrors` for wrong numbers,
     reporting their lane; :class:`tmodes.errors.SimulationError` where none can start.
     """
