@@ -68,10 +68,10 @@ def test_a_rest_is_solved_once_for_run_modes_and_page(counts):
     robot = short(real={})
     result = tmodes.run(robot)
     assert result.frequencies
-    sheet_frequencies(Robot.from_data(swinging() | {"real": {}}), contact=robot.contact is not None)
+    sheet_frequencies(Robot.from_data(swinging() | {"real": {}}))
     assert counts["equilibrium"] == 1
     for change in ({"links.0.beam.length": 0.61}, {"gravity": 3.0}):
-        sheet_frequencies(robot.with_(change), contact=robot.contact is not None)
+        sheet_frequencies(robot.with_(change))
     assert counts["equilibrium"] == 3
     robot_rest(robot, [Load("tip", (0.0, 0.0, -0.1))])
     assert counts["equilibrium"] == 4

@@ -11,7 +11,7 @@ from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.live.loads import line_lengths, load_places
 from tmodes.live.vibrations import vibration_numbers
 from tmodes.model.model import Model
-from tmodes.model.passes import Passes
+from tmodes.model.passes import ChainPasses
 from tmodes.sheet import Robot
 from tmodes.simulation.plan import Follow, planned
 
@@ -69,7 +69,7 @@ def run_numbers(arm: Robot, follow: Follow, until: float, stations: tuple[float,
 
 def _rotors(loop: ClosedLoop) -> Array:
     """Inertia of the rotors along each coordinate, those that follow their signals among them."""
-    rotors = Passes(loop.mechanics).rotor_inertias.copy()
+    rotors = ChainPasses(loop.mechanics).rotor_inertias.copy()
     for driver in loop.drivers:
         motor = driver.part.node.joint.motor
         if driver.part.given >= 0 and motor:

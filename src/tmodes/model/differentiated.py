@@ -21,7 +21,7 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
 from tmodes.model.derivatives import Columns, Differentiated, differentiated
 from tmodes.model.evaluator import Blocks, Rows, derivatives
-from tmodes.model.passes import Passes
+from tmodes.model.passes import ChainPasses
 
 __all__ = ["DifferentiatedModel"]
 
@@ -41,9 +41,9 @@ class DifferentiatedModel:
     _made: dict[Any, Any] = field(default_factory=dict, init=False, repr=False)
 
     @cached_property
-    def passes(self) -> Passes:
+    def passes(self) -> ChainPasses:
         """The schedules of the chain's equations, with its numbers."""
-        return Passes(mechanics(self.chain))
+        return ChainPasses(mechanics(self.chain))
 
     def forward_dynamics_jvp(
         self,

@@ -16,13 +16,13 @@ from tmodes.equations.recursion.passes import BASE, resting_base
 from tmodes.kinds.kernel.schedule import Schedule
 from tmodes.model.evaluator import Blocks, Rows, evaluate
 
-__all__ = ["Passes", "PointMotion"]
+__all__ = ["ChainPasses", "PointMotion"]
 
 Array = NDArray[np.float64]
 
 
 @dataclass(frozen=True, eq=False)
-class Passes:
+class ChainPasses:
     """Forward dynamics, forces of inertia, elastic forces; each schedule is made at its first use.
 
     ``base`` is a row of 24 numbers (None: at rest), ``wrenches`` (n, points, 6) or None: no force on any point.

@@ -5,7 +5,7 @@ from __future__ import annotations
 import math
 from collections.abc import Callable, Sequence
 from dataclasses import replace
-from typing import Any, NamedTuple, cast
+from typing import Any, NamedTuple
 
 import numpy as np
 from numpy.typing import NDArray
@@ -14,7 +14,6 @@ from tmodes.result.lines import load_series
 from tmodes.result.series import Variables, motion_series
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
-from tmodes.simulation.start import RunSetup
 
 __all__ = ["summary_errors"]
 
@@ -31,7 +30,7 @@ def summary_errors(run: RunData, stations: Array, variables: Variables, names: d
     counts too. ``names``: the labels along the dimensions of ``variables``. Empty where no error is known.
     """
     runs = [one for one in (run, run.reference) if one is not None]
-    estimates = [one.error for one in runs if one.error and one.setup]
+    estimates = [one.error for one in runs if one.error]
     if len(estimates) < len(runs):
         return {}
     rows = rows_each(estimates)
@@ -46,7 +45,7 @@ def summary_errors(run: RunData, stations: Array, variables: Variables, names: d
 def _disturbed(run: RunData, samples: list[int], rows: int, turn: int) -> RunData:
     states = disturbed_rows(run.states, run.error, samples, rows, turn)
     times = run.times[np.repeat(samples, rows)]
-    return gathered(cast("RunSetup", run.setup), Trajectory(times, states, run.status, run.message))
+    return gathered(run.setup, Trajectory(times, states, run.status, run.message))
 
 
 def _figures(variables: Variables, names: dict[str, Any], rows: int) -> list[Figure]:

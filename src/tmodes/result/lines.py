@@ -1,6 +1,8 @@
-"""The elastic lines of an arm's run, its parts T_st and T_to, and what its models say of themselves."""
+"""The elastic lines of a run, its parts T_st and T_to, and what its models say of themselves."""
 
 from __future__ import annotations
+
+from collections.abc import Iterable
 
 import numpy as np
 from numpy.typing import NDArray
@@ -9,7 +11,7 @@ from tmodes.analysis.line.line import LinkLine, LinkLines, elastic_line
 from tmodes.analysis.quasistatic import deflections, elastic_names, split_motion
 from tmodes.analysis.validity import run_warnings
 from tmodes.model.model import Model
-from tmodes.result.series import Variables
+from tmodes.result.series import MIXED, Series, Variables, over_time
 from tmodes.simulation.motion_run import RunData
 
 __all__ = ["line_series", "load_series", "run_wrenches", "straight_shape", "without_elasticity"]
@@ -29,8 +31,7 @@ def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, d
     stressed = [line for line in bending if line.stress is not None]
     names = {"link": shown, "bending_link": bending, "stressed_link": stressed}
     split = split_motion(*motion, wrenches=wrenches, base=base)
-    found = _shapes(shown, straight) | _loads(bending) | _stresses(stressed)
-    found |= _split(split.stationary, split.oscillatory)
+    found = _shapes(shown, straight) | _loads(bending) | _split(split.stationary, split.oscillatory)
     notices = run_warnings(run.robot, run.model, run.times[part], run.q[part], lines)
     loose = np.flatnonzero(~split.held)
     if len(loose):
@@ -39,7 +40,7 @@ def line_series(run: RunData, stations: Array, count: int) -> tuple[Variables, d
             f"{run.times[loose[0]]:.4g} s: the arm could not hold its loads there without moving"
         )
     plain = {dim: [line.name for line in group] for dim, group in names.items()}
-    return {name: info for name, info in found.items() if info[1].size}, plain, notices
+    return over_time(found, count), plain, notices
 
 
 def load_series(run: RunData, stations: Array, count: int) -> Variables:
@@ -47,8 +48,7 @@ def load_series(run: RunData, stations: Array, count: int) -> Variables:
     part = slice(count)
     motion = (run.model, run.q[part], run.v[part], run.a[part])
     loads = {"wrenches": run_wrenches(run)[part], "base": run.base[part]}
-    bending = elastic_line(*motion, stations=[*map(float, stations)], **loads).bending()
-    return _loads(bending) | _stresses([line for line in bending if line.stress is not None])
+    return over_time(_loads(elastic_line(*motion, stations=[*map(float, stations)], **loads).bending()), count)
 
 
 def run_wrenches(run: RunData) -> Array:
@@ -67,12 +67,12 @@ def run_wrenches(run: RunData) -> Array:
 
 
 def straight_shape(run: RunData) -> Array:
-    """Coordinates (n, nq) of a run's arm without any elasticity, its motors where they are."""
+    """Coordinates (n, nq) of a run's robot without any elasticity, its motors where they are."""
     return without_elasticity(run.model, run.q)
 
 
 def without_elasticity(model: Model, q: Array) -> Array:
-    """Coordinates (n, nq) of the arm at ``q`` without any elasticity, its motors where they are."""
+    """Coordinates (n, nq) of the robot at ``q`` without any elasticity, its motors where they are."""
     straight, names = q.copy(), model.coordinates
     bent = deflections(model, q)
     for k, name in enumerate(elastic_names(model)):
@@ -82,52 +82,44 @@ def without_elasticity(model: Model, q: Array) -> Array:
     return straight
 
 
-def _shapes(shown: list[LinkLine], straight: LinkLines) -> Variables:
-    dims = ("time", "link", "s", "axis")
+def _shapes(shown: list[LinkLine], straight: LinkLines) -> Series:
     rigid = [straight[line.name] for line in shown]
     return {
-        "line": (dims, _stack([line.position for line in shown]), "m", "position of the elastic line"),
-        "line_rigid": (dims, _stack([line.position for line in rigid]), "m",
+        "line": ("link s axis", _stack(line.position for line in shown), "m", "position of the elastic line"),
+        "line_rigid": ("link s axis", _stack(line.position for line in rigid), "m",
                        "position of the line without any elasticity, the motors where they are"),
     }  # fmt: skip
 
 
-def _loads(bending: list[LinkLine]) -> Variables:
-    plane, kinds = ("time", "bending_link", "s", "plane"), ("time", "bending_link", "s", "moment_kind")
-    along = plane[:3]
-    shapes = [line.shape for line in bending if line.shape is not None]
-    text = "of all loads outboard, in section axes"
+def _loads(bending: list[LinkLine]) -> Series:
+    """What links carry and how they bend, and the stress of those whose section and material are known."""
+    plane, kinds, text = "bending_link s plane", "bending_link s moment_kind", "of all loads outboard, in section axes"
+    shapes = [line.shape for line in bending if line.shape]
+    stresses = [line.stress for line in bending if line.stress]
     return {
-        "deflection": (plane, _stack([shape.deflection for shape in shapes]), "m",
+        "deflection": (plane, _stack(shape.deflection for shape in shapes), "m",
                        "deflection of the elastic line from the root's tangent, along y and z of the root"),
-        "slope": (plane, _stack([shape.slope for shape in shapes]), "rad", "slope against the root's tangent"),
-        "moment": (kinds, _stack([line.moment for line in bending]), "N m", f"moment {text}"),
-        "elastic_moment": (kinds, _stack([shape.elastic_moment for shape in shapes]), "N m",
+        "slope": (plane, _stack(shape.slope for shape in shapes), "rad", "slope against the root's tangent"),
+        "moment": (kinds, _stack(line.moment for line in bending), "N m", f"moment {text}"),
+        "elastic_moment": (kinds, _stack(shape.elastic_moment for shape in shapes), "N m",
                            "moment with which the material answers its curvature and its rate"),
-        "shear_force": (plane, _stack([line.shear for line in bending]), "N", f"shear force {text}"),
-        "axial_force": (along, _stack([line.axial for line in bending]), "N", f"axial force {text}, tension positive"),
+        "shear_force": (plane, _stack(line.shear for line in bending), "N", f"shear force {text}"),
+        "axial_force": ("bending_link s", _stack(line.axial for line in bending), "N",
+                        f"axial force {text}, tension positive"),
+        "stress": ("stressed_link s", _stack(one.mises_stress for one in stresses), "Pa", "largest von Mises stress"),
+        "strain": ("stressed_link s", _stack(one.strain for one in stresses), "1", "largest strain of the outer fibre"),
     }  # fmt: skip
 
 
-def _stresses(stressed: list[LinkLine]) -> Variables:
-    info = [line.stress for line in stressed if line.stress is not None]
-    dims = ("time", "stressed_link", "s")
+def _split(stationary: Array, oscillatory: Array) -> Series:
+    text = "stationary part T_st of the elastic coordinates"
     return {
-        "stress": (dims, _stack([stress.mises_stress for stress in info]), "Pa", "largest von Mises stress"),
-        "strain": (dims, _stack([stress.strain for stress in info]), "1", "largest strain of the outer fibre"),
+        "deformation_stationary": ("deformation_kind", stationary, MIXED, text),
+        "deformation_oscillatory": ("deformation_kind", oscillatory, MIXED, "oscillatory part T_to"),
     }
 
 
-def _split(stationary: Array, oscillatory: Array) -> Variables:
-    dims = ("time", "deformation_kind")
-    unit = "rad, m along prismatic joints, 1 of stretch"
-    return {
-        "deformation_stationary": (dims, stationary, unit, "stationary part T_st of the elastic coordinates"),
-        "deformation_oscillatory": (dims, oscillatory, unit, "oscillatory part T_to"),
-    }
-
-
-def _stack(parts: list[Array | None]) -> Array:
+def _stack(parts: Iterable[Array]) -> Array:
     """(n, links, ...) of one array for each link."""
-    info = [part for part in parts if part is not None]
+    info = [*parts]
     return np.stack(info, axis=1) if info else np.zeros(0)

@@ -15,10 +15,11 @@ from pathlib import Path
 from typing import TYPE_CHECKING, Any, Self
 
 from tmodes import upward
+from tmodes.analysis.modes.of_sheet import sheet_frequencies
 from tmodes.io.atomic import file_error
 from tmodes.kinds.registry import UnknownKindError
 from tmodes.result import record
-from tmodes.result.assemble import Assembly, frequencies_of_sheet
+from tmodes.result.assemble import Assembly
 from tmodes.result.earlier import assembly_2010
 from tmodes.result.record import absent_kinds
 from tmodes.result.summary import summarise_result
@@ -110,7 +111,7 @@ class Result:
 
     @cached_property
     def _frequencies_again(self) -> dict[str, list[dict[str, Any]]]:
-        return frequencies_of_sheet(self.actual)
+        return sheet_frequencies(self.actual)
 
     @property
     def settling(self) -> dict[str, Any] | None:

@@ -12,7 +12,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.errors import InputError
 from tmodes.kinds.kernel.schedule import Slot
 from tmodes.model.derivatives import Blocks, differentiated
-from tmodes.model.passes import Passes
+from tmodes.model.passes import ChainPasses
 from tmodes.sensitivity.lowering import Lowered
 from tmodes.simulation.recording import Recording
 
@@ -43,7 +43,9 @@ class RunOutputs:
         self._plain = tuple(name for name in names if name not in places)
         shown = tuple(dict.fromkeys((*self._plain, *(_MOVED if self._places else ()))))
         self._of = differentiated(loop.observe, shown) if shown else None
-        self._points = differentiated(Passes(loop.mechanics).schedule("inertia"), ["points"]) if self._places else None
+        self._points = (
+            differentiated(ChainPasses(loop.mechanics).schedule("inertia"), ["points"]) if self._places else None
+        )
 
     @cached_property
     def _seen(self) -> Blocks:

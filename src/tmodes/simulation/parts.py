@@ -40,7 +40,7 @@ class ErrorEstimate:
     signed: bool
 
 
-@dataclass
+@dataclass(frozen=True, eq=False)
 class Trajectory:
     """Samples of a run: ``times`` (n,) [s], ``states`` (n, size).
 

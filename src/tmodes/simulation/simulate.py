@@ -92,9 +92,9 @@ def simulate_motion(
     if reference and trajectory.status == STOPPED:
         reference = _until(reference, float(trajectory.times[-1]))
     if trajectory.status == "diverged":
-        trajectory.message += f"; likely cause: {_cause(verdict, warnings)}"
+        trajectory = replace(trajectory, message=f"{trajectory.message}; likely cause: {_cause(verdict, warnings)}")
     elif trajectory.status in ("finished", STOPPED):
-        trajectory.message = explained(trajectory.message, why)
+        trajectory = replace(trajectory, message=explained(trajectory.message, why))
     run = gathered(used, trajectory, rows)
     dt_omega = step_times_eigenvalue(verdict, run.statistics)
     statistics = run.statistics | {"highest_eigenvalue": verdict.highest, "dt_omega": dt_omega}
@@ -165,7 +165,6 @@ def _reference(
 
 def _until(reference: RunData, end: float) -> RunData:
     """The reference run to an earlier end [s], so that it has a sample there."""
-    assert reference.setup is not None  # noqa: S101
     run = gathered(reference.setup, run_trajectory(reference.setup, until=end))
     return replace(run, warnings=tuple(run_warnings(run)))
 

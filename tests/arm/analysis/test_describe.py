@@ -9,7 +9,7 @@ import pytest
 
 from arm.analysis.sheets import clamped_sheet, locked_sheet
 from tmodes.analysis.describe.describe import describe, statics_info
-from tmodes.analysis.modes.of_sheet import servos_of, sheet_modes, vibrations
+from tmodes.analysis.modes.of_sheet import servos_of, vibrations
 from tmodes.analysis.statics.loads import Load
 from tmodes.analysis.statics.rest import first_commands, robot_rest
 from tmodes.kinds.links.bare import bare_beam
@@ -69,7 +69,7 @@ def test_single_elastic_joint():
     assert info["gears"][0]["stiffness"] == [100.0]
     assert info["joints"][0]["kind"] == "AE"
     assert servos_of(arm, model)["joint.motor"] == (80.0, 12.0)  # pyright: ignore
-    modes = sheet_modes(arm)  # pyright: ignore
+    modes = vibrations(arm).states  # pyright: ignore
     assert set(modes) == {"locked", "free", "controlled"}
     assert 2 * np.pi * modes["locked"][0]["frequency_Hz"] == pytest.approx(np.sqrt(109.8), rel=1e-9)
 

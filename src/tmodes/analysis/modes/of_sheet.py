@@ -20,7 +20,7 @@ from tmodes.model.model import Model
 from tmodes.sheet import Robot
 from tmodes.sheet.parts import LinkSheet
 
-__all__ = ["frequencies_about", "local_servos", "servos_of", "sheet_frequencies", "sheet_modes", "vibrations"]
+__all__ = ["frequencies_about", "local_servos", "servos_of", "sheet_frequencies", "vibrations"]
 
 _FREQUENCY = ("frequency_Hz", "damped_frequency_Hz", "damping_ratio", "element", "share", "stable")
 """What is kept of a mode where its shape does not matter."""
@@ -38,18 +38,6 @@ class Vibrations(NamedTuple):
     poles: list[tuple[float, float]]
 
 
-def sheet_modes(
-    robot: Robot, *, contact: bool = False, progress: Progress = lambda stage, share: None
-) -> dict[str, list[dict[str, Any]]]:
-    """Modes for each state of the motors about the arm's rest under its loads, as plain data.
-
-    ``controlled`` is there only where a drive has a controller. Errors as of
-    :func:`tmodes.analysis.statics.rest.robot_rest`.
-    """
-    rest = robot_rest(robot, contact=contact, progress=progress)
-    return {state: [_plain(mode, rest) for mode in modes] for state, modes in _states(robot, rest, progress).items()}
-
-
 def frequencies_about(robot: Robot, rest: Equilibrium) -> dict[str, list[dict[str, Any]]]:
     """Natural frequencies and damping about a known rest, for each state of the motors; shapes are left out."""
     states = _states(robot, rest, lambda stage, share: None)
@@ -58,8 +46,8 @@ def frequencies_about(robot: Robot, rest: Equilibrium) -> dict[str, list[dict[st
     }
 
 
-def sheet_frequencies(robot: Robot, *, contact: bool) -> dict[str, list[dict[str, Any]]]:
-    """The same about the rest of a data sheet, which is solved for.
+def sheet_frequencies(robot: Robot, *, contact: bool = True) -> dict[str, list[dict[str, Any]]]:
+    """The same about the rest of a data sheet, which is solved for; ``contact``: in contact where it has one.
 
     Errors as of :func:`tmodes.analysis.statics.rest.robot_rest`.
     """
@@ -67,7 +55,10 @@ def sheet_frequencies(robot: Robot, *, contact: bool) -> dict[str, list[dict[str
 
 
 def vibrations(robot: Robot, *, contact: bool = False, progress: Progress = lambda stage, share: None) -> Vibrations:
-    """The modes of :func:`sheet_modes`, how far each is converged, and whether the links' models hold at rest.
+    """Modes for each state of the motors about the rest under its loads, and whether the links' models hold there.
+
+    ``controlled`` is there only where a drive has a controller. Errors as of
+    :func:`tmodes.analysis.statics.rest.robot_rest`.
 
     ``frequency_error`` of a mode: by which share it is higher than with two more functions a direction, None where that
     is not known (arms of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.
