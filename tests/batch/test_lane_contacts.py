@@ -57,8 +57,8 @@ def test_pieces_are_not_seen_where_there_is_a_contact(bounce, monkeypatch):
     model, chosen = bounce.model, settings(bounce)
     given = (model.numbers, bounce.planned.schedule, bounce.start, chosen)
     whole = simulate_lanes(model, *given)
-    monkeypatch.setattr("tmodes.simulation.batch.workers._FIRST_PIECE", 1)
-    monkeypatch.setattr("tmodes.simulation.batch.workers._PIECE_SECONDS", 0.0)
+    monkeypatch.setattr("tmodes.simulation.batch.simulate._FIRST_PIECE", 1)
+    monkeypatch.setattr("tmodes.simulation.batch.simulate._PIECE_SECONDS", 0.0)
     assert simulate_lanes(model, *given).states.tobytes() == whole.states.tobytes()
 
 

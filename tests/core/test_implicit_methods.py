@@ -10,7 +10,7 @@ import pytest
 
 import tmodes
 from tmodes.errors import InputErrors
-from tmodes.model.evaluator import evaluate
+from tmodes.model.passes import evaluate
 from tmodes.simulation.plan import Follow
 
 from .test_integrators import LOSSLESS, STILL, energies, integrated, plucked, prepared, run, slope

@@ -13,7 +13,7 @@ import pytest
 
 import tmodes
 from tmodes.analysis.modes.modes import modes_about
-from tmodes.analysis.statics.rest import robot_rest
+from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.errors import InputError, InputErrors
 from tmodes.simulation.simulate import simulate_motion
 

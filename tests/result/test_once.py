@@ -8,14 +8,14 @@ from typing import Any
 import pytest
 
 import tmodes
-import tmodes.analysis.statics.rest
+import tmodes.analysis.statics.equilibrium
 import tmodes.chain.lowering
 import tmodes.result.assemble
 import tmodes.simulation.start
 from arm.see.runs import swinging
 from tmodes.analysis.modes.of_sheet import sheet_frequencies
+from tmodes.analysis.statics.equilibrium import robot_rest
 from tmodes.analysis.statics.loads import Load
-from tmodes.analysis.statics.rest import robot_rest
 from tmodes.result import Result, load_result
 from tmodes.sheet import Robot
 
@@ -23,7 +23,7 @@ from tmodes.sheet import Robot
 @pytest.fixture
 def counts(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
     """How often the rest is solved, a sheet is lowered, and each analysis is made."""
-    tmodes.analysis.statics.rest._solved.clear()
+    tmodes.analysis.statics.equilibrium._solved.clear()
     found: Counter[str] = Counter()
 
     def counted(module: Any, name: str) -> None:
@@ -35,7 +35,7 @@ def counts(monkeypatch: pytest.MonkeyPatch) -> Counter[str]:
 
         monkeypatch.setattr(module, name, counting)
 
-    counted(tmodes.analysis.statics.rest, "equilibrium")
+    counted(tmodes.analysis.statics.equilibrium, "equilibrium")
     counted(tmodes.chain.lowering, "lowered")
     for name in ("line_series", "frequencies_about", "settling", "summary_errors"):
         counted(tmodes.result.assemble, name)

@@ -15,8 +15,8 @@ from tmodes.compile.ir.calls import DIRECT
 from tmodes.compile.ir.ordering import kernel_program
 from tmodes.compile.wasm.wasm_parts import schedule_samples
 from tmodes.live.functions import Functions, LiveModule, ModelFunctions, live_module, needed_for, stationed
-from tmodes.model.evaluator import derivatives
 from tmodes.model.model import Model
+from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import sample_times

@@ -15,15 +15,8 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.model.model import Model
 
 __all__ = [
-    "Split",
-    "deflections",
-    "elastic_names",
-    "gear_inputs",
-    "gross_motion",
-    "held_shape",
-    "split_motion",
-    "sprung",
-]
+    "Split", "deflections", "elastic_names", "gear_inputs", "gross_motion", "held_shape", "split_motion", "sprung",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 

@@ -58,8 +58,8 @@ def static(
 
     The loads are those of the data sheet and those given here; motors stand at their first command.
     """
+    from tmodes.analysis.statics.equilibrium import robot_rest
     from tmodes.analysis.statics.loads import Load, point_index
-    from tmodes.analysis.statics.rest import robot_rest
     from tmodes.model.model import Model
 
     arm = chosen_sheet(robot, settings, roots=root, trust_paths=trust_paths)

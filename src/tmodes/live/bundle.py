@@ -19,7 +19,7 @@ from tmodes.live.numbers import follow_of
 from tmodes.live.template import sheet_template
 from tmodes.live.vibrations import vibrations_info
 from tmodes.model.model import Model
-from tmodes.result.lines import without_elasticity
+from tmodes.result.series import without_elasticity
 from tmodes.sheet import Robot, RobotPair
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.plan import Follow, planned, starts_at_rest

@@ -12,8 +12,7 @@ from tmodes.analysis.modes.of_sheet import local_servos
 from tmodes.analysis.modes.shapes import MOST_WHOLE
 from tmodes.analysis.quasistatic import gross_motion, sprung
 from tmodes.analysis.statics.compliance import spring_rows
-from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.analysis.statics.rest import robot_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.equations.loop.plan import LoopPlan
 from tmodes.errors import SimulationError
 from tmodes.kinds.contacts.registry import Contact

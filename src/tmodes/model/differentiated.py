@@ -20,8 +20,7 @@ from tmodes.equations.mechanics import mechanics
 from tmodes.errors import InputError, SimulationError
 from tmodes.model.acceleration_table import AccelerationDerivatives, AccelerationTable
 from tmodes.model.derivatives import Columns, Differentiated, differentiated
-from tmodes.model.evaluator import Blocks, Rows, derivatives
-from tmodes.model.passes import ChainPasses
+from tmodes.model.passes import Blocks, ChainPasses, Rows, derivatives
 
 __all__ = ["DifferentiatedModel"]
 

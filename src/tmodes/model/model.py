@@ -13,8 +13,7 @@ from tmodes import upward
 from tmodes.equations.recursion.parts import Parts
 from tmodes.errors import InputError
 from tmodes.model.differentiated import DifferentiatedModel
-from tmodes.model.evaluator import Rows
-from tmodes.model.passes import PointMotion
+from tmodes.model.passes import PointMotion, Rows
 
 __all__ = ["Model", "PointMotion"]
 

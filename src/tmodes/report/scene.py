@@ -15,7 +15,7 @@ from tmodes.report.scene_arrays import colour, displaced, kept, quaternions, sta
 from tmodes.report.scene_meshes import meshes_in, nearest_drawn
 from tmodes.report.scene_sections import section_of
 from tmodes.report.thin import scene_frames
-from tmodes.result.lines import without_elasticity
+from tmodes.result.series import without_elasticity
 from tmodes.sheet import Robot
 
 if TYPE_CHECKING:

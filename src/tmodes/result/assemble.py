@@ -18,9 +18,8 @@ from tmodes.analysis.quasistatic import elastic_names
 from tmodes.errors import SimulationError
 from tmodes.io.sheet_plausible import arm_notices, implausible_arm
 from tmodes.result.errors import summary_errors
-from tmodes.result.lines import line_series
 from tmodes.result.record import RESULT_FORMAT, STATUSES
-from tmodes.result.series import Variables, coordinates_of, motion_series
+from tmodes.result.series import Variables, coordinates_of, line_series, motion_series
 from tmodes.result.settling import move_end, settling
 from tmodes.sheet import Robot
 from tmodes.simulation.motion_run import RunData

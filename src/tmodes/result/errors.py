@@ -10,8 +10,7 @@ from typing import Any, NamedTuple
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.result.lines import load_series
-from tmodes.result.series import Variables, motion_series
+from tmodes.result.series import Variables, load_series, motion_series
 from tmodes.simulation.motion_run import RunData, gathered
 from tmodes.simulation.parts import Trajectory
 

@@ -1,8 +1,9 @@
-"""What is observed of a run at instants, with its derivatives."""
+"""What is observed of a run at instants, and numbers that are measured on it, each with its derivatives."""
 
 from __future__ import annotations
 
-from collections.abc import Mapping, Sequence
+from collections.abc import Callable, Mapping, Sequence
+from dataclasses import dataclass
 from functools import cached_property
 from typing import NamedTuple
 
@@ -16,7 +17,7 @@ from tmodes.model.passes import ChainPasses
 from tmodes.sensitivity.lowering import Lowered
 from tmodes.simulation.recording import Recording
 
-__all__ = ["Quantities", "RunOutputs", "Weights"]
+__all__ = ["Functional", "Quantities", "RunOutputs", "Weights", "tracking_error"]
 
 Array = NDArray[np.float64]
 
@@ -106,9 +107,6 @@ def _refuse_unknown(names: Sequence[str], known: Sequence[str]) -> None:
             raise InputError("quantities", repr(name), f"names among state, {', '.join(known)}", "correct the name")
 
 
-Array = NDArray[np.float64]
-
-
 class Weights(NamedTuple):
     """Derivatives of a number: by the states at the samples, (n, size), the parameters, the rows (segments, row)."""
 
@@ -154,3 +152,46 @@ class Quantities:
         slopes = {"state": states, "row": rows[self._pieces]}
         found = self._seen.along(slopes, parameters)
         return {name: states if name == "state" else found[name] for name in self.names}
+
+
+@dataclass(frozen=True)
+class Functional:
+    """One number of a run: ``measure(times (n,), quantities)`` -> its value and its derivatives.
+
+    ``quantities``: names of what is looked at, as :class:`tmodes.sensitivity.quantities.Quantities` knows them;
+    ``quantities`` holds each as an array (n, numbers), derivatives by the same names in the same shapes; a name that
+    is left out has none.
+    """
+
+    quantities: tuple[str, ...]
+    measure: Callable[[Array, Mapping[str, Array]], tuple[float, Mapping[str, ArrayLike]]]
+
+
+def tracking_error(quantity: str, reference: ArrayLike | Callable[[Array], ArrayLike]) -> Functional:
+    """The integral over the run of the squared distance of a quantity from its reference, by the trapezoidal rule.
+
+    ``tracking_error("tip", path)`` [m^2 s] with ``path`` (n, 3) [m] at the samples, one position (3,) for all, or a
+    function of the times (n,) [s]. The rule's error is that of the samples' distance squared; its derivative is exact.
+    """
+
+    def measure(times: Array, info: Mapping[str, Array]) -> tuple[float, Mapping[str, ArrayLike]]:
+        is_ = info[quantity]
+        wanted = np.asarray(reference(times) if callable(reference) else reference, dtype=float)
+        if wanted.shape not in (is_.shape, is_.shape[1:]):
+            expected = f"{is_.shape}, one at each sample, or {is_.shape[1:]}, one for all"
+            raise InputError(
+                "reference", f"an array of shape {wanted.shape}", expected, "reshape it, or sample it again"
+            )
+        if not np.isfinite(wanted).all():
+            raise InputError("reference", "not-a-number or an infinite value", "finite numbers", "look for gaps in it")
+        apart = is_ - wanted
+        shares = _trapezoids(times)[:, None]
+        return float((shares * apart**2).sum()), {quantity: 2 * shares * apart}
+
+    return Functional((quantity,), measure)
+
+
+def _trapezoids(times: Array) -> Array:
+    """Weights of samples in an integral over time."""
+    steps = np.diff(times)
+    return (np.append(steps, 0.0) + np.append(0.0, steps)) / 2

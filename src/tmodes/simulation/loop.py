@@ -15,7 +15,7 @@ from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.equations.loop.plan import LoopPlan, StateLayout
 from tmodes.integrate.method import EULER, EXPLICIT, JACOBIAN
 from tmodes.integrate.registry import integrator
-from tmodes.model.evaluator import derivatives, evaluate
+from tmodes.model.passes import derivatives, evaluate
 
 __all__ = ["LoopModel", "Loops"]
 

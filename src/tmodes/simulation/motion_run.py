@@ -10,8 +10,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.energy import largest_flow
 from tmodes.chain.chain import Chain
 from tmodes.equations.loop.plan import BROUGHT_IN, WORKS
-from tmodes.model.evaluator import Rows
 from tmodes.model.model import Model, PointMotion
+from tmodes.model.passes import Rows
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
 from tmodes.simulation.parts import Trajectory

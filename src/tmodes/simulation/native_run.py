@@ -8,11 +8,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.compile.loops.time_loop import ARGUMENTS, CELLS, OPTIONS, Status
+from tmodes.integrate.choice import COUNTED, MethodChange
 from tmodes.integrate.registry import integrator
 from tmodes.integrate.settings import Integration
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.method_change import COUNTED, MethodChange
 from tmodes.simulation.parts import ErrorEstimate, Lost, Trajectory, chattered, completed, sample_times, used_up
 
 __all__ = ["BOUND", "EVENT_TIME", "MOST_EVENTS", "NativeRun"]

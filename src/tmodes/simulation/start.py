@@ -10,8 +10,7 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.analysis.spectrum import Spectrum, spectrum_of
-from tmodes.analysis.statics.equilibrium import Equilibrium
-from tmodes.analysis.statics.rest import robot_rest
+from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import Integration
 from tmodes.model.model import Model

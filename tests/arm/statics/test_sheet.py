@@ -7,7 +7,7 @@ from typing import Any
 import pytest
 
 from tmodes.analysis.hierarchy.move import chosen_move
-from tmodes.analysis.statics.rest import first_value, robot_rest, sheet_loads
+from tmodes.analysis.statics.equilibrium import first_value, robot_rest, sheet_loads
 from tmodes.sheet import Robot
 from tmodes.simulation.simulate import simulate_motion
 

@@ -10,12 +10,10 @@ import numpy as np
 
 from tmodes.analysis.describe.links import gear_rows, joint_rows, link_rows, notices, rest_notices
 from tmodes.analysis.line.line import LinkLines, elastic_line
-from tmodes.analysis.range import link_ranges
 from tmodes.analysis.statics.compliance import DIRECTIONS, PointCompliance, missing_functions, point_compliance
-from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.statics.path import Progress
-from tmodes.analysis.statics.rest import robot_rest
-from tmodes.analysis.validity import missing_share, rest_warnings
+from tmodes.analysis.validity import link_ranges, missing_share, rest_warnings
 from tmodes.errors import SimulationError
 from tmodes.model.model import Model
 from tmodes.sheet import Robot

@@ -7,8 +7,8 @@ from typing import Any
 
 import numpy as np
 
-from tmodes.analysis.range import link_ranges
 from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.validity import link_ranges
 from tmodes.chain.chain import Chain, Node
 from tmodes.kinds.joints.joint import JointSheet
 from tmodes.sheet import Robot

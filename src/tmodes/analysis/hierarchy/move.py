@@ -13,7 +13,7 @@ import numpy as np
 from numpy.typing import ArrayLike, NDArray
 
 from tmodes.analysis.hierarchy.variants import driven, input_mix, whole_chain
-from tmodes.analysis.statics.rest import first_value
+from tmodes.analysis.statics.equilibrium import first_value
 from tmodes.errors import SimulationError
 from tmodes.kinds.signals.registry import MergedSchedule, constant_signal, merge, quintic_move
 from tmodes.model.model import Model

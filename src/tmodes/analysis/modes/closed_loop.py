@@ -23,7 +23,7 @@ from tmodes.equations.loop.signals_kernels import SIGNAL
 from tmodes.errors import SimulationError
 from tmodes.kinds.controllers.registry import Controller
 from tmodes.kinds.kernel.schedule import Schedule, Slot
-from tmodes.model.evaluator import derivatives
+from tmodes.model.passes import derivatives
 from tmodes.sheet import Robot
 
 __all__ = ["Feedback", "closed_loop_motions", "feedback_of"]

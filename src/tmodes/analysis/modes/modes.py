@@ -18,14 +18,8 @@ from tmodes.chain.chain import Chain, Friction
 from tmodes.model.model import Model
 
 __all__ = [
-    "Mode",
-    "MotorState",
-    "Servo",
-    "closed_loop_poles",
-    "modes_about",
-    "moving_coordinates",
-    "without_dry_friction",
-]
+    "Mode", "MotorState", "Servo", "closed_loop_poles", "modes_about", "moving_coordinates", "without_dry_friction",
+]  # fmt: skip
 
 Array = NDArray[np.float64]
 Complex = NDArray[np.complex128]

@@ -12,9 +12,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.describe.describe import NOTHING_MOVES, link_states
 from tmodes.analysis.modes.closed_loop import feedback_of
 from tmodes.analysis.modes.modes import Mode, MotorState, Servo, closed_loop_poles, modes_about
-from tmodes.analysis.statics.equilibrium import Equilibrium
+from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.analysis.statics.path import Progress
-from tmodes.analysis.statics.rest import robot_rest
 from tmodes.chain.chain import Motor
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -49,7 +48,7 @@ def frequencies_about(robot: Robot, rest: Equilibrium) -> dict[str, list[dict[st
 def sheet_frequencies(robot: Robot, *, contact: bool = True) -> dict[str, list[dict[str, Any]]]:
     """The same about the rest of a data sheet, which is solved for; ``contact``: in contact where it has one.
 
-    Errors as of :func:`tmodes.analysis.statics.rest.robot_rest`.
+    Errors as of :func:`tmodes.analysis.statics.equilibrium.robot_rest`.
     """
     return frequencies_about(robot, robot_rest(robot, contact=contact))
 
@@ -58,7 +57,7 @@ def vibrations(robot: Robot, *, contact: bool = False, progress: Progress = lamb
     """Modes for each state of the motors about the rest under its loads, and whether the links' models hold there.
 
     ``controlled`` is there only where a drive has a controller. Errors as of
-    :func:`tmodes.analysis.statics.rest.robot_rest`.
+    :func:`tmodes.analysis.statics.equilibrium.robot_rest`.
 
     ``frequency_error`` of a mode: by which share it is higher than with two more functions a direction, None where that
     is not known (arms of more than 60 coordinates, segments, modes without a partner); ``converged``: within 1 %.

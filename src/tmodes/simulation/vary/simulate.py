@@ -14,9 +14,8 @@ from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import refuse_stops
 from tmodes.sheet import Robot
 from tmodes.simulation.batch.result import BatchRun, check_room, gathered, load_batch, not_begun, room_for, write_batch
-from tmodes.simulation.batch.simulate import prepare_loops
+from tmodes.simulation.batch.simulate import prepare_loops, run_all, thread_count
 from tmodes.simulation.batch.work import Work, inputs
-from tmodes.simulation.batch.workers import run_all, thread_count
 from tmodes.simulation.motion_run import tip_positions
 from tmodes.simulation.parts import sample_times
 from tmodes.simulation.vary.lanes import Columns, Lane, changed_sheet, lane_of
