@@ -1,9 +1,9 @@
-"""What stop conditions may name of an arm in a run, by name and with units; and its limits as conditions."""
+"""What stop conditions may name of a robot in a run, by name and with units; and its limits as conditions."""
 
 from __future__ import annotations
 
-from collections.abc import Callable, Iterator
-from functools import partial
+from collections.abc import Iterator
+from functools import lru_cache
 
 import numpy as np
 from numpy.typing import NDArray
@@ -23,6 +23,7 @@ Array = NDArray[np.float64]
 _AXES = ("x", "y", "z")
 _DRIVEN = ("effort", "voltage", "current")
 _ENERGIES = ("kinetic", "gravity", "elastic_gear", "elastic_link")
+_CONTACT = (("force", "N", "contact", 3), ("fold", "-", "contact_fold", 0), ("penetration", "m", "contact", 4))
 
 
 def run_stops(setup: RunSetup, more: tuple[str, ...] = ()) -> Stops:
@@ -55,55 +56,35 @@ def run_quantities(setup: RunSetup) -> dict[str, Quantity]:
 
 
 class _Seen:
-    """What an arm shows at instants; kept for those asked for last, because several conditions look at the same."""
+    """What a robot shows at instants; the last of each kind is kept, because several conditions look at the same."""
 
     def __init__(self, setup: RunSetup) -> None:
-        self.setup, self.loop = setup, setup.model
-        self.model = setup.mechanics
-        self._last: dict[str, tuple[Instants, object]] = {}
+        self.setup, self.layout = setup, setup.model.layout
+        self.observed, self.points = lru_cache(1)(self._observed), lru_cache(1)(self._points)
+        self.energies = lru_cache(1)(self._energies)
 
-    def _once(self, name: str, at: Instants, make: Callable[[Instants], object]) -> object:
-        if name not in self._last or self._last[name][0] is not at:
-            self._last[name] = (at, make(at))
-        return self._last[name][1]
-
-    def observed(self, at: Instants) -> dict[str, Array]:
+    def _observed(self, at: Instants) -> dict[str, Array]:
         """As :meth:`tmodes.simulation.loop.LoopModel.observe`."""
-        found = self._once("observed", at, lambda at: self.loop.observe(at.times, at.states, at.rows))
-        assert isinstance(found, dict)  # noqa: S101
-        return found
+        return self.setup.model.observe(at.times, at.states, at.rows)
 
-    def points(self, at: Instants) -> PointMotion:
+    def _points(self, at: Instants) -> PointMotion:
         """Motion of the named points; their accelerations are left out."""
-        layout = self.loop.layout
-        base = self.observed(at)["base"]
-        q, v = at.states[:, layout.q], at.states[:, layout.v]
-        found = self._once("points", at, lambda at: self.model.points(q, v, 0.0, base=base))
-        assert isinstance(found, PointMotion)  # noqa: S101
-        return found
+        q, v = at.states[:, self.layout.q], at.states[:, self.layout.v]
+        return self.setup.mechanics.points(q, v, 0.0, base=self.observed(at)["base"])
 
-    def energies(self, at: Instants) -> dict[str, Array]:
+    def _energies(self, at: Instants) -> dict[str, Array]:
         """Energies by kind [J]."""
-        layout = self.loop.layout
-        q, v = at.states[:, layout.q], at.states[:, layout.v]
-        base = self.observed(at)["base"]
-        found = self._once("energies", at, lambda at: energies_of(self.setup, self.model, q, v, base))
-        assert isinstance(found, dict)  # noqa: S101
-        return found
+        q, v = at.states[:, self.layout.q], at.states[:, self.layout.v]
+        return energies_of(self.setup, self.setup.mechanics, q, v, self.observed(at)["base"])
 
 
 def _coordinates(setup: RunSetup) -> dict[str, Quantity]:
-    layout, units = setup.model.layout, _units(setup)
-    found = {}
-    for k, (name, unit) in enumerate(zip(setup.model.coordinates, units, strict=True)):
+    layout, found = setup.model.layout, {}
+    for k, (name, unit) in enumerate(zip(setup.model.coordinates, _units(setup), strict=True)):
         rate = "1/s" if unit == "-" else f"{unit}/s"
-        found[f"{name}.position"] = Quantity(unit, partial(_column, column=layout.q.start + k))
-        found[f"{name}.velocity"] = Quantity(rate, partial(_column, column=layout.v.start + k))
+        for kind, of, block in (("position", unit, layout.q), ("velocity", rate, layout.v)):
+            found[f"{name}.{kind}"] = Quantity(of, lambda at, column=block.start + k: at.states[:, column])
     return found
-
-
-def _column(at: Instants, column: int) -> Array:
-    return at.states[:, column]
 
 
 def _units(setup: RunSetup) -> list[str]:
@@ -132,14 +113,12 @@ def _drives(setup: RunSetup, seen: _Seen) -> dict[str, Quantity]:
 
 def _points(seen: _Seen) -> dict[str, Quantity]:
     found = {}
-    for k, point in enumerate(seen.model.parts.points):
+    for k, point in enumerate(seen.setup.mechanics.parts.points):
         for axis, letter in enumerate(_AXES):
-            found[f"{point.name}.{letter}"] = Quantity(
-                "m", lambda at, k=k, axis=axis: seen.points(at).position[:, k, axis]
-            )
-            found[f"{point.name}.velocity.{letter}"] = Quantity(
-                "m/s", lambda at, k=k, axis=axis: seen.points(at).velocity[:, k, axis]
-            )
+            for name, unit, part in ((letter, "m", "position"), (f"velocity.{letter}", "m/s", "velocity")):
+                found[f"{point.name}.{name}"] = Quantity(
+                    unit, lambda at, k=k, axis=axis, part=part: getattr(seen.points(at), part)[:, k, axis]
+                )
         found[f"{point.name}.speed"] = Quantity(
             "m/s", lambda at, k=k: np.linalg.norm(seen.points(at).velocity[:, k], axis=1)
         )
@@ -149,10 +128,10 @@ def _points(seen: _Seen) -> dict[str, Quantity]:
 def _others(setup: RunSetup, seen: _Seen) -> dict[str, Quantity]:
     found = {f"energy.{name}": Quantity("J", lambda at, name=name: seen.energies(at)[name]) for name in _ENERGIES}
     found["energy.total"] = Quantity("J", lambda at: np.sum([*seen.energies(at).values()], axis=0))
-    if setup.planned.plan.touch:
-        found["contact.force"] = Quantity("N", lambda at: seen.observed(at)["contact"][:, 3])
-        found["contact.fold"] = Quantity("-", lambda at: seen.observed(at)["contact_fold"][:, 0])
-        found["contact.penetration"] = Quantity("m", lambda at: seen.observed(at)["contact"][:, 4])
+    for name, unit, part, column in _CONTACT if setup.planned.plan.touch else ():
+        found[f"contact.{name}"] = Quantity(
+            unit, lambda at, part=part, column=column: seen.observed(at)[part][:, column]
+        )
     return found
 
 

@@ -25,7 +25,7 @@ _SHOWN = 12
 """Names that a message lists."""
 
 
-@dataclass(frozen=True)
+@dataclass(frozen=True, eq=False)
 class Instants:
     """Instants of a motion: ``times`` (n,) [s], ``states`` (n, size), and the rows (n, row) of the input there."""
 

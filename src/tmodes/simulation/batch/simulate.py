@@ -21,7 +21,7 @@ from tmodes.errors import InputError
 from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration, refuse_stops
 from tmodes.kinds.signals.schedule import Schedule
-from tmodes.simulation.batch.result import BatchRun, gathered, load_batch, room_for, write_batch
+from tmodes.simulation.batch.result import BatchRun, gathered, room_for, stored
 from tmodes.simulation.batch.side_by_side import Alone, Room, SideBySide
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.loop import LoopModel
@@ -167,10 +167,7 @@ def simulate_lanes(
         work = Work(model, lanes, settings, times, room, np.arange(lanes.size))
         runs = run_all([work], count, progress)
         batch = gathered(model.coordinates, times, room, [runs[lane] for lane in range(lanes.size)])
-    if folder is None:
-        return batch
-    write_batch(batch, folder)
-    return load_batch(folder)
+    return stored(batch, folder)
 
 
 def prepare_loops(model: LoopModel, method: str) -> None:

@@ -13,7 +13,7 @@ from numpy.typing import ArrayLike, NDArray
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.settings import refuse_stops
 from tmodes.sheet import Robot
-from tmodes.simulation.batch.result import BatchRun, check_room, gathered, load_batch, not_begun, room_for, write_batch
+from tmodes.simulation.batch.result import BatchRun, check_room, gathered, not_begun, room_for, stored
 from tmodes.simulation.batch.simulate import prepare_loops, run_all, thread_count
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.motion_run import tip_positions
@@ -99,10 +99,7 @@ def run_prepared(
         done = replace(_run(batch, room, count, progress), values=batch.values)
         if tips:
             done = replace(done, tips=_tips(done, batch, progress))
-    if batch.folder is None:
-        return done
-    write_batch(done, batch.folder)
-    return load_batch(batch.folder)
+    return stored(done, batch.folder)
 
 
 def _prepared(
