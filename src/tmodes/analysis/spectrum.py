@@ -2,7 +2,7 @@
 
 from __future__ import annotations
 
-from collections.abc import Callable, Sequence
+from collections.abc import Sequence
 from dataclasses import dataclass
 from enum import StrEnum
 from typing import Any
@@ -11,13 +11,11 @@ import numpy as np
 from numpy.typing import NDArray
 
 from tmodes.errors import SimulationError
-from tmodes.integrate.choice import chosen_method
-from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
 
 __all__ = [
-    "GROWING", "RINGS", "MotorState", "Spectrum", "StepVerdict", "chosen_settings",
-    "growth_warnings", "spectrum_of", "step_size_verdict", "step_times_eigenvalue",
+    "GROWING", "RINGS", "MotorState", "Spectrum", "StepVerdict", "growth_warnings",
+    "spectrum_of", "step_size_verdict", "step_times_eigenvalue",
 ]  # fmt: skip
 
 Array = NDArray[np.float64]
@@ -128,13 +126,6 @@ def step_size_verdict(settings: Integration, spectrum: Spectrum) -> StepVerdict:
         hint = f"set integration.step near {0.3 / highest:.2g}, or integration.method: dormand_prince"
         return StepVerdict(highest, dt_omega, True, f"{one.name} is stable but inaccurate at this step: {info}; {hint}")
     return StepVerdict(highest, dt_omega, True)
-
-
-def chosen_settings(settings: Integration, spectrum: Callable[[], Spectrum]) -> Integration:
-    """The settings with a method, chosen by the eigenvalues at the start where none is named, and its tolerances."""
-    if settings.method != AUTO:
-        return settings.chosen(settings.method)
-    return settings.chosen(chosen_method(settings, spectrum().highest)[0])
 
 
 def step_times_eigenvalue(verdict: StepVerdict, statistics: dict[str, Any]) -> float | None:

@@ -15,9 +15,10 @@ from tmodes.io.sheet_check import sheet_data
 from tmodes.io.sheet_paths import entered, steps_of
 from tmodes.io.sheet_words import at
 from tmodes.model.model import Model
-from tmodes.sensitivity.lowering import Lowered, replanned, rows_of, structure
+from tmodes.sensitivity.lowering import Lowered, rows_of, structure
 from tmodes.sheet import Robot
-from tmodes.simulation.plan import starts_at_rest
+from tmodes.simulation.loop import LoopModel
+from tmodes.simulation.plan import planned, starts_at_rest
 from tmodes.simulation.start import first_state, run_setup
 
 __all__ = ["Change", "Changes", "far_difference", "near_difference", "number_at", "replaced"]
@@ -51,7 +52,8 @@ class Changes:
 
         def numbers(change: float) -> Array:
             robot = self._changed(path, value + change)
-            plan, model = replanned(robot)
+            plan = planned(robot)
+            model = LoopModel(plan.plan)
             rows = rows_of(plan.schedule, self.here.settings.duration)
             self._check(path, model.loop, rows)
             start = plan.signals.at(0.0) if rests else first_state(robot, plan, model)

@@ -8,7 +8,6 @@ from typing import Any
 import numpy as np
 from numpy.typing import NDArray
 
-from tmodes.analysis.spectrum import chosen_settings
 from tmodes.equations.loop.closed_loop import ClosedLoop
 from tmodes.errors import InputError, SimulationError
 from tmodes.integrate.method import EULER
@@ -18,12 +17,11 @@ from tmodes.kinds.contacts.registry import Contact
 from tmodes.kinds.signals.schedule import Schedule
 from tmodes.sheet import Robot
 from tmodes.simulation.loop import LoopModel
-from tmodes.simulation.plan import Planned, planned
 from tmodes.simulation.recording import MOST_BYTES, record
 from tmodes.simulation.replay import Replay
 from tmodes.simulation.start import RunSetup, run_setup
 
-__all__ = ["Lowered", "lowered", "replanned", "rows_of", "structure"]
+__all__ = ["Lowered", "lowered", "rows_of", "structure"]
 
 Array = NDArray[np.float64]
 
@@ -71,23 +69,16 @@ def lowered(sheet: Robot) -> Lowered:
     Raises :class:`tmodes.errors.InputError` and :class:`tmodes.errors.SimulationError` for what cannot run.
     """
     real = sheet.pair().real
-    setup = run_setup(real)
-    settings = chosen_settings(sheet.integration, lambda: setup.spectrum)
-    model = setup.model
+    setup = run_setup(real).chosen()
+    model, settings = setup.model, setup.robot.integration
     rates = model.loop.euler_rate if integrator(settings.method).asks == EULER else model.loop.rate
     return Lowered(model, rates, model.numbers, setup.planned.schedule, setup.start, settings, setup, real.contact)
-
-
-def replanned(sheet: Robot) -> tuple[Planned, LoopModel]:
-    """An arm's plan and its numbers, without a state at the start."""
-    plan = planned(sheet)
-    return plan, LoopModel(plan.plan)
 
 
 def rows_of(schedule: Schedule, duration: float) -> Array:
     """Start and coefficients of each piece of the signals, (segments, row)."""
     pieces = schedule.until(duration)
-    return np.column_stack([pieces.knots[:-1], pieces.coefficients])
+    return pieces.rows_at(pieces.knots[:-1])
 
 
 def structure(of: ClosedLoop) -> object:

@@ -17,7 +17,7 @@ from tmodes.model.passes import ChainPasses
 from tmodes.sensitivity.lowering import Lowered
 from tmodes.simulation.recording import Recording
 
-__all__ = ["Functional", "Quantities", "RunOutputs", "Weights", "tracking_error"]
+__all__ = ["Functional", "Quantities", "Weights", "tracking_error"]
 
 Array = NDArray[np.float64]
 
@@ -31,17 +31,36 @@ _POINT, _PARTS = 24, {"": slice(9, 12), "_velocity": slice(15, 18)}
 _FROM = ("state", "row", "parameters")
 
 
-class RunOutputs:
-    """What is observed of an arm, and from that the motion of its points."""
+class Weights(NamedTuple):
+    """Derivatives of a number: by the states at the samples, (n, size), the parameters, the rows (segments, row)."""
 
-    def __init__(self, here: Lowered, instants: Blocks, names: tuple[str, ...]) -> None:
+    states: Array
+    parameters: Array
+    rows: Array
+
+
+class Quantities:
+    """Quantities at the samples of a run, by their names.
+
+    ``state`` (n, size); what :meth:`tmodes.simulation.loop.LoopModel.observe` gives; and ``tip``, ``tip_velocity``,
+    ``points.NAME`` and ``points.NAME_velocity`` (n, 3) [m, m/s] of the named points, in the world. Raises
+    :class:`tmodes.errors.InputError` for other names.
+    """
+
+    def __init__(self, here: Lowered, done: Recording, names: Sequence[str]) -> None:
+        self.done, self.names, self.parameters = done, tuple(dict.fromkeys(names)), here.parameters
+        self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
+        time = done.times[:, None]
+        self._instants = {
+            "time": time, "state": done.samples, "row": done.rows[self._pieces], "step": np.zeros_like(time)
+        }  # fmt: skip
         loop = here.model.loop
         points = ["tip", *(f"points.{point.name}" for point in loop.parts.points)]  # the first point is the tip
         places = {f"{name}{kind}": (max(k - 1, 0), kind) for k, name in enumerate(points) for kind in _PARTS}
-        _refuse_unknown(names, (*_OBSERVED, *places))
-        self.parameters, self._instants = here.parameters, instants
-        self._places = {name: places[name] for name in names if name in places}
-        self._plain = tuple(name for name in names if name not in places)
+        own = [name for name in self.names if name != "state"]
+        _refuse_unknown(own, (*_OBSERVED, *places))
+        self._places = {name: places[name] for name in own if name in places}
+        self._plain = tuple(name for name in own if name not in places)
         shown = tuple(dict.fromkeys((*self._plain, *(_MOVED if self._places else ()))))
         self._of = differentiated(loop.observe, shown) if shown else None
         self._points = (
@@ -57,30 +76,40 @@ class RunOutputs:
         return {name: self._seen[name] for name in _MOVED} | {"a": np.zeros_like(self._seen["q"])}
 
     def info(self) -> Blocks:
-        """Values (n, numbers) by names."""
-        plain = {name: self._seen[name] for name in self._plain}
-        return plain | (self._parted(self._points.values(self.parameters, self._moved)) if self._points else {})
+        """Their values at the samples."""
+        points = self._parted(self._points.values(self.parameters, self._moved)) if self._points else {}
+        return self._named(self.done.samples, self._seen, points)
 
-    def back(self, weights: Blocks) -> Blocks:
-        """Derivatives of the sum of weights times values by state (n, size), row (n, row) and parameters."""
-        assert self._of is not None  # noqa: S101
-        mine = {name: weight for name, weight in weights.items() if name not in self._places}
-        own: Array = np.zeros_like(self.parameters)
+    def back(self, weights: Mapping[str, ArrayLike]) -> Weights:
+        """Derivatives of the sum of ``weights`` times the quantities, each in its shape."""
+        done = self.done
+        given = {name: np.asarray(value, dtype=float) for name, value in weights.items()}
+        states, rows, own = np.zeros_like(done.samples), np.zeros_like(done.rows), np.zeros(len(self.parameters))
+        states += given.pop("state", 0.0)
+        if not given or self._of is None:
+            return Weights(states, own, rows)
+        mine = {name: weight for name, weight in given.items() if name not in self._places}
         if self._points:
-            found = self._points.back(self.parameters, self._moved, self._joined(weights), (*_MOVED, "parameters"))
+            found = self._points.back(self.parameters, self._moved, self._joined(given), (*_MOVED, "parameters"))
             own = found.pop("parameters")
             mine |= {name: value + mine.get(name, 0.0) for name, value in found.items()}
         info = self._of.back(self.parameters, self._instants, mine, _FROM)
-        return info | {"parameters": info["parameters"] + own}
+        np.add.at(rows, self._pieces, info["row"])
+        return Weights(states + info["state"], info["parameters"] + own, rows)
 
-    def along(self, slopes: Blocks, change: Array) -> Blocks:
-        """Slopes of the values along those of state and row, and a change of the parameters."""
-        moved = self._of.along(self.parameters, self._instants, slopes, change=change) if self._of else {}
-        plain = {name: moved[name] for name in self._plain}
-        if not self._points:
-            return plain
-        ways = {name: moved[name] for name in _MOVED}
-        return plain | self._parted(self._points.along(self.parameters, self._moved, ways, change=change))
+    def along(self, states: Array, parameters: Array, rows: Array) -> Blocks:
+        """Their slopes, by names, where the states have slopes (n, size), and parameters and rows change."""
+        slopes = {"state": states, "row": rows[self._pieces]}
+        moved = self._of.along(self.parameters, self._instants, slopes, change=parameters) if self._of else {}
+        points: Blocks = {}
+        if self._points:
+            ways = {name: moved[name] for name in _MOVED}
+            points = self._parted(self._points.along(self.parameters, self._moved, ways, change=parameters))
+        return self._named(states, moved, points)
+
+    def _named(self, states: Array, plain: Blocks, points: Blocks) -> Blocks:
+        known = {"state": states, **{name: plain[name] for name in self._plain}, **points}
+        return {name: known[name] for name in self.names}
 
     def _parted(self, info: Blocks) -> Blocks:
         """Positions and velocities from what is reported of all points."""
@@ -105,53 +134,6 @@ def _refuse_unknown(names: Sequence[str], known: Sequence[str]) -> None:
     for name in names:
         if name not in known:
             raise InputError("quantities", repr(name), f"names among state, {', '.join(known)}", "correct the name")
-
-
-class Weights(NamedTuple):
-    """Derivatives of a number: by the states at the samples, (n, size), the parameters, the rows (segments, row)."""
-
-    states: Array
-    parameters: Array
-    rows: Array
-
-
-class Quantities:
-    """Quantities at the samples of a run, by their names.
-
-    ``state`` (n, size); what :meth:`tmodes.simulation.loop.LoopModel.observe` gives; and ``tip``, ``tip_velocity``,
-    ``points.NAME`` and ``points.NAME_velocity`` (n, 3) [m, m/s] of the named points, in the world. Raises
-    :class:`tmodes.errors.InputError` for other names.
-    """
-
-    def __init__(self, here: Lowered, done: Recording, names: Sequence[str]) -> None:
-        self.done, self.names = done, tuple(dict.fromkeys(names))
-        self._pieces = np.clip(np.searchsorted(done.rows[:, 0], done.times, side="right") - 1, 0, len(done.rows) - 1)
-        time = done.times[:, None]
-        instants = {"time": time, "state": done.samples, "row": done.rows[self._pieces], "step": np.zeros_like(time)}
-        self._seen = RunOutputs(here, instants, tuple(name for name in self.names if name != "state"))
-
-    def info(self) -> Blocks:
-        """Their values at the samples."""
-        info = self._seen.info()
-        return {name: self.done.samples if name == "state" else info[name] for name in self.names}
-
-    def back(self, weights: Mapping[str, ArrayLike]) -> Weights:
-        """Derivatives of the sum of ``weights`` times the quantities, each in its shape."""
-        done = self.done
-        given = {name: np.asarray(value, dtype=float) for name, value in weights.items()}
-        states, rows = np.zeros_like(done.samples), np.zeros_like(done.rows)
-        states += given.pop("state", 0.0)
-        if not given:
-            return Weights(states, np.zeros(len(self._seen.parameters)), rows)
-        found = self._seen.back(given)
-        np.add.at(rows, self._pieces, found["row"])
-        return Weights(states + found["state"], found["parameters"], rows)
-
-    def along(self, states: Array, parameters: Array, rows: Array) -> Blocks:
-        """Their slopes, by names, where the states have slopes (n, size), and parameters and rows change."""
-        slopes = {"state": states, "row": rows[self._pieces]}
-        found = self._seen.along(slopes, parameters)
-        return {name: states if name == "state" else found[name] for name in self.names}
 
 
 @dataclass(frozen=True)

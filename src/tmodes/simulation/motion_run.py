@@ -3,6 +3,7 @@
 from __future__ import annotations
 
 from dataclasses import dataclass
+from typing import Any
 
 import numpy as np
 from numpy.typing import NDArray
@@ -121,7 +122,7 @@ def gathered(setup: RunSetup, trajectory: Trajectory, rows: Array | None = None)
     moving = base.copy()
     moving[:, 3:6] += base[:, 9:18].reshape(-1, 3, 3).transpose(0, 2, 1) @ np.asarray(plan.chain.gravity, dtype=float)
     effort, voltage, current, wanted = (seen["drives"][:, :, k] for k in range(4))
-    contact = {} if not plan.plan.touch else {
+    contact: dict[str, Any] = {} if not plan.plan.touch else {
         "contact_force": seen["contact"][:, :3], "contact_normal": seen["contact"][:, 3],
         "penetration": seen["contact"][:, 4], "contact_fold": seen["contact_fold"][:, 0],
     }  # fmt: skip

@@ -12,6 +12,8 @@ from numpy.typing import NDArray
 from tmodes.analysis.spectrum import Spectrum, spectrum_of
 from tmodes.analysis.statics.equilibrium import Equilibrium, robot_rest
 from tmodes.errors import InputError, SimulationError
+from tmodes.integrate.choice import chosen_method
+from tmodes.integrate.registry import AUTO
 from tmodes.integrate.settings import Integration
 from tmodes.model.model import Model
 from tmodes.sheet import Robot
@@ -65,6 +67,11 @@ class RunSetup:
             made.__dict__["spectrum"] = self.spectrum
         return made
 
+    def chosen(self) -> RunSetup:
+        """The same with the integrator of the robot, chosen by the spectrum where none is named, to the end."""
+        given = self.robot.integration
+        return self.by(chosen_method(given, self.spectrum.highest)[0] if given.method == AUTO else given.method, None)
+
 
 def run_setup(robot: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None = None) -> RunSetup:
     """A robot ready to run; ``like``: a setup whose chain and rest are taken where its robot is the same.
@@ -79,7 +86,7 @@ def run_setup(robot: Robot, follow: Follow = Follow.SHEET, like: RunSetup | None
     rest = None
     if starts_at_rest(robot):
         rest = _same_rest(like, mechanics, held) or robot_rest(robot, model=mechanics, held=held)
-    start = _first_state(robot, plan, model, held, rest)
+    start = first_state(robot, plan, model, rest)
     _check_inertia(mechanics, start[model.layout.q])
     accelerations = model.observe([0.0], start, plan.schedule.rows_at(np.zeros(1)))["a"][0]
     bad = np.flatnonzero(~np.isfinite(accelerations))
@@ -131,24 +138,13 @@ def _held(robot: Robot, model: LoopModel) -> dict[str, float]:
     return {model.coordinates[driver.coordinate]: initial_value(robot, driver.plan.joint) for driver in drivers}
 
 
-def first_state(robot: Robot, plan: Planned, model: LoopModel) -> Array:
-    """The state (size,) at time 0: at rest under the first commands, or undeformed; given coordinates and rates on top.
-
-    Raises :class:`tmodes.errors.SimulationError` where there is no rest.
-    """
-    held = _held(robot, model)
-    rest = robot_rest(robot, model=Model(plan.chain), held=held) if starts_at_rest(robot) else None
-    return _first_state(robot, plan, model, held, rest)
-
-
-def _first_state(
-    robot: Robot, plan: Planned, model: LoopModel, held: Mapping[str, float], rest: Equilibrium | None
-) -> Array:
+def first_state(robot: Robot, plan: Planned, model: LoopModel, rest: Equilibrium | None = None) -> Array:
+    """The state (size,) at time 0: at ``rest`` or undeformed, with given coordinates and rates on top."""
     names, layout = model.coordinates, model.layout
     state = np.zeros(layout.size)
     state[layout.controls] = model.plan.controls
     _refuse_unknown_feedback(model)
-    state[layout.q] = rest.q if rest else _undeformed(names, held)
+    state[layout.q] = rest.q if rest else _undeformed(names, _held(robot, model))
     motors = {name.removesuffix(".motor"): name for name in names if name.endswith(".motor")}
     for group, block in (("coordinates", layout.q), ("rates", layout.v)):
         info: Mapping[str, float] = getattr(robot.initial, group)

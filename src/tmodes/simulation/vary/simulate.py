@@ -18,7 +18,8 @@ from tmodes.simulation.batch.simulate import prepare_loops, run_all, thread_coun
 from tmodes.simulation.batch.work import Work, inputs
 from tmodes.simulation.motion_run import tip_positions
 from tmodes.simulation.parts import sample_times
-from tmodes.simulation.vary.lanes import Columns, Lane, changed_sheet, lane_of
+from tmodes.simulation.start import RunSetup, run_setup
+from tmodes.simulation.vary.lanes import Columns, changed_sheet, structure_of
 
 __all__ = ["Prepared", "prepared", "prepared_alone", "run_prepared", "simulate_batch"]
 
@@ -64,7 +65,7 @@ class Prepared:
     ``times`` (n,) [s]: of the samples; ``folder``: where they go, or None.
     """
 
-    lanes: Sequence[Lane | str]
+    lanes: Sequence[RunSetup | str]
     columns: Columns
     values: dict[str, Array]
     times: Array
@@ -110,12 +111,12 @@ def _prepared(
     if sheet.integration.energy_stop:
         hint = "leave it out, or run the lane by itself (tmodes run)"
         raise InputError("integration.energy_stop", "true", "false: a batch watches no energy", hint)
-    lanes: list[Lane | str] = []
+    lanes: list[RunSetup | str] = []
     times, columns = sample_times(sheet.integration), None
     for index, info in enumerate(changes):
         lanes.append(lane := _lane(sheet, info, index))
-        if isinstance(lane, Lane) and (columns is None or not columns.have(lane)):
-            columns = Columns.of_all([one for one in lanes if isinstance(one, Lane)], index)
+        if isinstance(lane, RunSetup) and (columns is None or not columns.have(lane)):
+            columns = Columns.of_all([one for one in lanes if isinstance(one, RunSetup)], index)
             check_room((len(changes), len(times), columns.width), folder)
         progress("preparing", (index + 1) / len(changes))
     if columns is None:
@@ -149,11 +150,11 @@ def _plain(value: np.float64) -> float | int:
     return int(number) if number.is_integer() and abs(number) < 2**53 else number
 
 
-def _lane(sheet: Robot, changes: Changes, index: int) -> Lane | str:
+def _lane(sheet: Robot, changes: Changes, index: int) -> RunSetup | str:
     """A lane, or why it cannot start."""
     real = changed_sheet(sheet, changes, index)
     try:
-        return lane_of(real)
+        return run_setup(real).chosen()
     except SimulationError as error:
         return str(error)
 
@@ -163,8 +164,8 @@ def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> Batc
     groups: dict[object, list[int]] = {}
     done = {}
     for index, lane in enumerate(batch.lanes):
-        if isinstance(lane, Lane):
-            groups.setdefault(lane.key, []).append(index)
+        if isinstance(lane, RunSetup):
+            groups.setdefault(structure_of(lane), []).append(index)
         else:
             done[index] = not_begun(room[index], lane)
     works = [_work(batch, members, room) for members in groups.values()]
@@ -177,9 +178,8 @@ def _run(batch: Prepared, room: Array, threads: int, progress: Progress) -> Batc
 
 def _work(batch: Prepared, members: list[int], room: Array) -> Work:
     """Lanes of one structure; those with other coordinates than the batch have a room of their own at first."""
-    group = [lane for lane in (batch.lanes[index] for index in members) if isinstance(lane, Lane)]
-    setups, settings = [lane.setup for lane in group], group[0].settings
-    model = setups[0].model
+    setups = [lane for lane in (batch.lanes[index] for index in members) if isinstance(lane, RunSetup)]
+    model, settings = setups[0].model, setups[0].robot.integration
     prepare_loops(model, settings.method)
     info = inputs(
         np.stack([setup.model.numbers for setup in setups]),
@@ -197,8 +197,8 @@ def _tips(done: BatchRun, batch: Prepared, progress: Progress) -> Array:
     tips = np.full((done.size, len(done.times), 3), np.nan)
     for index, lane in enumerate(batch.lanes):
         run = done.lane(index)
-        if isinstance(lane, Lane) and len(run.times):
-            states = run.states[:, batch.columns.of(lane.setup.model.coordinates)]
-            tips[index, : len(run.times)] = tip_positions(lane.setup, run.times, states)
+        if isinstance(lane, RunSetup) and len(run.times):
+            states = run.states[:, batch.columns.of(lane.model.coordinates)]
+            tips[index, : len(run.times)] = tip_positions(lane, run.times, states)
         progress("tips", (index + 1) / done.size)
     return tips
