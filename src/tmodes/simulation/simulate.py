@@ -90,15 +90,16 @@ def simulate_motion(
         reference = replace(reference, message=f"{reference.message}; likely cause: {_cause(verdict, warnings)}")
     trajectory, used, rows = _run(setups.real, until, stops, progress, journals, controller, tuple(stop))
     if reference and trajectory.status == STOPPED:
-        reference = _until(reference, float(trajectory.times[-1]))
+        cut = run_trajectory(reference.setup, until=float(trajectory.times[-1]))  # so that it has a sample there
+        reference = _warned(gathered(reference.setup, cut))
     if trajectory.status == "diverged":
         trajectory = replace(trajectory, message=f"{trajectory.message}; likely cause: {_cause(verdict, warnings)}")
     elif trajectory.status in ("finished", STOPPED):
         trajectory = replace(trajectory, message=explained(trajectory.message, why))
-    run = gathered(used, trajectory, rows)
+    run = _warned(gathered(used, trajectory, rows), *warnings)
     dt_omega = step_times_eigenvalue(verdict, run.statistics)
     statistics = run.statistics | {"highest_eigenvalue": verdict.highest, "dt_omega": dt_omega}
-    return replace(run, warnings=(*warnings, *run_warnings(run)), reference=reference, statistics=statistics)
+    return replace(run, reference=reference, statistics=statistics)
 
 
 def _refuse(real: RunSetup) -> None:
@@ -155,18 +156,16 @@ def _reference(
     if nominal is None:
         return None, None
     done = run_trajectory(nominal, lambda share: progress("reference", share), journals("reference"))
-    run = gathered(nominal, done)
-    run = replace(run, warnings=tuple(run_warnings(run)))
+    run = _warned(gathered(nominal, done))
     if done.status == "finished":
         return run, None
     warnings.append(f"the reference run ended early: {done.message}")
     return run, 0.0 if done.status == "interrupted" else float(done.times[-1])
 
 
-def _until(reference: RunData, end: float) -> RunData:
-    """The reference run to an earlier end [s], so that it has a sample there."""
-    run = gathered(reference.setup, run_trajectory(reference.setup, until=end))
-    return replace(run, warnings=tuple(run_warnings(run)))
+def _warned(run: RunData, *before: str) -> RunData:
+    """The run with its warnings, after those that came before it."""
+    return replace(run, warnings=(*before, *run_warnings(run)))
 
 
 def _cause(verdict: StepVerdict, warnings: list[str]) -> str:

@@ -107,15 +107,12 @@ def gear_rows(robot: Robot, links: Sequence[Mapping[str, Any]]) -> list[dict[str
 
 
 FIRST_FREQUENCY = (0.05, 5e3)
-
 """Usual range of the first frequency of a bare link [Hz]."""
 
 GEAR_OVER_LINK = (1e-2, 1e4)
-
 """Usual range of a gear's stiffness over EI/L of its link."""
 
 THICK = 10.0
-
 """Length over the distance of the outer fibre below which shear, which is left out, would count."""
 
 

@@ -92,12 +92,14 @@ def modes_about(
     whole[moving], moved[moving] = shapes, motions
     zero = NOTHING * len(mass) * float(np.abs(squares).max())
     stored = {name: spring.energy(whole) for name, spring in springs.items()}
-    modes = [
-        _mode(float(square), eigenvalues[k], whole[:, k], {name: float(part[k]) for name, part in stored.items()}, zero)
-        for k, square in enumerate(squares)
-    ]
-    modes = [replace(mode, motion=moved[:, k]) for k, mode in enumerate(modes)]
-    return [_controlled(mode, eigenvalues[k]) for k, mode in enumerate(modes)] if chosen else modes
+    modes = []
+    for k, square in enumerate(squares):
+        energies = {name: float(part[k]) for name, part in stored.items()}
+        mode = _mode(float(square), eigenvalues[k], whole[:, k], energies, zero)
+        rings = chosen and mode.damped_frequency_Hz
+        frequency = float(abs(eigenvalues[k])) / (2 * np.pi) if rings else mode.frequency_Hz
+        modes.append(replace(mode, frequency_Hz=frequency, motion=moved[:, k]))
+    return modes
 
 
 def closed_loop_poles(rest: Equilibrium, servos: Mapping[str, Servo], feedback: Feedback | None = None) -> Complex:
@@ -144,10 +146,6 @@ def _eigenvalues(
     chosen = partners(mass, shapes, values, damped)
     motions = damped[:, chosen]
     return values[chosen], motions if spanned is shapes else spanned @ motions
-
-
-def _controlled(mode: Mode, value: complex) -> Mode:
-    return replace(mode, frequency_Hz=float(abs(value)) / (2 * np.pi)) if mode.damped_frequency_Hz else mode
 
 
 def moving_coordinates(rest: Equilibrium, motors: MotorState, servos: Mapping[str, Servo]) -> NDArray[np.intp]:

@@ -149,15 +149,12 @@ def _plain(mode: Mode, rest: Equilibrium) -> dict[str, Any]:
 Array = NDArray[np.float64]
 
 CONVERGED = 0.01
-
 """Share by which a frequency may change with more functions."""
 
 MOST_CHECKED = 60
-
 """Coordinates up to which an arm is compared with a finer one."""
 
 ALIKE = 0.3
-
 """Likeness (modal assurance) from which two modes are the same motion."""
 
 

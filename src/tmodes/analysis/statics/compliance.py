@@ -139,18 +139,15 @@ def point_compliance(rest: Equilibrium, point: int = 0) -> PointCompliance:
 
 
 FIRST_ORDER = 1e-10
-
 """Compliance of the unloaded arm, over the largest of its kind, below which nothing gives to first order."""
 
 BENT = (1e-2, 0.5)
-
 """Share of the largest compliance of travels, and of turns, from which a bent arm's own is reported all the same.
 
 The stretch that is left out is some 1e-4 of bending or less; the twist that is left out is as large as bending.
 """
 
 ACROSS = 1e-6
-
 """Travel per turn or stretch, over the largest, that is rounding."""
 
 
@@ -171,11 +168,17 @@ def missing_functions(rest: Equilibrium, found: PointCompliance, point: int = 0)
     return info
 
 
+def _unbent(rest: Equilibrium) -> Array:
+    """The pose (nq,) without weight and loads, no link bent."""
+    q = rest.unloaded.copy()
+    q[rest.model.deformations] = 0.0
+    return q
+
+
 def _unloaded(rest: Equilibrium, point: int) -> Array:
     """The six compliances of the arm as it is without weight and loads, its gears and links unbent."""
     model, free = rest.model, rest.free
-    q = rest.unloaded.copy()
-    q[model.deformations] = 0.0
+    q = _unbent(rest)
     if not len(free):
         return np.zeros(6)
     stiffness = model.stiffness(q, base=model.at_rest(gravity=0.0))[np.ix_(free, free)]
@@ -187,8 +190,7 @@ def _unloaded(rest: Equilibrium, point: int) -> Array:
 def _kinds(rest: Equilibrium, point: int) -> list[list[str]]:
     """For each direction the kinds of functions that some link lacks and that would let the point give that way."""
     model = rest.model
-    q = rest.unloaded.copy()
-    q[model.deformations] = 0.0
+    q = _unbent(rest)
     place = model.pose(q)[0][point]
     found: list[set[str]] = [set() for _ in range(6)]
     outboard = _between(rest, point)
